@@ -1,7 +1,7 @@
-//! Sizes of the emitted Rust of seven scenes: lines, bytes, share that every scene has alike, and lines of the diff after
-//! one spring is 1 % stiffer.
+//! Sizes of the emitted Rust of seven scenes. Prints the lines, the bytes, the fraction of the bytes that is common to
+//! the scenes, and the lines of the diff after one spring becomes 1 % stiffer.
 //!
-//! `scripts/emitted-sizes [FOLDER]` runs this program. With a folder it also writes the sources there.
+//! `scripts/emitted-sizes [FOLDER]` runs this program. With a folder, the program also writes the sources there.
 
 use frictiongen_codegen::{Limits, parse_text, pretty};
 use std::collections::BTreeSet;
@@ -75,7 +75,8 @@ fn emitted(scene: (&str, usize, &str), stiffness: f64) -> Result<String, Box<dyn
 /// Returns the number of lines that a line diff removes and adds.
 fn changed(old: &str, new: &str) -> usize {
     let (old, new): (Vec<&str>, Vec<&str>) = (old.lines().collect(), new.lines().collect());
-    // Lengths of the longest common subsequences of the lines of `old` so far with each beginning of `new`.
+    // Lengths of longest common subsequences: entry j compares the lines of `old` so far with the lines of `new` up to
+    // line j.
     let mut common = vec![0_usize; new.len()];
     for line in &old {
         let (mut diagonal, mut left) = (0, 0);
@@ -115,7 +116,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         .collect();
     println!("scene    lines   bytes  in common  lines of the diff");
     for (scene, source) in &sources {
-        // A line counts as common where at least six of the seven scenes have it, which leaves the stepper out.
+        // A line counts as common if at least six of the seven scenes have it. The seventh scene may be the one with
+        // the stepper.
         let bytes: Vec<(usize, bool)> = neutral(scene.0, source)
             .iter()
             .map(|line| {

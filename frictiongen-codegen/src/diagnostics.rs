@@ -1,4 +1,4 @@
-//! Errors of a macro call, and the fields that it can use in spite of them.
+//! Errors of a macro call, and the fields that the macro can use in spite of these errors.
 
 use core::fmt;
 
@@ -39,7 +39,7 @@ impl fmt::Display for Errors {
     }
 }
 
-/// Emits an error of the compiler at a place.
+/// Emits a compiler error at a position in the source.
 pub(crate) fn compile_error(span: Span, message: &str) -> TokenStream {
     let mut message = Literal::string(message);
     message.set_span(span);

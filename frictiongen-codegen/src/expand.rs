@@ -63,7 +63,8 @@ fn expand_file(path: &Literal, relative: &str) -> TokenStream {
         Ok(description) => tokens.extend(emit(&description)),
         Err(diagnostics) => {
             tokens.extend(file_errors(path.span(), relative, &diagnostics));
-            // The names that could be read prevent follow-up errors in the user's crate.
+            // With the names that could be read, the macro emits a replacement type. It prevents follow-up errors in
+            // the user's crate.
             let partial = text.parse().ok().and_then(|tokens| {
                 parse_tokens(tokens, &Limits::MACRO)
                     .err()
@@ -106,8 +107,8 @@ fn emit_failure(failure: Failure) -> TokenStream {
     tokens
 }
 
-/// Emits the solver of a plain chain with the names of a faulty description. It never runs, because
-/// the errors emitted with it end the build.
+/// Emits the solver of a plain chain with the names of a faulty description. This solver never runs, because the errors
+/// that are emitted with it end the build.
 fn stand_in(partial: Partial) -> Option<TokenStream> {
     let Partial {
         attributes,

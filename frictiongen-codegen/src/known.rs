@@ -9,22 +9,23 @@ use frictiongen_model::scene::Precision;
 
 /// Number of frequency ratios with known answers.
 pub const POINTS: usize = 10;
-/// Number of frequency ratios that are tried. Fewer known answers remain if too many tries depend on roundings.
+/// Number of frequency ratios that are tried. If roundings decide about the answers of many of them, fewer than
+/// `POINTS` known answers remain.
 const TRIED: u32 = 400;
-/// Step between two tries, as a fraction of the range. Steps of the golden ratio spread the tries evenly.
+/// Step between two tries, as a fraction of the range. Steps by the golden section spread the tries evenly.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
-/// Displacements and velocities of a mass are known at this phase τ, rad.
+/// Phase τ, in rad, at which displacement and velocity of each mass are known.
 pub const TAU: f64 = 1.0;
-/// Roundings by which r is displaced to find how an answer depends on them.
+/// Number of roundings by which r is displaced. The change of an answer shows how much the answer depends on roundings.
 const DISPLACED: f64 = 32.0;
-/// Part of the tolerance by which such a displacement may change an answer.
+/// Fraction of the tolerance by which the displacement of r may change an answer.
 const SENSITIVE: f64 = 1.0 / 8.0;
-/// Distance of β from a limit, over the limit, so that no rounding changes the regime.
+/// Smallest distance of β from a limit, divided by the limit. With this distance no rounding changes the regime.
 const APART: f64 = 0.05;
-/// Largest modulus of a known phase, so that no rounding takes it across π.
+/// Largest modulus of a known phase, in rad. A larger phase could change from π to −π by rounding.
 const WRAPS: f64 = 3.0;
 
-/// Question that the known answers of a scene answer: the ranges, the tolerance and the kinds of answers.
+/// Request for known answers of a scene: the ranges, the tolerance and the kinds of answers.
 #[derive(Clone, Copy, Debug)]
 pub struct Question {
     /// Precision in which r and β are given.
@@ -63,8 +64,8 @@ pub struct Known {
     pub sliding: f64,
     /// The motion at one friction ratio, if it is asked for.
     pub motion: Option<KnownMotion>,
-    /// Real and imaginary part of the response of each mass while the contact is stuck, then of the force that holds
-    /// the contact. Empty unless they are asked for.
+    /// Real and imaginary part of the response of each mass while the contact is stuck, then of the force that keeps
+    /// the contact stuck. The list is empty if these responses are not requested.
     pub stuck: Vec<[f64; 2]>,
 }
 
@@ -75,9 +76,9 @@ pub struct KnownMotion {
     pub beta: f64,
     /// Kind of the motion.
     pub outcome: Outcome,
-    /// Amplitude and phase of the contact. 0 unless it slides all the time.
+    /// Amplitude and phase of the contact. Both are 0 if the contact does not slide all the time.
     pub contact: [f64; 2],
-    /// Displacement and velocity of each mass at τ = [`TAU`]. 0 unless the contact slides all the time.
+    /// Displacement and velocity of each mass at τ = [`TAU`]. Both are 0 if the contact does not slide all the time.
     pub masses: Vec<[f64; 2]>,
 }
 
@@ -156,7 +157,8 @@ fn answers(exact: &Reduced<Dd>, question: &Question, r: f64, place: usize) -> Op
     apart.next().is_none().then_some(here)
 }
 
-/// Returns a friction ratio: of three in turn two below β_lim, and one above both limits. It is within the range.
+/// Returns a friction ratio within the range. Two of three successive friction ratios are below β_lim. The third is
+/// usually above both limits, and sometimes between them.
 fn beta(question: &Question, continuous: f64, sliding: f64, place: usize) -> f64 {
     let wanted = match place % 3 {
         0 => 0.5 * continuous,
@@ -187,7 +189,7 @@ fn answer(exact: &Reduced<Dd>, question: &Question, r: f64, beta: Option<f64>) -
         stuck = parts
             .map(|value| [value.re.to_f64(), value.im.to_f64()])
             .collect();
-        // A response that is exactly 0 has the roundings of double-double.
+        // A response that should be exactly 0 contains roundings of double-double.
         let largest = stuck
             .iter()
             .flatten()

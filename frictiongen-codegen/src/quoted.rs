@@ -24,8 +24,8 @@ pub(crate) fn value(literal: &Literal) -> Option<String> {
     Some(value)
 }
 
-/// Reads an escape after its backslash. The outer `None` means that it is not one of Rust's. The inner `None` means
-/// that it stands for no character, because a line continues.
+/// Reads an escape after its backslash. The outer `None` means that Rust has no such escape. The inner `None` means
+/// that the escape stands for no character, because it continues the line.
 #[allow(clippy::option_option, reason = "the two have different meanings")]
 fn escaped(rest: &mut Peekable<Chars<'_>>) -> Option<Option<char>> {
     Some(Some(match rest.next()? {
@@ -55,7 +55,7 @@ fn code(digits: &str) -> Option<char> {
 mod tests {
     use super::*;
 
-    /// Compares with `syn`, which knows every literal of the language.
+    /// Compares the result with `syn`, which knows every literal of the language.
     #[test]
     fn as_syn_reads_them() {
         for text in [

@@ -47,8 +47,8 @@ impl Sources {
         self.list.get(place.token?)
     }
 
-    /// Returns a word as an identifier. The compiler's own identifier is preferred, because it may
-    /// be `$crate`, which cannot be made from its text.
+    /// Returns a word as an identifier. The compiler's own identifier is used where there is one, because it may be
+    /// `$crate`. No text can create that identifier.
     pub(crate) fn ident(&self, name: &Name) -> Ident {
         self.word(&name.text, name.place)
     }

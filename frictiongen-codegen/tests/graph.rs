@@ -6,7 +6,7 @@ use frictiongen_codegen::graph::{Expr, Graph};
 use frictiongen_kernel::Scalar;
 use frictiongen_model::scene::Precision;
 
-/// Values at which signs, zeros and ones matter. All but a few of their sums, products and quotients are exact.
+/// Values that include both signs, 0, 1 and −1. Almost all of their sums, products and quotients are exact.
 const VALUES: [f64; 9] = [-2.5, -1.0, -0.75, 0.0, 0.125, 0.5, 1.0, 3.0, 8.0];
 
 /// Returns every formula of two values, over any scalar.
@@ -82,7 +82,7 @@ fn interpreted_as_recorded() {
                 assert_eq!(found.len(), 2 * expected.len());
                 let expected = expected.iter().chain(&expected);
                 for (index, (found, expected)) in found.iter().zip(expected).enumerate() {
-                    // Folding may only lose the sign of a zero.
+                    // Folding may lose only the sign of a zero.
                     assert!(
                         found == expected || found.is_nan() && expected.is_nan(),
                         "formula {index} of {a}, {b}: {found} for {expected}"
@@ -110,8 +110,8 @@ fn chains<S: Scalar>(a: S, b: S, c: S) -> [S; 8] {
     ]
 }
 
-/// Constants by name have the values of constants that fold, to the last bit. In single precision a chain may round
-/// differently after each operation than once at its end. It then folds.
+/// Constants with a name must have the values of constants that fold, to the last bit. In single precision, rounding
+/// after each operation of a chain may give another result than one rounding at its end. The chain is then folded.
 #[test]
 fn constants_by_name_have_the_folded_values() {
     #[allow(

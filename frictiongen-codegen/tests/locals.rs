@@ -33,7 +33,8 @@ impl<'ast> Visit<'ast> for Seen {
     }
 }
 
-/// Returns a chain of masses. Each is joined to the base or the wall in turn, so that no two modes are alike.
+/// Returns a chain of masses. The masses are joined to the base and to the wall alternately, so that no two modes are
+/// alike.
 fn scene(masses: usize, contact: &str, excitation: &str, rest: &str) -> String {
     let mut text = String::from("struct Scene { masses: {");
     for mass in 0..masses {
@@ -113,7 +114,7 @@ fn check_all(range: RangeInclusive<usize>) -> (usize, usize) {
                         continue;
                     }
                     let scalar = ["f64", "f32"][(kind + item) % 2];
-                    // Time-domain solvers of many critically damped modes are refused.
+                    // The macro refuses time-domain solvers of many critically damped modes.
                     let crowded = masses > 4 && *damping == "modal(1)";
                     let provide = if crowded { CROWDED } else { provide };
                     let rest = format!(
@@ -130,7 +131,7 @@ fn check_all(range: RangeInclusive<usize>) -> (usize, usize) {
     (scenes, names)
 }
 
-// Two tests, because two threads halve the time.
+// The test is divided into two, because two threads need half the time.
 #[test]
 fn every_name_that_a_pattern_of_a_small_scene_binds_is_hidden() {
     let (scenes, names) = check_all(1..=8);

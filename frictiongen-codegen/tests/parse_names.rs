@@ -122,7 +122,7 @@ fn attributes_of_every_form() {
                 let message = failure.errors.to_string();
                 assert_eq!(from_text.len(), 1, "{attribute}");
                 assert_eq!(from_text.first().map(|one| &one.message), Some(&message));
-                // `syn` has the last word on the form.
+                // `syn` decides whether the form is valid.
                 if !attribute.contains('5') {
                     let error = syn::Attribute::parse_outer
                         .parse_str(attribute)
@@ -160,7 +160,7 @@ fn paths_are_alike_in_a_text_and_in_tokens() {
                 description.facade.to_string(),
             )
         });
-        // A text reads a raw word of other letters as the plain word, which is the same name.
+        // The text parser reads a raw word with non-ASCII letters as the plain word. Both words are the same name.
         assert_eq!(text.0.replace("r#é", "é"), tokens.0.replace("r#é", "é"));
         assert_eq!(text.1.replace("r#é", "é"), tokens.1.replace("r#é", "é"));
     }

@@ -66,25 +66,25 @@ fn every_error_is_told_at_once() {
 #[test]
 fn an_unreadable_part_gives_no_second_error() {
     for (from, to) in [
-        // With an unreadable list of masses, no name is unknown, no mass lacks a support, and no damping list is too
-        // short.
+        // If the list of masses is unreadable, three follow-up errors must not occur: an unknown name, a mass without
+        // support, and a damping list that is too short.
         ("{ a: 1, b: 2 }", "[1, 2]"),
         ("b: 2 }", "(b): 2 }"),
-        // With unreadable springs, no mass is unsupported or out of reach.
+        // If the springs are unreadable, no mass may be reported as unsupported or out of reach.
         ("{ base - a: 1, a - b: 1 }", "1.0"),
         ("a - b: 1", "a = b: 1"),
         ("a - b: 1", "a - c: 1"),
         ("a - b: 1", "a - b: kg"),
-        // With an unreadable contact or excitation, no mass is out of reach.
+        // If the contact or the excitation is unreadable, no mass may be reported as out of reach.
         ("b - wall", "b"),
         ("b - wall", "x - wall"),
         ("excitation: a", "excitation: x"),
-        // An incomplete declaration, or one of an item that is not built, is reported once.
+        // A declaration that is incomplete, or that belongs to an item that is not emitted, is reported only once.
         ("stiction: 1", "range: 0"),
         ("stiction: 1", "range: { r: 0.1..1, beta: 0..1 }"),
         ("stiction: 1", "range: { r: 0..1 }, accuracy: 1e-4"),
         ("stiction: 1", "provide: [stepper], step: 0"),
-        // With an unreadable list of provided items, no field is reported for want of the stepper.
+        // If the list of provided items is unreadable, no field may be reported because the stepper is missing.
         ("stiction: 1", "provide: stepper, step: 1"),
         ("stiction: 1", "provide: [steper], friction: stribeck(1: 1)"),
         ("stiction: 1", "provide: [stepper, limit], force: { b }"),

@@ -11,8 +11,8 @@ pub type Columns = Vec<Vec<Dd>>;
 
 /// Largest |cosine| of the angle between two columns that count as orthogonal.
 const ORTHOGONAL: f64 = 1e-30;
-/// Upper bound on the number of sweeps, which only prevents an endless loop. Convergence is quadratic and takes far
-/// fewer sweeps.
+/// Upper bound on the number of sweeps. It only prevents an endless loop, because the convergence is quadratic and
+/// takes far fewer sweeps.
 const MAX_SWEEPS: usize = 60;
 
 /// Returns the scalar product of two vectors.
@@ -29,7 +29,7 @@ pub fn singular(mut g: Columns) -> (Vec<Dd>, Columns) {
     let mut v: Columns = (0..n)
         .map(|i| (0..n).map(|j| if i == j { one } else { zero }).collect())
         .collect();
-    // If the large columns come first, the rotations stay small among the columns with small singular values.
+    // With the large columns first, the rotations among the columns with small singular values stay small.
     let mut norms: Vec<Dd> = g.iter().map(|column| dot(column, column)).collect();
     sort(&mut g, &mut v, &mut norms, |a, b| b < a);
     for _ in 0..MAX_SWEEPS {

@@ -33,8 +33,8 @@ pub struct Modal<T = Dd> {
     /// φᵀK_w1, the force on each mode if all masses move by 1, from the stiffnesses K_w of the springs to the wall. The
     /// list is empty unless damping acts on velocities relative to the moving base.
     pub walls: Vec<T>,
-    /// wᵀΓ⁻¹C̄1 over r, the relative acceleration that damping gives the contact if the base moves at unit velocity. It is
-    /// 0 unless damping acts on velocities relative to the moving base.
+    /// wᵀΓ⁻¹C̄1/r, the relative acceleration that damping gives the contact if the base moves at unit velocity. It is 0
+    /// unless damping acts on velocities relative to the moving base.
     pub inertial_drag: T,
     /// m* = wᵀΓ⁻¹w, the inverse effective mass of the contact.
     pub inverse_mass: T,
@@ -173,8 +173,8 @@ impl Modal {
 
     /// Returns the modal analysis of a scene with a solver that the caller provides. The solver receives the columns of
     /// G, where GᵀG has the eigenvalues λ. It returns the singular values of G in ascending order, and the right
-    /// singular vectors as columns. A modal value below `noise` times the largest value that it can have is set to
-    /// zero.
+    /// singular vectors as columns. `noise` is a relative bound: a modal value below `noise` times the largest value
+    /// that it can have is set to zero.
     #[must_use]
     pub fn solved_by(
         scene: &Scene,
@@ -301,8 +301,8 @@ impl<T: Float> Modal<T> {
     }
 
     /// Returns the undamped resonances that the load drives, as frequency ratios. The continuous motion may be
-    /// unbounded there. If `invisible` is true, the result has only modes in which the contact does not move. At their
-    /// resonances even the motion with a stuck contact is unbounded.
+    /// unbounded there. If `invisible` is true, the result contains only the resonances of modes in which the contact
+    /// does not move. At these resonances even the motion with a stuck contact is unbounded.
     #[must_use]
     pub fn unbounded(&self, invisible: bool) -> Vec<T> {
         let zero = T::constant(0.0);
@@ -320,7 +320,8 @@ impl<T: Float> Modal<T> {
             .collect()
     }
 
-    /// Returns true if any mode is damped, or becomes damped when the variable of a derivative changes.
+    /// Returns true if any mode is damped. Also returns true if a mode becomes damped when the variable of a derivative
+    /// changes.
     #[must_use]
     pub fn is_damped(&self) -> bool {
         self.damping_ratios.iter().any(|zeta| !zeta.vanishes())
@@ -331,7 +332,7 @@ impl<T: Float> Modal<T> {
     pub fn ends(&self) -> Ends<T> {
         let mu = self.stiction;
         let sliding = self.static_motion.abs() / (mu * self.static_receptance);
-        // Where damping acts relative to the base, the force on the contact grows as r.
+        // Where damping acts relative to the base, the force on the contact is proportional to r for large r.
         if self.on_moving_base || !self.inertial_drag.is_zero() {
             let infinity = T::constant(f64::INFINITY);
             return Ends {

@@ -1,4 +1,5 @@
-//! Sums over the modes that rounding noise must not decide: projections, static motions, and the drag of a moving base.
+//! Sums over the modes: projections, static motions, and the drag of a moving base. A sum that is only rounding noise
+//! is set to zero.
 
 use crate::jacobi::dot;
 use frictiongen_kernel::Float;
@@ -31,7 +32,7 @@ pub(crate) fn static_sums<T: Float>(
     (cleaned(motion, size, noise), receptance)
 }
 
-/// Returns wᵀΓ⁻¹C̄1 over r = Σ φᵀw 2ζ√λ Γ, the relative acceleration that damping gives the contact if the base moves at
+/// Returns Σ φᵀw 2ζ√λ Γ = wᵀΓ⁻¹C̄1/r, the relative acceleration that damping gives the contact if the base moves at
 /// unit velocity. The sum is 0 without participation factors Γ.
 pub(crate) fn inertial_drag<T: Float>(
     (resonances, damping_ratios): (&[T], &[T]),

@@ -168,7 +168,8 @@ pub(crate) fn kind<T: Float>(zeta: T) -> Kind {
     if zeta.vanishes() {
         return Kind::Undamped;
     }
-    // The rounded ζ selects the kind of damping, because the emitted closed form uses the rounded ζ.
+    // The rounded ζ decides whether the mode is undamped, underdamped or overdamped, because the emitted closed form
+    // uses the rounded ζ.
     let zeta = zeta.to_f64();
     if zeta < 0.5 {
         Kind::Light

@@ -91,7 +91,7 @@ fn between(modes: &[Driven], compliance: Dd, low: Dd, high: Option<Dd>) -> Dd {
     let mut last = None;
     for step in 0..200 {
         let mut c = b - at_b * (b - a) / (at_b - at_a);
-        // If the two modes have very different weights, regula falsi keeps the same bound for many steps. Every eighth
+        // If the weights of the two modes differ much, regula falsi keeps the same bound for many steps. Every eighth
         // step therefore bisects.
         if step % 8 == 7 || !(a < c && c < b) {
             c = (a + b) * half;
@@ -193,8 +193,8 @@ const FIRST_STEPS: (usize, f64) = (100, 1e-14);
 /// Upper bound on the steps in double-double, and the relative correction at which they end.
 const LAST_STEPS: (usize, f64) = (60, 1e-29);
 
-/// Largest imaginary part of a root that counts as real, relative to the modulus of the root. Rounding gives such an
-/// imaginary part to a real root.
+/// Largest imaginary part of a root that counts as real, relative to the modulus of the root. Rounding gives a real
+/// root such an imaginary part.
 const REAL: f64 = 1e-13;
 
 /// Converts a double-double to another number type.
@@ -203,7 +203,8 @@ pub(crate) fn to<S: Float>(value: Dd) -> S {
 }
 
 /// Improves the estimates of all roots of a polynomial P at once (Aberth and Ehrlich). Each step is a Newton step for
-/// one root, from P′/P, with the other roots divided out. The first `known` roots stay as they are.
+/// one root, computed from P′/P after division by the factors of the other roots. The first `known` roots stay as they
+/// are.
 pub(crate) fn iterate<S: Float>(
     roots: &mut [Complex<Dd>],
     known: usize,
@@ -249,7 +250,7 @@ pub(crate) fn iterate<S: Float>(
     }
 }
 
-/// Returns P′/P at s, for the polynomial P = (direct + Σ c_i/d_i) Π d_i with d = s² + 2ζσs + σ².
+/// Returns P′/P at s, for the polynomial P = (direct + Σ c_i/d_i) Π d_i with d_i = s² + 2ζ_iσ_i s + σ_i².
 fn slope_over_value<S: Float>(modes: &[(S, S, S)], direct: S, s: Complex<S>) -> Complex<S> {
     let zero = complex::real(S::constant(0.0));
     let (mut value, mut slope, mut others) = (complex::real(direct), zero, zero);
@@ -273,8 +274,8 @@ fn slope_over_value<S: Float>(modes: &[(S, S, S)], direct: S, s: Complex<S>) -> 
 }
 
 /// Joins two conjugate roots into a pair, and joins real roots into pairs by size. Two real roots that started as a
-/// pair stay together. Otherwise a pair could join real roots of two different modes, and the contributions of both
-/// roots would be nearly dependent.
+/// conjugate pair stay together. Otherwise a pair could join real roots of two different modes, and the contributions
+/// of both roots would be nearly dependent.
 fn paired(started: Vec<Complex<Dd>>) -> Vec<Pair> {
     let is_real = |root: &Complex<Dd>| {
         let size = complex::modulus(*root, true);

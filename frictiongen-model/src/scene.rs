@@ -292,8 +292,8 @@ pub struct Scene {
 }
 
 impl Scene {
-    /// Returns true if the generator emits this group of methods for the scene. Two motions count as the same group,
-    /// whichever masses they name.
+    /// Returns true if the generator emits this group of methods for the scene. Two `Motion` groups count as equal,
+    /// even if they name different masses.
     #[must_use]
     pub fn provides(&self, item: &Provide) -> bool {
         let kind = core::mem::discriminant(item);
@@ -301,8 +301,9 @@ impl Scene {
         items.any(|item| core::mem::discriminant(item) == kind)
     }
 
-    /// Returns true if any emitted method is evaluated at a frequency of excitation. The stepper is not evaluated at a
-    /// frequency. The simulation is not either, if the kinetic friction depends on the speed.
+    /// Returns true if the emitted code has a method that is evaluated at a frequency of excitation. The stepper is
+    /// never evaluated at a frequency. The simulation is not evaluated at a frequency either, if the kinetic friction
+    /// depends on the speed.
     #[must_use]
     pub fn needs_frequency(&self) -> bool {
         let constant = self.friction == FrictionLaw::Coulomb;
@@ -322,7 +323,8 @@ impl Scene {
             && self.damping != Damping::None
     }
 
-    /// Returns what the damping acts on, if the base moves and the scene has damping. Only then it makes a difference.
+    /// Returns the velocities on which the damping acts. Returns `None` if the base does not move or the scene has no
+    /// damping, because the choice then makes no difference.
     #[must_use]
     pub fn damping_acts_on(&self) -> Option<&'static str> {
         let differs = self.excitation == Excitation::Base && self.damping != Damping::None;
@@ -334,7 +336,7 @@ impl Scene {
         })
     }
 
-    /// Returns true if any emitted method follows the motion in time.
+    /// Returns true if the emitted code has a method that follows the motion in time.
     #[must_use]
     pub fn moves_in_time(&self) -> bool {
         let in_time = [Provide::Simulation, Provide::Orbit, Provide::Stepper];
@@ -363,7 +365,7 @@ impl Scene {
 
 impl Scene {
     /// Returns true if masses beyond the contact can act as an absorber. While the contact is stuck, only the contact
-    /// joins these masses to the load, so that they resonate by themselves.
+    /// connects these masses to the load, so that they resonate by themselves.
     #[must_use]
     pub fn has_absorber(&self) -> bool {
         let sides = [self.contact.from, self.contact.to];

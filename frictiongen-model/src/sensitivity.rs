@@ -217,7 +217,8 @@ impl Change {
         let mut matrix = self.between(&shapes, &modal.resonances, scene, &gamma, &kappa);
         let turned = adapt_equal_modes(&mut matrix, &mut shapes, &modal.resonances);
 
-        // The derivative is dφ_i = Σ φ_j (…)/(λ_i − λ_j) − ½ (dγ/γ) φ_i, with the sum over the modes j of another frequency.
+        // The derivative is dφ_i = Σ φ_j (…)/(λ_i − λ_j) − ½ (dγ/γ) φ_i. The sum covers the modes j whose frequency
+        // differs from that of mode i.
         let half = dd(0.5);
         for i in 0..n {
             let root = at(&modal.resonances, i);

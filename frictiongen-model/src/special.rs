@@ -5,8 +5,8 @@ use crate::modal::Modal;
 use frictiongen_kernel::Float;
 
 impl<T: Float> Modal<T> {
-    /// Returns β_n,i, the friction threshold of each mode. Below this friction ratio, the motion at the undamped
-    /// resonance of the mode is unbounded (6.2, 6.26). The entry is `None` for a mode that the contact does not drive.
+    /// Returns the friction threshold β_n,i of each mode i (6.2, 6.26). Below this friction ratio, the motion at the
+    /// undamped resonance of the mode is unbounded. The entry is `None` for a mode that the contact does not drive.
     #[must_use]
     pub fn resonance_thresholds(&self) -> Vec<Option<T>> {
         self.loads
@@ -20,7 +20,8 @@ impl<T: Float> Modal<T> {
     }
 
     /// Returns the displacement x̄ of every mass for r → 0 at the friction ratio β (6.5). It is the static displacement
-    /// under the load, with the friction force against it. Returns `None` if the contact is stuck at r = 0.
+    /// under the load and under the friction force, which opposes the load. Returns `None` if the contact is stuck at r
+    /// = 0.
     #[must_use]
     pub fn quasi_static_start(&self, beta: T) -> Option<Vec<T>> {
         if self.ends().sliding_at_rest <= beta {

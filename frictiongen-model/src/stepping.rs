@@ -149,8 +149,8 @@ pub fn pace<S: Float>(scene: &StepScene<'_, S>, step: S) -> Result<Pace<S>, OutO
     )
 }
 
-/// Returns why a stepper refuses the step of a scene: the angle in rad by which the fastest oscillator turns in one
-/// step, and the range of angles that a stepper accepts. Returns `None` if the stepper accepts the step.
+/// Returns the reason why a stepper refuses the step of a scene: the angle in rad by which the fastest oscillator turns
+/// in one step, and the range of angles that a stepper accepts. Returns `None` if the stepper accepts the step.
 #[must_use]
 pub fn refused_step(scene: &Scene, modal: &Modal) -> Option<(f64, [f64; 2])> {
     let step = scene.stepping.step?;

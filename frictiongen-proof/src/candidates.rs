@@ -10,8 +10,8 @@ use frictiongen_model::table::building::Exact;
 use frictiongen_model::table::building::interpolated;
 use std::f64::consts::PI;
 
-/// Number of instants through which the polynomial of a witness passes. Tuned: each instant costs a search, and the
-/// polynomial in r has degree 4.
+/// Number of instants through which the polynomial of a witness passes. Tuned: each instant costs a search. Five
+/// instants give the polynomial in r the degree 4.
 const NODES: usize = 5;
 /// Distance in half-turns above which two instants do not belong to one witness. Tuned: a polynomial through two
 /// different maxima would follow neither of them.
@@ -19,11 +19,11 @@ const JUMP: f64 = 0.05;
 /// Distance of an instant from the start of the half period, in radians of the fastest mode, below which a witness may
 /// use the Taylor series in τ (module `early`). All instants of such a witness lie within the range of that series.
 const EARLY: f64 = 1.2;
-/// Distance from the start, in the same radians, below which a witness uses only the Taylor series in τ. Tuned: closer
-/// to the start, F/sin τ is a quotient of two small intervals.
+/// Distance from the start of the half period, in radians of the fastest mode, below which a witness uses only the
+/// Taylor series in τ. Tuned: closer to the start, F/sin τ is a quotient of two small intervals.
 const SURELY: f64 = 0.3;
-/// Distance from the start, in the same radians, below which the start itself is also a candidate. Tuned: a maximum
-/// this close may reach the start within the interval of r.
+/// Distance from the start of the half period, in radians of the fastest mode, below which the start itself is also a
+/// candidate. Tuned: a maximum this close may reach the start within the interval of r.
 const START: f64 = 0.05;
 
 /// Returns the candidates for the largest constraint, from the exact search at several r.

@@ -10,10 +10,10 @@ use crate::witness::{Witness, WitnessInstant};
 use frictiongen_model::interval::Interval;
 use std::f64::consts::PI;
 
-/// Length of a step that widens the region about a witness, as a fraction of √(N/D″). Tuned: a longer step widens
-/// faster, but the bounds of D″ over it are wider.
+/// Length of a step that widens the region about a witness, as a fraction of √(N/D″). Tuned: a longer step widens the
+/// region faster, but gives wider bounds of D″.
 const TUBE_STEP: f64 = 0.3;
-/// Largest number of steps that widen the region about a witness. Tuned: it bounds the work of one region.
+/// Largest number of steps that widen the region about a witness. Tuned: the number limits the work for one region.
 const TUBE_STEPS: usize = 8;
 /// Largest first widening step, as a fraction of the way from the witness to the end of the half period. Tuned: about a
 /// flat maximum a step relative to √(N/D″) alone would be too long.
@@ -38,7 +38,8 @@ pub(crate) struct CellData<'a> {
     pub over: &'a ChainStage<ORDER>,
     pub seen_at: &'a WitnessInstant<ORDER>,
     pub seen_over: &'a WitnessInstant<ORDER>,
-    /// Margin of N above the witness: √(U² + N²) exceeds its value for the witness's constraint by this fraction.
+    /// Margin of N above the witness. √(U² + N²) exceeds √(U² + Q²) by this fraction, with Q the constraint of the
+    /// witness.
     pub share: f64,
 }
 
@@ -119,7 +120,7 @@ impl<'a> HalfPeriodCells<'a> {
         let level = self.level_over.value();
         let ([_, second, third], (sine, cosine)) = self.derivatives(t);
         let plain = -(level * sine) - second;
-        // The mean value form at the middle makes the bound narrower.
+        // The mean value form about the middle of the interval makes the bound narrower.
         let middle = Interval::point(t.middle());
         let ([_, second, _], (sine, _)) = self.derivatives(middle);
         let moves = (-(level * cosine) - third) * (t - middle) * Interval::pi();

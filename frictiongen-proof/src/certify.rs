@@ -22,13 +22,13 @@ const FAR_ABOVE: f64 = 0.01;
 /// Fraction of D″ at the witness that serves as the smallest D″ in the region where the fraction `BENT` does not
 /// suffice. Tuned: it gives a steeper parabola in a narrower region.
 const MORE_BENT: f64 = 0.5;
-/// Shortest cell, as a fraction of its side. Tuned: it bounds the work of a side that fails. The interval of r is then
-/// halved.
+/// Shortest cell, as a fraction of its side. Tuned: it limits the work of a side that fails. After a failure the
+/// interval of r is halved.
 const SHORTEST: f64 = 1e-3;
 /// Length of a cell, in radians of the fastest mode, below which another instant may have nearly the same constraint as
 /// the witness. Tuned: cells become short where D is small.
 const COMPETE: f64 = 0.1;
-/// Largest number of searches for another instant with nearly the same constraint as the witness. Tuned: it bounds the
+/// Largest number of searches for another instant with nearly the same constraint as the witness. Tuned: it limits the
 /// work of the searches.
 const MOST_TRIED: usize = 4;
 /// Ratio of the next cell's length to the length of a certified cell. Tuned: fast growth saves cells, but a cell that
@@ -37,8 +37,8 @@ const LONGER: f64 = 1.4;
 /// First length of the range that a single bound covers from the start of the half period, in radians of the fastest
 /// mode. Tuned: a longer range saves cells, but its bound is wider.
 const EARLY: f64 = 0.3;
-/// Largest number of times that this first range shrinks after a failed bound. Tuned: the last range is an eighth of
-/// the first.
+/// Largest number of times that this first range shrinks after a failed bound. Tuned: the last range is about an eighth
+/// of the first.
 const EARLY_STEPS: usize = 6;
 /// Factor by which the first range shrinks after a failed bound. Tuned with `EARLY_STEPS`.
 const EARLY_STEP: f64 = 0.7;
@@ -64,7 +64,7 @@ pub(crate) fn certified(part: &CellData<'_>, budget: &mut Budget) -> bool {
     let seen = is_start || (is_early && one);
     let kappa = part.over.kappa.map_or(Interval::ONE, |kappa| kappa.value());
     if !seen && (kappa.holds_zero() || !(0.0 < spare.range(part.away).low)) {
-        // If κ may be 0, its sign is unknown. The squares are then compared.
+        // If κ may be 0, its sign is unknown. The squares are compared in this case.
         let spare = cells.level_over.value().squared() - part.over.break_away.value().squared();
         if !(0.0 < spare.low) {
             return false;
@@ -94,16 +94,16 @@ impl HalfPeriodCells<'_> {
         }
         let curve = self.bend(path, budget);
         if !(0.0 < curve.low) {
-            // Where U exceeds S, N is so far above all sums that D has no minimum.
+            // If U exceeds S, the largest velocity constraint, N is so far above all sums that D has no minimum.
             return Some([1.0, 1.0]);
         }
-        // First tries the widest region, then one with more curvature.
+        // The code first tries the widest region, then a narrower region with a steeper parabola.
         let tube = [BENT, MORE_BENT].into_iter().find_map(|bent| {
             let (reach, least) = self.widened(path, curve, bent, budget);
             self.is_least(least).then_some(reach)
         });
         let Some([before, after]) = tube else {
-            // Where N is far above the witness, the cells need no parabola about it.
+            // If N is far above the witness, the cells need no parabola about the witness.
             let far = FAR_ABOVE * self.level_over.value().high < self.above().low;
             return far.then_some([1.0, 1.0]);
         };

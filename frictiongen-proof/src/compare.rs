@@ -13,8 +13,8 @@ use frictiongen_model::table::building::rounding;
 
 /// Number of terms of a series after it is divided by the distance from a zero. The division costs one term.
 pub(crate) const SHORT: usize = ORDER - 1;
-/// Number of cells into which an interval is divided to bound a polynomial. Tuned: more cells give narrower bounds, at
-/// more work.
+/// Number of cells into which an interval is divided to bound a polynomial. Tuned: more cells give narrower bounds, but
+/// need more work.
 pub(crate) const CELLS: usize = 8;
 /// Largest fraction of the accuracy that the uncertain position of a zero of β_lim may take. Tuned: the neighbourhood
 /// of the zero that stays open grows as the inverse of this fraction.
@@ -49,8 +49,8 @@ pub(crate) fn divided(series: &IntervalSeries<ORDER>) -> IntervalSeries<SHORT> {
     IntervalSeries { terms }
 }
 
-/// Compares the emitted polynomial with β_lim. Returns `None` if it is not within the accuracy. β_lim is that of the
-/// witness, or less by at most the fraction `share`.
+/// Compares the emitted polynomial with β_lim. Returns `None` if the polynomial is not within the accuracy. The exact
+/// β_lim is the witness's β_lim, or smaller by at most the fraction `share`.
 pub(crate) fn compared<S: Float>(
     piece: &Fitted<S>,
     request: &Request,

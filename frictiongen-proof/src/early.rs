@@ -6,21 +6,22 @@ use crate::series::IntervalSeries;
 use crate::stage::ChainStage;
 use frictiongen_model::interval::Interval;
 
-/// Number of terms of the series of F/τ. [`rest`] bounds the remainder, so fewer terms would only leave more of r open.
+/// Number of terms of the series of F/τ. [`rest`] bounds the remainder, so with fewer terms the proof would stay true,
+/// but would leave more of r open.
 const TERMS: usize = 13;
 /// Derivatives of the cosine at τ = 0, which repeat after four.
 const OF_COSINE: [f64; 4] = [1.0, 0.0, -1.0, 0.0];
-/// Largest |τ|, in rad, for which the series of sin τ/τ is used. Every instant of a witness near the start is smaller.
+/// Largest |τ|, in rad, for which the series of sin τ/τ is used. Every instant of a witness near the start of the half
+/// period is smaller.
 const FARTHEST: f64 = 1.3;
 /// Bound on the neglected terms of the series of sin τ/τ and of its slope, for |τ| up to [`FARTHEST`]. Beyond the
 /// [`PAIRS`] terms that are used, their sum is below 20·1.3¹⁹/21! < 6·10⁻¹⁷.
 const SINC_REST: f64 = 1e-16;
-/// Number of powers of τ² in the series of sin τ/τ. The next term is below one rounding up to
-/// [`FARTHEST`].
+/// Number of powers of τ² in the series of sin τ/τ. The next term is below one rounding for |τ| up to [`FARTHEST`].
 const PAIRS: usize = 10;
 /// Factor that allows for up to four roundings in a bound, each at most 2⁻⁵³ ≈ 1.1·10⁻¹⁶.
 const UP: f64 = 1.0 + 1e-15;
-/// Factor that allows for up to ninety roundings in a bound, where π and earlier factors are rounded as well.
+/// Factor that allows for up to ninety roundings in a bound. It includes the roundings of π and of earlier factors.
 const FAR_UP: f64 = 1.0 + 1e-14;
 
 /// Returns sin τ/τ and its slope, by their power series. [`SINC_REST`] bounds the remainder. Returns `ALL` if |τ| may
@@ -110,7 +111,7 @@ pub(crate) fn rest<const N: usize>(stage: &ChainStage<N>, t: f64) -> [Interval; 
             let following = -(loss * next) - x.squared() * p;
             (p, next) = (next, following);
         }
-        // p and next are now p⁽ᵀ⁺¹⁾ and p⁽ᵀ⁺²⁾. A derivative of the cosine is at most 1.
+        // Here `p` and `next` are p⁽ᵀ⁺¹⁾ and p⁽ᵀ⁺²⁾. The magnitude of a derivative of the cosine is at most 1.
         let of_forced_slope = mode.forced_slope.value() * (Interval::within(1.0) - next);
         most += (mode.free.value() * p + of_forced_slope).size() * UP;
     }

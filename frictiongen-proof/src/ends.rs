@@ -39,7 +39,7 @@ impl HalfPeriodCells<'_> {
         if !(0.0 < start.low) {
             return false;
         }
-        // If D″ ≥ 0 the cell needs no more than D′(0) > 0. Otherwise a plain parabola may suffice.
+        // If D″ ≥ 0, D′(0) > 0 suffices for the cell. Otherwise a plain parabola may suffice.
         let bend = -(level * sine) - second;
         let reach = t * Interval::pi();
         if 0.0 <= bend.low {

@@ -1,5 +1,5 @@
-//! Compares two sets of formulas in double-double: those of [`stage`](crate::stage) and [`force`](crate::force), and
-//! the kernel's.
+//! Compares the formulas of [`stage`](crate::stage) and [`force`](crate::force) with the formulas of the kernel, in
+//! double-double.
 
 use crate::force;
 use crate::series::IntervalSeries;

@@ -1,4 +1,4 @@
-//! Results of a proof up to now, and its remaining work.
+//! Results of a proof so far, and the work that it may still spend.
 
 use crate::compare::ComparedLimit;
 use frictiongen_model::table::Worst;
@@ -10,7 +10,7 @@ pub(crate) struct Budget {
     pub spent: usize,
 }
 
-/// Work of evaluating a `Stage` over an interval, per mode. The estimate only counts work.
+/// Work of evaluating a `Stage` over an interval, per mode. It is an estimate, used only to limit the work of a proof.
 pub(crate) const OF_STAGE: usize = 20;
 
 impl Budget {
@@ -28,7 +28,7 @@ impl Budget {
     }
 }
 
-/// Results for one function up to now: its largest error, and the intervals of r that are still open.
+/// Results for one function so far: its largest error, and the intervals of r that are still open.
 pub(crate) struct FunctionProof {
     bound: Worst,
     pub open: Vec<(f64, f64)>,

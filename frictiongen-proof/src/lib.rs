@@ -51,7 +51,7 @@ const PIECE_WORK: usize = 1800;
 /// an undamped mode.
 const PIECE_WORK_UNDAMPED: usize = 2600;
 /// Largest work for one piece, as a multiple of its equal share of the total work. Tuned: one piece must not use the
-/// work of all others.
+/// work that the other pieces need.
 const FAIR: usize = 8;
 
 /// Adds to tables a proof of β_lim, and of amplitude and phase of the contact. It covers as much of r as the work
@@ -100,12 +100,12 @@ fn of_pieces<S: Float>(
     );
     let (low, high) = (ends.0.to_f64(), ends.1.to_f64());
     let landmarks = Landmarks::of(modal, Zeros::of(modal).as_ref(), (low, high));
-    // |V| is bounded wherever β_lim is, except on its zeros and poles.
+    // |V| is bounded at every r at which β_lim is bounded, except at its own zeros and poles.
     let excitation = tables.excitation.as_ref().map(|_| &tables.excitation_proof);
     let excitation = excitation
         .filter(|proof| proof.evidence != Evidence::Checked && proof.open_length() == 0.0)
         .map(|proof| proof.bound.error)
-        // If |V| is one of the functions, the comparison of the functions covers it.
+        // If |V| is one of the tabulated functions, the comparison of these functions covers its error.
         .or((tables.functions > SIZE).then_some(0.0));
     let Work(most) = work;
     let share = Work(most.min(FAIR * most / places.len().max(1)));

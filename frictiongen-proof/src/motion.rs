@@ -18,8 +18,8 @@ use frictiongen_model::table::Worst;
 use frictiongen_model::table::building::{ANGLE, SIZE, rounding};
 use std::f64::consts::PI;
 
-/// Bounds of the intervals of the friction ratio, as fractions of the largest friction ratio. Near the largest one the
-/// root vanishes and the amplitude changes fast. Tuned: the intervals therefore become shorter.
+/// Bounds of the intervals of the friction ratio, as fractions of the largest friction ratio. Tuned: the intervals
+/// become shorter near the largest friction ratio, where the root vanishes and the amplitude changes fast.
 const SHARES: [f64; 11] = [
     0.0, 0.4, 0.65, 0.8, 0.88, 0.93, 0.96, 0.98, 0.99, 0.997, 1.0,
 ];
@@ -30,7 +30,8 @@ const FEW: f64 = 4.0;
 const OF_PHASE: f64 = 64.0;
 /// Bound on the factor by which a quotient grows if its divisor has a relative error of up to [`SMALL`].
 const WITH_PRODUCTS: f64 = 1.0 / (1.0 - SMALL);
-/// Bound on an angle over its sine, for angles up to [`SMALL`] rad. The exact largest ratio is below 1.0017.
+/// Upper bound on an angle divided by its sine, for angles up to [`SMALL`] rad. The exact largest ratio is below
+/// 1.0017.
 const OVER_SINE: f64 = 1.01;
 /// Factor that allows for the roundings of the bounds themselves: millions of roundings.
 const UP: f64 = 1.0 + 1e-9;
@@ -40,14 +41,14 @@ pub(crate) struct MotionProof<'a, S> {
     pub piece: &'a Fitted<S>,
     /// Largest relative error of |V|, if |V| is a product over zeros and poles.
     pub excitation: f64,
-    /// Accuracy of amplitude (relative) and phase (rad).
+    /// Largest allowed error of the amplitude (relative) and of the phase (rad).
     pub accuracy: f64,
     /// The ends of the interval, and the centre of the series.
     pub ends: (f64, f64),
     pub centre: f64,
     /// True if the centre is a zero of β_lim.
     pub beside_zero: bool,
-    /// Margin: the largest constraint may exceed that of the witness by this fraction.
+    /// Margin: the largest constraint may exceed the constraint of the witness by this fraction.
     pub share: f64,
 }
 
@@ -127,7 +128,8 @@ impl<S: Float> MotionProof<'_, S> {
         Some(worst)
     }
 
-    /// Returns the largest error of amplitude and phase over a cell of r.
+    /// Returns the largest error of amplitude and phase over a cell of r. `of_limit` is the largest relative rounding
+    /// error of β_lim from its polynomial.
     fn error(&self, cell: &MotionCell, of_limit: f64) -> Option<f64> {
         let MotionCell {
             off,
@@ -140,7 +142,7 @@ impl<S: Float> MotionProof<'_, S> {
         // β_lim equals the witness's b up to the margin.
         let fewer = Interval::new(1.0 / (1.0 + self.share) * (2.0 - UP), 1.0);
         let [alpha, gamma] = exact.map(|exact| exact * fewer);
-        // This adds the roundings of a and β_table, relative to β_table, and those of the product with β.
+        // Adds the roundings of a and β_table, relative to β_table, and the roundings of the product with β.
         let with_roundings = |function: usize, off: Interval, exact: Interval| {
             let most = exact.size() + off.size();
             let own =
@@ -161,7 +163,7 @@ impl<S: Float> MotionProof<'_, S> {
             if !(0.0 < own.low && 0.0 < other.low && 0.0 < amplitude.low) {
                 return None;
             }
-            // The difference of two roots equals the difference of their squares over their sum.
+            // The difference of two roots is the difference of their squares, divided by the sum of the roots.
             let of_root = share * of_alpha * share * (alpha + tabled) / (own + other);
             let off = -(of_root + share * of_gamma) / amplitude;
             let rounded = FEW * unit * own.high / amplitude.low;
@@ -170,7 +172,7 @@ impl<S: Float> MotionProof<'_, S> {
             // other.
             let of_size = size + Interval::within(self.excitation);
             let off = (off + of_size + off * of_size).size() + FEW * unit;
-            // The lag is −asin ρα − arg V.
+            // The phase lag of the contact is −asin ρα − arg V.
             let lag = share * of_alpha / own.hull(other) + turned;
             worst = worst.max(off * UP).max((lag.size() + OF_PHASE * unit) * UP);
         }
@@ -247,7 +249,7 @@ impl<S: Float> MotionProof<'_, S> {
         let coefficients = self.coefficients(SIZE);
         let origin = self.piece.origin.to_f64();
         let [at, over] = stages;
-        // Near a zero both series are divided by the distance from it.
+        // Near a zero, both series are divided by the distance from the zero.
         let part = |series: &IntervalSeries<ORDER>, at: &IntervalSeries<ORDER>| {
             if self.beside_zero {
                 divided(series) + IntervalSeries::fixed(at.value() / away)
@@ -285,7 +287,7 @@ impl<S: Float> MotionProof<'_, S> {
         let nearest = self.beside_zero.then_some(away);
         let rounded = rounding::<S>(&coefficients, origin, self.ends, nearest) / least;
         let off = IntervalSeries::joined(&(first - one), &(all - one));
-        // The rounding errors are relative to the table's |V|, not to the exact one.
+        // The rounding errors are relative to the |V| of the table, not to the exact |V|.
         let most = 1.0 + off.range(away).size();
         (rounded < SMALL).then_some((off, rounded * most * UP))
     }

@@ -32,7 +32,7 @@ fn tables<S: Float>(modal: &Modal, accuracy: f64, side: Side) -> Tables<S> {
 }
 
 /// Returns the errors of β_lim (relative), amplitude (relative) and phase (rad) at one r. The errors of amplitude and
-/// phase are those at their worst friction ratio.
+/// phase are the largest over the friction ratios.
 fn errors<S: Float>(tables: &Tables<S>, place: usize, exact: &mut Exact<'_>, r: S) -> [f64; 3] {
     let piece = &tables.pieces[place];
     let of = |function: usize| piece.value(function, r);
@@ -67,8 +67,8 @@ fn agreeing<S: Float>(accuracy: f64, side: Side) -> usize {
         let name = format!("{kind}{count}, {zeta}, {accuracy:e}: {}", proof.told());
         assert!(proof.evidence != Evidence::Checked, "{name}");
         assert!(proof.bound.error <= accuracy, "{name}");
-        // Without damping, only the surroundings of zeros may be open. The motion may be open a little further near
-        // sub-harmonics if some modes are damped.
+        // In an undamped chain, only the neighbourhoods of zeros may be open. If only some modes are damped, the motion
+        // may also be open over short intervals near sub-harmonics.
         let most = if zeta > 0.0 {
             0.0
         } else if zeta < 0.0 {
@@ -91,7 +91,7 @@ fn agreeing<S: Float>(accuracy: f64, side: Side) -> usize {
             }
             let place = tables.pieces.partition_point(|piece| piece.from <= r);
             let [_, amplitude, phase] = errors(&tables, place.saturating_sub(1), &mut exact, r);
-            // The exact values have rounding errors themselves.
+            // The tolerance covers the rounding errors of the exact values.
             let allowed = proof.bound.error + 1e-10;
             assert!(
                 amplitude <= allowed && phase <= allowed,

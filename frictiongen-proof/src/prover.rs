@@ -13,19 +13,19 @@ use frictiongen_model::interval::Interval;
 use frictiongen_model::table::building::{Edge, Exact};
 use frictiongen_model::table::{FINEST_PROVEN, Fitted, Request, Work};
 
-/// Fraction of the accuracy that a larger constraint at another instant may take. Tuned: the rest remains for the error
-/// of the polynomial. The check of the tables already leaves a tenth of the accuracy free.
+/// Fraction of the accuracy by which the constraint at another instant may exceed that of the witness. Tuned: the rest
+/// remains for the error of the polynomial. The check of the tables already leaves a tenth of the accuracy free.
 const ELSEWHERE: f64 = 1.0 / 32.0;
-/// Shortest interval, as a fraction of r. Tuned: it bounds the work next to zeros and poles.
+/// Shortest interval, as a fraction of r. Tuned: it limits the work next to zeros and poles.
 const SHORTEST: f64 = 1e-7;
-/// Shortest interval for the motion, as a fraction of its piece. Tuned: where only β_lim passes, the motion stays open,
-/// so that not every interval becomes shorter.
+/// Shortest interval for the motion, as a fraction of its piece. Tuned: at this length the motion stays open if only
+/// the proof of β_lim succeeds. Otherwise intervals would become much shorter.
 const SHORTEST_OF_MOTION: f64 = 2e-3;
 /// Shortest interval for the motion next to a zero of β_lim, as a fraction of the distance from the zero.
 const SHORTEST_BESIDE_ZERO: f64 = 0.02;
 /// Length of a piece over the length of its first interval. Tuned: an interval that is too long fails and is halved.
 const FIRST: f64 = 4.0;
-/// Ratio of the next interval's length to that of a proven interval. Tuned: fast growth saves intervals, but an
+/// Ratio of the next interval's length to the length of a proven interval. Tuned: fast growth saves intervals, but an
 /// interval that fails is lost work.
 const LONGER: f64 = 1.15;
 /// Shortest interval that is tried after an open one, as a fraction of the length that is left open next. Tuned: it
@@ -94,7 +94,7 @@ impl<'a, 'm> Prover<'a, 'm> {
         let beside = zero.map(|zero| if zero.at <= from { from } else { to });
         for pair in ends.windows(2) {
             let [low, high] = pair else { continue };
-            // The walk starts at the zero.
+            // The walk over the intervals starts at the zero.
             if beside == Some(*high) {
                 self.walk(piece, *high, *low, zero);
             } else {
@@ -114,8 +114,8 @@ impl<'a, 'm> Prover<'a, 'm> {
         let mut length = (end - start).abs() / FIRST;
         let shortest = SHORTEST * start.max(end);
         let mut skip = shortest;
-        // The motion has a length of its own that is left open. An interval must prove the motion only if it is at
-        // least `again` from the start.
+        // The motion has its own length that is left open. An interval has to prove the motion only if it lies at least
+        // `again` from the start.
         let (mut skip_motion, mut again) = (0.0_f64, 0.0_f64);
         let from_zero = zero.is_some();
         while place != end {
@@ -166,8 +166,8 @@ impl<'a, 'm> Prover<'a, 'm> {
                     length = LONGER * step;
                     skip = shortest.max(0.5 * skip);
                 }
-                // An interval that stays open is not halved down to rounding. Instead the open length doubles with each
-                // failure.
+                // An open interval is not halved down to rounding. Instead, each failure doubles the length that is
+                // left open.
                 None if step <= shortest.max(FINER * skip) => {
                     let far = skip.max(step).min(rest);
                     let next = if forwards { place + far } else { place - far };
@@ -205,7 +205,8 @@ impl<'a, 'm> Prover<'a, 'm> {
         let mut witnesses =
             candidates(self.exact, self.chain, (from, to), centre, &over, &singular);
         if !self.early {
-            // The kind of witness that proved the last interval will probably prove this one.
+            // The next interval first tries the kind of witness that proved the last interval, because it will probably
+            // succeed again.
             witnesses.reverse();
         }
         for witness in witnesses {
@@ -218,7 +219,8 @@ impl<'a, 'm> Prover<'a, 'm> {
             let mut seen_over = WitnessInstant::of(&witness, &over, all, rest);
             seen_over.refine(&seen_at, all);
             self.budget.spend(OF_STAGE * self.chain.modes.len());
-            // A negative constraint is no witness. In an undamped chain its magnitude is one.
+            // A negative constraint is not a valid witness. In an undamped chain its magnitude is valid, because both
+            // signs of F occur.
             let is_one = self.chain.all_undamped || 0.0 <= seen_over.constraint.value().low;
             if !is_one {
                 continue;
@@ -280,7 +282,8 @@ impl<'a, 'm> Prover<'a, 'm> {
             return Some((at, over));
         };
         let sign = if zero.is_some() {
-            // Near the zero κ may vanish with β_lim. It then has the sign of its slope times the distance.
+            // Near the zero of β_lim, κ may vanish together with β_lim. κ then has the sign of its slope times the
+            // distance from the zero.
             let beside = all.value();
             let vanishes = own.value().size() < VANISHES;
             if beside.holds_zero() && !vanishes {

@@ -11,7 +11,7 @@ use frictiongen_kernel::Scalar;
 use frictiongen_model::interval::Interval;
 use std::f64::consts::PI;
 
-/// Number of Newton steps towards another instant. Tuned: it bounds the work where Newton's method does not converge.
+/// Number of Newton steps towards another instant. Tuned: it limits the work if Newton's method does not converge.
 const STEPS: usize = 8;
 /// Step length, in half-turns, below which Newton's method has converged. Tuned: convergence is quadratic, so the next
 /// step would be far below a rounding.
@@ -70,7 +70,7 @@ impl HalfPeriodCells<'_> {
         if jump > JUMP {
             return None;
         }
-        // The instants follow a parabola in r through these three.
+        // A parabola in r through these three instants gives the instant at every r.
         let [a, b, c] = instants;
         let step = places[1];
         let slope = (4.0 * b - 3.0 * a - c) / (2.0 * step);

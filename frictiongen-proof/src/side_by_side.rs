@@ -1,6 +1,6 @@
-//! Answers a list of questions in parallel, in as many threads as the machine can run at once.
+//! Computes the answers to a list of questions in parallel, in as many threads as the machine can run at once.
 //!
-//! The result does not depend on the number of threads. Answers count in the order of the questions, until the
+//! The result does not depend on the number of threads. Answers are used in the order of the questions, until the
 //! permitted work is spent.
 
 use std::num::NonZero;
@@ -40,7 +40,7 @@ impl<A> Shared<A> {
         }
     }
 
-    /// Returns the answers that count: those before the first missing one, until the work is spent.
+    /// Returns the answers before the first missing one, until their work exceeds `most`.
     fn counted(self, most: usize) -> Vec<A> {
         let mut spent = 0;
         let known = self.answers.into_iter().map_while(|answer| answer);
@@ -98,7 +98,7 @@ fn answered_by<State, A: Send>(
     };
     thread::scope(|scope| {
         for _ in 1..threads.min(questions.len()) {
-            // Without further threads the current thread does all the work.
+            // If no further thread can start, the current thread does all the work.
             if Builder::new().spawn_scoped(scope, work).is_err() {
                 break;
             }

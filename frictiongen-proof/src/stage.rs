@@ -31,9 +31,9 @@ pub(crate) struct Oscillator {
     pub zeta: Interval,
     /// √|1 − ζ²|.
     pub q: Interval,
-    /// ζ/q.
+    /// ζ/q, with q = √|1 − ζ²|.
     pub zeta_over_q: Interval,
-    /// ζ + q.
+    /// ζ + q, with q = √|1 − ζ²|.
     pub fast: Interval,
     /// c = (φᵀw)², the square of the mode's component in the contact.
     pub inverse_mass: Interval,
@@ -118,11 +118,11 @@ pub(crate) struct ChainStage<const N: usize> {
     pub inverse: IntervalSeries<N>,
     /// κ, the product of cosines by which the functions are multiplied. `None` if it is 1.
     pub kappa: Option<IntervalSeries<N>>,
-    /// κV, its real and imaginary part.
+    /// κV, real and imaginary part. V is the response of the contact to the load.
     pub excitation: [IntervalSeries<N>; 2],
-    /// κU.
+    /// κU, with U the velocity of the contact from friction at a reversal.
     pub quadrature: IntervalSeries<N>,
-    /// κG.
+    /// κG, with G the displacement of the contact from friction at a reversal.
     pub displacement: IntervalSeries<N>,
     /// κ(m* + H_c), where m* + H_c is the velocity constraint for τ → 0.
     pub start: IntervalSeries<N>,
@@ -131,10 +131,10 @@ pub(crate) struct ChainStage<const N: usize> {
 }
 
 /// If the cosine of an undamped mode is below this value, the functions are multiplied by it. Tuned: a quotient by a
-/// smaller cosine is wide over an interval of r, but each factor of κ costs products.
+/// smaller cosine is wide over an interval of r, but each factor of κ needs further products.
 const SINGULAR: f64 = 0.2;
-/// Distance from x = 1 below which the pole of V is removed together with the zero of the cosine. Farther away x² − 1
-/// is not small.
+/// Distance from x = 1 below which the pole of V is removed together with the zero of the cosine. At larger distances
+/// x² − 1 is not small, so the quotient is safe.
 const RESONANT: f64 = 0.5;
 
 /// Returns, for each mode, true if the functions are multiplied by its cosine near r.

@@ -43,7 +43,7 @@ fn the_bound_holds() {
                 proof.told()
             );
             assert!(proof.evidence != Evidence::Checked, "{name}");
-            // Only the surroundings of zeros of undamped chains may be open.
+            // Only the neighbourhoods of zeros in undamped chains may be open.
             let most = if zeta > 0.0 { 0.0 } else { 1e-6 };
             assert!(proof.open_length() <= most, "{name}");
             assert!(proof.bound.error <= accuracy, "{name}");
@@ -57,7 +57,7 @@ fn the_bound_holds() {
                 let piece = tables.pieces.iter().rev().find(|piece| piece.from <= r);
                 let value = piece.unwrap_or(&tables.pieces[0]).value(0, r);
                 let limit = exact.at(r).unwrap().limit;
-                // The search and the sums in double precision have rounding errors.
+                // The tolerance covers the rounding errors of the search and of the sums in double precision.
                 let error = value / limit - 1.0;
                 assert!(
                     error.abs() <= proof.bound.error + 1e-9,
@@ -105,8 +105,8 @@ fn a_wrong_coefficient_is_not_proven() {
                 tables.pieces[place].coefficients[0][power] = coefficient + wrong;
                 let [wrong, _] = prove_piece(&tables, &modal, place, Work(50_000));
                 let open = wrong.open_length();
-                // A coefficient that is wrong by ten accuracies at the far end is wrong by more than one over a large
-                // part of the piece.
+                // A coefficient that is wrong by ten times the accuracy at the far end is wrong by more than the
+                // accuracy over a large fraction of the piece.
                 assert!(
                     open > 0.05 * (next - from),
                     "{kind}{count} {accuracy:e}: coefficient {power} of piece {place} passes but for {open:e}"
@@ -233,7 +233,7 @@ fn witnesses_that_are_none() {
             };
             let mut budget = Budget::of(1_000_000);
             let shown = certified(&part, &mut budget);
-            // β_lim of the witness, compared with the exact one.
+            // The β_lim of the witness is compared with the exact β_lim.
             let [re, im] = at.excitation.map(|part| part.value().middle());
             let own = re.hypot(im) / seen_at.size.value().middle().sqrt();
             let missed = own / exact.at(r).unwrap().limit - 1.0;
@@ -283,7 +283,7 @@ fn early_as_anywhere() {
             for (a, b) in [(value, own), (slope, own_slope)] {
                 for (k, (a, b)) in a.terms.iter().zip(&b.terms).enumerate() {
                     let apart = (a.low - b.high).max(b.low - a.high);
-                    // The remainder is a bound on values only, so slopes in r get a tolerance.
+                    // The remainder bounds only values, so slopes in r get a tolerance.
                     let slack = if k == 0 { 0.0 } else { 1e-7 * (1.0 + a.size()) };
                     assert!(
                         apart <= slack,

@@ -19,7 +19,7 @@ pub(crate) enum Witness {
 }
 
 impl Witness {
-    /// Returns t at r₀ + `away`.
+    /// Returns the instant t of the witness at r₀ + `away`.
     pub fn path<const N: usize>(&self, away: Interval) -> IntervalSeries<N> {
         let coefficients: &[f64] = match self {
             Self::BreakAway => &[0.5],
@@ -54,9 +54,9 @@ pub(crate) struct WitnessInstant<const N: usize> {
     pub turn: IntervalSeries<N>,
     /// κ times the velocity constraint of the witness. The largest constraint is at least as large.
     pub constraint: IntervalSeries<N>,
-    /// (κU)² + (κ times the constraint)².
+    /// (κU)² + (κQ)², with U the velocity of the contact from friction and Q the constraint of the witness.
     pub size: IntervalSeries<N>,
-    /// The slope in τ of D, or of D/τ, where N is replaced by the witness's constraint.
+    /// The slope in τ of D, or of D/τ for a witness near the start. Here the witness's constraint takes the place of N.
     pub rise: IntervalSeries<N>,
 }
 

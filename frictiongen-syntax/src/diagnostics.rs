@@ -86,7 +86,7 @@ impl Problems {
         self.list.is_empty()
     }
 
-    /// Returns true if more than 100 errors were reported. Advice for further errors would then not help.
+    /// Returns true if more than 100 errors were reported. Advice for further errors would no longer help.
     pub(crate) fn are_many(&self) -> bool {
         self.list.len() > 100
     }

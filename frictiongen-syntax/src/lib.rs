@@ -49,8 +49,7 @@ pub fn read_scene(text: &str) -> Result<Scene, Diagnostics> {
     }
 }
 
-/// Parses a text. Returns `None` if its brackets or comments are not closed. No other error is then
-/// reported.
+/// Parses a text. Returns `None` if a bracket or a comment is not closed. In that case no other error is reported.
 pub fn parse_text(text: &str, problems: &mut Problems) -> Option<Syntax> {
     let (tokens, end) = parse::lex(text, problems).ok()?;
     Some(parse_tokens(&tokens, end, problems))

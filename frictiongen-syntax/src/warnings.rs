@@ -9,9 +9,9 @@ use crate::lower::Located;
 use crate::parse::number::hundredth;
 use crate::parse_text;
 
-/// Returns the warnings about a valid description, or `None` without any.
+/// Returns the warnings about a valid description. Returns `None` if there are none.
 ///
-/// A warning marks a mode at or beyond critical damping. Such a damping ratio is mostly a percentage.
+/// A warning marks a mode at or beyond critical damping. Such a damping ratio was usually meant as a percentage.
 ///
 /// ```
 /// let text = "struct Block {

@@ -6,7 +6,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 use std::borrow::Cow;
 
-/// Words of a column, of which each distinct word is stored once.
+/// Words of a column. Each distinct word is stored once.
 #[derive(Default)]
 pub struct Words {
     known: Vec<String>,

@@ -17,7 +17,7 @@ use frictiongen::study::{
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// Arguments of a curve: accuracy, largest step, highest harmonic, whether it has velocities, and the starts.
+/// Arguments of a curve: accuracy, largest step, highest harmonic, a flag for velocities, and the starts.
 type Fineness<'py> = (
     Optional<'py>,
     Optional<'py>,
@@ -92,7 +92,7 @@ pub fn curve<'py>(
             if !stop.goes_on() || MOST_POINTS < found.len() {
                 break;
             }
-            // Each sweep goes from point to point. Several sweeps run in parallel.
+            // Each sweep computes one point after the other, so the sweeps run in parallel.
             let asked = starts.iter().map(|start| (friction.beta, *start));
             for curve in system.curves(&request, &asked.collect::<Vec<_>>())? {
                 found.extend(table.rows(*friction, &curve));

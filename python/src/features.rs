@@ -15,7 +15,7 @@ use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 
-/// Largest number of frictions in one call. It is the same as that of the command.
+/// Largest number of frictions in one call. The command has the same limit.
 const MOST_FRICTIONS: usize = 16;
 
 /// Returns each list by its name: its columns, and the derivatives of its numbers with respect to every parameter.
@@ -42,7 +42,7 @@ pub fn features<'py>(
     }
     let mut parts = parts(system, "of", of.as_ref())?;
     if of.is_none() && !system.modal().on_moving_base {
-        // A mass that rubs on a support at rest moves as the contact does. Its motion is therefore listed only once.
+        // A mass that rubs on a support at rest has the motion of the contact, so its motion is listed only once.
         let rubbing = system.modal().rubbing().map(Of::Mass);
         parts.retain(|part| Some(part.of) != rubbing);
     }

@@ -17,7 +17,7 @@ use pyo3::types::PyDict;
 /// Number of steps between two checks for an interrupt.
 const PORTION: usize = 4096;
 
-/// The end of a run, with everything from which another run continues.
+/// The end of a run, with all data that another run needs to continue from it.
 #[pyclass(frozen, module = "frictiongen._native", name = "StepState")]
 pub struct NativeStepState {
     saved: SystemStepSaved,
@@ -69,8 +69,8 @@ pub struct Course {
     pub stiction: Option<f64>,
 }
 
-/// Returns a stepper at the start of the run. The flag is true if the first sample is the end of a step, and false if
-/// it is the start.
+/// Returns a stepper at the start of the run. The flag is true if the first sample lies at the end of a step, and false
+/// if it lies at the start.
 fn ready<'s>(
     py: Python<'_>,
     system: &'s Bound<'_, NativeSystem>,

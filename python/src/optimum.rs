@@ -10,7 +10,8 @@ use frictiongen::study::optimum::{FrequencyBand, OptimumRequest};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// Finds the best friction. Returns it with the peaks, the tolerances and the sensitivities.
+/// Finds the friction that makes the largest amplitude smallest. Returns it with the peaks, the tolerances and the
+/// sensitivities.
 #[pyfunction]
 pub fn optimum<'py>(
     py: Python<'py>,

@@ -33,7 +33,7 @@ impl Stop {
 }
 
 /// Returns the result of some work, which runs on its own thread while other threads may run Python. Ctrl-C asks the
-/// work to stop. Work that does not check for it runs to its end, and then the interrupt is raised.
+/// work to stop. Work that does not check for this request runs to its end, and the interrupt is raised afterwards.
 pub fn without_lock<T: Send>(py: Python<'_>, work: impl FnOnce(&Stop) -> T + Send) -> PyResult<T> {
     let stop = Stop(AtomicBool::new(false));
     let done = AtomicBool::new(false);

@@ -23,7 +23,8 @@ pub(super) fn chosen(arms: &[Arm], all: usize) -> (TokenStream, TokenStream) {
             statements,
             value,
         } = only;
-        // The lookup of the mode shapes refuses other masses, unless the shapes fold away.
+        // The lookup of the mode shapes returns `None` for all other masses. If the shapes fold away, the code has no
+        // such lookup.
         if masses.len() == all && mentions(statements, "mass") {
             return (statements.clone(), value.clone());
         }

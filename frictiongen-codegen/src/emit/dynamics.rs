@@ -1,5 +1,5 @@
-//! Emits the constants of the time-domain solvers: all modes of the chain, and its *held modes*,
-//! which are those with the contact stuck.
+//! Emits the constants of the time-domain solvers: all modes of the chain, and its *held modes*. Held modes are the
+//! modes of the chain with its contact stuck.
 
 use super::constants::{kind, mode_constants, rubbing};
 use super::emission::{Emission, Wanted, rounded};

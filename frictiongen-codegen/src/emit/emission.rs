@@ -12,8 +12,8 @@ use frictiongen_model::reduced::Reduced;
 use frictiongen_model::scene::{Precision, Provide, Scene};
 use proc_macro2::{Ident, TokenStream, TokenTree};
 
-/// From this number of modes on, the emitted sums over the modes of a motion are calls of the kernel. Below it, each
-/// mass has its own straight-line code.
+/// Smallest number of modes with which the emitted sums over the modes of a motion are calls of the kernel. With fewer
+/// modes, each mass has its own straight-line code.
 const SUMS_FROM: usize = 3;
 
 /// Data that all emitted items share.
@@ -28,7 +28,7 @@ pub(super) struct Emission<'a> {
     pub scalar: TokenStream,
     pub names: TypeNames,
     pub facade: &'a TokenStream,
-    /// From this number of modes on, the frequency stage is emitted as passes.
+    /// Smallest number of modes with which the frequency stage is emitted as passes.
     pub passes_from: usize,
 }
 

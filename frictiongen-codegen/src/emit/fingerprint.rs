@@ -8,7 +8,7 @@ use frictiongen_model::scene::{
 /// Returns the FNV-1a hash of all fields of a scene. Texts that differ only in layout have the same
 /// hash.
 pub(crate) fn fingerprint(scene: &Scene) -> u64 {
-    // Every field is named, so that a new field cannot be forgotten here.
+    // The pattern names every field. A new field therefore causes a compiler error here.
     let Scene {
         name,
         masses,

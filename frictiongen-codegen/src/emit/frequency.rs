@@ -104,7 +104,7 @@ fn uniform_kind(modes: &[Mode<f64>]) -> Option<Kind> {
 /// Names that the code around the formulas already uses.
 const TAKEN: [&str; 3] = ["inverse_r", "contact", "modes"];
 
-/// Emits the stage of a single mode. Its own size is the scale.
+/// Emits the stage of a single mode. The scale is the size of this mode.
 fn single(emission: &Emission<'_>) -> (TokenStream, Count) {
     let graph = emission.graph(1);
     let tracer = Tracer::over_constants(&graph, &emission.modal, emission.precision);
@@ -159,8 +159,8 @@ fn straight(emission: &Emission<'_>) -> (TokenStream, Count) {
     (body, count)
 }
 
-/// Emits the functions of each mode, then a call of the kernel's sum for each mode. The calls are inlined, so that the
-/// compiled code is the one of straight lines.
+/// Emits the functions of each mode, then a call of the kernel's sum for each mode. The compiler inlines the calls, so
+/// the compiled code is the same as for straight-line code.
 fn summed(emission: &Emission<'_>) -> (TokenStream, Count) {
     let (calls, blocks, count) = blocks(emission);
     let graph = emission.graph(emission.modes());

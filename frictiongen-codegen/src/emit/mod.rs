@@ -39,8 +39,8 @@ use quote::format_ident;
 pub(crate) use fingerprint::fingerprint;
 pub use trace::traces;
 
-/// From this number of modes on, the frequency stage is emitted as passes over an array of modes. Straight lines are
-/// faster but grow with the number of modes. `scripts/passes-trial` measures both.
+/// Smallest number of modes with which the frequency stage is emitted as passes over an array of modes. Straight-line
+/// code is faster, but grows with the number of modes. `scripts/passes-trial` measures both.
 pub const PASSES_FROM: usize = 17;
 
 /// Returns the solver of a description.
@@ -49,8 +49,8 @@ pub fn emit(description: &Description) -> TokenStream {
     emit_in_passes(description, PASSES_FROM)
 }
 
-/// Returns the solver of a description, with passes from another number of modes on. `scripts/passes-trial` uses it to
-/// measure where passes pay off.
+/// Returns the solver of a description, with another smallest number of modes for passes. `scripts/passes-trial` uses
+/// this function to find the number of modes at which passes are better.
 #[must_use]
 pub fn emit_in_passes(description: &Description, passes_from: usize) -> TokenStream {
     let mut emission = Emission::of(description, passes_from);

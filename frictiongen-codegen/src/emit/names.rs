@@ -130,7 +130,7 @@ impl TypeNames {
         }
     }
 
-    /// Returns whether a name, of an emitted type or not, is one that emitted code imports.
+    /// Returns true if one of the names, of an emitted type or not, is also a name that emitted code imports.
     pub fn clash(&self) -> bool {
         let Self {
             name,

@@ -30,8 +30,8 @@ pub(super) fn emit(items: &TokenStream) -> TokenStream {
 /// Types that emitted code writes without a path. Keywords are excluded elsewhere.
 const TYPES: [&str; 4] = ["bool", "f32", "f64", "usize"];
 
-/// Returns whether a name has the form `mode_3_decay`. Users do not name constants so, and each mode has dozens of
-/// them.
+/// Returns true if a name has a form like `mode_3_decay`. Users do not give constants such names, and each mode has
+/// dozens of them.
 fn is_of_a_mode(text: &str) -> bool {
     let rest = text.strip_prefix("mode_").unwrap_or_default();
     let rest = rest.trim_start_matches(|letter: char| letter.is_ascii_digit());

@@ -227,7 +227,7 @@ impl<'g> Tracer<'g> {
     }
 }
 
-/// Returns the constant by its name, unless it has a name.
+/// Returns a number as a constant with the name `text`. A value that already has a name is returned unchanged.
 fn constant<'g>(graph: &'g Graph, text: &str, value: Expr<'g>) -> Expr<'g> {
     match value {
         Expr::Number(value) => graph.constant(text, value),

@@ -1,4 +1,5 @@
-//! Prints several alternatives of which the code evaluates one. Shared operations come before the choice.
+//! Prints several alternatives. The emitted code evaluates only one of them. Operations that all alternatives share
+//! come before the choice.
 
 use super::count::Count;
 use super::print::{Printed, Printer};
@@ -14,8 +15,8 @@ pub struct Alternative {
 }
 
 impl Alternative {
-    /// Takes the operations behind `outputs`, and clears the names. The next formula names its operations anew, because
-    /// a shared value may have another meaning there.
+    /// Takes the operations behind `outputs`, and clears the names. The next formula gives its own names, because an
+    /// operation that both formulas share may have another meaning there.
     #[must_use]
     pub fn of(graph: &Graph, outputs: Vec<Operand>) -> Self {
         let nodes = graph.reachable(&outputs);
@@ -86,7 +87,8 @@ pub fn print(
     (statements, alternatives.collect())
 }
 
-/// Returns the operations that all alternatives need under the same names. The list is empty for a single alternative.
+/// Returns the operations that all alternatives need and to which all give the same name. The list is empty for a
+/// single alternative.
 fn common(alternatives: &[Alternative]) -> Vec<Recorded> {
     let [first, others @ ..] = alternatives else {
         return Vec::new();

@@ -1,4 +1,4 @@
-//! Counts the operations of an emitted function on its worst path.
+//! Counts the operations of an emitted function on its longest path.
 
 use super::{Binary, Graph, Id, Node, Operand, Unary};
 use std::collections::BTreeMap;
@@ -19,12 +19,12 @@ impl Count {
             matches!(node, Some((_, Node::Input(_), _)))
         };
         for (id, node, _) in &nodes {
-            // The compiler computes what depends on constants of the scene alone.
+            // The compiler computes every operation that depends only on constants of the scene.
             if graph.value(*id).is_some() {
                 continue;
             }
-            // The compiler decides a choice by a constant parameter, so that the choice costs
-            // nothing at run time.
+            // If the condition is a constant parameter, the compiler makes the choice. It then costs nothing at run
+            // time.
             if matches!(node, Node::Select(condition, ..) if is_input(condition)) {
                 continue;
             }

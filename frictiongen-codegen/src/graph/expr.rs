@@ -39,8 +39,8 @@ impl Graph {
         Expr::Node(self, self.record_known(node, value))
     }
 
-    /// Records a value that the emitted code computes only if the constant parameter `flag` is true, and that is
-    /// otherwise 0. The choice takes the value's name.
+    /// Records a value that the emitted code computes only if the constant parameter `flag` is true. Otherwise the
+    /// value is 0. The result of this choice gets the name of the value.
     #[must_use]
     pub fn where_asked<'g>(&'g self, flag: &str, value: Expr<'g>) -> Expr<'g> {
         let Expr::Node(_, id) = value else {
@@ -342,9 +342,10 @@ impl<'g> Scalar for Expr<'g> {
     }
 }
 
-/// Returns true if an operation on constants of the scene stays in the emitted code. The compiler computes it in the
-/// scene's precision. The result must equal `value`, computed in double precision and then rounded to the scene's
-/// precision. Numbers that fold further operations do not stay, nor do functions that a compiler may round differently.
+/// Returns true if an operation on constants of the scene stays in the emitted code. The compiler then computes it in
+/// the scene's precision. The result must equal `value`, which is computed in double precision and then rounded to the
+/// scene's precision. An operation does not stay if its result folds further operations, or if compilers may round its
+/// function differently.
 fn stays(precision: Precision, op: Binary, operands: [f64; 2], value: f64) -> bool {
     let rounded = |value: f64| match precision {
         Precision::F64 => value,
@@ -359,7 +360,7 @@ fn stays(precision: Precision, op: Binary, operands: [f64; 2], value: f64) -> bo
         Binary::Div => a / b,
         _ => return false,
     };
-    // Double precision has more than twice the digits of single precision, so the second rounding is harmless.
+    // Double precision has more than twice as many digits as single precision, so the second rounding does no harm.
     let same = rounded(computed).to_bits() == rounded(value).to_bits();
     same && value.is_finite() && value != 0.0 && value.abs() != 1.0
 }

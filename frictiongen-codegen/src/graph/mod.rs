@@ -87,7 +87,7 @@ pub enum Node {
     Less(Operand, Operand),
     /// The comparison a = 0.
     IsZero(Operand),
-    /// `yes` where the condition is true, else `no`.
+    /// The value `yes` if the condition is true, otherwise `no`. The fields are the condition, `yes` and `no`.
     Select(Id, Operand, Operand),
 }
 
@@ -106,7 +106,7 @@ struct Inner {
     nodes: Vec<Node>,
     known: HashMap<Node, Id>,
     names: Vec<Option<Name>>,
-    /// Values of the operations that depend on constants of the scene alone.
+    /// Values of the operations that depend only on constants of the scene.
     values: HashMap<Id, f64>,
 }
 
@@ -165,7 +165,7 @@ impl Graph {
         }
     }
 
-    /// Returns the value of an operation that depends on constants of the scene alone.
+    /// Returns the value of an operation, if it depends only on constants of the scene.
     pub(crate) fn value(&self, id: Id) -> Option<f64> {
         self.inner.borrow().values.get(&id).copied()
     }

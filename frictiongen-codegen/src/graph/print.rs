@@ -1,5 +1,5 @@
-//! Prints a graph as Rust. Values with a name or with several uses become `let` statements; the others are written in
-//! place.
+//! Prints a graph as Rust. Values with a name or with several uses become `let` statements. All other values are
+//! written at the place of their use.
 
 use super::literal::literal;
 use super::{Binary, Graph, Id, Name, Node, Operand, Recorded, Unary, operands};
@@ -63,7 +63,7 @@ impl Printer {
         }
     }
 
-    /// Binds values that have a name or that are used more than once. Each output counts as `each` uses.
+    /// Binds values that have a name or that are used more than once. An output counts as `each` uses of its value.
     pub(super) fn visit_all(&mut self, nodes: &[Recorded], outputs: &[Operand], each: usize) {
         let mut uses: BTreeMap<Id, usize> = BTreeMap::new();
         for (_, node, _) in nodes {
@@ -298,7 +298,8 @@ impl Printer {
     }
 }
 
-/// Returns the doc comment of a `let` statement. The compiler ignores it, and a reader finds it on the line.
+/// Returns the doc comment of a `let` statement. The compiler ignores the comment, but a reader finds it beside the
+/// statement.
 fn explained(about: &str) -> TokenStream {
     if about.is_empty() {
         return TokenStream::new();

@@ -35,7 +35,7 @@ impl ProofAt {
 }
 
 impl Limits {
-    /// Limits of a macro expansion, in which each mass becomes a method and a stretch of code.
+    /// Limits of a macro expansion. Each mass becomes a method and a stretch of code.
     pub const MACRO: Self = Self {
         masses: 64,
         tables: true,

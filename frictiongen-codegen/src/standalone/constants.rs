@@ -1,4 +1,5 @@
-//! Collects the numbers that the formulas of a file need, so that they stand in one place with a name each.
+//! Collects the numbers that the formulas of a file need. Each number gets a name, and all numbers stand in one place
+//! of the file.
 
 use super::{Language, Numbers};
 
@@ -9,7 +10,7 @@ pub(super) enum Form {
     Number,
     /// A zero of a product.
     Zero,
-    /// A pair of zeros of a product, beside the axis.
+    /// A pair of zeros of a product that do not lie on the axis.
     Pair,
     /// A pair of roots of a complex product.
     RootPair,

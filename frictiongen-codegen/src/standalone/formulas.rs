@@ -9,9 +9,9 @@ use frictiongen_kernel::Float;
 /// The formulas of a file in one language.
 pub(super) struct Formulas {
     pub numbers: Numbers,
-    /// Their constants.
+    /// The constants that the formulas name.
     pub constants: Constants,
-    /// β*_lim.
+    /// The expression for β*_lim.
     pub sliding: String,
     /// |V|, or V of an undamped chain, if it is a product.
     pub excitation: Option<String>,

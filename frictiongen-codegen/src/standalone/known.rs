@@ -6,7 +6,7 @@ use frictiongen_kernel::Float;
 use frictiongen_model::modal::Modal;
 use frictiongen_model::scene::Precision;
 
-/// Roundings that an answer may have beside the error of the table.
+/// Number of roundings that an answer may have in addition to the error of the table.
 const ROUNDINGS: f64 = 64.0;
 
 /// Returns the largest error of an answer against a known one, and the known answers.

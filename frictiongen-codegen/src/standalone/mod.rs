@@ -26,12 +26,12 @@ use frictiongen_kernel::Float;
 use frictiongen_model::scene::{Excitation, Scene};
 use frictiongen_model::table::Tables;
 
-/// A scene with its tables, and where they come from.
+/// A scene with its tables and with their origin.
 #[derive(Clone, Copy, Debug)]
 pub struct Source<'a, S> {
     /// The scene.
     pub scene: &'a Scene,
-    /// Its tables.
+    /// The tables of the scene.
     pub tables: &'a Tables<S>,
     /// The description and the command.
     pub origin: Origin<'a>,

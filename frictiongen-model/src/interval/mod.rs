@@ -24,8 +24,8 @@ const SINE: f64 = 1e-15;
 const BELOW: f64 = 1.0 - f64::EPSILON;
 /// 1 plus one unit in the last place of 1.
 const ABOVE: f64 = 1.0 + f64::EPSILON;
-/// Allowance for underflow. A subnormal number would suffice, but processors are much slower with subnormal numbers.
-/// Products with this number are still normal.
+/// Allowance for underflow in a product. A subnormal number would suffice, but processors compute much more slowly with
+/// subnormal numbers. Products with this number are still normal.
 pub const TINY: f64 = 1e-290;
 /// Relative error bound of libm's exponential, which is within one unit in the last place. The bound is more than two
 /// units.
@@ -122,8 +122,8 @@ impl Interval {
 
     /// Returns the interval with its bounds rounded outward. Returns `ALL` if a bound is NaN.
     ///
-    /// The code uses a product and a difference, because macros run without optimisation, where each function call
-    /// costs time.
+    /// The code uses a product and a difference instead of a function for the next number. Macros run without
+    /// optimisation, where each function call costs time.
     #[inline(always)]
     fn outward(low: f64, high: f64) -> Self {
         // The product shifts a bound by at least one and at most two units in the last place. `TINY` covers underflow.
@@ -149,7 +149,7 @@ impl Interval {
     pub fn ends_times(self, other: Self) -> (f64, f64) {
         let Self { low: a, high: b } = self;
         let Self { low: c, high: d } = other;
-        // The signs decide which two products are needed in most cases.
+        // In most cases the signs of the bounds decide which two products are the bounds of the result.
         if 0.0 <= a {
             (
                 if 0.0 <= c { a * c } else { b * c },
@@ -270,7 +270,7 @@ impl Interval {
             let all = Self::new(-1.0, 1.0);
             return (all, all);
         }
-        // The extremes of the sine are those of the cosine, shifted by 1/2 in h.
+        // sin πh = cos π(h − ½), so the extremes of the sine are the extremes of the cosine, shifted by ½ in h.
         let sine = Self::wave([low.0, high.0], [self.low - 0.5, self.high - 0.5]);
         let cosine = Self::wave([low.1, high.1], [self.low, self.high]);
         (sine, cosine)

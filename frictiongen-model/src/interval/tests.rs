@@ -53,7 +53,7 @@ fn functions() {
             "e^{interval:?} at {x}"
         );
     }
-    // The bounds of the tested intervals lie on an extreme of the cosine, or one rounding away from it.
+    // The bounds of the tested intervals lie on an extreme of the cosine, or one rounding away from the extreme.
     for whole in [-3.0, -1.0, 0.0, 2.0, 5.0_f64] {
         for end in [whole - 0.5, whole, whole + 0.5] {
             let interval = Interval::new(end.next_down(), end.next_down());

@@ -1,4 +1,4 @@
-//! Random intervals.
+//! Random numbers and intervals for tests.
 
 use super::random;
 use crate::interval::Interval;
@@ -24,10 +24,10 @@ impl Numbers {
         }
     }
 
-    /// Returns an interval between two such numbers.
+    /// Returns an interval between two random numbers from [`end`](Self::end).
     pub fn interval(&mut self) -> Interval {
         let (a, b) = (self.end(), self.end());
-        // Two in five intervals are narrow.
+        // Two of five intervals are narrow.
         if self.unit() < 0.4 {
             Interval::new(a, a + a.abs() * 1e-12 * self.unit())
         } else {
@@ -35,7 +35,7 @@ impl Numbers {
         }
     }
 
-    /// Returns a number of an interval, often one of its ends.
+    /// Returns a number of an interval. It is often a bound of the interval.
     pub fn within(&mut self, interval: Interval) -> f64 {
         match (4.0 * self.unit()) as u32 {
             0 => interval.low,
@@ -46,8 +46,8 @@ impl Numbers {
     }
 }
 
-/// Returns true if an interval contains a number to about its 31 digits. The slack is far below one rounding of a
-/// double.
+/// Returns true if an interval contains a double-double number, apart from an error in its last digits. The allowed
+/// error is far below one rounding of a double.
 #[must_use]
 pub fn contains(interval: Interval, value: Dd) -> bool {
     let slack = value.abs() * Dd::from(1e-28);

@@ -38,7 +38,7 @@ pub fn scene(kind: &str, count: usize, zeta: f64, stiction: f64) -> Modal {
         damping_from: Default::default(),
         stiffness: None,
         damping: if zeta < 0.0 {
-            // Every other mode is damped.
+            // Every second mode is damped.
             let of = (0..count).map(|mode| -zeta * (mode % 2) as f64);
             Damping::Modal(of.collect())
         } else if zeta > 0.0 {

@@ -8,10 +8,10 @@ use super::split::Landmarks;
 use super::worst::Worst;
 use frictiongen_kernel::Float;
 
-/// Number of comparison points in each piece. Neighbouring points are at most a forty-sixth of the piece apart. In a
-/// macro without a proof, this check is the only one.
+/// Number of comparison points in each piece. The distance between neighbouring points is at most 1/46 of the piece. In
+/// a macro without a proof, this check is the only one.
 const POINTS: usize = 64;
-/// Closest distance to a zero at which a piece is compared, in decades: 10^−13 of the length of the piece.
+/// Closest distance to a zero at which a piece is compared, in decades. It is 10^−13 of the length of the piece.
 const DECADES: f64 = 13.0;
 /// Number of frequency ratios over the range at which a product over zeros and poles is compared with the exact values.
 /// Further points are near zeros, resonances and sub-harmonics.
@@ -36,14 +36,14 @@ pub(super) fn piece<S: Float>(
     let spread = (0..POINTS).map(|k| from + (GOLDEN * (k + 1) as f64).fract() * (to - from));
     let mut places: Vec<f64> = spread.collect();
     if let Some(zero) = zero {
-        // The error stays relative towards a zero, so every decade of the distance to the zero gets the same number of
-        // points.
+        // The error must stay relative close to a zero, so every decade of the distance to the zero gets the same
+        // number of points.
         let length = if zero.at > from { from - to } else { to - from };
         let towards = (0..POINTS).map(|k| (GOLDEN * (k + 1) as f64).fract() * DECADES);
         places.extend(towards.map(|decades| zero.at + length * 10_f64.powf(-decades)));
     }
-    // A kink of β_lim within the piece lies between two neighbouring points whose velocity constraints have different
-    // maxima.
+    // A kink of β_lim lies between two neighbouring points at which different maxima of the velocity constraint are the
+    // largest.
     places.sort_by(f64::total_cmp);
     let mut kinks = Vec::new();
     for neighbours in places.windows(2) {
@@ -87,7 +87,7 @@ pub(super) fn product<S: Float>(
     for r in spread.chain(landmarks.closely.iter().copied()) {
         let own = S::constant(r);
         let expected = exact(own.to_f64());
-        // On a zero or a pole the exact value is 0 or infinite, so there is nothing to compare.
+        // At a zero or a pole the exact value is 0 or infinite, so no comparison is possible.
         if !(0.0 < expected && expected.is_finite()) {
             continue;
         }

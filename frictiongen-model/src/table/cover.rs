@@ -8,25 +8,26 @@ use super::split::Edge;
 use super::worst::Worst;
 use frictiongen_kernel::Float;
 
-/// Ratio of lengths at which the search for the longest piece ends. A piece that is longer by this factor is then known
-/// to be too long. More fits would save at most a tenth of the pieces.
+/// Ratio of lengths at which the search for the longest piece ends: the shortest length known as too long over the
+/// longest length known as possible. More fits would save at most a tenth of the pieces.
 const LONGEST: f64 = 1.1;
 /// Step to which the end of a polynomial piece is rounded for human readers, as a fraction of the length of the piece.
 /// The end is not rounded at a kink of β_lim or at a bound of the range.
 const END: f64 = 0.02;
-/// Error divided by the allowed error above which a piece that is too long probably contains a kink. The position of
-/// the kink is then located. Across a kink the error falls only in proportion to the length, not with a high power of
-/// it.
+/// Error divided by the allowed error above which a piece that is too long probably contains a kink. The search then
+/// locates the kink. A piece with a kink has an error proportional to its length, whereas the error of a smooth piece
+/// falls with a high power of the length.
 const KINK: f64 = 30.0;
-/// Ratio of lengths at which a kink counts as located: a length that is too long divided by a length that is not.
+/// Ratio of lengths at which the search for a kink ends: a length that is too long divided by a length that is
+/// possible.
 const KINK_FOUND: f64 = 1.0 + 1e-3;
 /// Largest number of polynomial pieces that are fitted again after the check. Each repetition adds a point at which
 /// later fits are compared. Beyond this number the construction fails, because it would probably never end.
 const MOST_AGAIN: usize = 1000;
 /// Length of the shortest polynomial piece, as a fraction of r. It is some hundreds of roundings of double precision.
 const SHORTEST: f64 = 1e-13;
-/// First trial length of a polynomial piece, as a multiple of the length of the previous piece. It is rather too long
-/// than too short, since a trial that is too long bounds the length from above at once.
+/// First trial length of a polynomial piece, as a multiple of the length of the previous piece. The factor is large on
+/// purpose, because a trial that is too long gives an upper bound on the length at once.
 const LONGER: f64 = 1.5;
 /// Largest number of fits in the search for the longest polynomial piece from one start.
 const MOST_FITS: usize = 200;
@@ -36,7 +37,7 @@ const AIM: f64 = 0.8;
 /// Error that the next trial length of a piece aims at, divided by the allowed error, after a piece that was too long.
 const AIM_AGAIN: f64 = 0.7;
 /// Smallest error of a fit, divided by the allowed error, from which the next trial length is computed. A smaller error
-/// says nothing about the best length.
+/// gives no information about the best length.
 const TINY: f64 = 1e-6;
 /// Bounds on the factor by which the trial length of a piece grows after a fit within the allowed error. The factor
 /// comes from a power law, which is only approximate.
@@ -102,7 +103,7 @@ impl<S: Float> Cover<'_, '_, S> {
                 if seen.error > worst.error {
                     worst = seen;
                 }
-                // If several pieces round to the same start, only the last piece counts.
+                // If several pieces have the same start after rounding, only the last piece is used.
                 if pieces
                     .last()
                     .is_some_and(|last: &Fitted<S>| last.from == piece.from)
@@ -192,7 +193,7 @@ impl<S: Float> Cover<'_, '_, S> {
     ) -> Result<(Fitted<S>, f64), Stuck> {
         let most = (limit - start).abs();
         let forwards = start < limit;
-        // A piece should end at a kink ahead, because a polynomial cannot follow a kink.
+        // If a kink lies ahead, the piece should end there, because a polynomial cannot follow a kink.
         let ahead = self
             .kinks
             .iter()
@@ -237,7 +238,7 @@ impl<S: Float> Cover<'_, '_, S> {
                     break;
                 }
                 if length >= stop {
-                    // The piece extends beyond a weak kink, which does no harm within a piece.
+                    // The kink is weak, so the piece may extend beyond it without harm.
                     stop = next.next().unwrap_or(most);
                 }
                 let guess = length * clamped((AIM / error.max(TINY)).powf(order), LONGER_BY);

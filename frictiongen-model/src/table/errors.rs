@@ -18,7 +18,7 @@ pub(super) struct Comparison<'a, 'm, S> {
     pub exact: &'a mut Exact<'m>,
     pub landmarks: Landmarks,
     pub form: Form,
-    /// Largest allowed deviation of a polynomial from `side_factor`·β_lim, relative to β_lim.
+    /// Largest allowed deviation of the polynomial from `side_factor`·β_lim, divided by β_lim.
     pub limit: f64,
     /// Largest allowed error of the contact's amplitude (relative) and phase (rad).
     pub motion: f64,
@@ -105,7 +105,7 @@ impl<S: Float> Comparison<'_, '_, S> {
         of_limit.max(or_infinite(of_motion))
     }
 
-    /// Returns r increased by some roundings, and r decreased by as many.
+    /// Returns two frequency ratios: r increased by `ROUNDINGS` roundings, and r decreased by as many.
     fn beside(r: f64) -> [f64; 2] {
         [1.0, -1.0].map(|side| r * (1.0 + side * ROUNDINGS * f64::EPSILON))
     }
@@ -121,7 +121,7 @@ impl<S: Float> Comparison<'_, '_, S> {
         if plain <= 1.0 {
             return plain;
         }
-        // On a zero of β_lim, only the effect of some roundings of r is allowed.
+        // At a zero of β_lim, the allowed error is only the effect of some roundings of r.
         let allowed = self.limit * limit + self.limit_noise(limit, r);
         if off <= allowed { 0.0 } else { off / allowed }
     }
@@ -139,7 +139,7 @@ impl<S: Float> Comparison<'_, '_, S> {
             return f64::INFINITY;
         };
         let exact = self.exact.contact(&sample, r);
-        // On a zero of β_lim and on an undamped resonance, the motion has no finite value to compare.
+        // At a zero of β_lim and at an undamped resonance, the motion has no finite value to compare.
         if !(exact.limit > 0.0 && exact.excitation.is_finite()) {
             return 0.0;
         }
@@ -156,7 +156,7 @@ impl<S: Float> Comparison<'_, '_, S> {
         if plain <= 1.0 {
             return plain;
         }
-        // Where β_lim changes by a few roundings of r, the ratio β/β_lim changes by the same relative amount.
+        // If a few roundings of r change β_lim, the ratio β/β_lim changes by the same relative amount.
         let mut noise = [self.limit_noise(exact.limit, r) / exact.limit; APART];
         for r in Self::beside(r) {
             let Some(moved) = self.exact.at(r) else {
@@ -203,7 +203,7 @@ fn apart<T: Float>(answer: &ContactTable<T>, exact: &ContactTable<f64>) -> [f64;
     for ((share, amplitude), phase) in FRICTION_SHARES.iter().zip(amplitudes).zip(phases) {
         let beta = T::constant(share * exact.limit);
         let expected = exact.amplitude(beta.to_f64());
-        // A table gives the motion only up to its own β_lim.
+        // A table gives the motion only up to the β_lim of the table.
         let own = beta.min(answer.limit);
         *amplitude = (answer.amplitude(own).to_f64() - expected).abs() / expected;
         let turned = answer.phase(own).to_f64() - exact.phase(beta.to_f64());

@@ -10,7 +10,7 @@ pub enum Evidence {
     Proven,
     /// The error is below a bound at every r except in some intervals, in which the table is checked.
     Partly,
-    /// The table was compared with exact values at many points. Between them the error may be larger.
+    /// The table was compared with exact values at many points. Between these points the error may be larger.
     Checked,
 }
 
@@ -32,8 +32,8 @@ impl Evidence {
 pub struct Work(pub usize);
 
 impl Work {
-    /// Bound on the work of a proof within a macro. A table that needs more work is recognised by its size, and then
-    /// only checked.
+    /// Bound on the work of a proof within a macro. The size of a table shows in advance whether its proof needs more
+    /// work. Such a table is only checked.
     pub const AT_EXPANSION: Self = Self(1_700_000);
     /// Bound on the work of a proof within a command: at most about four seconds of processor time.
     pub const WHOLE: Self = Self(16_000_000);

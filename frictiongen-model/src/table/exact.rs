@@ -10,12 +10,12 @@ use frictiongen_kernel::response::At;
 use frictiongen_kernel::table::ContactTable;
 use std::collections::HashMap;
 
-/// Index of arg V among the tabulated functions. The functions before it are multiplied by β_lim/|V|, except β_lim
-/// itself.
+/// Index of arg V among the tabulated functions. The functions before this index are β_lim, and two functions that are
+/// multiplied by β_lim/|V|.
 pub const ANGLE: usize = 3;
 /// Index of |V|, if it is one of the functions.
 pub const SIZE: usize = 4;
-/// Fraction of its terms below which a sum has lost significant digits.
+/// Size of a sum, as a fraction of its terms, below which the sum has lost significant digits.
 const CANCELS: f64 = 1e-2;
 
 /// Exact functions at one frequency ratio: β_lim, a = β_lim·U/|V|, g = β_lim·G/|V| and arg V. V is the response of the
@@ -49,7 +49,8 @@ impl<'a> Exact<'a> {
     pub fn new(modal: &'a Modal) -> Self {
         Self {
             modal,
-            // Macros build tables, and macros run without optimisation. Two modes at once would then be slower.
+            // Macros build tables, and macros run without optimisation. There the sums are slower if they process two
+            // modes at once.
             reduced: Reduced {
                 two_at_once: false,
                 ..modal.reduced(|value| value.to_f64())

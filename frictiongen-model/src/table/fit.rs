@@ -87,7 +87,7 @@ pub(super) fn fit<S: Float>(
         S::constant(zero.map_or_else(|| to_decimals(middle, ORIGIN * half), |zero| zero.at));
     let mut coefficients = Vec::with_capacity(form.functions);
     for function in 0..form.functions {
-        // For β_lim and |V| the relative error counts, also near their common zero.
+        // For β_lim and |V| the relative error matters, also near their common zero.
         let is_relative = function == 0 || function == SIZE;
         let zero = zero.filter(|_| is_relative);
         // The quotient by r − r₀ has one term fewer than β_lim.
@@ -121,12 +121,14 @@ pub(super) fn fit<S: Float>(
             power *= half;
         }
         if let Some(zero) = zero {
-            // The rounded origin differs from the exact zero, so the factor is the distance from the exact zero.
+            // The rounded origin differs from the exact zero, so the polynomial is multiplied by the distance from the
+            // exact zero.
             through = times_distance(&through, -zero.distance(origin.to_f64()));
         }
         coefficients.push(through.into_iter().map(S::constant).collect());
     }
-    // The previous piece covers everything below `low`. Near a zero this must be exact to the last digit.
+    // The previous piece covers all r below `low`. Near a zero the start of this piece must therefore be exact to the
+    // last digit.
     let mut from = S::constant(low);
     let below = zero.is_some_and(|zero| zero.at <= low && zero.distance(from.to_f64()) < 0.0);
     if below || from.to_f64() < low {
@@ -178,7 +180,7 @@ pub fn interpolated(places: &[f64], values: &[f64]) -> Vec<f64> {
             }
         }
     }
-    // Converts Newton's form to powers, from the last factor inwards.
+    // Converts Newton's form to powers of the variable, from the last factor inwards.
     let mut powers: Vec<f64> = Vec::with_capacity(count);
     for (difference, place) in differences.iter().zip(places).rev() {
         let mut shifted = vec![*difference];

@@ -95,7 +95,7 @@ impl<S: Float> HeldForm<S> {
         }
     }
 
-    /// Returns how many numbers the gain and the zeros store, and how many numbers the poles store.
+    /// Returns the number of numbers in the gain and the zeros, and the number of numbers in the poles.
     fn numbers(&self) -> (usize, usize) {
         let of_roots = |roots: &[Root<S>]| -> usize {
             let numbers = roots.iter().map(|root| match root {
@@ -166,8 +166,8 @@ impl<S: Float> Held<S> {
         )
     }
 
-    /// Returns the most operations that the response of a mass takes: the number of additions and multiplications, and
-    /// the number of divisions.
+    /// Returns the largest work for the response of a mass: the number of additions and multiplications, and the number
+    /// of divisions.
     #[must_use]
     pub fn most_operations(&self) -> (usize, usize) {
         let operations = self.masses.iter().map(HeldForm::operations);

@@ -21,15 +21,16 @@ const POINTS: usize = 64;
 /// Relative distances from a zero or a pole at which a response is compared with its exact value.
 const BESIDE: [f64; 7] = [0.0, 1e-15, -1e-13, 1e-10, -1e-7, 1e-4, -1e-2];
 /// Largest relative difference between a pole and a number of the table's type that count as equal. The iteration
-/// leaves the last of the 30 digits of a pole open.
+/// leaves the last of the 30 digits of a pole uncertain.
 const SAME: f64 = 1e-26;
-/// Number of candidates in the search for an r far from all zeros and poles. The gain is computed there.
+/// Number of candidates in the search for a frequency ratio far from all zeros and poles. The gain is computed at this
+/// frequency ratio.
 const PLACES: usize = 33;
 
 /// Rounds a double-double to another number type with a single rounding.
 pub(super) fn rounded<S: Float>(value: Dd) -> S {
-    // A high part exactly halfway between two numbers of a narrower type hides the sign of the low part. Shifting the
-    // high part by one double restores the direction of rounding.
+    // If the high part lies exactly halfway between two numbers of a narrower type, it hides the sign of the low part.
+    // Shifting the high part to the next double in the direction of the low part makes the rounding correct.
     let moved = if value.lo > 0.0 {
         value.hi.next_up()
     } else if value.lo < 0.0 {
@@ -241,7 +242,7 @@ impl<'a> Build<'a> {
         for Point { r, at, moved } in self.spread.iter().chain(&close) {
             let expected = exact(at);
             let size = complex::modulus(expected, true).to_f64();
-            // On a zero or a pole the exact value is 0 or infinite, so there is nothing to compare.
+            // At a zero or a pole the exact value is 0 or infinite, so no comparison is possible.
             if !(at.known && 0.0 < size && size.is_finite()) {
                 continue;
             }

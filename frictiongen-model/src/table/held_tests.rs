@@ -9,8 +9,8 @@ use frictiongen_kernel::table::{Factor, Root};
 
 const RANGE: (f64, f64) = (0.2, 2.5);
 
-/// Checks that chains with every contact and damping have responses as products. The products must meet 1e-12, and in
-/// single precision 1e-5. They have up to sixty factors with a few roundings each.
+/// Checks that chains with every kind of contact and damping have responses as products. The products must meet an
+/// accuracy of 1e-12, and in single precision 1e-5. They have up to sixty factors with a few roundings each.
 fn of_chains<S: Float>(finest: f64) {
     for kind in ["Wall", "Base", "Pair"] {
         for count in 1..=16 {
@@ -79,20 +79,20 @@ fn two_masses_by_hand() {
         ];
         for value in values {
             assert_eq!(value.im, 0.0);
-            // The tolerance covers some roundings of the response, and those of 2 − r² in this test.
+            // The tolerance covers some roundings of the response, and the roundings of 2 − r² in this test.
             let allowed = f64::EPSILON * (4.0 + 4.0 * expected.abs());
             assert!((value.re / expected - 1.0).abs() < allowed, "{r}: {value}");
         }
         assert_eq!(held.masses[1].response().value(r).re, 0.0);
     }
     assert!(held.resonances.is_empty());
-    // This resonance of the stuck chain is exactly a number of the type.
+    // This resonance of the stuck chain equals a number of the type exactly.
     let on = Held::<f64>::of(&scene("Pair", 16, 0.0, 1.0), RANGE).unwrap();
     assert_eq!(on.resonances, [1.0]);
 }
 
-/// Returns the change of y, the imaginary part of a zero, that changes the zero's factor by about 100 % somewhere in
-/// the range.
+/// Returns the change of a zero's imaginary part y that changes the zero's factor by about 100 % somewhere in the
+/// range.
 fn reach(y: f64) -> f64 {
     let r = y.clamp(RANGE.0, RANGE.1);
     if r == y {
@@ -102,8 +102,7 @@ fn reach(y: f64) -> f64 {
     }
 }
 
-/// Returns the numbers that a factor stores. Each comes with the change of this number that changes the factor by about
-/// 100 %.
+/// Returns the numbers that a factor stores. Each number comes with a change that changes the factor by about 100 %.
 fn of_root(root: &mut Root<f64>) -> Vec<(&mut f64, f64)> {
     let before = *root;
     let size = |r: f64| {
@@ -120,8 +119,8 @@ fn of_root(root: &mut Root<f64>) -> Vec<(&mut f64, f64)> {
     }
 }
 
-/// Returns every number that a response stores. Each comes with the change of this number that changes the response by
-/// about 100 %.
+/// Returns every number that a response stores. Each number comes with a change that changes the response by about 100
+/// %.
 fn numbers(form: &mut HeldForm<f64>) -> Vec<(&mut f64, f64)> {
     let of_factor = |factor| match factor {
         &mut Factor::Zero { ref mut at, .. } => {

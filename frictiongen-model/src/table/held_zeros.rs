@@ -15,7 +15,8 @@ const ON_RESONANCE: f64 = 1e-12;
 
 /// Upper bound on the number of corrections of a zero, and the relative correction at which the iteration ends. The
 /// iteration begins in double precision with these values, and ends in double-double with `LAST_STEPS`. Near
-/// convergence each correction is about the cube of the previous one, so after 10⁻²³ only rounding is left.
+/// convergence each correction is about the cube of the previous one. After a correction of 10⁻²³ only rounding is
+/// left.
 const FIRST_STEPS: (usize, f64) = (100, 1e-11);
 /// Upper bound on the corrections in double-double, and the relative correction at which they end.
 const LAST_STEPS: (usize, f64) = (60, 1e-23);
@@ -43,8 +44,8 @@ fn denominator(modal: &Modal, mode: usize, s: Complex<Dd>) -> Option<Complex<Dd>
 pub(super) struct HeldAt {
     /// V/H, the force that keeps the contact stuck.
     pub force: Complex<Dd>,
-    /// False if the frequency is on an undamped resonance of the sliding chain. The modal amplitude is then a quotient
-    /// of rounding errors, although the responses are regular.
+    /// False if the frequency is at an undamped resonance of the sliding chain. The modal amplitude is then a quotient
+    /// of rounding errors, although the responses are finite.
     pub known: bool,
     /// Complex amplitude of each mode of the sliding chain.
     modes: Vec<Complex<Dd>>,
@@ -60,7 +61,7 @@ impl HeldAt {
         let drives = || modal.loads.iter().zip(&modal.contacts);
         let modes = modal.resonances.iter().zip(&modal.damping_ratios);
         for ((sigma, zeta), (load, contact)) in modes.zip(drives()) {
-            // Both factors keep their digits near the resonance.
+            // In this form both factors keep their digits near the resonance.
             let re = (*sigma - r) * (*sigma + r);
             let im = two * *zeta * *sigma * r;
             let size = re.abs() + im.abs();
@@ -174,7 +175,7 @@ fn held_pole(modal: &Modal, zero: Zero) -> Option<Pole> {
     })
 }
 
-/// Returns the poles of modes in which the contact does not move. These include combinations of equal modes.
+/// Returns the poles of modes in which the contact does not move. Combinations of equal modes are included.
 fn untouched_poles(modal: &Modal) -> Vec<Pole> {
     let equal = |a: usize, b: usize| {
         let near = |values: &[Dd]| match (values.get(a), values.get(b)) {
@@ -259,8 +260,8 @@ pub(super) fn responses(modal: &Modal) -> Option<(Vec<Response>, Response)> {
         damping_ratios: vec![Dd::ZERO; modal.damping_ratios.len()],
         ..modal.clone()
     };
-    // A zero at s = 0 is a double zero of the undamped chain. The double zero may not be separable, although the zeros
-    // of the damped chain are.
+    // The undamped chain may have a double zero at s = 0. The double zero may not be separable, although the zeros of
+    // the damped chain are.
     let Some((masses, force)) = found(&undamped) else {
         return found(modal);
     };
@@ -332,7 +333,7 @@ fn of_mass(poles: &[Pole], mass: usize, damped: bool) -> Option<Response> {
     let mut roots = guesses(sizes(), degree);
     correct::<f64>(&simple, &mut roots, FIRST_STEPS);
     correct::<Dd>(&simple, &mut roots, LAST_STEPS);
-    // A mass that only dampers drive does not move at r = 0, so the response has one zero at s = 0.
+    // A mass that only dampers drive does not move at r = 0, so its response has one zero at s = 0.
     let least = sizes().fold(f64::INFINITY, f64::min);
     let rests =
         |root: &Complex<Dd>| complex::modulus(*root, true) <= Dd::from(least) * Dd::from(NONE);
@@ -364,8 +365,8 @@ fn degree(simple: &[[Complex<Dd>; 2]]) -> Option<usize> {
     None
 }
 
-/// Improves `roots`, the estimates of the zeros of Σ R/(s − z), in the arithmetic of `S`. `simple` lists the pairs z
-/// and R. `most` has the largest number of steps, and the relative step at which the iteration ends.
+/// Improves `roots`, the estimates of the zeros of Σ R/(s − z), in the arithmetic of `S`. `simple` lists the pairs (z,
+/// R). `most` contains the largest number of steps, and the relative step at which the iteration ends.
 fn correct<S: Float>(simple: &[[Complex<Dd>; 2]], roots: &mut [Complex<Dd>], most: (usize, f64)) {
     let wide = |value: &Complex<Dd>| Complex::new(to::<S>(value.re), to::<S>(value.im));
     let simple = simple.iter();

@@ -3,15 +3,15 @@
 use super::fit::Fitted;
 use frictiongen_kernel::Float;
 
-/// Smallest number of buckets. A table of any size has at least as many.
+/// Smallest number of buckets. Even a small table has this number.
 const FEWEST: usize = 8;
 /// Numbers of buckets that `Index::of` tries, one after the other. If the number is a power of two, a lookup finds its
 /// bucket without a comparison.
 const BUCKETS: [usize; 8] = [FEWEST, 16, 32, 64, 128, 256, 512, 1024];
-/// Largest ratio of the number of buckets to the number of numbers that the polynomial pieces store. More buckets would
-/// need more memory than they are worth.
+/// Largest number of buckets, as a multiple of the number of numbers in the polynomial pieces. More buckets would save
+/// too few comparisons for their memory.
 const CROWDED: usize = 1;
-/// Number of comparisons per lookup that needs no improvement. More buckets for fewer comparisons would not be worth
+/// Number of comparisons per lookup that is small enough. More buckets would reduce it further, but would not be worth
 /// their memory.
 const FEW: u32 = 2;
 
@@ -54,8 +54,8 @@ impl<S: Float> Index<S> {
 
     fn with(pieces: &[Fitted<S>], (low, high): (S, S), count: usize) -> Self {
         let mut density = S::constant(count as f64 / (high - low).to_f64());
-        // The bucket is computed as in a lookup. The bucket number does not fall with rising r despite rounding, and
-        // the upper bound of the range must fall into the last bucket.
+        // The bucket is computed as in a lookup. Despite rounding, the bucket number does not fall as r rises. The
+        // upper bound of the range must fall into the last bucket.
         while ((high - low) * density).to_index() >= count {
             density = S::constant(density.to_f64() * (1.0 - S::EPSILON));
         }

@@ -38,7 +38,7 @@ pub(super) fn kinks(exact: &mut Exact<'_>, (low, high): (f64, f64)) -> Vec<f64> 
 }
 
 /// Returns true if `a` and `b` are the phases τ of two different maxima of the velocity constraint. Returns false if
-/// one maximum has only shifted.
+/// both belong to one maximum that has shifted.
 fn differ(a: Option<f64>, b: Option<f64>) -> bool {
     match (a, b) {
         (Some(a), Some(b)) => (a - b).abs() > JUMP,
@@ -48,7 +48,7 @@ fn differ(a: Option<f64>, b: Option<f64>) -> bool {
 }
 
 /// Finds the kink of β_lim between two frequency ratios by bisection, and appends it to `kinks`. Does nothing if there
-/// is none.
+/// is no kink.
 pub(super) fn between(exact: &mut Exact<'_>, mut low: f64, mut high: f64, kinks: &mut Vec<f64>) {
     loop {
         let (Some(at_low), Some(at_high)) = (exact.at(low), exact.at(high)) else {

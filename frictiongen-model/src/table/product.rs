@@ -9,7 +9,8 @@ use frictiongen_kernel::table::{Factor, Quotient};
 pub struct Product<S> {
     /// Constant factor of the function.
     pub gain: S,
-    /// True if the factors belong to the square of the function. The function is then a square root.
+    /// True if the factors belong to the square of the function, so that the function is the square root of the
+    /// product.
     pub squared: bool,
     /// Factors of the numerator, one for each zero or pair of zeros.
     pub numerator: Vec<Factor<S>>,
@@ -48,7 +49,7 @@ impl<S: Float> Product<S> {
         )
     }
 
-    /// Returns the number of numbers that the product stores.
+    /// Returns how many numbers the product stores.
     #[must_use]
     pub fn numbers(&self) -> usize {
         let factors = self.numerator.iter().chain(&self.denominator);

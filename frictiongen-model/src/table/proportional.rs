@@ -67,8 +67,8 @@ impl Proportional {
         Some(Rational { zeros, poles })
     }
 
-    /// Appends the zeros of the damped chain that follow from one zero of the undamped chain. Returns the number of
-    /// different values of q = −s² at the undamped zero.
+    /// Appends the zeros of the damped chain that follow from one zero of the undamped chain. Returns how many
+    /// different values of q = −s² belong to the undamped zero.
     fn moved(&self, zero: &Zero, into: &mut Vec<Zero>) -> isize {
         let half = Dd::from(0.5);
         if zero.x.is_zero() || zero.y.is_zero() {
@@ -93,8 +93,8 @@ impl Proportional {
             }
             return 1;
         }
-        // The four zeros ±x ± iy of the undamped chain have −s² = y² − x² ∓ 2ixy. One of both values gives the
-        // conjugates of the other.
+        // The four zeros ±x ± iy of the undamped chain have two values −s² = y² − x² ∓ 2ixy. One value suffices,
+        // because the other gives the complex conjugates.
         let square = (
             (zero.y - zero.x) * (zero.y + zero.x),
             -(Dd::from(2.0) * zero.x * zero.y),
@@ -108,7 +108,7 @@ impl Proportional {
             Dd::from(2.0) * rate.0 * rate.1 - square.1,
         );
         let size = rest.0.hypot(rest.1);
-        // The larger one of the root's real and imaginary parts is computed first, to avoid cancellation.
+        // The larger of the real and the imaginary part of the root is computed first, to avoid cancellation.
         let (re, im) = if rest.0 > Dd::ZERO {
             let re = ((size + rest.0) * half).sqrt();
             (re, rest.1 / (re + re))

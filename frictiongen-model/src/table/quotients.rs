@@ -17,12 +17,12 @@ use frictiongen_kernel::table::Factor;
 /// Fraction of the declared accuracy that the errors of β*_lim, |V| and the responses with the contact stuck may use.
 pub(super) const EXACT_SHARE: f64 = 0.5;
 /// Amounts, in roundings, by which β*_lim may be enlarged to lie on the safe side. The amount must exceed the errors of
-/// the factors and of the zeros. The amount with the best proof is used, and of equal amounts the smallest.
+/// the factors and of the zeros. The program uses the amount with the best proof. If several proofs are equally good,
+/// it uses the smallest amount.
 const SAFE_ROUNDINGS: [f64; 5] = [64.0, 512.0, 4096.0, 65_536.0, 1_048_576.0];
 
-/// Returns a rational function as a product over its zeros and poles. The gain is chosen such that the product equals
-/// `value` at one r of the range. That r is the farthest from all zeros and poles. The gain is computed in
-/// double-double.
+/// Returns a rational function as a product over its zeros and poles. The gain makes the product equal to `value` at
+/// one frequency ratio of the range, the one farthest from all zeros and poles. The gain is computed in double-double.
 fn product<S: Float>(
     squared: bool,
     numerator: [&[Zero]; 2],

@@ -9,9 +9,10 @@ use crate::scene::{Beyond, Scene};
 use frictiongen_kernel::Float;
 use frictiongen_kernel::table::Factor;
 
-/// Number of halvings of an interval of r after which the proof that a limit exceeds a friction ratio gives up.
+/// Largest number of halvings of an interval of r in the proof that a limit exceeds a friction ratio. After these
+/// halvings the proof fails.
 const HALVINGS: u32 = 12;
-/// Number of equal intervals of r with which the proof that a limit exceeds a friction ratio begins.
+/// Number of equal intervals of r at the start of the proof that a limit exceeds a friction ratio.
 const PARTS: usize = 64;
 
 /// Regimes that cannot occur at friction ratios up to a largest one, over the range of the tables.
@@ -47,7 +48,7 @@ impl<S: Float> Tables<S> {
         }
         let always_continuous = self.limit_is_above(most);
         let sliding = self.sliding.as_ref();
-        // As in the kernel, the contact cannot stick below β_lim if μ ≤ 1.
+        // As in the kernel, no stuck state exists below β_lim if μ ≤ 1.
         let decides = always_continuous && stiction <= 1.0;
         Reach {
             always_continuous,
@@ -95,7 +96,7 @@ impl<S: Float> Tables<S> {
     }
 }
 
-/// Returns Σ c_k tᵏ.
+/// Returns the polynomial Σ c_k tᵏ at t.
 fn polynomial<T: Number>(coefficients: &[f64], t: T) -> T {
     let zero = T::number(0.0);
     coefficients
@@ -111,7 +112,7 @@ fn exceeds(r: Interval, halvings: u32, least: &impl Fn(Interval) -> f64, most: f
         return true;
     }
     let middle = r.middle();
-    // If the lower bound fails at a single r, further halving is useless.
+    // If the lower bound is too small even at a single r, further halving is useless.
     if halvings == 0 || !(most < least(Interval::point(middle))) {
         return false;
     }
@@ -206,7 +207,8 @@ mod tests {
         let [limit, sliding] = least(&tables);
         let name = format!("{kind}{count}, {zeta}, {stiction}: {limit} and {sliding}");
         let reach = |most| tables.reach(stiction, most);
-        // At friction ratios closer to the limit, the bound on the rounding errors may leave the result undecided.
+        // Close to the limit, the bound on the rounding errors may leave it undecided whether the friction ratio is
+        // below.
         for (share, is_below) in [(0.5, true), (0.99, true), (1.001, false), (2.0, false)] {
             assert_eq!(reach(share * limit).always_continuous, is_below, "{name}");
             assert_eq!(reach(share * sliding).never_stuck, is_below, "{name}");
@@ -257,7 +259,7 @@ mod tests {
         assert!(!tables.reach(1.0, 0.6).always_continuous);
     }
 
-    /// Checks the flags for μ = 2. Near the resonance β*_lim is 1/2 and smaller than β_lim, so a stuck state exists in
+    /// Checks the flags for μ = 2. Near the resonance β*_lim is 1/2, which is below β_lim. A stuck state then exists in
     /// addition to the closed form.
     #[test]
     fn a_stuck_state_beside_the_closed_form() {

@@ -41,7 +41,7 @@ pub enum TableError {
         /// The finest accuracy that the number type allows, a relative error.
         finest: f64,
     },
-    /// No table that was tried meets the accuracy.
+    /// None of the tables that the generator tried meets the accuracy.
     NotMet {
         /// The requested accuracy, a relative error.
         accuracy: f64,
@@ -51,7 +51,8 @@ pub enum TableError {
         /// The frequency ratio r at which no table meets the accuracy.
         at: f64,
     },
-    /// Damping acts on velocities relative to the moving base. Tables do not have the load that it adds.
+    /// Damping acts on velocities relative to the moving base. The tables cannot represent the load that this damping
+    /// adds.
     DampedFromBase,
     /// The contact is elastic. Its response has no table.
     ElasticContact,
@@ -59,7 +60,7 @@ pub enum TableError {
     TooFewBytes {
         /// The allowed number of bytes.
         bytes: usize,
-        /// The number of bytes of the most coarse table.
+        /// The number of bytes of the tables with the coarsest accuracy.
         least: usize,
     },
 }

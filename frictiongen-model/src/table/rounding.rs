@@ -8,14 +8,14 @@ use frictiongen_kernel::Float;
 const UNDERFLOW_SINGLE: f64 = 1e-43;
 /// Allowance for products that underflow in a polynomial in double precision: some of its smallest numbers.
 const UNDERFLOW: f64 = 1e-321;
-/// Factor on a sum of roundings, for their products and for the roundings of the sum itself.
+/// Factor on a sum of rounding errors. It covers the products of these errors and the roundings of the sum itself.
 const UP: f64 = 1.001;
 
 /// Returns an upper bound on the number of roundings of the term c_k tᵏ in the emitted evaluation.
 ///
-/// A pair c_2j + c_2j+1·t has one rounding for its sum, and its second term has one more. Adding the higher terms
-/// causes one rounding. Each of the j products with t² adds three: the product, the rounding of t², and a sum. The
-/// difference r − origin is exact if both numbers are within a factor of two. Otherwise it adds one rounding for each
+/// The sum c_2j + c_2j+1·t has one rounding, and its second term has one more. Adding the higher terms causes one
+/// rounding. Each of the j products with t² adds three roundings: the product, t² itself, and a sum. The difference r −
+/// origin is exact if both numbers are within a factor of two. Otherwise the difference adds one rounding for each
 /// power.
 fn counts(power: usize, exact_difference: bool) -> f64 {
     let of_difference = if exact_difference { 0 } else { power };
@@ -40,7 +40,8 @@ pub fn rounding<S: Float>(
         let term = coefficient.abs() * counts(k, exact) * unit;
         sum += match nearest {
             None => term * power,
-            // For k > 0, tᵏ divided by the distance grows with the distance, apart from the offset of the origin.
+            // For k > 0, tᵏ divided by the distance from the zero grows with this distance, apart from the offset of
+            // the origin.
             Some(nearest) if k == 0 => term / nearest,
             Some(_) => term * power / t * 2.0,
         };

@@ -14,7 +14,8 @@ use frictiongen_kernel::table::Quotient;
 /// Fraction of the accuracy that the fit of a polynomial may use. The rest is for frequency ratios between the points
 /// of the fit.
 const SHARE: f64 = 0.75;
-/// Fraction of the accuracy that the check of a table allows. Between the points of the check an error may be larger.
+/// Fraction of the accuracy that the check of a table allows. The rest is for larger errors between the points of the
+/// check.
 const CHECKED: f64 = 0.9;
 /// Fraction of the accuracy that the fit may use with `side: safe`. The table then lies half the accuracy away from the
 /// exact limit.

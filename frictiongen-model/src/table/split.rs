@@ -31,7 +31,8 @@ impl Edge {
 const BESIDE: [f64; 13] = [
     0.0, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-6, 1e-5, 1e-4, 1e-3, 3e-3, 1e-2,
 ];
-/// Largest relative distance of a zero of β_lim from the range of r at which the zero still influences the table.
+/// Largest distance of a zero of β_lim outside the range of r, relative to the zero, at which the zero still influences
+/// the table.
 const OUTSIDE: f64 = 1e-2;
 /// Largest damping with which a resonance, a sub-harmonic or a zero makes a narrow feature in β_lim. The damping is ζ
 /// times the order for a sub-harmonic of a mode, and |x|/y for a complex zero x + iy of V.

@@ -19,9 +19,9 @@ use crate::modal::Modal;
 use crate::scene::{Accuracy, Provide, Proving, Scene};
 use frictiongen_kernel::Float;
 
-/// The responses with the contact stuck may use the allowed bytes divided by this number.
+/// Divisor of the allowed bytes. The responses with the contact stuck may use at most the quotient.
 const STUCK_PART: usize = 4;
-/// Length of the range of r, divided by the length of the first piece that the fit tries.
+/// Length of the range of r, divided by the trial length of the first piece.
 const FIRST: f64 = 16.0;
 /// Largest number of pieces whose indices fit in one byte.
 const IN_A_BYTE: usize = 1 << u8::BITS;
@@ -130,7 +130,8 @@ impl<S: Float> Tables<S> {
         self.functions > 1
     }
 
-    /// Returns the number of additions and multiplications that one lookup and one polynomial take.
+    /// Returns the number of additions and multiplications that a lookup and the evaluation of one polynomial take
+    /// together.
     #[must_use]
     pub fn additions_and_multiplications(&self) -> usize {
         // The count includes r − low and its product with the density, and r − origin and its square. Each pair of
@@ -197,7 +198,8 @@ impl<S: Float> Tables<S> {
         coarsest.check::<S>()?;
         check_damping(modal)?;
         let mut exact = Exact::new(modal);
-        // The responses with the contact stuck get a limited share, because their exact formulas need no search.
+        // The responses with the contact stuck get only a limited fraction of the bytes, because their exact formulas
+        // need no search and are therefore fast.
         let held = Self::held_of(modal, &request);
         let held = held.filter(|held| held.bytes() <= bytes / STUCK_PART);
         let mut within = |finer: Request| {
@@ -273,8 +275,8 @@ impl<S: Float> Tables<S> {
     }
 
     /// Builds the tables of the limits and of the contact's motion. If the usual degree of the polynomials does not
-    /// suffice, higher degrees are tried: a mode may change a function over a range of r that is only some hundred
-    /// roundings of r wide.
+    /// suffice, the method tries higher degrees. This happens if a mode changes a function over a range of r that is
+    /// only some hundred roundings of r wide.
     fn built_within(
         exact: &mut Exact<'_>,
         request: Request,
@@ -337,8 +339,8 @@ impl<S: Float> Tables<S> {
             (low, high),
         );
         let functions = match (&excitation, exact.damped()) {
-            // If the zeros could not be separated, |V| may have a zero on the axis of real r. |V| is then not a
-            // function of the pieces.
+            // If the zeros could not be separated, |V| may have a zero at a real r. |V| then has a kink there, so the
+            // pieces do not contain it.
             _ if with_size && zeros.is_some() => 5,
             (None, _) => 1,
             (Some(_), false) => 2,

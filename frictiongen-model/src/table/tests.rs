@@ -52,7 +52,8 @@ fn request(r: (f64, f64), accuracy: f64) -> Request {
     }
 }
 
-/// Checks the zeros of chains of equal masses. The first two masses move alike at r² = 1, whatever masses follow.
+/// Checks the zeros of chains of equal masses. At r² = 1 the first two masses move alike, whatever masses follow in the
+/// chain.
 #[test]
 fn zeros_of_equal_masses() {
     for count in [2, 3, 5, 9] {
@@ -175,7 +176,7 @@ fn a_budget_of_bytes() {
     }
 }
 
-/// Checks that the product for |V| is used if |V| as a polynomial of the pieces does not fit into the bytes.
+/// Checks that |V| becomes a product if |V| as a polynomial of the pieces needs too many bytes.
 #[test]
 fn a_budget_below_the_polynomials() {
     let modal = Modal::of(&chain(2, Damping::Uniform(0.02)));

@@ -8,10 +8,10 @@ use frictiongen_kernel::table::Factor;
 use frictiongen_kernel::{Complex, Float};
 
 /// Relative size below which the real or imaginary part of a zero or pole, or a coefficient, counts as zero. It is far
-/// above the roundings of a double-double sum, 10⁻³², and far below the precision of a scene in doubles.
+/// larger than the roundings of a double-double sum, 10⁻³². It is far smaller than the precision of a scene in doubles.
 pub(super) const NONE: f64 = 1e-20;
-/// Largest relative difference between the constants of two modes (resonance or damping ratio) that count as equal. In
-/// double-double such modes differ only by rounding.
+/// Largest relative difference between the constants of two modes (resonance or damping ratio) that count as equal. The
+/// constants of such modes differ only by rounding in double-double.
 pub(super) const EQUAL: f64 = 1e-24;
 /// Largest relative distance between two zeros that count as one common zero of V and H, the responses of the contact
 /// to the load and to a contact force. A scene in doubles cannot separate them.
@@ -24,9 +24,9 @@ const ABOVE: f64 = 1.4;
 /// Smallest angle between the imaginary axis and a point from which the search for a zero starts, in rad. From a point
 /// on an axis, the iteration would stay on that axis.
 const LEAST_ANGLE: f64 = 0.1;
-/// Range of the angles from which the search for zeros starts, in rad beyond `LEAST_ANGLE`. It is divided into
-/// elevenths. Each next angle is seven elevenths further, so that neighbouring starting points have very different
-/// angles.
+/// Range, in rad, of the angles from which the search for zeros starts. The range begins at `LEAST_ANGLE`. It is
+/// divided into elevenths, and each angle is seven elevenths further than the previous one. Neighbouring starting
+/// points then have very different angles.
 const ANGLES: f64 = 0.7;
 
 /// A zero or pole s = x + iy of a function of s = ir, in double-double. A conjugate pair is represented by its zero
@@ -167,8 +167,8 @@ impl Zeros {
                 ..mode.driven
             })
             .collect();
-        // At r = 0 a base may carry the contact along without relative motion. V then has a zero at s = 0, which is
-        // double without damping.
+        // At r = 0 a base may carry the contact along without relative motion. V then has a zero at s = 0. Without
+        // damping it is a double zero.
         let at_rest = modal.on_moving_base && modal.static_motion.is_zero();
         let known = match (at_rest, damped) {
             (false, _) => 0,
@@ -290,7 +290,7 @@ fn degree(modes: &[Driven], direct: Dd) -> Option<usize> {
 }
 
 /// Returns `count` starting points for the search of zeros, unevenly spread near the imaginary axis. Their moduli span
-/// the range of the resonances, and slightly more.
+/// the range of the resonances, and a little more on both sides.
 pub(super) fn guesses(sigmas: impl Iterator<Item = f64>, count: usize) -> Vec<Complex<Dd>> {
     let ends = (f64::INFINITY, 0.0_f64);
     let (low, high) = sigmas.fold(ends, |(low, high), sigma| (low.min(sigma), high.max(sigma)));

@@ -16,8 +16,9 @@ use frictiongen_kernel::oscillator::mode::Mode;
 use frictiongen_kernel::{Float, Scalar};
 use plain::{EQUAL, Plain, close, driven, in_contact, plain_modes, sorted, turned};
 
-/// Modal damping ratio above which the modes of the stuck chain (held modes) may be close to one another. Below it, up
-/// to 64 masses lose only some roundings.
+/// Modal damping ratio above which the frequencies of the held modes may be close to one another. Held modes are the
+/// modes of the chain with its contact stuck. Below this damping ratio, chains of up to 64 masses lose only some
+/// roundings.
 const NEAR_CRITICAL: f64 = 0.9;
 
 /// Returns the largest relative rounding error in a motion of the scene if the contact sticks and is released at once
@@ -137,8 +138,8 @@ impl<S: Scalar> Transient<S> {
 
     /// Returns the largest relative rounding error in a motion if the contact sticks and is released at once
     /// ([`held_loss`](Dynamics::held_loss)). Returns `None` if the error is at most √ε of the number type, so that half
-    /// of the digits remain. A larger error makes all results in the time domain useless. Only modes near critical
-    /// damping or above cause a larger error.
+    /// of the digits remain. A larger error makes all results in the time domain useless. Only modes near or above
+    /// critical damping cause a larger error.
     #[must_use]
     pub fn excess_loss(&self) -> Option<S>
     where
@@ -153,7 +154,7 @@ impl<S: Scalar> Transient<S> {
         let zero = S::constant(0.0);
         let (mut states, mut held) = (vec![[zero; 2]; driven], vec![[zero; 2]; self.held.len()]);
         let loss = dynamics.held_loss(&mut states, &mut held);
-        // With this comparison, NaN counts as a loss.
+        // With this comparison, a loss of NaN counts as too large.
         let kept = loss * loss <= S::constant(S::EPSILON);
         (!kept).then_some(loss)
     }

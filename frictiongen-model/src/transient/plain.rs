@@ -5,8 +5,8 @@ use crate::roots::Driven;
 use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
 
-/// Largest relative difference between the constants of two modes (resonance or damping ratio) that count as equal. It
-/// is the level of rounding.
+/// Largest relative difference between the constants of two modes (resonance or damping ratio) that count as equal.
+/// Rounding can cause such a difference.
 pub(super) const EQUAL: f64 = 1e-24;
 
 /// Largest component of a mode that counts as rounding noise, relative to the largest value that the component can

@@ -33,8 +33,9 @@ fn chain(masses: &[f64], springs: &[f64], contact: usize, damping: Damping) -> S
     }
 }
 
-/// Returns the largest relative displacement of the contact in a held mode (contact stuck), relative to the
-/// participations of the modes. The exact value is 0. Rounding of double-double and close frequencies cause the rest.
+/// Returns the largest relative displacement of the contact in a held mode (contact stuck), divided by the
+/// participations of the modes. The exact value is 0. Rounding in double-double and close frequencies cause other
+/// values.
 fn worst_slip(scene: &Scene) -> f64 {
     let transient: Transient<Dd> = Transient::of(scene, &Modal::of(scene), |value| value);
     let driven = transient.held.len() + 1;
@@ -92,8 +93,8 @@ fn many_masses_spread_over_twelve_decades() {
     let springs: Vec<f64> = (0..24).map(|i| 10.0_f64.powi((i * 5) % 13 - 6)).collect();
     for damping in [Damping::None, Damping::Uniform(0.02)] {
         let worst = worst_slip(&chain(&masses, &springs, 11, damping));
-        // Participations are at most 1 and contact components at most 1e3 in this test. Frequencies as close as 1e-12
-        // cost half of the digits.
+        // In this test participations are at most 1 and contact components at most 1e3. Frequencies that differ by only
+        // 1e-12 cost half of the digits.
         assert!(worst < 1e-12, "{worst:e}");
     }
 }
@@ -118,8 +119,8 @@ fn a_loss_is_seen() {
             assert_eq!(excess(&uneven(n, zeta)), (None, None), "{n} {zeta}");
         }
     }
-    // In f64 two overdamped modes keep half of the digits. Eight overdamped modes lose more in f32. So do 64 critically
-    // damped modes, in f32 and f64.
+    // In f64 two overdamped modes keep half of the digits. In f32 eight overdamped modes lose more than half. With 64
+    // critically damped modes, f32 and f64 both lose more than half.
     assert_eq!(excess(&uneven(2, 10.0)).0, None);
     let (double, single) = excess(&uneven(8, 1.5));
     assert_eq!(double, None);

@@ -16,7 +16,7 @@ pub const SMALLEST: f64 = 1e-60;
 /// Items of a scene that could be read from its description, and on which the checks may rely.
 ///
 /// A description with errors still gives most of a scene. A check is skipped if it needs an item that could not be
-/// read. Otherwise one error would be reported as two.
+/// read. Otherwise one mistake would cause two error messages.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Checks {
     /// The largest number of masses that the scene may have.

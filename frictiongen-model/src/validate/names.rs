@@ -63,12 +63,12 @@ pub const RESERVED: &[&str] = &[
     "stiction",
     "time",
     "work",
-    // These are methods of derived traits, which a mass of that name would hide.
+    // These are methods of derived traits. A mass of the same name would hide them.
     "clone",
     "eq",
     "fmt",
     "ne",
-    // The prelude gives every type these methods by value. They would hide a mass of that name.
+    // The prelude gives every type these methods, which take the value itself. They would hide a mass of the same name.
     "into",
     "try_into",
 ];

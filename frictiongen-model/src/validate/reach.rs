@@ -80,7 +80,7 @@ fn joined(scene: &Scene, parts: &Parts, support: impl Fn(Node) -> bool) -> HashS
 }
 
 /// Returns true if contact and excitation are valid. If they are not, the error "never slides" would only repeat an
-/// error already reported.
+/// error that is already reported.
 fn is_sound(scene: &Scene) -> bool {
     let exists = |node| !matches!(node, Node::Mass(index) if index >= scene.masses.len());
     let (from, to) = (scene.contact.from, scene.contact.to);
@@ -101,7 +101,8 @@ fn check_held(scene: &Scene, parts: &Parts, errors: &mut Vec<SceneError>) -> boo
     for (index, mass) in scene.masses.iter().enumerate() {
         let part = parts.of(index);
         if !may_name(&mass.name) || !names.insert(mass.name.as_str()) {
-            // No spring can name a mass whose name is invalid, so the error to report is the name.
+            // No spring can name a mass whose name is invalid. Only the invalid name is reported, not the missing
+            // support.
             sound = false;
         } else if !held.contains(&part) {
             floating.entry(part).or_default().push(mass.name.clone());

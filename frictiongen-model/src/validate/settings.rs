@@ -200,7 +200,7 @@ fn check_declared(scene: &Scene, errors: &mut Vec<SceneError>) {
 
 fn check_range(range: &Range, precision: Precision, errors: &mut Vec<SceneError>) {
     let (low, high) = range.r;
-    // Beyond the normal range of the number type, a number becomes 0 or infinite.
+    // Outside the normal range of the number type, a number would become 0 or infinite.
     let (least, most) = match precision {
         Precision::F64 => (f64::MIN_POSITIVE, f64::MAX),
         Precision::F32 => (f64::from(f32::MIN_POSITIVE), f64::from(f32::MAX)),

@@ -9,17 +9,18 @@ use frictiongen_model::interval::{Interval, TINY};
 /// The first `N` Taylor coefficients f⁽ᵏ⁾/k! of a function of one variable, at a point or over an interval.
 ///
 /// Taylor's formula gives the function at r₀ + t as its first N − 1 terms at r₀ plus a remainder. The remainder is
-/// t^{N−1} times a number. The last coefficient over an interval that contains both r₀ and r₀ + t contains that number.
-/// [`joined`](Self::joined) uses this.
+/// t^{N−1} times a number. This number lies within the last coefficient over any interval that contains both r₀ and r₀
+/// + t. [`joined`](Self::joined) relies on this property.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct IntervalSeries<const N: usize> {
     /// The Taylor coefficients f⁽ᵏ⁾/k!. The first is the value of f.
     pub terms: [Interval; N],
 }
 
-/// Number of summed terms of the series of sin(πz)/(πz). The next one is below 10⁻²⁹ for |z| ≤ 1.
+/// Number of summed terms of the series of sin(πz)/(πz). The next term is below 10⁻²⁹ for |z| ≤ 1.
 const SINC_TERMS: usize = 21;
-/// Bound on the neglected terms of a derivative over k!, for k below the number of terms of a series.
+/// Bound on the neglected terms of the kth derivative of the series, divided by k!, for k below the number of terms of
+/// a series.
 const SINC_REST: f64 = 1e-17;
 
 impl<const N: usize> IntervalSeries<N> {
@@ -71,7 +72,7 @@ impl<const N: usize> IntervalSeries<N> {
         self.term(0)
     }
 
-    /// Returns the series with its first `M` coefficients only.
+    /// Returns a series with only the first `M` coefficients of this series.
     #[must_use]
     pub fn truncated<const M: usize>(&self) -> IntervalSeries<M> {
         let mut terms = [Interval::ZERO; M];
@@ -109,7 +110,7 @@ impl<const N: usize> IntervalSeries<N> {
         }
     }
 
-    /// Returns all terms up to the last one that is not 0.
+    /// Returns all coefficients up to the last one that is not 0.
     #[inline(always)]
     fn trimmed(terms: &[Interval]) -> &[Interval] {
         let mut terms = terms;
@@ -160,8 +161,8 @@ impl<const N: usize> IntervalSeries<N> {
         Interval::new(low - room, high + room)
     }
 
-    /// Returns Σ a_j b_{k−j} with a rounding after each term. `convolved` uses it if bounds are infinite or every
-    /// product is 0.
+    /// Returns Σ a_j b_{k−j}, with a rounding after each term. `convolved` uses this function if bounds are infinite or
+    /// every product is 0.
     fn convolved_term_by_term(a: &[Interval], b: &[Interval]) -> Interval {
         let pairs = a.iter().zip(b.iter().rev());
         let pairs = pairs.filter(|(a, b)| !a.is_nothing() && !b.is_nothing());
@@ -171,7 +172,7 @@ impl<const N: usize> IntervalSeries<N> {
             .unwrap_or(Interval::ZERO)
     }
 
-    /// Returns the coefficients j·a_j.
+    /// Returns the series with the coefficients j·a_j.
     fn counted(&self) -> Self {
         let mut counted = *self;
         let (mut terms, mut j) = (counted.terms.as_mut_slice(), 0.0);
@@ -270,7 +271,7 @@ impl<const N: usize> IntervalSeries<N> {
             let next = ((2 * j + 2) * (2 * j + 3)) as f64;
             weight = -(weight * square / Interval::point(next));
         }
-        // Horner's scheme gives each derivative over k!, from the highest down.
+        // Horner's scheme gives each derivative divided by k!, from the highest order down.
         let away = {
             let mut away = *self;
             if let Some(first) = away.terms.first_mut() {
@@ -294,8 +295,8 @@ impl<const N: usize> IntervalSeries<N> {
         sum
     }
 
-    /// Returns a polynomial in t whose values contain the function at r₀ + t. Its last coefficient is that over the
-    /// interval, and all others are those at r₀.
+    /// Returns a polynomial in t whose values contain the function at r₀ + t. Its last coefficient is the coefficient
+    /// over the interval. All other coefficients are the coefficients at r₀.
     #[must_use]
     pub fn joined(at: &Self, over: &Self) -> Self {
         let mut joined = *at;

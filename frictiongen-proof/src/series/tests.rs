@@ -46,7 +46,7 @@ fn series_hold_what_they_should() {
             widest = widest.max(joined.range(t).high - joined.range(t).low);
         }
     }
-    // An enclosure of all numbers would pass as well, so the width is checked.
+    // An interval of all numbers would also pass the test, so the width is checked too.
     assert!(widest < 1e-2, "{widest:e}");
 }
 
@@ -161,7 +161,7 @@ fn refined() {
             let (plain, own, there) = (over.term(k), refined.term(k), there.term(k));
             narrower = narrower.max((plain.high - plain.low) / (own.high - own.low));
             assert!(plain.low <= own.low && own.high <= plain.high);
-            // Both results have some roundings of uncertainty, so they must overlap.
+            // Both results are uncertain by some roundings. They must overlap.
             assert!(
                 own.low <= there.high && there.low <= own.high,
                 "{k}: {own:?} {there:?}"

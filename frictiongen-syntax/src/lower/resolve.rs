@@ -134,7 +134,7 @@ fn report_missing(syntax: &Syntax, problems: &mut Problems) {
     }
 }
 
-/// The masses by name. If two masses have the same name, the first one counts.
+/// The masses by name. If two masses have the same name, the name stands for the first one.
 struct Names<'s> {
     index: HashMap<&'s str, usize>,
     order: Vec<&'s str>,
@@ -159,7 +159,7 @@ impl<'s> Names<'s> {
                 place
             });
         }
-        // A description without any mass gets one error, not one error for each name.
+        // A description without any mass gets one error in total, not one error for each name.
         let complete = masses.list.complete && !order.is_empty();
         Self {
             index,
@@ -254,7 +254,7 @@ impl<'s> Lowering<'s, '_> {
             .collect()
     }
 
-    /// Returns the springs whose two nodes exist, with the entry of each.
+    /// Returns the springs whose two nodes exist, with the written entry of each spring.
     fn springs(&mut self, fields: &'s Fields) -> (Vec<Spring>, Vec<&'s SpringEntry>) {
         let (mut springs, mut entries) = (Vec::new(), Vec::new());
         let Some(written) = fields.springs.given() else {
@@ -263,7 +263,7 @@ impl<'s> Lowering<'s, '_> {
         };
         self.checks.springs = written.list.complete;
         for entry in &written.list.entries {
-            // Both nodes are looked up first, so that errors in both are reported.
+            // The code looks up both nodes before it stops at an error, so that errors in both nodes are reported.
             let (from, to) = (self.node(&entry.from), self.node(&entry.to));
             let (Ok(from), Ok(to)) = (from, to) else {
                 self.checks.springs = false;

@@ -44,7 +44,7 @@ impl<'s> Lowering<'s, '_> {
             || matches!(fields.beyond, Slot::Broken)
             || matches!(fields.proof, Slot::Broken);
         if broken {
-            // The error is already reported. Without the broken field the other declarations cannot be checked.
+            // The error is already reported. Without this field the other declarations cannot be checked.
             return Declared::default();
         }
         let accuracy = match fields.accuracy.given() {

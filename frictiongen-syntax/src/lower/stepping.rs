@@ -1,4 +1,4 @@
-//! Turns the written friction law and stepper fields into those of the scene.
+//! Turns the friction law and the stepper fields, as written, into the fields of the scene.
 
 use frictiongen_model::scene::{FrictionLaw, Stepping};
 use frictiongen_model::validate::Path;

@@ -198,10 +198,10 @@ fn field(
     }
 }
 
-/// Words for the amount of friction, which belongs to a request for an answer and not to a scene.
+/// Words for the amount of friction. The amount belongs to a question about the scene, not to the scene.
 const AMOUNTS: [&str; 4] = ["friction_force", "friction_ratio", "beta", "coulomb"];
 
-/// Other words that belong to a request, with the message for each.
+/// Other words that belong to a question about the scene, with the message for each word.
 const ASKED: [(&[&str], &str); 2] = [
     (
         &["frequency", "frequency_ratio", "omega", "r"],
@@ -238,7 +238,7 @@ fn recognise(word: &Name, reader: &Reader<'_>, problems: &mut Problems) -> Optio
     })
 }
 
-/// Parses the value of a field and stores it, unless an earlier field of the same name is stored.
+/// Parses the value of a field and stores it. If the description has the field twice, the first value is kept.
 fn store<'t, T>(
     slot: &mut Slot<T>,
     word: &Name,

@@ -52,7 +52,7 @@ pub(crate) fn damping(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<
                     .to_owned()
             });
             problems.report(place, format!("there is no damping `{text}`{hint}"));
-            // The numbers of an unknown damping are skipped with it.
+            // The numbers after an unknown kind of damping are skipped too.
             let _ = reader.take_group(Delimiter::Parenthesis);
             let _ = reader.take_group(Delimiter::Bracket);
             return Read {
@@ -68,7 +68,8 @@ pub(crate) fn damping(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<
     }
 }
 
-/// Returns the damping ratio that a bare number most likely means: itself below 1, otherwise the ratio of a percentage.
+/// Returns the damping ratio that a bare number most likely means. A number below 1 is the ratio itself. A number of 1
+/// or more, or a number before `%`, is a percentage.
 fn ratio_for(reader: &Reader<'_>) -> Option<f64> {
     let Some(Token {
         kind: Kind::Number(text),
@@ -138,7 +139,7 @@ fn rayleigh(
     }
 }
 
-/// Parses the numbers in parentheses. Fails if an error leaves the position of an entry unknown.
+/// Parses the numbers in parentheses. Fails if after an error the position of an entry is unknown.
 fn arguments(mut inside: Inside<'_>, problems: &mut Problems) -> Result<Vec<Number>, Reported> {
     let list = numbers(&mut inside.reader, problems);
     if list.complete {

@@ -136,8 +136,8 @@ fn attribute(
     }
 }
 
-/// Returns the reason why an attribute has a wrong form, in the words of `syn`. Numbers and comments do not count. The
-/// expression after `=` is not read, because only emitted code needs it.
+/// Returns the reason why an attribute has a wrong form, in the words of `syn`. The function ignores numbers and
+/// comments. It does not read the expression after `=`, because only emitted code needs this expression.
 fn fault(mut reader: Reader<'_>) -> Option<&'static str> {
     reader.next();
     let ignored =

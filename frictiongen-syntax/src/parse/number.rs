@@ -68,8 +68,7 @@ fn product(reader: &mut Reader<'_>, problems: &mut Problems) -> Result<f64, Repo
     }
 }
 
-/// Parses a signed number. A loop counts the signs, because recursion over a million signs would
-/// exhaust the stack.
+/// Parses a signed number. A loop reads the signs, because recursion over a million signs would exhaust the stack.
 fn signed(reader: &mut Reader<'_>, problems: &mut Problems) -> Result<f64, Reported> {
     let mut negative = false;
     loop {
@@ -148,7 +147,8 @@ fn check_after(
             "a percentage is written as a fraction; write `{}` for {value} %",
             hundredth(value)
         ),
-        // A name before a colon or a hyphen begins the next entry, so only a comma is missing.
+        // The name before a colon or a hyphen begins the next entry. Only the comma before this name is missing, so the
+        // name is not a unit.
         Kind::Word(text) if !reader.is_punct(1, ':') && !reader.is_punct(1, '-') => no_unit(text),
         _ => return Ok(()),
     };
@@ -162,12 +162,12 @@ fn no_unit(unit: &str) -> String {
     )
 }
 
-/// Returns a hundredth of a number. The decimal point moves, so that 7 gives 0.07 without rounding.
+/// Returns a hundredth of a number. The function moves the decimal point, so that 7 gives 0.07 without rounding.
 pub(crate) fn hundredth(value: f64) -> f64 {
     format!("{value}e-2").parse().unwrap_or(value / 100.0)
 }
 
-/// Splits `1.5mm` into the number and its unit. A unit has only letters, and an exponent is none.
+/// Splits `1.5mm` into the number and its unit. A unit has only letters, and an exponent such as `e6` is not a unit.
 fn unit_of(digits: &str) -> Option<&str> {
     let end = digits.find(|sign: char| sign.is_ascii_alphabetic())?;
     let (number, unit) = digits.split_at_checked(end)?;

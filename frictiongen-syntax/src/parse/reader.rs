@@ -25,7 +25,7 @@ pub(crate) struct Inside<'t> {
     pub(crate) place: Place,
 }
 
-/// An item that was parsed. `clean` is false after an error that left the reader at an unknown position.
+/// An item that was parsed. `clean` is false if an error left the reader at an unknown position.
 pub(crate) struct Read<T> {
     pub(crate) value: Option<T>,
     pub(crate) clean: bool,
@@ -82,7 +82,7 @@ impl<'t> Reader<'t> {
         self.rest.is_empty()
     }
 
-    /// Returns the number of unread tokens. A caller compares it to detect whether anything was read.
+    /// Returns the number of unread tokens. A caller compares two such numbers to find out whether anything was read.
     pub(crate) fn left(&self) -> usize {
         self.rest.len()
     }
@@ -98,7 +98,8 @@ impl<'t> Reader<'t> {
             .map_or_else(|| "the end".to_owned(), Token::describe)
     }
 
-    /// Returns the advice for a number where a name belongs: `1,2` reads as two entries.
+    /// Returns the advice for a number in the place of a name. A decimal comma is the usual cause, because `1,2` reads
+    /// as two entries.
     pub(crate) fn comma_hint(&self) -> &'static str {
         match self.peek(0).map(|token| &token.kind) {
             Some(Kind::Number(_)) => {
@@ -221,10 +222,9 @@ impl<'t> Reader<'t> {
         }
     }
 
-    /// Parses entries separated by commas. A faulty entry is skipped, and the next one is read.
-    /// `begins` returns whether an entry begins here although its comma is missing.
-    /// `begins_after_error` does the same after an error that left the reader at an unknown
-    /// position.
+    /// Parses entries separated by commas. A faulty entry is skipped, and the next entry is read. `begins` returns true
+    /// if an entry begins here although the comma before it is missing. `begins_after_error` returns the same after an
+    /// error that left the reader at an unknown position.
     pub(crate) fn list<T>(
         &mut self,
         problems: &mut Problems,

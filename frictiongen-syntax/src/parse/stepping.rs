@@ -43,7 +43,7 @@ pub(crate) fn friction(reader: &mut Reader<'_>, problems: &mut Problems) -> Read
         text => {
             let hint = suggest::hint(text, ["coulomb", "stribeck"], || LAWS.to_owned());
             let reported = problems.report(place, format!("there is no friction `{text}`{hint}"));
-            // The points of an unknown law are skipped with it.
+            // The points after an unknown friction law are skipped too.
             let _ = reader.take_group(Delimiter::Parenthesis);
             Err(reported)
         }
@@ -55,7 +55,7 @@ pub(crate) fn friction(reader: &mut Reader<'_>, problems: &mut Problems) -> Read
     }
 }
 
-/// Parses the points in parentheses. Fails if an error leaves the position of a point unknown.
+/// Parses the points in parentheses. Fails if after an error the position of a point is unknown.
 fn points(
     reader: &mut Reader<'_>,
     problems: &mut Problems,

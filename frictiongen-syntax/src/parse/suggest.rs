@@ -13,7 +13,8 @@ pub(crate) fn closest<'c>(
     if length > LONGEST {
         return None;
     }
-    // A word of up to five letters may have one wrong letter. Two would turn `brace` into `crate`.
+    // A word of up to five letters may have one wrong letter. If two wrong letters were allowed, `brace` would suggest
+    // `crate`.
     let allowed = (length / 3).max(1);
     candidates
         .into_iter()
@@ -24,7 +25,7 @@ pub(crate) fn closest<'c>(
                 candidate,
             )
         })
-        // A candidate that differs in every letter is not a misspelling either.
+        // A candidate that differs in every letter is not a correction.
         .filter(|&(steps, candidate)| steps <= allowed && steps < candidate.chars().count())
         .min_by_key(|&(steps, _)| steps)
         .map(|(_, candidate)| candidate)

@@ -78,5 +78,5 @@ def _by_name(argument: str, given: Any) -> dict[str, Any]:
 
 
 def _of(given: Any, name: str) -> Any:
-    """Returns the deviation of a mass: the one for all masses, or its own."""
+    """Returns the deviation of a mass: the common deviation of all masses, or the mass's own deviation."""
     return given.get(name) if isinstance(given, Mapping) else given

@@ -129,7 +129,7 @@ def curve(answer: answers.Curve, ax: Axes | None, of: str | None) -> Axes:
 
 
 def _order(region: str) -> tuple[int, str]:
-    """Sort key of a region, from sliding to stuck."""
+    """Returns the sort key of a region, in the order from sliding to stuck."""
     first = ("continuous", "sliding reversals")
     last = ("subharmonic", "unsettled")
     if region in first:

@@ -36,7 +36,8 @@ fn chosen<'a, 'py>(
     }
 }
 
-/// Returns true if a computed number is 0 or infinite only where the given number is 0 or infinite.
+/// Returns true if a conversion keeps a number finite and non-zero: `computed` is 0 or infinite only if `given` is 0 or
+/// infinite.
 pub fn survives(given: f64, computed: f64) -> bool {
     computed.is_finite() == given.is_finite() && (computed == 0.0) == (given == 0.0)
 }
@@ -50,7 +51,7 @@ pub struct Frequencies {
 }
 
 impl Frequencies {
-    /// Reads the frequencies. If `in_time` is true, every frequency must have a cycle.
+    /// Reads the frequencies. If `in_time` is true, every frequency must have a finite cycle.
     pub fn of(
         system: &System,
         arguments: &FrequencyArguments<'_>,
@@ -159,7 +160,7 @@ impl Band {
         let (given, unit) = chosen(arguments)?;
         let argument = argument(unit);
         let Some((from, to)) = ends(argument, given)? else {
-            // A text must give the error about texts, not the message about bands.
+            // A text gets the message about texts here. Otherwise it would get the message about bands.
             numbers(argument, given)?;
             return Err(domain(format_args!(
                 "{argument}: a band is needed, a tuple (from, to); lists and arrays are points, for `limits`, `response` and `map`"
@@ -192,7 +193,7 @@ impl Band {
                 "step is {given:?}: it must be above 0 and finite"
             )));
         }
-        // Like the command, this function refuses more points than it could return.
+        // This function refuses more points than an answer may have, as the command does.
         if super::MOST_POINTS as f64 <= (self.to - self.from) / step {
             return Err(domain(format_args!(
                 "step is {given:?}: it gives more than {} points",

@@ -17,16 +17,16 @@ use frictiongen::study::columns::{FrequencyUnit, Setting};
 use pyo3::prelude::*;
 use pyo3::types::PyString;
 
-/// Number of points by which a band of frequencies is covered.
+/// Number of points with which a band of frequencies is covered.
 const ACROSS: u32 = 161;
 
-/// Number of points by which a band of frictions is covered.
+/// Number of points with which a band of frictions is covered.
 const UP: u32 = 81;
 
-/// Largest number of points of an answer. It is the same as that of the command.
+/// Largest number of points of an answer. The command has the same limit.
 pub const MOST_POINTS: usize = 10_000_000;
 
-/// Largest number of values of an answer. They take 800 MB.
+/// Largest number of values of an answer. This many values take 800 MB.
 const MOST_NUMBERS: usize = 100_000_000;
 
 /// Largest order of a harmonic.
@@ -36,7 +36,7 @@ pub const MOST_HARMONICS: u32 = 9999;
 pub type Optional<'py> = Option<Bound<'py, PyAny>>;
 
 /// Returns the settings for the tables of the library. The decimals of given numbers are left out, because only printed
-/// tables need them.
+/// tables need decimals.
 pub fn setting<'a>(
     system: &'a System,
     measure: Measure,

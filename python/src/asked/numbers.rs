@@ -40,8 +40,8 @@ fn type_name(object: &Bound<'_, PyAny>) -> String {
     name.map_or_else(|_| "object".to_owned(), |name| name.to_string())
 }
 
-/// Reads a number or a row of numbers. It accepts everything that numpy reads as such, except texts, truth values and
-/// complex numbers.
+/// Reads a number or a row of numbers. It accepts every object that numpy reads as numbers, except texts, truth values
+/// and complex numbers.
 pub fn numbers(argument: &str, given: &Bound<'_, PyAny>) -> PyResult<Given> {
     let py = given.py();
     let needed = || {
@@ -80,7 +80,7 @@ pub fn numbers(argument: &str, given: &Bound<'_, PyAny>) -> PyResult<Given> {
     })
 }
 
-/// Reads the two bounds of a band, if a tuple is given. A list or an array has points.
+/// Reads the two bounds of a band if the object is a tuple. Returns `None` for a list or an array, which has points.
 pub fn ends(argument: &str, given: &Bound<'_, PyAny>) -> PyResult<Option<(f64, f64)>> {
     if !given.is_instance_of::<PyTuple>() {
         return Ok(None);

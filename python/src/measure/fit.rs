@@ -103,7 +103,7 @@ fn answer<'py>(
     Ok((once, arrays.done(), fitted))
 }
 
-/// Fits a sweep given as arrays. If `gaps`, NaN marks a point that was not measured.
+/// Fits a sweep given as arrays. If `gaps` is true, NaN marks a point that was not measured.
 #[pyfunction]
 pub fn fit<'py>(
     py: Python<'py>,

@@ -13,7 +13,7 @@ use frictiongen::measure::{IdentifyRequest, Unknown};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// Options of an identification: by, also, between, harmonics.
+/// Arguments `by`, `also`, `between` and `harmonics` of an identification.
 type Asked<'py> = (Option<String>, Optional<'py>, Optional<'py>, Optional<'py>);
 
 /// Results of an identification: the single values, the motions, and the system with the values found.
@@ -43,7 +43,7 @@ fn range(given: Option<&Bound<'_, PyAny>>) -> PyResult<Option<(f64, f64)>> {
     }
 }
 
-/// Finds the friction force that explains the measurements, in any regime, with its interval.
+/// Finds the friction force that explains the measurements, in any regime. Returns it with its uncertainty interval.
 #[pyfunction]
 pub fn identify<'py>(
     py: Python<'py>,

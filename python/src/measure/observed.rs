@@ -38,8 +38,8 @@ pub struct Observed {
     pub known: Vec<Known>,
 }
 
-/// Reads numbers, one for each frequency or one for all. They must satisfy `sound`, and `needed` states this condition
-/// in the message.
+/// Reads numbers, one for each frequency or one for all. Every number must satisfy `sound`. The error message states
+/// this condition in the words of `needed`.
 fn row(
     argument: &str,
     given: &Bound<'_, PyAny>,

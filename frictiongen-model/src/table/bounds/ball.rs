@@ -5,11 +5,11 @@ use std::ops::{Add, Mul, Neg, Sub};
 
 /// Bound on the relative error of a double-double operation: 2^−102. The error itself is below 2^−103.
 const ROUNDING: f64 = 1.0 / 5_070_602_400_912_917_605_986_812_821_504.0;
-/// Bound on the absolute error by underflow in one operation, unless its numbers are tiny.
+/// Bound on the absolute error by underflow in one operation. It is not valid if the operands themselves are tiny.
 const LOST: f64 = 1e-280;
 /// Factor on a sum of errors in double precision. It covers the roundings of the sum.
 pub(super) const UP: f64 = 1.0 + 1e-14;
-/// Upper bound on the magnitude of numbers whose squares may underflow.
+/// Magnitude below which the square of a number may underflow.
 const SQUARED_AWAY: f64 = 1e-150;
 
 /// An uncertain number: `at` with an absolute error of at most `off`.
@@ -65,7 +65,7 @@ impl Ball {
     /// Returns the square root of a number that is not negative.
     pub fn sqrt(self) -> Self {
         let root = self.at.max(Dd::ZERO).sqrt();
-        // |√a − √b| ≤ |a − b|/√a, and is at most √|a − b|.
+        // |√a − √b| is at most |a − b|/√a, and also at most √|a − b|.
         let size = root.to_f64();
         let plain = self.off.sqrt() * UP;
         let off = if size > 0.0 {

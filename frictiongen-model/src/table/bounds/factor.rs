@@ -1,4 +1,4 @@
-//! Bounds the error of an emitted factor relative to its exact zero, over a cell of r.
+//! Bounds the error of an emitted factor over a cell of r. The exact factor has the exact zero.
 
 use super::super::request::is_single;
 use super::super::zeros::Zero;
@@ -19,26 +19,27 @@ const NORMAL: f64 = 2.3e-308;
 /// Factor that makes a positive expression of a few operations in double precision an upper bound. It covers the
 /// roundings and the neglected terms with a wide margin.
 const MORE: f64 = 1.01;
-/// Factor that makes such an expression a lower bound, with the same margin.
+/// Factor that makes a positive expression of a few operations in double precision a lower bound. It has the same
+/// margin as [`MORE`].
 const LESS: f64 = 0.99;
-/// Bound on the relative error of a zero's position. It is a hundred roundings of double precision, for one rounding to
-/// double precision and a few further ones.
+/// Bound on the relative error of a zero's position. It is a hundred roundings of double precision, although the
+/// position has only a few roundings.
 const PLACE: f64 = 1e-14;
-/// Bound on the relative error of a difference of squares or of positions. The difference has an error of a few
-/// roundings, and the bound is millions of roundings.
+/// Bound on the relative error of a difference of squares or of positions. The bound is millions of roundings, although
+/// the difference has an error of only a few roundings.
 const DIFFERENCE: f64 = 1e-9;
 /// Relative change of a factor whose zero shifts by d, over d divided by the distance from the zero. To first order it
 /// is four, from ±ir − z and the conjugate terms. The excess covers the second order.
 const MOVED: f64 = 4.1;
-/// A little less than ½. A number of the scalar that is not nearest to `at` is at least half a spacing away from it.
-/// Where r − at is not exact, |r − at| exceeds half of `at`.
+/// A little less than ½. A number of the scalar that is not the nearest one to `at` is at least half a spacing away
+/// from `at`. If r − at is not exact, |r − at| exceeds half of `at`.
 const WITHIN_HALF: f64 = 0.45;
 /// Bounds on two quotients, slightly enlarged. Since B² + 4x²y² ≥ 4xy|B|, the quotient |B|/(B² + 4x²y²) is at most
 /// ¼/(xy), and 2x²|B|/(B² + 4x²y²) is at most ½x/y.
 const QUARTER: f64 = 0.26;
 /// Bound on 2x²|B|/(B² + 4x²y²) in units of x/y, as explained at `QUARTER`.
 const HALF: f64 = 0.51;
-/// Bound on (|r² − y²| + x²)/|B| where B ≥ x²/2.
+/// Bound on (|r² − y²| + x²)/|B| for B ≥ x²/2.
 const TIMES: f64 = 3.0;
 
 /// An interval of r, bounded by numbers of the emitted scalar type.
@@ -79,8 +80,8 @@ pub(super) struct Bounds {
     pub most: f64,
 }
 
-/// Returns the number of the scalar nearest to y > 0, its distance from y, and a lower bound on the distance of all
-/// other numbers.
+/// Returns the number of the scalar that is nearest to y > 0, the distance of this number from y, and a lower bound on
+/// the distance of all other numbers from y.
 pub(super) fn beside<S: Float>(y: Dd) -> (f64, f64, f64) {
     let near = S::constant(y.to_f64()).to_f64();
     let apart = Ball::exact(y - Dd::from(near)).least();
@@ -177,7 +178,7 @@ impl Known {
         })
     }
 
-    /// Returns, for ((r − at) − rest)(r + at), the relative error by roundings and the offset of its zero.
+    /// Returns the relative error of ((r − at) − rest)(r + at) by roundings, and the offset of its zero.
     fn along(&self, at: Dd, rest: Dd, unit: f64, cell: Cell) -> (f64, f64) {
         let y = self.zero.y;
         let place = at.to_f64();

@@ -34,12 +34,12 @@ const UNCERTAIN: f64 = 0.1;
 /// terms.
 const SMALL: f64 = 0.1;
 /// Largest intermediate result that the proof accepts, as a multiple of the reciprocal of the smallest normal number.
-/// It is a twentieth of the scalar's largest number, so that the next operation does not overflow.
+/// This result is a twentieth of the scalar's largest number, so the next operation does not overflow.
 const LARGEST: f64 = 0.2;
 /// Allowed number of double-double roundings between a mode's constants and its pole.
 const POLE_ROUNDINGS: f64 = 64.0;
-/// Relative excess of the bounds for the roundings of their own computation. It is thousands of roundings of double
-/// precision.
+/// Factor by which the computed bounds are enlarged, minus 1. It covers the roundings in the computation of the bounds
+/// themselves, and is thousands of roundings of double precision.
 const OUTWARD: f64 = 1e-12;
 
 /// The exact product, gain·Π numerator/Π denominator. Some of its sums leave small remainders at their computed zeros.
@@ -47,7 +47,8 @@ struct Meant {
     gain: Ball,
     numerator: Vec<Known>,
     denominator: Vec<Known>,
-    /// Zeros with their weights: the remainder at a zero, divided by the distance from it, is a relative error.
+    /// Zeros with their weights. The remainder at a zero, divided by the distance of r from the zero, is a relative
+    /// error.
     weights: Vec<(Known, f64)>,
     tail: f64,
 }
@@ -120,7 +121,7 @@ impl Receptances {
     pub fn excitation<S: Float>(&self, product: &Product<S>, request: &Request) -> Proof {
         let own = self.excitation.zeros.iter();
         let mut gain = self.excitation.gain;
-        // (r − y)(r + y) is y² + v with the opposite sign.
+        // The factor (r − y)(r + y) is y² + v with the opposite sign.
         let plain_factor = |factor: &&Factor<S>| !matches!(factor, Factor::Pair { .. });
         let turned = product.numerator.iter().chain(&product.denominator);
         if !self.damped && turned.filter(plain_factor).count() % 2 == 1 {
@@ -217,7 +218,7 @@ impl Receptances {
             (&product.numerator, &meant.numerator),
             (&product.denominator, &meant.denominator),
         ];
-        // Below `least` a rounding may exceed its relative bound. Above `most` a number may overflow.
+        // Below `least`, a rounding error may exceed its relative bound. Above `most`, a number may overflow.
         let (least, most) = (smallest / unit, LARGEST / smallest);
         let regular = |(low, high): (f64, f64)| least <= low && high <= most;
         for ((factors, known), size) in lists.into_iter().zip(&mut quotients) {
@@ -244,7 +245,7 @@ impl Receptances {
         } else if self.damped && !plain {
             return None;
         }
-        // This is the rounding of the product with the gain.
+        // The product with the gain adds one rounding.
         error += unit;
         // The exact product leaves remainders at its zeros, which are part of the error.
         error += meant.tail;
@@ -274,7 +275,7 @@ impl Receptances {
             return None;
         }
         let error = error * (1.0 + 2.0 * error) * UP;
-        // The gain has its own term, because with a safe side it intentionally differs from the exact gain.
+        // The gain has its own error term. With a safe side the emitted gain differs from the exact gain on purpose.
         let gain =
             Ball::exact(Dd::from(product.gain.to_f64())) * meant.gain.inverse() - Ball::number(1.0);
         let gain = (gain.at.to_f64() - gain.off, gain.at.to_f64() + gain.off);
@@ -288,7 +289,7 @@ impl Receptances {
     }
 }
 
-/// Returns a zero whose position has no other error than its last digit.
+/// Returns a zero whose position is exact up to its last digit.
 fn plain(zero: Zero) -> Known {
     Known {
         zero,
@@ -297,13 +298,15 @@ fn plain(zero: Zero) -> Known {
     }
 }
 
-/// Returns zeros as they were found, and poles with the errors of the constants from which they follow.
+/// Returns zeros and poles with their position errors. A zero is taken as it was found. The error of a pole follows
+/// from the constants of its mode.
 fn known(lists: &[(&[Zero], bool)]) -> Vec<Known> {
     let lists = lists.iter();
     lists
         .flat_map(|(zeros, is_pole)| zeros.iter().map(move |zero| (zero, *is_pole)))
         .map(|(zero, is_pole)| {
-            // An undamped pole is known exactly. A damped one follows from a few double-double operations.
+            // An undamped pole is known exactly. A damped pole follows from the constants by a few double-double
+            // operations.
             let size = zero.x.abs().to_f64() + zero.y.to_f64();
             let off = if is_pole && !zero.is_on_axis() {
                 POLE_ROUNDINGS * size * f64::EPSILON * f64::EPSILON
@@ -327,7 +330,7 @@ impl Known {
         }
         let (near, apart, others) = beside::<S>(self.zero.y);
         let y = self.zero.y.to_f64();
-        // The uncertainty comes from the zero's own digits, and from the two emitted terms of its position.
+        // The uncertainty has two sources: the last digits of the zero, and the two emitted terms of its position.
         let uncertain = weight.max(weight / y) + self.off + y * f64::EPSILON * f64::EPSILON;
         if uncertain <= UNCERTAIN * accuracy * apart {
             self.nearest = apart.min(others);

@@ -31,7 +31,8 @@ pub(super) struct Sum {
 pub(super) struct Factored {
     /// The constant in N = gain·Π(v − z_j)·(1 + δ).
     pub gain: Ball,
-    /// |δ| is at most this number plus, for each zero, its weight over the distance of v from it.
+    /// Bound on |δ|. The whole bound is this number plus, for each zero, its weight over the distance of v from the
+    /// zero.
     pub tail: f64,
     /// The zeros, each with the weight of its remainder.
     pub zeros: Vec<(Zero, f64)>,
@@ -131,7 +132,7 @@ impl Sum {
         let mean = values.iter().fold(zero, |sum, value| sum + *value) * share;
         let apart = values.iter().map(|value| (*value - mean).most());
         let apart = apart.fold(0.0, f64::max) + 2.0 * beside;
-        // N and P are real, so q is real too.
+        // N and P have real coefficients, so the constant of q is real too.
         let mut gain = mean.re;
         gain.off += beside;
         let least = gain.least();

@@ -13,7 +13,8 @@ use frictiongen_kernel::number::complex;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::table::{Factor, Quotient};
 
-/// Kind, number of masses, ζ and μ of each tested chain. A negative ζ damps only every other mode, with |ζ|.
+/// Kind, number of masses, ζ and μ of each tested chain. If ζ is negative, only every second mode is damped, with the
+/// damping ratio |ζ|.
 const KINDS: [(&str, usize, f64, f64); 15] = [
     ("Wall", 1, 0.0, 1.0),
     ("Wall", 1, 0.02, 1.2),
@@ -39,7 +40,7 @@ fn asked(accuracy: f64, side: Side) -> super::Request {
     }
 }
 
-/// Returns β*_lim and |V| at an r in double-double, each with a bound on the error of its own sum.
+/// Returns β*_lim and |V| at r in double-double, each with a bound on the error of its own sum.
 fn exact(exact: &Exact<'_>, r: f64) -> [(Dd, f64); 2] {
     let [v, h] = exact.receptances(r);
     let [v, h] = [v, h].map(|sum| complex::modulus(sum, true));
@@ -93,7 +94,7 @@ fn counted<S: Float>(accuracy: f64, side: Side) -> (usize, usize) {
             (&tables.excitation, &tables.excitation_proof),
         ];
         for (which, (product, proof)) in products.into_iter().enumerate() {
-            // If every mode is damped, |V| is a polynomial of the table, so there is no product for it.
+            // If every mode is damped, |V| is a polynomial of the table, so it has no product.
             let Some(product) = product else {
                 assert!(which == 1 && tables.functions == 5, "{kind}{count}");
                 continue;
@@ -243,7 +244,7 @@ fn faults<S: Float>(accuracy: f64) -> usize {
                     };
                     let factors = own.numerator.iter().chain(&own.denominator);
                     for number in 0..numbers(factors.clone().nth(place).unwrap()) {
-                        // The change makes the result wrong somewhere by `times` the accuracy.
+                        // The change makes the result wrong by `times` the accuracy at some frequency ratio.
                         let mut by = accuracy * times;
                         for _ in 0..6 {
                             let off = farthest(&with(number, by).quotient(), &own.quotient());
@@ -268,8 +269,8 @@ fn faults<S: Float>(accuracy: f64) -> usize {
     found
 }
 
-/// Checks that a product is not proven if one of its numbers causes an error of the accuracy, or of ten times the
-/// accuracy.
+/// Checks that a product is not proven if one of its numbers causes an error as large as the accuracy, or ten times as
+/// large.
 #[test]
 fn a_wrong_number_is_not_proven() {
     let found = faults::<f64>(1e-3) + faults::<f64>(1e-8) + faults::<f32>(1e-4);
@@ -278,7 +279,7 @@ fn a_wrong_number_is_not_proven() {
 }
 
 /// Checks that the error of a zero enters the bound, divided by the distance from the zero. In this test the distance
-/// is below 5. Under a square root the contribution is halved.
+/// is below 5. If the product is under a square root, the contribution is halved.
 #[test]
 fn uncertain_zeros_are_in_the_bound() {
     let (weight, mut seen) = (1e-6, 0);
@@ -352,7 +353,7 @@ fn a_zero_that_is_a_number_is_named() {
     assert_eq!(tables.sliding_proof.evidence, Evidence::Partly);
 }
 
-/// Checks that zeros with an error far below the accuracy have a weight that shows this error.
+/// Checks that the weights of the zeros show their error, which is far below the accuracy.
 #[test]
 fn zeros_that_are_none() {
     for (kind, count, zeta, stiction) in KINDS {
@@ -375,7 +376,7 @@ fn zeros_that_are_none() {
                 "{kind}{count}: {seen:e}"
             );
         }
-        // With one zero missing, the sum is not a product.
+        // If one zero is missing, the product is not equal to the sum.
         let mut fewer = zeros.clone();
         if fewer.receptance.pop().is_some() {
             let few = Receptances::of(&known, Some(&fewer), 2.5);

@@ -62,8 +62,8 @@ class Steps(Table):
     * `work`: energy balance since the start, in J.
     * `exceeded`: number of steps with more events than the stepper follows.
 
-    `system.step(dt, start=steps, ...)` continues from the end of these steps.  The result is bit for bit that of one
-    run.
+    `system.step(dt, start=steps, ...)` continues from the end of these steps.  The result equals
+    that of a single run to the last bit.
     """
 
     time_s: Floats

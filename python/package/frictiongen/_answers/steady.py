@@ -18,9 +18,10 @@ if TYPE_CHECKING:
 class Limits(Table):
     """Both limits over frequency.  A limit may be infinite.
 
-    Below `continuous_limit` the contact can slide all the time.  From `sliding_limit` on it can be stuck.  With
-    stiction 1 the contact does so: it slides all the time below both limits, and is stuck from `sliding_limit` on.
-    With a larger stiction the regime may depend on the start.
+    Below `continuous_limit` the contact can slide all the time.  From `sliding_limit` on it can be stuck.
+
+    With stiction 1 the contact slides all the time below both limits, and is stuck from `sliding_limit` on.  With a
+    larger stiction the regime may depend on the start.
 
     The limits are ratios F/P, or F/(k1 Y) for base motion.  With a load the answer also has `continuous_limit_N` and
     `sliding_limit_N`, in N.
@@ -50,10 +51,10 @@ class Response(Grid):
     """Amplitudes and phases over frequency and friction.
 
     * `regime`: continuous, stick-slip, stuck or unbounded.
-    * `margin`: friction over the lower of both limits, less 1.
+    * `margin`: friction over the lower of both limits, minus 1.
     * `answer`: the method that found the motion, or the reason why there is none.  Without a motion amplitudes are NaN.
     * `offset` (`offset_m`): mean of the contact's largest and smallest displacement.
-    * `marginal`: whether the state is a member of a continuum.
+    * `marginal`: whether the state belongs to a continuum of steady states.
     * `from_rest`: whether motion from rest reaches the state.
 
     `response[name]` is the :class:`Motion` of a mass or of the `contact`:

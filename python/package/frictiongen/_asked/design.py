@@ -85,7 +85,7 @@ class Design(Base):
         resonances of the chain with its contact stuck.  For each friction they are also the ranges in which the contact
         slides, the regimes and the peaks.  Numbers come with their derivatives where these exist.
 
-        Without a band the range around the resonances is taken.
+        Without a band the method examines the range around the resonances.
 
         >>> import frictiongen
         >>> frame = frictiongen.System(frictiongen.FRAME)

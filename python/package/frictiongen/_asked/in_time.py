@@ -85,10 +85,10 @@ class InTime(Base):
         :param base_velocity: velocity of the base at each sample, m/s, together with `base`.
         :param friction: kinetic friction force, N: one number, or one for each sample.
         :param on: forces on further masses, N, by the names of the masses.
-        :param start: displacements and velocities of all masses, m and m/s, instead of rest.  Or the answer of an
-            earlier call, from whose end this call continues: its first sample is then one `dt` after the last one of
-            that answer.
-        :param stiction: static over kinetic friction from the start on.  By default that of the description.
+        :param start: displacements and velocities of all masses, m and m/s, instead of rest.  It may also
+            be the answer of an earlier call.  This call then continues from the end of that answer, and its first
+            sample is one `dt` after the last sample of that answer.
+        :param stiction: static over kinetic friction from the start on.  By default the ratio of the description.
 
         Between samples a force is linear in time.  It is constant over a step if the description has
         `provide: [stepper], input: hold`.
@@ -125,8 +125,8 @@ class InTime(Base):
     ) -> Steps:
         """Computes the motion under a recorded input.
 
-        The channels are `base` as displacement, velocity or acceleration, or `force`; the names of masses for forces on
-        them; and `friction`, if the friction force changes.
+        The channel of the excitation is `base` (displacement, velocity or acceleration) or `force`.  A channel with the
+        name of a mass is a force on this mass.  The channel `friction` is the friction force, if it changes.
 
         :param recording: recording of the inputs.  `Recording(..., drives=True)` also takes a single or a constant
             channel.
