@@ -119,7 +119,7 @@ fn help_asks_for_no_driving_frequency() {
     );
     let help = output("", &["identify", "--help"]);
     assert!(
-        help.contains("A recording has one driving frequency"),
+        help.contains("A recording must have one driving frequency"),
         "{help}"
     );
 }

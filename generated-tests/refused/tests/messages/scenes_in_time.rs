@@ -277,4 +277,97 @@ struct Frame {
 }
 }
 
+mod case_773_stiffness_of_the_contact_is_zero {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contact: upper - wall,
+    excitation: base,
+    stiffness: 0,
+    provide: [orbit, simulation],
+}
+}
+}
+
+mod case_774_stiffness_of_the_contact_loses_digits {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contact: upper - wall,
+    excitation: base,
+    stiffness: 1e20,
+    provide: [orbit, simulation],
+}
+}
+}
+
+mod case_775_elastic_contact_with_stribeck {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contact: upper - wall,
+    excitation: base,
+    stiffness: 5.0e4,
+    friction: stribeck(0.1: 0.8),
+    provide: [simulation],
+}
+}
+}
+
+mod case_776_tables_with_an_elastic_contact {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contact: upper - wall,
+    excitation: base,
+    stiffness: 5.0e4,
+    accuracy: 1e-4,
+    range: { r: 0.2..2.5 },
+    provide: [orbit],
+}
+}
+}
+
+mod case_777_elastic_contact_without_a_motion {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contact: upper - wall,
+    excitation: base,
+    stiffness: 5.0e4,
+}
+}
+}
+
+mod case_778_limits_of_an_elastic_contact {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contact: upper - wall,
+    excitation: base,
+    stiffness: 5.0e4,
+    provide: [orbit, limits],
+}
+}
+}
+
+mod case_780_emitted_code_of_an_elastic_contact {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contact: upper - wall,
+    excitation: base,
+    stiffness: 5.0e4,
+    provide: [orbit, simulation],
+}
+}
+}
+
 fn main() {}

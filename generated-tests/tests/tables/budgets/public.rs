@@ -57,6 +57,7 @@ const NO_NUMBERS: [(&str, &[&str]); 4] = [
             "number::scalar::Scalar::select",
             "modal_sum::search::Peak::effort",
             "modal_sum::search::most_evaluations",
+            "orbit::numbers_of",
             "orbit::Orbit::beta",
             "orbit::Orbit::shapes",
             "contact::quadrature::Quadratures::of",
