@@ -236,7 +236,7 @@ pub(super) fn mentions(tokens: &TokenStream, name: &str) -> bool {
 
 /// Rounds a double-double once to the scene's scalar and returns it as `f64`.
 #[allow(clippy::cast_possible_truncation, reason = "the scene's scalar is f32")]
-pub(super) fn rounded(value: Dd, precision: Precision) -> f64 {
+pub(crate) fn rounded(value: Dd, precision: Precision) -> f64 {
     match precision {
         Precision::F64 => value.hi,
         Precision::F32 => {

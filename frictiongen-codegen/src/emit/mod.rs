@@ -31,6 +31,7 @@ mod trace;
 mod units;
 
 use crate::Description;
+pub(crate) use emission::rounded;
 use emission::{Checked, Emission, Part};
 use names::TypeNames;
 use proc_macro2::{Ident, TokenStream};
