@@ -143,7 +143,6 @@ pub mod scalar {
 pub use frictiongen_kernel as kernel;
 pub use frictiongen_kernel::Complex;
 pub use frictiongen_kernel::contact::regime::Limits;
-/// What a self-check finds wrong first.
 #[doc(hidden)]
 pub use frictiongen_kernel::emitted::check::Fault;
 pub use frictiongen_kernel::errors::{

@@ -22,7 +22,7 @@ use std::io::Write;
 struct Differences {
     names: [String; 2],
     changes: Vec<Change>,
-    /// What the emitted code answers in another way than the compared scenes.
+    /// Sentences about answers of the emitted code that the comparison does not cover, for example those of tables.
     notes: Vec<String>,
     answers: Answers,
     code: Result<Code, String>,

@@ -9,7 +9,7 @@ pub use listed::Listed;
 use crate::number::scalar::Float;
 use core::fmt;
 
-/// What a self-check finds wrong first.
+/// The first constant or answer that a self-check finds wrong.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Fault {

@@ -107,14 +107,15 @@ pub trait ContactChain<S: Float>: Copy + Debug {
         Self::contact_state(setting, parts, contact_state.t)
     }
 
-    /// What the contact remembers if it stops sliding in this direction.
+    /// Returns the number that the contact remembers after it stops, if it slid in this direction.  `None` if the law
+    /// remembers nothing.
     #[inline]
     fn memory_at_stop(_: &Setting<'_, S, Self>, _: Contact) -> Option<S> {
         None
     }
 
-    /// What the contact remembers while it sticks at `place`, at the instant of `stuck_modes`.  `at` is the sine and the
-    /// cosine of the excitation's angle then.
+    /// Returns the number that a contact remembers while it sticks at `place`.  `stuck_modes` are the oscillators of the
+    /// stuck chain at this instant.  `at` is the sine and the cosine of the excitation's angle at the same instant.
     #[inline]
     fn memory_at(_: &Setting<'_, S, Self>, _: &[Part<S>], _: S, _: (S, S)) -> Option<S> {
         None

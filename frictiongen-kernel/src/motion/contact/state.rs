@@ -72,8 +72,8 @@ pub struct ContactState<S> {
     pub t: S,
     /// State of the contact: stuck, or its direction of sliding.
     pub contact: Contact,
-    /// What the contact remembers.  A contact that slides away from zero velocity remembers its relative acceleration in
-    /// the direction of sliding.  An elastic contact that sticks remembers its force over P.
+    /// The number that the contact remembers from its last event.  For a contact that slides away from zero velocity it is
+    /// the relative acceleration in the direction of sliding.  For an elastic contact that sticks it is the force over P.
     pub memory: Option<S>,
     /// True if the contact has just failed to leave.  Rounding then must not decide that the contact force exceeds μβ.
     pub wedged: bool,
