@@ -7,6 +7,7 @@ pub mod modal;
 mod modal_sums;
 pub mod reduced;
 mod roots;
+mod rounding;
 #[cfg(any(test, feature = "samples"))]
 #[doc(hidden)]
 pub mod samples;
@@ -17,3 +18,5 @@ pub mod stepping;
 pub mod table;
 pub mod transient;
 pub mod validate;
+
+pub use rounding::rounded;

@@ -235,25 +235,10 @@ pub(super) fn mentions(tokens: &TokenStream, name: &str) -> bool {
 }
 
 /// Rounds a double-double once to the scene's scalar and returns it as `f64`.
-#[allow(clippy::cast_possible_truncation, reason = "the scene's scalar is f32")]
-pub(crate) fn rounded(value: Dd, precision: Precision) -> f64 {
+pub(super) fn rounded(value: Dd, precision: Precision) -> f64 {
     match precision {
         Precision::F64 => value.hi,
-        Precision::F32 => {
-            // A high part exactly halfway between two `f32` hides the sign of the low part. The shift by one `f64` step
-            // restores the direction of rounding.
-            let moved = match value.lo.partial_cmp(&0.0) {
-                Some(std::cmp::Ordering::Greater) => value.hi.next_up(),
-                Some(std::cmp::Ordering::Less) => value.hi.next_down(),
-                _ => value.hi,
-            };
-            let (plain, moved) = (value.hi as f32, moved as f32);
-            f64::from(if f64::from(plain) == value.hi {
-                plain
-            } else {
-                moved
-            })
-        }
+        Precision::F32 => f64::from(frictiongen_model::rounded::<f32>(value)),
     }
 }
 

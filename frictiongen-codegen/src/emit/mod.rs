@@ -31,7 +31,6 @@ mod trace;
 mod units;
 
 use crate::Description;
-pub(crate) use emission::rounded;
 use emission::{Checked, Emission, Part};
 use names::TypeNames;
 use proc_macro2::{Ident, TokenStream};

@@ -1,9 +1,9 @@
 //! The constants that connect ratios with units.
 
-use crate::emit::rounded;
 use frictiongen_kernel::Float;
 use frictiongen_model::modal::Modal;
-use frictiongen_model::scene::{Precision, Scene};
+use frictiongen_model::rounded;
+use frictiongen_model::scene::Scene;
 
 /// The constants that connect ratios with units, rounded to a scalar.
 #[derive(Clone, Debug, PartialEq)]
@@ -30,11 +30,6 @@ impl UnitConstants {
     pub fn of<S: Float>(scene: &Scene) -> Self {
         let modal = Modal::of(scene);
         let round = |value: f64| S::constant(value).to_f64();
-        let precision = if S::EPSILON > f64::EPSILON {
-            Precision::F32
-        } else {
-            Precision::F64
-        };
         let spring = scene.springs.first();
         let mass = scene.masses.first();
         let ends = spring.map(|spring| {
@@ -51,7 +46,7 @@ impl UnitConstants {
             spring: ends.unwrap_or_default(),
             m1: round(mass.map_or(1.0, |mass| mass.value)),
             mass: mass.map(|mass| mass.name.clone()).unwrap_or_default(),
-            reference: rounded(modal.reference, precision),
+            reference: rounded::<S>(modal.reference).to_f64(),
             hertz: hertz.collect(),
             resonances: modal
                 .resonances

@@ -10,6 +10,7 @@ use super::rational::Rational;
 use super::worst::Worst;
 use super::zeros::Zero;
 use crate::modal::Modal;
+use crate::rounded;
 use frictiongen_kernel::number::complex;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::table::Root;
@@ -26,25 +27,6 @@ const SAME: f64 = 1e-26;
 /// Number of candidates in the search for a frequency ratio far from all zeros and poles. The gain is computed at this
 /// frequency ratio.
 const PLACES: usize = 33;
-
-/// Rounds a double-double to another number type with a single rounding.
-pub(super) fn rounded<S: Float>(value: Dd) -> S {
-    // If the high part lies exactly halfway between two numbers of a narrower type, it hides the sign of the low part.
-    // Shifting the high part to the next double in the direction of the low part makes the rounding correct.
-    let moved = if value.lo > 0.0 {
-        value.hi.next_up()
-    } else if value.lo < 0.0 {
-        value.hi.next_down()
-    } else {
-        value.hi
-    };
-    let plain = S::constant(value.hi);
-    if plain.to_f64() == value.hi {
-        plain
-    } else {
-        S::constant(moved)
-    }
-}
 
 impl Zero {
     /// Returns the factor of this zero in the variable s = ir.

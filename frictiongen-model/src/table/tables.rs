@@ -5,7 +5,6 @@ use super::evidence::Proof;
 use super::exact::Exact;
 use super::fit::{Fitted, TERMS, terms};
 use super::held::Held;
-use super::held_build::rounded;
 use super::index::Index;
 use super::kinks;
 use super::product::Product;
@@ -16,6 +15,7 @@ use super::split::Landmarks;
 use super::worst::Worst;
 use super::zeros::Zeros;
 use crate::modal::Modal;
+use crate::rounded;
 use crate::scene::{Accuracy, Provide, Proving, Scene};
 use frictiongen_kernel::Float;
 

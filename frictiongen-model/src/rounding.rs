@@ -1,0 +1,24 @@
+//! Rounds double-double numbers once.
+
+use frictiongen_kernel::Float;
+use frictiongen_kernel::number::dd::Dd;
+
+/// Rounds a double-double to another number type with a single rounding.
+#[must_use]
+pub fn rounded<S: Float>(value: Dd) -> S {
+    // If the high part lies exactly halfway between two numbers of a narrower type, it hides the sign of the low part.
+    // Shifting the high part to the next double in the direction of the low part makes the rounding correct.
+    let moved = if value.lo > 0.0 {
+        value.hi.next_up()
+    } else if value.lo < 0.0 {
+        value.hi.next_down()
+    } else {
+        value.hi
+    };
+    let plain = S::constant(value.hi);
+    if plain.to_f64() == value.hi {
+        plain
+    } else {
+        S::constant(moved)
+    }
+}
