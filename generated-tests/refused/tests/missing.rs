@@ -11,6 +11,7 @@ fn what_is_not_provided_says_where_to_add_it() {
         ("simulation", 2),
         ("stepper", 2),
         ("limits", 1),
+        ("self_check", 1),
     ] {
         let label = format!("add `{item}` to the scene's `provide: [...]`");
         assert_eq!(told.matches(&label).count(), count, "{item}");
@@ -20,5 +21,5 @@ fn what_is_not_provided_says_where_to_add_it() {
     }
     // Each call gives one error, and no further error follows.
     let errors = told.lines().filter(|line| line.starts_with("error"));
-    assert_eq!(errors.count(), 10, "{told}");
+    assert_eq!(errors.count(), 11, "{told}");
 }
