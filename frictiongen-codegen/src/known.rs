@@ -9,9 +9,11 @@ use frictiongen_model::scene::Precision;
 
 /// Number of frequency ratios with known answers.
 pub const POINTS: usize = 10;
-/// Number of frequency ratios that are tried. If roundings decide about the answers of many of them, fewer than
-/// `POINTS` known answers remain.
+/// Number of frequency ratios that are tried for one mass. More masses have fewer tries, because a try in double-double
+/// takes longer. If roundings decide about the answers of many of them, fewer than `POINTS` known answers remain.
 const TRIED: u32 = 400;
+/// Smallest number of tries. A scene of 64 masses has this number.
+const TRIED_AT_LEAST: u32 = 25;
 /// Step between two tries, as a fraction of the range. Steps by the golden section spread the tries evenly.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 /// Phase τ, in rad, at which displacement and velocity of each mass are known.
@@ -89,7 +91,8 @@ pub fn known(modal: &Modal, question: &Question) -> Vec<Known> {
     let exact = modal.reduced(|value| value);
     let (low, high) = question.r;
     let mut found: Vec<Known> = Vec::new();
-    for tried in 0..TRIED {
+    let modes = u32::try_from(exact.modes.len().max(1)).unwrap_or(TRIED);
+    for tried in 0..(TRIED / modes).max(TRIED_AT_LEAST) {
         if found.len() == POINTS {
             break;
         }
@@ -120,15 +123,16 @@ impl Question {
 
 /// Returns the answers at r, unless they depend on roundings. `place` counts the answers found so far.
 fn answers(exact: &Reduced<Dd>, question: &Question, r: f64, place: usize) -> Option<Known> {
-    let at = At::new(exact, Dd::from(r)).ok()?;
-    let limits = at.limits();
-    let beta = question.motion.then(|| {
-        let [continuous, sliding] = [limits.continuous, limits.sliding].map(Float::to_f64);
-        beta(question, continuous, sliding, place)
-    });
-    let here = answer(exact, question, r, beta)?;
+    let limits = limits(exact, r)?;
+    let beta = question.motion.then(|| beta(question, limits, place));
+    let here = answer(exact, question, (r, limits), beta)?;
     let displaced = r * (1.0 + DISPLACED * question.epsilon());
-    let there = answer(exact, question, displaced, beta)?;
+    let there = answer(
+        exact,
+        question,
+        (displaced, self::limits(exact, displaced)?),
+        beta,
+    )?;
     let allowed = SENSITIVE * question.tolerance;
     let is_near = |one: f64, other: f64, size: f64| (one - other).abs() <= allowed * size;
     let numbers = |known: &Known| {
@@ -159,7 +163,7 @@ fn answers(exact: &Reduced<Dd>, question: &Question, r: f64, place: usize) -> Op
 
 /// Returns a friction ratio within the range. Two of three successive friction ratios are below β_lim. The third is
 /// usually above both limits, and sometimes between them.
-fn beta(question: &Question, continuous: f64, sliding: f64, place: usize) -> f64 {
+fn beta(question: &Question, [continuous, sliding]: [f64; 2], place: usize) -> f64 {
     let wanted = match place % 3 {
         0 => 0.5 * continuous,
         1 => 0.8 * continuous,
@@ -172,16 +176,26 @@ fn beta(question: &Question, continuous: f64, sliding: f64, place: usize) -> f64
     question.rounded(wanted).clamp(least, most)
 }
 
-/// Returns the answers at r and β. Returns `None` where there is no answer, or where β is close to a limit.
-fn answer(exact: &Reduced<Dd>, question: &Question, r: f64, beta: Option<f64>) -> Option<Known> {
-    let at = At::new(exact, Dd::from(r)).ok()?;
-    let limits = at.limits();
-    let [continuous, sliding] = [limits.continuous, limits.sliding].map(Float::to_f64);
-    if !(continuous.is_finite() && sliding.is_finite() && 0.0 < continuous && 0.0 < sliding) {
-        return None;
-    }
+/// Returns β_lim and β*_lim at r, unless one of them is 0 or infinite.
+fn limits(exact: &Reduced<Dd>, r: f64) -> Option<[f64; 2]> {
+    let limits = At::new(exact, Dd::from(r)).ok()?.limits();
+    let both = [limits.continuous, limits.sliding].map(Float::to_f64);
+    both.iter()
+        .all(|limit| limit.is_finite() && 0.0 < *limit)
+        .then_some(both)
+}
+
+/// Returns the answers at r, with the limits there, and at β. Returns `None` where there is no answer, or where β is
+/// close to a limit.
+fn answer(
+    exact: &Reduced<Dd>,
+    question: &Question,
+    (r, [continuous, sliding]): (f64, [f64; 2]),
+    beta: Option<f64>,
+) -> Option<Known> {
     let mut stuck = Vec::new();
     if question.stuck {
+        let at = At::new(exact, Dd::from(r)).ok()?;
         let response = at.stuck().ok()?;
         let masses = exact.shapes.len() / exact.modes.len().max(1);
         let parts = (0..masses).map(|mass| response.mass(mass));

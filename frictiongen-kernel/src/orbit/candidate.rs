@@ -203,6 +203,11 @@ impl<S: Float> Candidate<S> {
                 reach,
             }))
         };
+        // A motion may be so large that load and friction are below rounding.  Every state then seems steady.
+        let forces = cycle_map.setting.beta.max(S::constant(1.0));
+        if forces < scale * S::constant(ON_CIRCLE * S::EPSILON) {
+            return Ok(CandidateVerdict::No);
+        }
         if far <= scale * S::constant(REACHED) {
             return found(self.map.symmetric, None);
         }

@@ -300,6 +300,18 @@ fn another_state_is_not_called_one_from_rest() {
     );
 }
 
+/// Checks a friction ratio just above β_lim on an undamped resonance. Newton's method finds states with amplitudes of
+/// 10¹⁴ there, beside which friction and load are below rounding. The response must be as large as at neighbouring
+/// frequencies.
+#[test]
+fn a_resonance_just_bounded_has_no_enormous_state() {
+    let frame = frame(5, 18);
+    let r = frame.system.resonances()[3];
+    let beta = 60.255_712_978_055_68;
+    let [there, near] = [r, r * (1.0 + 1e-9)].map(|r| map::amplitude(&frame, r, beta));
+    assert!(2.0 < there && there < 1.5 * near, "{there}, {near} beside");
+}
+
 /// Checks that a curve reports if a bound on work stopped its refinement. With enough work it reaches the requested
 /// accuracy.
 #[test]
