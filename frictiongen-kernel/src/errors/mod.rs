@@ -54,7 +54,7 @@ pub struct StuckResonance;
 pub enum NoOrbit {
     /// The frequency ratio r, the friction ratio β or the initial state is outside its domain.
     OutOfDomain(OutOfDomain),
-    /// One period of the motion has more than 64 segments between events (stick, slip or reversal).
+    /// A cycle of the excitation has more than 64 segments between events of the contact (stop, slip or reversal).
     TooManyEvents,
     /// The excitation is on an undamped resonance, with too little friction to bound the amplitude.
     Unbounded,
