@@ -55,7 +55,8 @@ fn free(x: f64, zeta: f64, tau: f64, last: usize) -> [f64; ORDERS] {
             decay_factor * (c - zeta / q * s),
         )
     } else {
-        // The product of both roots is x², which gives the slow root without a difference.
+        // The product of both roots is x². The division by the fast root gives the slow root without a difference of
+        // close numbers.
         let (slow, fast) = (x / (zeta + q), x * (zeta + q));
         let (a, b) = ((-slow * tau).exp(), (-fast * tau).exp());
         // Towards τ = 0 the two exponentials cancel, and `exp_m1` keeps their difference.
@@ -180,7 +181,7 @@ pub fn random_waves(
             } else {
                 [0.0, random.log_uniform(1e-4, 0.5), 0.7, 1.0, 4.0][random.below(5)]
             };
-            // The terms have similar sizes: each term of a fast mode is of order 1.
+            // Each term of a fast mode is then of order 1, so that all terms have similar sizes.
             let mut wave = at_rest(x, zeta);
             wave.forced = random.signed();
             wave.forced_slope = random.signed();
@@ -195,9 +196,9 @@ pub fn random_waves(
     waves
 }
 
-/// Returns a random motion like that of a chain: the terms of the modes (waves), and the cosine and sine coefficients
-/// of the fundamental component. The motion repeats with the opposite sign after half a period. A mode far below the
-/// excitation has its whole response as one wave.
+/// Returns a random motion that is like the motion of a chain: one term (wave) for each mode, and the cosine and sine
+/// coefficients of the fundamental component. The motion repeats with the opposite sign after half a period. A mode far
+/// below the excitation frequency has its whole response in one wave.
 pub fn random_motion(
     random: &mut Lcg,
     (low, high): (f64, f64),

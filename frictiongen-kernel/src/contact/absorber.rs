@@ -1,10 +1,11 @@
-//! Contact force in the stuck state at a frequency where masses beyond the contact act as an absorber.
+//! Contact force in the stuck state, at a frequency at which masses beyond the contact act as an absorber.
 //!
-//! Some masses may be connected to the load through the contact alone. At a frequency at which they resonate by
-//! themselves while the contact is stuck, V and H vanish together. V is the response of the contact to the load, and H
-//! is its response to a contact force. The amplitude V/H of the contact force would then be a quotient of rounding
-//! errors. This module divides the common zero out. With s = r² and the distance d = s − s₀ from the zero, V = v₁d −
-//! v₂d² + v₃d³ − …, where v_n = Σα/(λ − s)^{n+1} with the residues α = (φᵀw)(φᵀp). H has a series of the same form.
+//! Some masses may be connected to the load through the contact alone. At the frequency at which these masses resonate
+//! while the contact is stuck, V and H vanish together. V is the response of the contact to the load, and H is its
+//! receptance (response to a contact force). The amplitude V/H of the contact force would then be a quotient of
+//! rounding errors. This module divides out the common zero. With s = r² and the distance d = s − s₀ from the zero, V =
+//! v₁d − v₂d² + v₃d³ − …, where v_n = Σα/(λ − s)^{n+1} with the residues α = (φᵀw)(φᵀp). H has a series of the same
+//! form.
 
 use crate::contact::sums::{Chain, ContactAt, ModeAt};
 use crate::number::scalar::Float;
@@ -14,16 +15,16 @@ use crate::oscillator::mode::Mode;
 /// moduli of the modal terms.
 const ROUNDINGS: f64 = 64.0;
 
-/// Returns the relative distance from a common zero of V (the response to the load) and H (the receptance) below which
-/// series are more accurate than the quotient V/H. The series neglect the fourth power of the distance. The quotient
-/// has an error of one rounding divided by the distance.
+/// Returns the relative distance from a common zero of V (response to the load) and H (receptance) within which series
+/// are more accurate than the quotient V/H. The error of the series is the fourth power of the distance. The error of
+/// the quotient is one rounding divided by the distance.
 fn near<S: Float>() -> S {
     S::constant(S::EPSILON).sqrt().sqrt()
 }
 
 impl<S: Float> Chain<S> {
-    /// Returns true if the receptance H of the contact is so small that H and V (the response to the load) may both be
-    /// zero near this frequency. `h` is the real part of H, multiplied by r² and by the scale E of [`ContactAt`].
+    /// Returns true if the receptance H of the contact is nearly zero, so that V (response to the load) may vanish at
+    /// the same frequency. `h` is the real part of H, multiplied by r² and by the scale E of [`ContactAt`].
     #[inline]
     pub(crate) fn may_absorb(&self, h: S) -> bool {
         !self.damped && !(h.abs() > near::<S>() * self.inverse_mass)
@@ -62,12 +63,12 @@ impl<S: Float> Chain<S> {
         if h.abs() > near * h_size || v.abs() > near * slope_size {
             return None;
         }
-        // The distance from the zero of H follows from the series of H, by three steps of iteration.
+        // Three iterations on the series of H give the distance from the zero of H.
         let mut d = h / h1;
         for _ in 0..3 {
             d = (h + h2 * d * d - h3 * d * d * d) / h1;
         }
-        // V must be zero at the same distance, to within rounding.
+        // V must vanish at the same distance, to within rounding.
         let rest = v - d * (v1 - v2 * d + v3 * d * d);
         let noise = S::constant(ROUNDINGS * S::EPSILON) * (v_size + d.abs() * slope_size);
         let truncated = d * d * d * d * slope_size;

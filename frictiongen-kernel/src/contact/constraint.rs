@@ -1,4 +1,4 @@
-//! Velocity constraint S by a search with a proof, and the decision whether a continuous motion exists.
+//! Searches for the velocity constraint S with a proof, and decides whether a continuous motion exists.
 
 use crate::contact::regime::check_beta;
 use crate::contact::sums::{Chain, ContactAt, ModeAt};
@@ -10,15 +10,15 @@ use crate::number::scalar::Float;
 use crate::oscillator::decay::Decay;
 use crate::oscillator::mode::Mode;
 
-/// Number of rounding units by which β must be below an approximate β_lim to be safely below the exact β_lim. A search
-/// may miss four units. The other units cover the rounding errors of β_lim, with a margin.
+/// Distance, in rounding units, by which β must be below an approximate β_lim to be below the exact β_lim. The result
+/// of a search may be off by four units. The other units cover the rounding errors of β_lim, with a margin.
 const CLEAR: f64 = 32.0;
-/// Largest phase error of a mode due to the rounding of r at which two searches still agree, as a fraction of a half
-/// turn.
+/// Largest phase error of a mode due to the rounding of r, as a fraction of a half turn. With a larger error, two
+/// searches may give different results.
 const UNTURNED: f64 = 1e-4;
 
-/// Largest relative tolerance of a search for the velocity constraint S. Even where β_lim hardly depends on S, the
-/// amplitude of the motion at β_lim does.
+/// Largest relative tolerance of a search for the velocity constraint S. Where β_lim hardly depends on S, a larger
+/// tolerance would suffice for β_lim, but not for the amplitude of the motion at β_lim.
 const MOST_TOLERANCE: f64 = 1.0 / 4096.0;
 
 impl<S: Float> Chain<S> {
@@ -45,8 +45,8 @@ impl<S: Float> Chain<S> {
         waves: &[Wave<S, D>],
     ) -> Peak<S> {
         let start = self.start_constraint(contact);
-        // `above` is not computed as a difference of two sums, which would lose digits. Close to a resonance the
-        // damping term H_c outweighs the other terms.
+        // `above` = (μ − 1)m*E is computed directly. As a difference of two sums it would lose digits, because close to
+        // a resonance the damping term H_c outweighs the other terms.
         let above = (self.stiction - S::constant(1.0)) * self.inverse_mass * contact.scale;
         let mut peak = self.constraint_above(contact, at, waves, start, above);
         peak.value = if peak.places[0].is_some() {
@@ -57,14 +57,13 @@ impl<S: Float> Chain<S> {
         peak
     }
 
-    /// Returns true if the maximum S of the velocity constraint is its limit for τ → 0, so that no search is needed.
-    /// Without damping this is so if every R ≥ 1/2. `ratios` are x = 1/R of the modes.
+    /// Returns true if the velocity constraint S equals its limit for τ → 0, so that no search is needed. Without
+    /// damping this holds if R ≥ 1/2 for every mode. `ratios` are x = 1/R of the modes.
     pub(crate) fn start_decides(&self, mut ratios: impl Iterator<Item = S>) -> bool {
         !self.damped && ratios.all(|x| x <= S::constant(2.0))
     }
 
-    /// Returns the velocity constraint r²E·S less `start`, the limit of the constraint for τ → 0. The result is at
-    /// least `above`.
+    /// Returns the velocity constraint r²E·S minus `start`, its limit for τ → 0. The result is at least `above`.
     fn constraint_above<D: Decay<S>>(
         &self,
         contact: &ContactAt<S>,
@@ -74,7 +73,7 @@ impl<S: Float> Chain<S> {
         above: S,
     ) -> Peak<S> {
         let decided = self.start_decides(at.iter().map(|at| at.x));
-        // If rounding leaves the phase of every mode unknown, a search could decide nothing.
+        // If rounding makes the phase of every mode meaningless, a search cannot improve the result.
         if decided || waves.iter().all(Wave::turns_unknown) {
             return Peak {
                 value: above,
@@ -93,7 +92,7 @@ impl<S: Float> Chain<S> {
             cosine: zero,
             sine: waves.iter().fold(zero, at_start),
         };
-        // β_lim contains U² + S². Where U is larger than S, S needs fewer digits.
+        // β_lim depends on U² + S². Where U is larger than S, fewer digits of S are needed.
         let ratio = contact.u / (start + above);
         let tolerance = S::constant(4.0 * S::RESOLUTION) * (S::constant(1.0) + ratio * ratio);
         search::largest(
@@ -127,7 +126,7 @@ impl<S: Float> Chain<S> {
             if mode.in_contact {
                 let wave: Wave<S, D> = constraint_wave(mode, at, contact, S::constant(1.0));
                 let two_zeta = mode.zeta + mode.zeta;
-                // The limit for τ → 0 of the quotient of a single mode is 1 + g + 2ζRu.
+                // The constraint of a single mode has the limit 1 + g + 2ζRu for τ → 0.
                 let start = contact.scale + at.g + two_zeta * at.u * at.x;
                 let at = core::slice::from_ref(at);
                 let above = S::constant(0.0);
@@ -138,8 +137,8 @@ impl<S: Float> Chain<S> {
         sum.max(self.break_away(contact))
     }
 
-    /// Returns true if β is below the exact limit of continuous motion. For most β a cheaper search is enough, which
-    /// only decides whether the velocity constraint exceeds the largest value that β allows.
+    /// Returns true if β is below the exact limit of continuous motion. For most β a cheaper search suffices. It only
+    /// decides whether the velocity constraint exceeds the largest value that β allows.
     pub fn is_continuous<D: Decay<S>>(
         &self,
         beta: S,
@@ -155,7 +154,7 @@ impl<S: Float> Chain<S> {
         let break_away = self.break_away(contact);
         let excitation = complex::modulus(contact.v, self.damped);
         let quadrature = beta * contact.u;
-        // The product of the two factors may underflow where neither root does.
+        // The product of both factors may underflow, although neither of their roots does.
         let root = (excitation - quadrature).sqrt() * (excitation + quadrature).sqrt();
         let allowed = S::constant(1.0 - 1e-3) * root / beta;
         // Where U is much larger than S, `allowed` is mainly rounding error, and the cheaper search proves nothing.
@@ -169,7 +168,8 @@ impl<S: Float> Chain<S> {
             let start = self.start_constraint(contact);
             let above = allowed - start;
             let peak = self.constraint_above(contact, at, waves, start, above);
-            // A search that stopped early has found nothing larger than `above`, but has not excluded it either.
+            // A search that stopped at its bound found nothing larger than `above`, but has not proven that nothing
+            // larger exists.
             if peak.value <= above && !peak.exceeded {
                 return true;
             }
@@ -208,8 +208,8 @@ impl<S: Float> Chain<S> {
             }
         };
         if !r.is_finite() {
-            // At r = ∞ the limiting value of β_lim decides, since sums at a large r would round it differently. On a
-            // moving base this value is infinite and friction has no effect, so that the formulas get β = 0.
+            // At r = ∞ the known limit of β_lim decides, because sums at a large r would round it differently. On a
+            // moving base this limit is infinite and friction has no effect. The formulas then get β = 0.
             if !(beta < at_infinity) {
                 return Err(refused());
             }
@@ -225,8 +225,8 @@ impl<S: Float> Chain<S> {
         Ok(beta)
     }
 
-    /// Returns an error if the chain in its stuck state resonates at r. `invisible` are the undamped resonances that
-    /// the load drives and the contact does not.
+    /// Returns an error if the chain with its contact stuck resonates at r. `invisible` are the undamped resonances
+    /// that the load drives and the contact does not.
     ///
     /// # Errors
     /// [`StuckResonance`].

@@ -1,14 +1,14 @@
-//! Modal sums V, U and H without the terms that cancel in the contribution of a mode to a motion.
+//! Modal sums V, U and H of the contact, without the own terms of the mode that outweighs all others.
 //!
 //! In the contribution of a mode to the motion of a mass, the mode's own terms in two of the sums cancel. Close to the
-//! resonance of the mode these two terms outweigh all others, and would leave their rounding errors. That one mode, the
-//! *dominant* mode, therefore gets sums over all other modes. All other modes share the full sums, and so share their
-//! rounding errors. This matters for a mass far from the contact, whose motion is a small difference of modal terms. A
-//! rounding error common to all modes cancels in the difference, and separate errors would not.
+//! mode's resonance these two terms outweigh all others, and their rounding errors would remain. This mode, the
+//! *dominant* mode, therefore gets sums over all other modes. All other modes use the full sums, and so have the same
+//! rounding errors. The motion of a mass far from the contact is a small difference of modal terms. A rounding error
+//! that all terms share cancels in this difference.
 //!
-//! One dominant mode is enough. Let two modes have the terms a, b in V and c, d in U, with ac ≥ bd. The products ad and
-//! bc remain in the contribution of the second mode. The larger of them is at least √(ac·bd) ≥ bd, which is the product
-//! that cancels.
+//! One dominant mode is enough. Proof: two modes have the terms a, b in V and c, d in U, with ac ≥ bd. The products ad
+//! and bc remain in the contribution of the second mode. The larger of ad and bc is at least √(ac·bd) ≥ bd, and bd is
+//! the product that cancels.
 
 use crate::contact::quadrature::Quadratures;
 use crate::contact::sums::{Chain, ContactAt, ModeAt};
@@ -81,8 +81,8 @@ pub(crate) enum Partner {
     H,
 }
 
-/// Candidate for the dominant mode. Among the modes visited so far, its terms in two modal sums, V and either U or H,
-/// have the largest product.
+/// Candidate for the dominant mode: among the modes visited so far, the mode whose terms in V and in U (or H) have the
+/// largest product.
 #[derive(Clone, Copy)]
 struct Heaviest<S> {
     weight: S,
@@ -103,8 +103,7 @@ impl<S: Scalar> Heaviest<S> {
     }
 }
 
-/// Identity of the dominant mode. The terms of this mode outweigh all others, and are left out of the modal sums for
-/// the mode itself.
+/// Identity of the dominant mode. Its terms outweigh all others, so that the modal sums for this mode leave them out.
 #[derive(Clone, Copy)]
 enum Which<S> {
     /// The only mode of the chain is dominant.
@@ -126,9 +125,9 @@ pub(crate) struct DominantSums<S> {
 
 impl<S: Scalar> DominantSums<S> {
     /// Returns two responses V of the contact of a damped chain to the load. The phase of the dominant mode is measured
-    /// against the first response. The phases of the other modes are measured against the second response. A mode is in
-    /// phase with its own term of V. V without this term therefore gives the same phase as the full V. The smaller of
-    /// the two gives a more accurate phase.
+    /// against the first response, the phases of the other modes against the second. A mode is in phase with its own
+    /// term of V. Therefore V without this term gives the same phase as the full V. The function takes the smaller of
+    /// the two, because it gives a more accurate phase.
     pub fn turning(&self, contact: &ContactAt<S>) -> (Complex<S>, Complex<S>) {
         let size = |v| complex::size(v, true);
         let all = size(contact.v).named("v_size", "(|Re V| + |Im V|)·r²E", None);
@@ -198,9 +197,9 @@ impl<S: Scalar> DominantParts<S> {
 }
 
 impl<S: Scalar> Chain<S> {
-    /// Selects the dominant mode, whose own terms in the modal sums V, U and H outweigh all others. Returns sums
-    /// without these terms, for the dominant mode, and the full sums, for all other modes. In a chain of two modes,
-    /// each mode gets the terms of the other mode.
+    /// Selects the dominant mode, whose own terms in the modal sums V, U and H outweigh all others. Returns the sums
+    /// without these terms for the dominant mode, and the full sums for all other modes. In a chain of two modes, each
+    /// mode gets the terms of the other mode.
     pub(crate) fn dominant_sums<'a>(
         &self,
         (modes, quadratures): (
@@ -280,7 +279,7 @@ impl<S: Scalar> Chain<S> {
             };
         };
         let own = without(sum, heaviest.static_residue).named(partner);
-        // The full sums suffice if the product that cancels is no larger than the products that remain.
+        // The full sums are accurate enough if the product that cancels is no larger than the products that remain.
         let (v, other) = self.sizes(&heaviest.own, partner);
         let at_rest = match self.on_moving_base {
             Some(at_rest) => (at_rest - heaviest.static_residue).abs() * contact.scale,
@@ -304,7 +303,7 @@ impl<S: Scalar> Chain<S> {
         scale: S,
         index: usize,
     ) -> Heaviest<S> {
-        // On a moving base, v cancels, although the sums contain v − 1.
+        // On a moving base the sums contain v − 1, but v itself cancels.
         let v = if self.on_moving_base.is_some() {
             self.plus(own.v, complex::real(mode.static_residue * scale))
         } else {

@@ -1,9 +1,9 @@
 //! Limits β_lim and β*_lim of an undamped chain at run time, without the search for the velocity constraint S. The
-//! constants of the modes are gathered once.
+//! module gathers the constants of the modes once, before the first frequency.
 //!
-//! In emitted code the constants of a scene are part of the instructions. At run time this module gathers the constants
-//! of the modes before the first frequency, in pairs for packed instructions. Modes that the contact does not drive are
-//! left out, since they contribute to no sum. The formulas are those of [`Chain`], and the sums add one mode after the
+//! In emitted code the constants of a scene are part of the instructions. At run time this module stores the constants
+//! of the modes in pairs, so that the compiler uses packed instructions. Modes that the contact does not drive
+//! contribute to no sum, and are left out. The formulas are those of [`Chain`], and the sums add one mode after the
 //! other. The results therefore have the same bits as those of all other modules.
 
 use crate::contact::regime::Limits;
@@ -21,8 +21,8 @@ const PAIRS: usize = 8;
 #[derive(Clone, Copy, Debug)]
 struct Driven<S> {
     resonance: S,
-    /// Residue (φᵀw)(φᵀp) of the mode in the response V to the load. On a moving base the static residue (φᵀw)(φᵀp)/λ
-    /// takes its place.
+    /// Residue (φᵀw)(φᵀp) of the mode in the response V to the load. On a moving base it is the static residue
+    /// (φᵀw)(φᵀp)/λ.
     load: S,
     contact_squared: S,
 }
@@ -132,7 +132,7 @@ impl<S: Float> DrivenModes<S> {
     fn sums(&self, inverse_r: S) -> (S, Terms<S>) {
         match (self.pairs(), &self.one) {
             ([], Some(only)) => {
-                // With a single mode the scale E is the |x² − 1| of this mode, so that E/(x² − 1) is a sign.
+                // With a single mode, the scale E is the |x² − 1| of this mode. E/(x² − 1) is then exactly 1 or −1.
                 let [detuning, u] = only.own(inverse_r);
                 let sign = S::constant(1.0).copysign(detuning);
                 let terms = [
@@ -201,9 +201,9 @@ fn of_two<S: Float>(modes: &Driven<Lanes<S>>, inverse_r: S, terms: &mut [[S; 2];
 }
 
 impl<S: Float> Chain<S> {
-    /// Returns the limits β_lim and β*_lim of an undamped chain at a finite 1/r > 0. β_lim contains the break-away term
-    /// in place of the velocity constraint S. β*_lim is not corrected for masses that act as an absorber. Also returns
-    /// the receptance H of the contact, multiplied by r² and by the scale E of [`ContactAt`]. `is_one` states that
+    /// Returns the limits β_lim and β*_lim of an undamped chain at a finite 1/r > 0, and the receptance H of the
+    /// contact. β_lim contains the break-away term in place of the velocity constraint S. β*_lim is not corrected for
+    /// masses that act as an absorber. H is multiplied by r² and by the scale E of [`ContactAt`]. `is_one` states that
     /// β*_lim is exactly 1 ([`sliding_limit_is_one`](Self::sliding_limit_is_one)).
     #[inline]
     pub fn limits_of_driven(

@@ -6,8 +6,8 @@ use crate::number::scalar::Scalar;
 use crate::oscillator::mode::Mode;
 
 impl<S: Scalar + PartialEq> Chain<S> {
-    /// Returns true if the load acts on the mass that slides on the support. The response V of the contact to the load
-    /// then equals its receptance H.
+    /// Returns true if the load acts on the mass that slides on the support. V, the response of the contact to the
+    /// load, then equals H, its receptance.
     #[must_use]
     pub fn loads_contact(&self, modes: &[Mode<S>]) -> bool {
         let mut modes = modes.iter();

@@ -1,12 +1,13 @@
-//! Contact of the chain at one frequency: its sums over all modes, the limits of continuous and stuck motion, and the
-//! regime.
+//! The contact of the chain at one frequency: its sums over all modes, the limits of continuous and stuck motion, and
+//! the regime.
 //!
-//! [`sums`] defines the sums V, U, G, H and H_c, and [`pairs`] evaluates them for two modes at once. [`quadrature`] has
-//! the load that damping relative to a moving base adds. `dominant` leaves out the largest modal terms where they would cancel. [`limits`] has the formulas of both limits. Two modules
-//! evaluate the limits faster where no search for S is wanted: [`driven`] for an undamped chain whose constants are
-//! gathered beforehand, and `several` for several frequencies at once. [`constraint`] searches the velocity constraint
-//! S of the exact limit, and decides whether a continuous motion exists. [`absorber`] treats frequencies at which V and
-//! H are both zero. The module `response` computes the motions of the masses.
+//! [`sums`] defines the sums V, U, G, H and H_c over the modes, and [`pairs`] evaluates them for two modes at once.
+//! [`quadrature`] has the load due to damping relative to a moving base. `dominant` leaves out the largest modal terms
+//! where they would cancel. [`limits`] has the formulas of both limits. [`driven`] and `several` evaluate the limits
+//! faster where no search for S is wanted. [`driven`] serves an undamped chain, `several` serves several frequencies at
+//! once. [`constraint`] searches the velocity constraint S of the exact limit, and decides whether a continuous motion
+//! exists. [`absorber`] treats frequencies at which V and H are both zero. The module `response` computes the motions
+//! of the masses.
 
 pub mod absorber;
 pub mod constraint;

@@ -1,9 +1,9 @@
-//! Modal sums of the contact at run time, with two neighbouring modes computed at once.
+//! Modal sums of the contact at run time. The code computes two neighbouring modes at once.
 //!
-//! A processor computes two numbers with one packed instruction if the compiler sees that both undergo the same
-//! operations. The compiler often sees this in emitted code, but not in a loop over modes. The formulas are therefore
-//! evaluated with `Lanes`, arrays of two numbers. Every operation is that of one mode alone, and the sums add one mode
-//! after the other. The results therefore have the same bits as emitted code.
+//! A processor computes two numbers with one packed instruction if the compiler sees the same operations on both. The
+//! compiler often sees them in emitted code, but not in a loop over modes. The formulas are therefore evaluated with
+//! `Lanes`, arrays of two numbers. Every operation is the same as for one mode alone, and the sums add one mode after
+//! the other. The results therefore have the same bits as emitted code.
 
 use crate::contact::quadrature::{InPhase, Quadratures};
 use crate::contact::sums::{Chain, ContactAt, ModeAt};
@@ -81,8 +81,8 @@ impl<S: Float> Chain<S> {
         }
     }
 
-    /// Computes the modal sums of the contact from one mode after the other. It serves modes with different kinds of
-    /// damping, programs in which size matters more than time, and code without optimisation, such as a macro.
+    /// Computes the modal sums of the contact from one mode after the other. It is used for modes with different kinds
+    /// of damping, for programs optimised for size, and for unoptimised code such as a macro.
     pub fn in_turn<const WITH_G: bool>(
         &self,
         modes: &[Mode<S>],
@@ -102,7 +102,7 @@ impl<S: Float> Chain<S> {
         let scale = Self::scale_at(modes, inverse_r);
         let responses = modes.iter().map(|mode| {
             if WITH_G {
-                // Size matters here, so that a function is called instead of inlined.
+                // Code size matters here, so that the code calls a function instead of inlining it.
                 mode.response(inverse_r, 0)
             } else {
                 mode.functions(inverse_r, false)
@@ -194,8 +194,8 @@ fn smallest<S: Float, U: Uniform>(modes: &[Mode<S>], inverse_r: S) -> S {
             least = least.min(mode.size_but_zero(U::KIND, inverse_r));
         }
     }
-    // An exact zero of |x² − 1| is the smallest. It is replaced after the comparison with the same result as before,
-    // since no other number is as small as the replacement.
+    // An exact zero of |x² − 1| is the smallest. The code replaces it after the comparison. The result is the same as
+    // with a replacement before, because no other number is as small as the replacement.
     let least = if U::DAMPED {
         least
     } else {
@@ -225,7 +225,7 @@ fn of_two<S: Float, U: Uniform, const WITH_G: bool>(
     let response = mode.functions_of(U::KIND, Lanes::all(inverse_r), WITH_G, 0);
     let at = chain.scaled(&response, scale, false, 0);
     let found = chain.term(scale, (&mode, None), &response, &at, false, WITH_G);
-    // Numbers that stay 0 without damping, and numbers that no caller uses, are not written.
+    // Two kinds of numbers are not written: those that stay 0 without damping, and those that no caller uses.
     terms.v.re = found.v.re;
     terms.h.re = found.h.re;
     terms.u = found.u;

@@ -1,9 +1,9 @@
-//! Loads in quadrature with the motion of the base.
+//! Loads in quadrature (90° out of phase) with the motion of the base.
 //!
-//! Damping that acts on velocities relative to the moving base adds the load C·1·ẏ to K_b·y (section 1 of
-//! `docs/derivation.md`). On mode i the load of both is p_i + 2iζ_iλ_iΓ_i/x_i over the displacement of the base, with
-//! the participation factor Γ_i = φᵀΓ1 and x_i = √λ_i/r. A scene whose damping acts on absolute velocities has no load
-//! in quadrature. The type [`InPhase`] stands for that, so that its formulas cost nothing there.
+//! Damping on velocities relative to the moving base adds the load C·1·ẏ to K_b·y (section 1 of `docs/derivation.md`).
+//! The load of both on mode i, over the displacement of the base, is p_i + 2iζ_iλ_iΓ_i/x_i, with the participation
+//! factor Γ_i = φᵀΓ1 and x_i = √λ_i/r. A scene whose damping acts on absolute velocities has no load in quadrature. It
+//! uses the type [`InPhase`], so that its formulas have no additional cost.
 
 use crate::contact::sums::{Chain, ModeAt};
 use crate::number::complex::{self, Complex};
@@ -13,10 +13,10 @@ use crate::oscillator::mode::Mode;
 /// Load of one mode in quadrature with the motion of the base.
 #[derive(Clone, Copy, Debug)]
 pub struct Quadrature<S> {
-    /// 2ζλΓ, with the participation factor Γ = φᵀΓ1: x times the load in quadrature.
+    /// 2ζλΓ, the load in quadrature times x, with the participation factor Γ = φᵀΓ1.
     pub load: S,
-    /// Static residue less (φᵀw)Γ. It is 0 in a chain that only the base holds, because the static displacement is
-    /// then that of the base.
+    /// Static residue minus (φᵀw)Γ. It is 0 in a chain that only the base supports, because the static displacement is
+    /// then the displacement of the base.
     pub wall: S,
 }
 
@@ -26,7 +26,7 @@ pub trait Quadratures<S>: Copy {
     fn of(self, mode: usize) -> Option<Quadrature<S>>;
 }
 
-/// No mode has a load in quadrature.
+/// Type for a scene in which no mode has a load in quadrature.
 #[derive(Clone, Copy, Debug)]
 pub struct InPhase;
 
@@ -37,7 +37,8 @@ impl<S> Quadratures<S> for InPhase {
     }
 }
 
-/// The fields of [`Quadrature`] for each mode in turn. An empty list stands for no load in quadrature.
+/// List of the fields of [`Quadrature`], one entry for each mode. An empty list means that no mode has a load in
+/// quadrature.
 impl<S: Copy> Quadratures<S> for &[[S; 2]] {
     #[inline]
     fn of(self, mode: usize) -> Option<Quadrature<S>> {
@@ -73,8 +74,9 @@ impl<S: Scalar> Mode<S> {
 
 impl<S: Scalar> Chain<S> {
     /// Returns the term of a mode in V, the response of the contact to the load. On a moving base V is relative to the
-    /// base, so that v − 1 = (1 − 2iζx)/(x² − 1 + 2iζx) replaces v. The base motion is then never subtracted. Where
-    /// damping acts relative to the base, the loss of the base's own motion is missing from that numerator.
+    /// base. The factor v − 1 = (1 − 2iζx)/(x² − 1 + 2iζx) then replaces v, so that the base motion is never
+    /// subtracted. If damping acts relative to the base, the base motion itself causes no damping force, and `wall`
+    /// replaces the static residue in the imaginary part.
     #[inline]
     pub(crate) fn load_term(
         &self,

@@ -9,8 +9,8 @@ use crate::number::lanes::Lanes;
 use crate::number::scalar::{Float, Scalar};
 use crate::oscillator::mode::{Kind, Mode};
 
-/// Number of frequencies that are computed at once. They fill two registers of two numbers, or one register of eight
-/// where the target has such registers.
+/// Number of frequencies that are computed at once. The frequencies fill two packed registers of two numbers, or one
+/// register of eight numbers where the processor has it.
 pub(crate) const SIDE_BY_SIDE: usize = if cfg!(target_feature = "avx512f") {
     8
 } else {

@@ -11,8 +11,8 @@ use crate::oscillator::mode::{Mode, ModeResponse};
 pub struct Chain<S> {
     /// True if any mode is damped.
     pub damped: bool,
-    /// Static relative displacement wᵀK̄⁻¹p − 1 of the contact, if the contact slides on a moving base. `None` for all
-    /// other contacts.
+    /// Static relative displacement wᵀK̄⁻¹p − 1 of the contact, if the contact slides on a moving base. `None` for
+    /// every other contact.
     pub on_moving_base: Option<S>,
     /// Inverse effective mass of the contact, m* = wᵀΓ⁻¹w.
     pub inverse_mass: S,

@@ -1,11 +1,11 @@
-//! Arguments outside their domain: a variant for each cause.
+//! Errors for arguments outside their domain, with one variant for each cause.
 
 use crate::number::scalar::Float;
 use core::fmt;
 
 /// An argument outside its domain, or a request that the scene does not support.
 ///
-/// Variants with a [`Given`] name one number and say what was given in its place.
+/// A variant with a [`Given`] names one argument. The [`Given`] says what kind of number the caller gave.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
@@ -16,57 +16,57 @@ pub enum OutOfDomain {
     FrequencyRatioInTime(Given),
     /// Friction ratio β.
     FrictionRatio(Given),
-    /// A ratio outside the declared range of a scene whose answers come from tables.
+    /// A frequency ratio or friction ratio outside the range for which the scene's tables were made.
     OutsideTables(Ratio),
-    /// A ratio that differs from that of the orbit whose derivatives are computed.
+    /// A frequency or friction ratio that differs from the ratio of the orbit whose derivatives are computed.
     OtherPoint(Ratio),
-    /// State of the masses: displacements and velocities.
+    /// Initial state of the masses (displacements and velocities) that is invalid.
     State,
-    /// Start of an orbit that is not finite.
+    /// Initial state of an orbit with a number that is not finite.
     Start,
-    /// Start of an orbit with a stuck contact, at a β at which the contact cannot stick.
+    /// Initial state of an orbit with a stuck contact, at a friction ratio β at which the contact cannot stick.
     StuckStart,
-    /// Duration of an advance of a simulation.
+    /// Duration by which a simulation is advanced.
     Duration(Given),
-    /// Length of a slice.
+    /// Length of a slice of numbers that the caller passes.
     Length(Slice),
-    /// Range of frequency ratios, from one number to a larger one.
+    /// Range of frequency ratios. The upper bound must exceed the lower one.
     Range,
     /// Number of intervals of a search.
     Intervals,
     /// Index of a mass.
     Mass,
-    /// Step dt of a stepper, s.
+    /// Time step dt of a stepper, in s.
     Step(Given),
     /// Force on a mass in one step.
     Force(Given),
-    /// Set of masses that a sample loads.
+    /// Set of masses on which the samples of a stepper act.
     Forces,
     /// Displacement or velocity of the base in one step.
     BaseMotion(Given),
     /// Base motion for a scene whose base rests.
     BaseAtRest,
-    /// Friction force F of one step.
+    /// Kinetic friction force F of one step of a stepper.
     Friction(Given),
-    /// Stiction μ.
+    /// Stiction μ, the ratio of the static to the kinetic friction force.
     Stiction(Given),
-    /// Input at the start of the first step, given after that step.
+    /// Input for the start of the first step, given only after that step.
     Begun,
-    /// State that a stepper with another scene or another step dt has saved.
+    /// Saved state of a stepper that had another scene or another time step dt.
     Saved,
-    /// Work of the load, which another step could make too large for the scalar.
+    /// Work of the load on the chain, which may overflow the number type after one more step.
     Work,
     /// Amplitude of the load of a simulation whose kinetic friction depends on the speed.
     LoadAmplitude(Given),
-    /// Slope of a friction law that depends on the speed, in a simulation.
+    /// Slope of a speed-dependent friction law that is too steep for a simulation.
     Steepness,
-    /// Slope of a friction law that depends on the speed, in one step of a stepper.
+    /// Slope of a speed-dependent friction law that is too steep for one step of a stepper.
     StepSteepness,
     /// Request that the scene does not support.
     Unsupported(Unsupported),
 }
 
-/// Kind of number that was given for an argument outside its domain.
+/// Kind of number (NaN, negative, zero, positive or infinite) that the caller gave for an argument.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Given {
@@ -92,21 +92,21 @@ pub enum Ratio {
     Friction,
 }
 
-/// A slice that a function fills, or reads as working storage.
+/// A slice whose length is wrong. The caller passes it for results or as working storage.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Slice {
-    /// Limits β_lim, one for each r.
+    /// Slice for the limits of continuous motion β_lim, one for each frequency ratio.
     Continuous,
-    /// Limits β*_lim, one for each r.
+    /// Slice for the limits of sliding β*_lim, one for each frequency ratio.
     Sliding,
-    /// Oscillators of a simulation or an orbit.
+    /// Slice for the oscillators (modes) of a simulation or an orbit.
     Oscillators,
-    /// Working storage of an orbit.
+    /// Slice for the working storage of an orbit.
     Storage,
-    /// Floquet multipliers of an orbit.
+    /// Slice for the Floquet multipliers of an orbit.
     Multipliers,
-    /// Tables of a stepper.
+    /// Slice for the tables of a stepper.
     StepTables,
 }
 
@@ -115,12 +115,12 @@ pub enum Slice {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum Unsupported {
-    /// A motion in time of a scene with so many modes near critical damping that the modes of the sliding and of the
-    /// stuck chain cannot be separated in the scalar.
+    /// A motion in time of a scene with many modes near critical damping. In this number type, rounding mixes the modes
+    /// of the sliding chain with those of the stuck chain.
     CriticalDamping,
-    /// A steady response of a scene whose kinetic friction depends on the speed.
+    /// A steady response of a scene whose kinetic friction changes with the sliding speed.
     FrictionLaw,
-    /// A question that a scene with an elastic contact does not answer.
+    /// A call that has no answer for a scene with an elastic contact.
     ElasticContact,
 }
 
@@ -203,8 +203,8 @@ impl fmt::Display for Unsupported {
 }
 
 impl OutOfDomain {
-    /// Returns the name of the number that is outside its domain, what was given, and what the number must be. Returns
-    /// `None` for a cause that is not one number.
+    /// Returns three texts for an argument outside its domain: its name, the number given, and the condition on it.
+    /// Returns `None` if the cause is not a single number.
     fn number(self) -> Option<(&'static str, Given, &'static str)> {
         const RATIO: &str = "the frequency ratio r";
         Some(match self {
@@ -313,7 +313,7 @@ impl fmt::Display for OutOfDomain {
             Self::StepSteepness => {
                 "the friction law would change the contact's velocity by more than 16 times that velocity within a step; use a shorter step, a flatter law or a smaller friction force"
             }
-            // `number` has their messages.
+            // `number` returns the message of each of these variants.
             Self::FrequencyRatio(_)
             | Self::FrequencyRatioInTime(_)
             | Self::FrictionRatio(_)

@@ -11,16 +11,18 @@ use core::fmt;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum Regime {
-    /// Continuous motion: β < β_lim and β < β*_lim.  The closed form exists, and a stuck state does not.  With μ = 1
-    /// the continuous motion is the only steady state.  With μ > 1 stick-slip states may exist as well.
+    /// Continuous motion: β < β_lim and β < β*_lim. The contact slides all the time, by the closed form, and no stuck
+    /// state exists. With μ = 1 the continuous motion is the only steady state. With μ > 1 stick-slip states may exist
+    /// as well.
     Continuous,
-    /// Stick-slip: β_lim ≤ β < β*_lim.  Neither the closed form nor a stuck state exists.  The contact stops and slides
-    /// in turn.
+    /// Stick-slip: β_lim ≤ β < β*_lim. The contact alternately sticks and slides. Neither a motion that slides all the
+    /// time nor a stuck state exists.
     StickSlip,
-    /// Stuck: β ≥ β_lim and β ≥ β*_lim.  A stuck state exists.  With μ = 1 motion from rest always ends in a stuck
-    /// state.  With μ > 1 that motion may end in stick-slip instead.
+    /// Stuck: β ≥ β_lim and β ≥ β*_lim. A stuck state exists. With μ = 1 motion from rest always ends in a stuck state.
+    /// With μ > 1 motion from rest may end in stick-slip instead.
     Stuck,
-    /// Bistable: β*_lim ≤ β < β_lim, only with μ > 1.  The closed form and a stuck state both exist.
+    /// Bistable: β*_lim ≤ β < β_lim, which requires μ > 1. A motion that slides all the time and a stuck state both
+    /// exist.
     Bistable,
 }
 
@@ -29,17 +31,18 @@ pub enum Regime {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum NotContinuous {
-    /// β lies between the limits, so that the contact stops and slides in turn.
+    /// The friction ratio β lies between both limits: β_lim ≤ β < β*_lim. The contact alternately sticks and slides.
     StickSlip,
-    /// β is at or above both limits: no motion slides all the time, and a stuck state exists.
+    /// The friction ratio β is at or above both limits. No motion slides all the time, and a stuck state exists.
     Stuck,
     /// The excitation is on an undamped resonance, with too little friction to bound the amplitude.
     Unbounded,
-    /// β is NaN, negative or infinite.
+    /// The friction ratio β is NaN, negative or infinite.
     OutOfDomain,
 }
 
-/// Error of an excitation on an undamped resonance of the chain whose contact is stuck: no steady response exists.
+/// Error: the excitation frequency is an undamped resonance of the chain with its contact stuck. No steady response
+/// exists.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct StuckResonance;
@@ -49,19 +52,19 @@ pub struct StuckResonance;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum NoOrbit {
-    /// r, β, or the state to start from is outside its domain.
+    /// The frequency ratio r, the friction ratio β or the initial state is outside its domain.
     OutOfDomain(OutOfDomain),
-    /// A cycle has more than 64 segments.
+    /// A cycle of the excitation has more than 64 segments between events of the contact (stop, slip or reversal).
     TooManyEvents,
     /// The excitation is on an undamped resonance, with too little friction to bound the amplitude.
     Unbounded,
-    /// Nothing damps this mode, which the load drives and the contact does not touch, so that the mode's free vibration
-    /// never decays.  Modes are counted from 0 in the order of the natural frequencies.
+    /// The load drives a mode that neither damping nor the contact dissipates, so that its free vibration never decays.
+    /// The number is the mode's index. Modes are counted from 0 in ascending order of natural frequency.
     Undamped(usize),
-    /// Every steady state that was found is unstable, and the motion did not come to rest on another.
+    /// Every steady state that the search found is unstable, and the motion in time did not settle on another one.
     Unstable,
-    /// The motion repeats neither after one cycle nor after up to [`MAX_PERIOD`](crate::orbit::MAX_PERIOD) cycles,
-    /// within [`MAX_CYCLES`](crate::orbit::MAX_CYCLES) and [`MAX_STEPS`](crate::orbit::MAX_STEPS).
+    /// The motion did not become periodic with up to [`MAX_PERIOD`](crate::orbit::MAX_PERIOD) cycles. The search ends
+    /// after [`MAX_CYCLES`](crate::orbit::MAX_CYCLES) cycles or [`MAX_STEPS`](crate::orbit::MAX_STEPS) steps.
     Unsettled,
 }
 

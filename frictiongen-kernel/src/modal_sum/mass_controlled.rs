@@ -1,17 +1,17 @@
 //! Response of a mass-controlled mode to a unit force that changes its sign every half period. A mode is
 //! mass-controlled if it resonates far below the excitation frequency, so that its inertia outweighs its spring.
 //!
-//! In a half period the response y obeys y″ + 2ζx y′ + x²y = 1. In the next half period it repeats with the opposite
+//! In a half period the response y obeys y″ + 2ζx y′ + x²y = 1. In the next half period y repeats with the opposite
 //! sign. The solution is y = Σ_{n≥2} h_{n−2} e_n with e_n(τ) = πⁿE_n(τ/π)/n!, where E_n are the Euler polynomials. The
-//! coefficients are h_0 = 1, h_1 = −2ζx, h_m = −2ζx h_{m−1} − x²h_{m−2}. They decrease as the powers of the modulus of
-//! the roots of the mode. For large n the polynomials e_n approach sinusoids. The code therefore sums a few orders, and
-//! adds the remainder of the series as one sinusoid in closed form.
+//! coefficients are h_0 = 1, h_1 = −2ζx, h_m = −2ζx h_{m−1} − x²h_{m−2}. They decrease like powers of the modulus of
+//! the mode's roots. For large n the polynomials e_n approach sinusoids. The code therefore sums a few orders, and adds
+//! the rest of the series as one sinusoid in closed form.
 //!
 //! For all other modes y is the sum of three terms: the return from rest, the lag and the static displacement (see
-//! [`motion`](crate::response::coefficients)). Far above the resonance each of these terms is of order 1. This is so
-//! even at the bounds of the half period, where y vanishes, and in its middle, where y′ vanishes. The rounding error of
-//! the sum would exceed the motion of a mass far from load and contact. The polynomials vanish at the same instants as
-//! y and y′.
+//! [`motion`](crate::response::coefficients)). Far above the resonance each of these three terms is of order 1. They
+//! are of order 1 even at the bounds of the half period, where y vanishes, and in its middle, where y′ vanishes. The
+//! rounding error of their sum would exceed the motion of a mass far from load and contact. The Euler polynomials have
+//! no such error, because they vanish at the same instants as y and y′.
 
 use crate::number::complex::{self, Complex};
 use crate::number::scalar::{Float, Scalar};
@@ -28,14 +28,14 @@ pub(crate) fn is_mass_controlled<S: Scalar>(kind: Kind, zeta: S, x: S) -> S::Con
     if !S::MASS_CONTROLLED {
         return x.lt(S::constant(0.0));
     }
-    // The faster root of an overdamped mode is below 2ζx.
+    // The faster root of an overdamped mode is below 2ζx, so that 2ζx is a safe rate.
     let rate = if kind == Kind::Over {
         (zeta + zeta) * x
     } else {
         x
     };
-    // One constant serves both cases. On the target, a choice between two constants would be a conversion from double
-    // precision.
+    // One constant serves both cases. A choice between two constants would cost a conversion from double precision on a
+    // microcontroller.
     rate.lt(S::constant(SLOW))
 }
 
@@ -45,8 +45,8 @@ pub(crate) fn basis<S: Float>(x: S, zeta: S, at: &Instant<S>) -> Basis<S> {
     let (zero, half, one) = (S::constant(0.0), S::constant(0.5), S::constant(1.0));
     let w = at.tau * (S::pi() * (one - at.t));
     let w_slope = (S::pi() + S::pi()) * (half - at.t);
-    // At τ = 0, w is 0 and only the lowest power in each polynomial contributes. The derivative that a dual number
-    // carries needs the other powers as well.
+    // At τ = 0, w = τ(π − τ) is 0, and only the lowest power of w in each polynomial contributes. The derivative of a
+    // dual number needs the other powers as well.
     let starts = at.t.is_zero() && !S::CARRIES;
     let (loss, square) = (-((zeta + zeta) * x), x * x);
     // Coefficients h_2m−4, h_2m−3 and h_2m−2, and the polynomial e_2m−2.
@@ -99,8 +99,8 @@ mod tests {
     use crate::oscillator::decay::{Damped, Decay};
     use crate::oscillator::mode::Mode;
 
-    /// Returns the response of a mode and its slope in double-double, as the sum of the return from rest, the lag and
-    /// the static displacement. Cancellation increases the relative error by at most a factor x⁻².
+    /// Returns the response of a mode and the slope of the response in double-double. Both are sums of the return from
+    /// rest, the lag and the static displacement. Cancellation increases the relative error by at most a factor x⁻².
     fn put_together(mode: &Mode<Dd>, x: Dd, t: Dd) -> (Dd, Dd) {
         let response = mode.response(x, 0);
         let (u, g) = (response.u / response.size, response.g / response.size);
@@ -162,14 +162,14 @@ mod tests {
     }
 
     /// Returns the third harmonic of the errors of a response and of its slope in `f32`, in units of `f32::EPSILON`.
-    /// Rounding errors average out over this number of instants. The error from the neglected orders appears mainly in
-    /// the third harmonic.
+    /// The function samples so many instants that rounding errors average out. The error from the neglected orders of
+    /// the series appears mainly in the third harmonic.
     fn third_harmonic_of_the_error(x: f64, zeta: f64) -> (f64, f64) {
         const INSTANTS: u32 = 4096;
         let (mut sine, mut cosine) = ((0.0, 0.0), (0.0, 0.0));
         for i in 0..INSTANTS {
             let t = (f64::from(i) + 0.5) / f64::from(INSTANTS);
-            // Both forms use the same instant and the same mode, rounded to `f32`.
+            // Both formulas get the same instant and the same mode, rounded to `f32`.
             let (t, x, zeta) = (t as f32, x as f32, zeta as f32);
             let wide = |value: f32| Dd::from(f64::from(value));
             let (value, slope) = put_together(&mode(wide(zeta)), wide(x), wide(t));
@@ -184,8 +184,8 @@ mod tests {
         (sine.0.hypot(sine.1) * unit, cosine.0.hypot(cosine.1) * unit)
     }
 
-    /// Checks that the series of Euler polynomials in `f32` has enough orders. The error from the neglected orders is
-    /// below the rounding error. With one order less this error would be larger.
+    /// Checks that the series of Euler polynomials in `f32` has enough orders. The error from the neglected orders must
+    /// be below the rounding error. With one order less it would exceed the rounding error.
     #[test]
     fn single_precision_has_enough_orders() {
         let mut worst = (0.0_f64, 0.0_f64);
@@ -217,8 +217,8 @@ mod tests {
                     for (got, want) in [(got.rise, value), (got.free, slope)] {
                         let lost = 1e-30 / f64::from(x * x);
                         let off = (wide(got) - want).abs().to_f64();
-                        // The damping terms in y do not vanish at the bounds of the half period. Their rounding errors
-                        // remain where y vanishes.
+                        // The damping terms in y do not vanish at the bounds of the half period, where y vanishes.
+                        // Their rounding errors remain, so that the tolerance contains ζx.
                         let size = want.to_f64().abs() + f64::from(zeta * x);
                         let unit = f64::from(f32::EPSILON) * size + lost;
                         assert!(

@@ -71,8 +71,7 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
     }
 
     /// Returns true if the rounding of x alone can shift the phase xτ by a radian before the free motion has decayed.
-    /// Returns true also if the coefficients `forced` and `forced_slope` are both 0, as for a mode that the contact
-    /// does not drive.
+    /// It is also true if the contact does not drive the mode, which means that `forced` and `forced_slope` are 0.
     pub(crate) fn turns_unknown(&self) -> bool {
         let zero = S::constant(0.0);
         let lasts = S::pi().min(S::constant(1.0) / (self.decay.zeta() * self.x));
@@ -230,8 +229,8 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
         fastest(waves.map(|wave| (wave.x, wave.decay.zeta())))
     }
 
-    /// Returns an upper bound on the rounding error of the modal sum. Modes that resonate close to the excitation
-    /// frequency are left out, since their terms are small differences with small rounding errors.
+    /// Returns an upper bound on the rounding error of the modal sum. It leaves out modes that resonate close to the
+    /// excitation frequency. Their terms are small differences with small rounding errors.
     pub(crate) fn rounding(&self) -> S {
         let (one, half) = (S::constant(1.0), S::constant(0.5));
         let mut sum = self.cosine.abs() + self.sine.abs();
@@ -243,8 +242,8 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
         sum * S::constant(S::RESOLUTION)
     }
 
-    /// Returns an upper bound on the rounding error of a modal sum that the search divides by sin τ. The phase xτ of
-    /// each mode is wrong by one rounding for each of its turns.
+    /// Returns an upper bound on the rounding error of a modal sum that is divided by sin τ. The phase xτ of each mode
+    /// has an error of one rounding for each of its turns.
     pub(crate) fn rounding_over_sine(&self) -> S {
         let quarter = S::constant(0.25);
         let sum = self.over_sine(|x| {

@@ -1,4 +1,5 @@
-//! Phase of the excitation over a long run, and sums of many steps.  Rounding errors do not accumulate in either.
+//! Phase of the excitation over a long run, and sums of many steps. Rounding errors do not accumulate in the phase or
+//! in the sums.
 
 use crate::number::phase::within_cycle;
 use crate::number::scalar::Float;
@@ -20,14 +21,14 @@ impl<S: Float> Total<S> {
         }
     }
 
-    /// Returns the sum after `term` has been added.
+    /// Returns the sum with `term` added.
     pub(crate) fn plus(self, term: S) -> Self {
         let (value, error) = two_sum(self.value, term);
         let (value, low) = two_sum(value, self.low + error);
         Self { value, low }
     }
 
-    /// Returns `value` − sum, where the sum includes its rounding error.
+    /// Returns `value` minus the exact sum, which includes the stored rounding error.
     pub(crate) fn short_of(self, value: S) -> S {
         (value - self.value) - self.low
     }
@@ -55,7 +56,7 @@ impl<S: Float> Clock<S> {
         }
     }
 
-    /// Returns the clock a time τ = `passed` later.
+    /// Returns the phase a time τ = `passed` later.
     pub(crate) fn moved(self, passed: Total<S>) -> Self {
         let (turns, error) = two_product(passed.value, S::inverse_pi());
         let error = error + passed.value * inverse_pi_low() + passed.low * S::inverse_pi();
@@ -87,14 +88,15 @@ pub(crate) fn phase<S: Float>(t: S) -> (S, S) {
     t.sin_cos_pi()
 }
 
-/// Returns the phase, in half-turns in [0, 2), a time τ (rad of the excitation) after the phase `t`.
+/// Returns the phase after a time τ, in half-turns in [0, 2). `t` is the phase before, and τ is in rad of the
+/// excitation.
 pub(crate) fn moved<S: Float>(t: S, tau: S) -> S {
     let two = S::constant(2.0);
     let t = within_cycle(t + tau * S::inverse_pi());
     if t < two { t } else { t - two }
 }
 
-/// Returns the exact 1/π minus the scalar's rounded 1/π.
+/// Returns the exact 1/π minus the rounded 1/π of the number type.
 fn inverse_pi_low<S: Float>() -> S {
     S::constant(if is_wide::<S>() {
         0.0
@@ -110,7 +112,7 @@ fn is_double<S: Float>() -> bool {
     S::EPSILON < 1e-10
 }
 
-/// Returns true if the scalar has more digits than an `f64`.  No run is then long enough for its rounding to show.
+/// Returns true if the number type has more digits than an `f64`. Rounding errors of a long run are then negligible.
 fn is_wide<S: Float>() -> bool {
     S::EPSILON < 1e-20
 }
@@ -149,8 +151,8 @@ fn split<S: Float>(a: S) -> (S, S) {
 mod tests {
     use super::{Clock, Total};
 
-    /// In single precision, the phase after n steps of 0.01 equals the phase after one step of 0.01n, for n up to
-    /// 200,000.  The only error is the rounding of the phase itself.
+    /// Checks the phase in single precision after n steps of 0.01, for n up to 200,000. It must equal the phase after
+    /// one step of 0.01n, except for the rounding of the phase itself.
     #[test]
     fn steps_leave_no_rounding_in_the_phase() {
         let (mut clock, mut compared) = (Clock::<f32>::start(), 0);
@@ -168,8 +170,8 @@ mod tests {
         assert_eq!((compared, clock.cycles), (200_000, 318));
     }
 
-    /// A run over exactly three cycles, in many equal steps, must count three cycles.  Rounding may put the sum of the
-    /// steps just below or just above a whole cycle.
+    /// Checks that a run over exactly three cycles, in many equal steps, counts three cycles. Rounding may put the sum
+    /// of the steps just below or just above a whole cycle.
     #[test]
     fn a_cycle_is_counted_once() {
         for pieces in 1..2000_u32 {

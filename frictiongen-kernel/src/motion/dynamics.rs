@@ -1,4 +1,4 @@
-//! Data of a scene for its motion in time: its modes, and the modes of the chain whose contact sticks.
+//! Data of a scene for its motion in time: the modes of the chain, and the modes of the chain with its contact stuck.
 
 use super::contact::ContactChain;
 use crate::contact::sums::Chain;
@@ -6,22 +6,22 @@ use crate::number::complex::Complex;
 use crate::number::scalar::Float;
 use crate::oscillator::mode::{Kind, Mode};
 
-/// A mode of the chain whose contact sticks.  Its state is the displacement y and the scaled velocity u = ẏ/ω, with the
-/// derivative in the time t√(k₁/m₁).
+/// A mode of the chain with its contact stuck. Its state is the displacement y and the scaled velocity u = ẏ/ω, with
+/// the derivative in the time t√(k₁/m₁).
 #[derive(Clone, Copy, Debug)]
 pub struct HeldMode<S> {
-    /// Kind of the mode, which selects its closed form.
+    /// Kind of damping of the mode, which selects the closed form.
     pub kind: Kind,
-    /// ω, the undamped natural frequency as a frequency ratio r.
+    /// Undamped natural frequency ω of the mode, as a frequency ratio r.
     pub frequency: S,
     /// Modal damping ratio ζ.
     pub zeta: S,
-    /// √|1 − ζ²|.
+    /// √|1 − ζ²|, the damped natural frequency over the undamped one.
     pub q: S,
-    /// −(contact force)/y: the contact force per unit of y, with the opposite sign.
+    /// Contact force per unit of the mode's displacement y, with the opposite sign.
     pub force: S,
-    /// Symmetric matrix [m₁₁, m₁₂, m₂₂] that `state` uses.  It turns the products of a motion with the
-    /// mode's two states into y and u.
+    /// Symmetric matrix [m₁₁, m₁₂, m₂₂] that `state` uses. It converts the products of a motion with the mode's two
+    /// states into y and u.
     pub inverse: [S; 3],
 }
 
@@ -30,24 +30,25 @@ pub struct HeldMode<S> {
 pub struct Dynamics<'a, S, K = Chain<S>> {
     /// Constants of the scene other than its modes.  Their type selects the law of the contact.
     pub chain: K,
-    /// All modes, with those that the contact drives first.
+    /// All modes of the chain. The modes that the contact drives come first.
     pub modes: &'a [Mode<S>],
-    /// Modes of the stuck chain, the chain whose contact sticks.  A rigid contact leaves the stuck chain one mode fewer
-    /// than the contact drives, an elastic contact as many.
+    /// Modes of the chain with its contact stuck (stuck chain). If the contact drives n modes, the stuck chain has n −
+    /// 1 modes for a rigid contact, and n for an elastic contact.
     pub held: &'a [HeldMode<S>],
-    /// Participation factors of each mode that the contact drives in each mode of the stuck chain, for y and for u.
+    /// Participation factors, for y and for u, of each mode that the contact drives in each mode of the chain with its
+    /// contact stuck.
     pub participations: &'a [[S; 2]],
     /// Mode shapes φ, mass after mass.
     pub shapes: &'a [S],
-    /// Products φᵀΓ, mode after mode.  Where damping acts relative to the moving base, the loads in quadrature follow
+    /// Products φᵀΓ, mode after mode. If damping acts relative to the moving base, the loads in quadrature follow
     /// (`quadratures`).
     pub weights: &'a [S],
-    /// Index of the mass that rubs on a support, or `None` where two masses rub on each other.
+    /// Index of the mass that rubs on a support, or `None` if two masses rub on each other.
     pub rubbing: Option<usize>,
 }
 
 impl<'a, S: Copy, K> Dynamics<'a, S, K> {
-    /// Returns the same data with other constants of the chain, and with them another law of the contact.
+    /// Returns the same data with other constants of the chain, which select another law of the contact.
     #[must_use]
     pub fn with<J>(&self, chain: J) -> Dynamics<'a, S, J> {
         Dynamics {
@@ -82,7 +83,7 @@ impl<'a, S: Float, K: ContactChain<S>> Dynamics<'a, S, K> {
         2 * self.in_contact() + self.chain.remembered()
     }
 
-    /// Returns the number of oscillators: all modes of the chain, and all modes of the stuck chain.
+    /// Returns the number of oscillators: the modes of the chain, and the modes of the chain with its contact stuck.
     #[must_use]
     pub fn oscillators(&self) -> usize {
         self.modes.len() + self.held.len()
@@ -136,10 +137,10 @@ impl<'a, S: Float, K: ContactChain<S>> Dynamics<'a, S, K> {
         self.chain().on_moving_base.is_none() && self.rubbing == Some(mass)
     }
 
-    /// Returns the modes of the stuck chain, each with the participation factors of all modes that the contact drives.
+    /// Returns the modes of the chain with its contact stuck. Each mode comes with the participation factors of all
+    /// modes that the contact drives.
     pub(crate) fn held_modes(&self) -> impl Iterator<Item = (&'a HeldMode<S>, &'a [[S; 2]])> {
-        // The code uses ranges, because an iterator over chunks could panic where the compiler does not know their
-        // size.
+        // The code uses ranges, because an iterator over chunks could panic if the compiler does not know their size.
         let (participations, size) = (self.participations, self.in_contact());
         let held = self.held.iter().enumerate();
         held.map(move |(index, mode)| {
@@ -153,15 +154,15 @@ impl<'a, S: Float, K: ContactChain<S>> Dynamics<'a, S, K> {
 }
 
 impl<S: Float> HeldMode<S> {
-    /// Returns y and u of the mode.  `first` and `second` are the products of the chain's motion with the mode's two
-    /// states.
+    /// Returns y and u of a mode of the chain with its contact stuck. `first` and `second` are the products of the
+    /// chain's motion with the mode's two states.
     pub(crate) fn state(&self, first: S, second: S) -> (S, S) {
         let [m11, m12, m22] = self.inverse;
         (m11 * first + m12 * second, m12 * first + m22 * second)
     }
 }
 
-/// Returns the displacement of a mode per unit of displacement of the sticking contact, with all other forces zero.
+/// Returns the displacement of a mode per unit of displacement of the stuck contact, with all other forces zero.
 pub(crate) fn lift<S: Float>(mode: &Mode<S>, receptance: S) -> S {
     mode.contact / (mode.resonance * mode.resonance * receptance)
 }

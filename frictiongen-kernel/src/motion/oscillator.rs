@@ -1,7 +1,7 @@
-//! One oscillator between two events: a mode while the contact slides, or a mode of the stuck chain while the contact
-//! sticks.
+//! One oscillator between two events: a mode of the chain while the contact slides, or a mode of the chain with its
+//! contact stuck.
 //!
-//! The oscillator has the displacement y and the scaled velocity u = y′/x.  In free motion y and u turn and decay
+//! The oscillator has the displacement y and the scaled velocity u = y′/x. In free motion y and u oscillate and decay
 //! together ([`Turn`]).
 
 use super::dynamics::{HeldMode, rotated};
@@ -10,55 +10,56 @@ use crate::number::scalar::Float;
 use crate::oscillator::decay::{Damped, Decay, Instant, Turn, multipliers, turn};
 use crate::oscillator::mode::{Kind, Mode};
 
-/// Limit of the region near a resonance, |D| < NEAR·x², with D = x² − 1 + 2iζx.  There the forced motion is computed
-/// from differences that vanish with D.  Elsewhere it is the steady motion plus a free one, whose sum loses at most a
-/// factor 1/NEAR of the precision.
+/// Bound of the region near a resonance, |D| < NEAR·x², with D = x² − 1 + 2iζx. In this region the forced motion is
+/// computed from differences that vanish with D. Elsewhere it is the steady motion plus a free motion, whose sum loses
+/// at most a factor 1/NEAR of the precision.
 const NEAR: f64 = 0.02;
-/// Smallest 1 − ζ² at which a motion counts as an oscillation, so that its amplitude bounds it.
+/// Smallest 1 − ζ² at which the amplitude of a free motion bounds the motion well enough.
 const OSCILLATES: f64 = 0.05;
 
-/// One oscillator between two events: a mode of the chain, or a mode of the stuck chain.
+/// One oscillator between two events: a mode of the chain, or a mode of the chain with its contact stuck.
 #[derive(Clone, Copy, Debug)]
 pub struct Part<S> {
     pub(crate) kind: Kind,
-    /// x, the undamped natural frequency over the excitation's.
+    /// Undamped natural frequency over the excitation frequency, x = σ/r.
     pub(crate) x: S,
     pub(crate) zeta: S,
-    /// √|1 − ζ²|.
+    /// q = √|1 − ζ²|, with the modal damping ratio ζ.
     q: S,
-    /// 1 − ζ².
+    /// 1 − ζ², with the modal damping ratio ζ.
     pub(crate) q2: S,
-    /// σ, the undamped natural frequency as a frequency ratio: x = σ/r.
+    /// Undamped natural frequency σ as a frequency ratio, so that x = σ/r.
     sigma: S,
-    /// Complex amplitude of the steady displacement, y = Re(steady·e^{iτ_e}).  If `near` is true, it is the complex
+    /// Complex amplitude of the steady displacement, y = Re(steady·e^{iτ_e}). If `near` is true, it is the complex
     /// amplitude of the force instead.
     steady: Complex<S>,
-    /// Complex amplitude of φ/x = Re(direct·e^{iτ_e}).  φ is a part of y′ that the excitation adds directly, so that u
-    /// = (y′ − φ)/x.
+    /// Complex amplitude of φ/x = Re(direct·e^{iτ_e}). φ is the contribution to y′ that the excitation adds directly,
+    /// so that u = (y′ − φ)/x.
     direct: Complex<S>,
-    /// True if the excitation is so near the resonance that the forced motion is computed from differences.
+    /// True if the excitation is near the resonance. The forced motion is then computed from differences that vanish at
+    /// the resonance.
     pub(crate) near: bool,
-    /// Displacement about which the oscillator moves, from the constant forces.
+    /// Displacement about which the oscillator moves, due to the constant forces.
     pub(crate) centre: S,
     /// Displacement y at the present instant, or at the start of the segment.
     pub(crate) y: S,
     /// Scaled velocity u at the same instant as y.
     pub(crate) u: S,
-    /// Displacement y and scaled velocity u of the free part of the motion, at the start of the segment.
+    /// Displacement y and scaled velocity u of the free motion, at the start of the segment.
     pub(crate) free: [S; 2],
-    /// Coefficients of the decaying cosine c and sine s ([`Turn`]) in the searched function of the contact.  `slope`
-    /// has the coefficients in the derivative of that function.
+    /// Coefficients of the decaying cosine c and sine s ([`Turn`]) in the function of the contact that a search
+    /// examines. `slope` has the coefficients in the derivative of that function.
     pub(crate) value: [S; 2],
     pub(crate) slope: [S; 2],
-    /// Upper bound on the oscillator's term in the third derivative of the searched function, at the start.  If the
-    /// motion is an oscillation, the bound falls as e^{−ζxτ}.
+    /// Upper bound on the oscillator's term in the third derivative of the searched function, at the start. The bound
+    /// of an oscillation decays as e^{−ζxτ}.
     pub(crate) bound: S,
-    /// Weights of the displacement y and the scaled velocity u in the searched function of the contact.
+    /// Weights of the displacement y and the scaled velocity u in the function of the contact that a search examines.
     pub(crate) weight: [S; 2],
 }
 
 impl<S: Float> Part<S> {
-    /// Returns an oscillator without data, to initialise arrays.
+    /// Returns an oscillator whose numbers are all 0, to initialise arrays.
     #[must_use]
     pub fn empty() -> Self {
         let zero = S::constant(0.0);
@@ -83,7 +84,7 @@ impl<S: Float> Part<S> {
         }
     }
 
-    /// Creates the oscillator of a mode at r, driven by a load of complex amplitude `load`.
+    /// Creates the oscillator of a mode at the frequency ratio r, driven by a load of complex amplitude `load`.
     pub(crate) fn from_mode(mode: &Mode<S>, load: Complex<S>, r: S) -> Self {
         let mut part = Self::empty();
         part.kind = mode.kind;
@@ -93,15 +94,15 @@ impl<S: Float> Part<S> {
         part
     }
 
-    /// Creates the oscillator of a stuck chain's mode at r.  `drive` has the two components of the mode's drive, each
-    /// times r.
+    /// Creates the oscillator of a mode of the chain with its contact stuck, at the frequency ratio r. `drive` has the
+    /// two components of the mode's drive, each times r.
     pub(crate) fn from_stuck_mode(mode: &HeldMode<S>, r: S, drive: [Complex<S>; 2]) -> Self {
         let mut part = Self::empty();
         part.kind = mode.kind;
         (part.zeta, part.q, part.sigma) = (mode.zeta, mode.q, mode.frequency);
         let [first, second] = drive;
-        // In terms of y alone the force is r²Ψ = ωφ₂ + (2ζω + ir)φ₁. The code computes the force over r, because r³ may
-        // leave the scalar's range.
+        // For y alone the force is r²Ψ = ωφ₂ + (2ζω + ir)φ₁. The code computes the force over r, because r³ may
+        // overflow or underflow.
         let over_r = mode.frequency / r;
         let loss = (mode.zeta + mode.zeta) * over_r;
         let force = Complex::new(
@@ -147,8 +148,8 @@ impl<S: Float> Part<S> {
         turn.moved(self.zeta, free)
     }
 
-    /// Returns y and u of the steady motion, from sine and cosine of the excitation's angle.  Near the resonance the
-    /// result contains no forced displacement.  [`grown`](Self::grown) returns that displacement.
+    /// Returns y and u of the steady motion, given sine and cosine of the excitation's phase. Near the resonance, the
+    /// result leaves out the forced displacement, which [`grown`](Self::grown) returns.
     #[inline]
     fn carried(&self, (sine, cosine): (S, S)) -> [S; 2] {
         if self.near {
@@ -162,15 +163,15 @@ impl<S: Float> Part<S> {
         ]
     }
 
-    /// Sets the free motion at the start of a segment: the present y and u minus those of the steady motion.
+    /// Sets the free motion at the start of a segment to the present y and u, minus y and u of the steady motion.
     #[inline]
     pub(crate) fn start(&mut self, phase: (S, S)) {
         let [y, u] = self.carried(phase);
         self.free = [self.y - y, self.u - u];
     }
 
-    /// Returns y and u a time τ after the segment's start.  `from` and `phase` are sine and cosine of the excitation at
-    /// the start and after τ.
+    /// Returns y and u a time τ after the segment's start. `from` and `phase` are sine and cosine of the excitation's
+    /// phase at the start and after τ.
     #[inline]
     pub(crate) fn at(&self, turn: &Turn<S>, t: S, from: (S, S), phase: (S, S)) -> [S; 2] {
         let [free_y, free_u] = self.turned(self.free, turn);
@@ -182,14 +183,14 @@ impl<S: Float> Part<S> {
         [free_y + y, free_u + u]
     }
 
-    /// Returns y and its first three derivatives for the solution of y″ + 2ζxy′ + x²y = Re(force·e^{i(θ + τ)}) that
-    /// starts from rest.  The excitation is near the resonance.
+    /// Returns y and its first three derivatives for the motion that starts from rest under y″ + 2ζxy′ + x²y =
+    /// Re(force·e^{i(θ + τ)}). The excitation is near the resonance.
     pub(crate) fn grown(&self, t: S, phase: (S, S)) -> [S; 4] {
         let at = Instant::new(t);
         let (x, one) = (self.x, S::constant(1.0));
         let loss = (self.zeta + self.zeta) * x;
         let detuning = (x - one) * (x + one);
-        // k combines the responses to cos τ and sin τ. They are its real part and its negative imaginary part.
+        // k combines the responses to cos τ and sin τ. They are the real part of k and its negative imaginary part.
         let (k, k_slope) = if detuning.is_zero() && loss.is_zero() {
             let half = S::constant(0.5);
             let grown = at.tau * half;
@@ -219,8 +220,8 @@ impl<S: Float> Part<S> {
         [value, slope, curve, third]
     }
 
-    /// Returns the force as a complex number: the force is re·cos τ + im·sin τ. At τ = 0 the excitation has the given
-    /// sine and cosine.
+    /// Returns the force on the oscillator as a complex number, so that the force is re·cos τ + im·sin τ. At τ = 0 the
+    /// excitation's phase has the given sine and cosine.
     fn force_from(&self, (sine, cosine): (S, S)) -> Complex<S> {
         Complex::new(
             self.steady.re * cosine - self.steady.im * sine,
@@ -228,8 +229,8 @@ impl<S: Float> Part<S> {
         )
     }
 
-    /// Adds the contribution of [`grown`](Self::grown) to the derivatives of the searched function at the start of the
-    /// segment.
+    /// Adds the forced motion that [`grown`](Self::grown) computes to the derivatives of the searched function, at the
+    /// start of the segment.
     pub(crate) fn grown_series(&self, phase: (S, S), terms: &mut [S]) {
         let zero = S::constant(0.0);
         let [of_y, of_u] = self.weight;
@@ -288,9 +289,9 @@ impl<S: Float> Part<S> {
         Some(())
     }
 
-    /// Returns an upper bound on the contribution of the free vibration to the searched function at any later time.
-    /// The free vibration is the present motion minus the steady one.  On an undamped resonance no motion is steady,
-    /// and the bound is `f64::MAX` as a scalar.
+    /// Returns an upper bound on the contribution of the free vibration to the searched function at any later time. The
+    /// free vibration is the present motion minus the steady motion. On an undamped resonance no steady motion exists,
+    /// and the bound is `f64::MAX` converted to the number type.
     pub(crate) fn free_amplitude(&self, phase: (S, S)) -> S {
         let Some([y, u]) = self.settled(phase) else {
             return S::constant(f64::MAX);
@@ -299,7 +300,7 @@ impl<S: Float> Part<S> {
         if self.oscillates() {
             (a * a + b * b / self.q2).sqrt()
         } else {
-            // e^{−ζxτ}sin(qxτ)/q stays below 1 for ζ above 0.4.
+            // For ζ above 0.4, e^{−ζxτ}sin(qxτ)/q stays below 1.
             a.abs() + b.abs()
         }
     }
@@ -309,7 +310,7 @@ impl<S: Float> Part<S> {
         self.kind == Kind::Undamped
     }
 
-    /// Returns the coefficients of the decaying cosine c and sine s in weight·(y, u) of a free motion.
+    /// Returns the coefficients of the decaying cosine c and sine s in the weighted sum of y and u of a free motion.
     #[inline]
     fn weighted(&self, [y, u]: [S; 2]) -> [S; 2] {
         let ([of_y, of_u], zeta) = (self.weight, self.zeta);
@@ -319,7 +320,7 @@ impl<S: Float> Part<S> {
         ]
     }
 
-    /// Returns the two factors of the free motion over τ: e^{x(−ζ ± iq)τ}.
+    /// Returns the two factors e^{x(−ζ ± iq)τ} by which the free motion grows or decays over the time τ.
     pub(crate) fn multipliers(&self, tau: S) -> [Complex<S>; 2] {
         let turn = self.turn(tau * S::inverse_pi(), tau);
         multipliers(self.kind, self.q, &turn)
@@ -340,8 +341,8 @@ impl<S: Float> Part<S> {
         )
     }
 
-    /// Prepares the searched function: computes the coefficients of c and s in weight·(y, u) and in its derivative, and
-    /// the bound on its third derivative.
+    /// Prepares a search: computes the coefficients of c and s in the searched function and in its derivative, and the
+    /// bound on its third derivative. The function is weight·(y, u), with the decaying cosine c and sine s.
     #[inline]
     pub(crate) fn aim(&mut self) {
         let zeta = self.zeta;
@@ -359,13 +360,13 @@ impl<S: Float> Part<S> {
         };
     }
 
-    /// Returns true if the motion is a decaying oscillation that its amplitude bounds.  Otherwise it is a sum of
+    /// Returns true if the free motion is a decaying oscillation, whose amplitude bounds it. Otherwise it is a sum of
     /// exponentials that may cancel.
     pub(crate) fn oscillates(&self) -> bool {
         S::constant(OSCILLATES) < self.q2
     }
 
-    /// Returns the coefficients of c and s in the derivative of a function with the coefficients a and b.
+    /// Returns the coefficients of the decaying cosine c and sine s in the derivative of a·c + b·s.
     #[inline]
     pub(crate) fn derived(&self, [a, b]: [S; 2]) -> [S; 2] {
         [
@@ -375,8 +376,8 @@ impl<S: Float> Part<S> {
     }
 }
 
-/// Advances all oscillators by τ from the segment's start.  `from` and `to` are sine and cosine of the excitation at
-/// both ends.
+/// Advances all oscillators by τ from the segment's start. `from` and `to` are sine and cosine of the excitation's
+/// phase at the start and at the end.
 pub(crate) fn advanced<S: Float>(parts: &mut [Part<S>], tau: S, from: (S, S), to: (S, S)) {
     let t = tau * S::inverse_pi();
     for part in parts {

@@ -60,9 +60,9 @@ pub(crate) fn seek<S: Float, K: ContactChain<S>>(
     sought
 }
 
-/// Adds derivatives to the instant at which a sum reaches its level, for a scalar that carries derivatives.  One step
-/// of Newton's method from the instant that the search found gives the derivatives.  Without a level no event ends the
-/// segment.  The reach then keeps its own derivatives, and an instant before the reach has none.
+/// Adds derivatives to the instant at which a sum reaches its level, if the scalar carries derivatives. One Newton step
+/// from the known instant gives the derivatives. Without a level, no event ends the segment. An instant equal to the
+/// reach then keeps the derivatives of the reach, and an earlier instant has none.
 fn carried<S: Float>(sum: &OscillatorSum<'_, S>, tau: S, level: Option<S>) -> S {
     let Some(level) = level else {
         return if tau < sum.reach {
@@ -76,8 +76,8 @@ fn carried<S: Float>(sum: &OscillatorSum<'_, S>, tau: S, level: Option<S>) -> S 
     tau.primal() - (gap - gap.primal()) / local.slope.primal()
 }
 
-/// Sets the oscillators to their state a time τ after the segment's start.  `to` is sine and cosine of the excitation
-/// at that instant.
+/// Sets the oscillators to their state a time τ after the segment's start. `to` is sine and cosine of the excitation's
+/// phase at that instant.
 pub(crate) fn place<S: Float, K: ContactChain<S>>(
     setting: &Setting<'_, S, K>,
     (modes, stuck_modes): (&mut [Part<S>], &mut [Part<S>]),
@@ -125,8 +125,8 @@ pub(crate) fn ended<S: Float, K: ContactChain<S>>(
     end
 }
 
-/// Returns the time τ from a contact state to the next event, at most `reach`.  The result is 0 if the contact cannot
-/// leave zero velocity.
+/// Returns the time τ from a contact state to the next event, or `reach` if the event is later. The result is 0 if the
+/// contact cannot leave zero velocity.
 pub(crate) fn span<S: Float, K: ContactChain<S>>(
     setting: &Setting<'_, S, K>,
     modes: &mut [Part<S>],

@@ -1,4 +1,4 @@
-//! A *setting*: a scene at one frequency ratio and one friction ratio.  All segments of a motion share it.
+//! A *setting*: a scene at one frequency ratio and one friction ratio. All segments of a motion use the same setting.
 
 use super::contact::{ContactChain, Law};
 use super::dynamics::Dynamics;
@@ -16,13 +16,13 @@ pub struct Setting<'a, S, K = Chain<S>> {
     pub(crate) r: S,
     /// Friction ratio β.
     pub(crate) beta: S,
-    /// Base coefficient s: 1 if the contact rubs on the moving base, else 0.
+    /// Base coefficient s: 1 if the contact rubs on the moving base, otherwise 0.
     pub(crate) base: S,
     /// wᵀΓ⁻¹p + s r²: the load on the stuck contact at a maximum of the excitation, times the inverse effective mass
     /// m*.
     pub(crate) load: S,
-    /// The load on the stuck contact in quadrature with the base's motion, times m*: −`quadrature` sin τ_e is added to
-    /// the load.  It is 0 unless damping acts relative to the moving base.
+    /// Load on the stuck contact in quadrature (90° out of phase) with the base's motion, times m*. The load contains
+    /// −`quadrature`·sin τ_e. The number is 0 unless damping acts relative to the moving base.
     pub(crate) quadrature: S,
     /// The contact's displacement per unit of steady contact force: wᵀK̄⁻¹w = Σ c_i/λ_i, plus the compliance of an
     /// elastic contact.
@@ -52,9 +52,9 @@ impl<'a, S: Float, K: ContactChain<S>> Setting<'a, S, K> {
     /// oscillators: `parts` receives one for each mode of the chain, and then one for each mode of the stuck chain.
     ///
     /// # Errors
-    /// [`OutOfDomain`] if r is NaN, negative, zero or infinite, or so near to 0 or ∞ that the formulas leave the
-    /// scalar's range.  The same error results if β or μβ is NaN, negative or infinite, or if `parts` has the
-    /// wrong length.
+    /// [`OutOfDomain`] if r is NaN, negative, zero or infinite, or so near to 0 or ∞ that the formulas would overflow
+    /// or underflow. The same error results if β or μβ is NaN, negative or infinite, or if `parts` has the wrong
+    /// length.
     pub fn new(
         dynamics: Dynamics<'a, S, K>,
         r: S,
@@ -80,7 +80,7 @@ impl<'a, S: Float, K: ContactChain<S>> Setting<'a, S, K> {
         };
         let compliance = dynamics.chain.compliance();
         let mut receptance = dynamics.receptance();
-        // The compiler drops this line for a rigid contact, but would keep the addition of 0.
+        // For a rigid contact the compiler removes this branch. Without the branch it would keep the addition of 0.
         if !compliance.is_zero() {
             receptance = receptance + compliance;
         }
@@ -123,7 +123,8 @@ impl<'a, S: Float, K: ContactChain<S>> Setting<'a, S, K> {
         }
     }
 
-    /// Splits `parts` into the oscillators of the modes and the oscillators of the stuck chain.
+    /// Splits `parts` into the oscillators of the chain's modes, and those of the modes of the chain with its contact
+    /// stuck.
     pub(crate) fn split<'p>(
         &self,
         parts: &'p mut [Part<S>],
@@ -136,7 +137,7 @@ impl<'a, S: Float, K: ContactChain<S>> Setting<'a, S, K> {
 
     /// Fails if a state lacks a finite displacement or velocity for one of the masses.
     pub(crate) fn check_state(&self, (x, v): (&[S], &[S])) -> Result<(), OutOfDomain> {
-        // A chain has as many modes as masses.
+        // The number of masses equals the number of modes.
         let masses = self.dynamics.modes.len();
         let sound =
             |values: &[S]| values.len() == masses && values.iter().all(|value| value.is_finite());

@@ -1,8 +1,7 @@
 //! Complex operations that the formulas need, over any [`Scalar`].
 //!
-//! The operators of num-complex require traits that symbolic scalars cannot have. In a scene without damping every
-//! imaginary part is the constant 0. The argument `damped` is then false, and the functions do not compute the
-//! imaginary part.
+//! This module replaces the operators of num-complex, whose traits symbolic scalars cannot have. Without damping every
+//! imaginary part is the constant 0. The argument `damped` is then false, and the functions compute no imaginary part.
 
 use crate::number::scalar::Scalar;
 pub use num_complex::Complex;
@@ -19,7 +18,7 @@ pub fn add<S: Scalar>(a: Complex<S>, b: Complex<S>) -> Complex<S> {
     Complex::new(a.re + b.re, a.im + b.im)
 }
 
-/// Returns k·a for a real factor k.
+/// Returns k·a for a complex number a and a real factor k.
 #[inline(always)]
 pub fn scale<S: Scalar>(a: Complex<S>, k: S) -> Complex<S> {
     Complex::new(a.re * k, a.im * k)
@@ -83,7 +82,8 @@ pub fn reciprocal<S: Scalar>(a: Complex<S>, damped: bool) -> Complex<S> {
     }
 }
 
-/// Returns 1/a for a ≠ 0, and two numbers of about 1/|a| whose product is 1/|a|². No square overflows.
+/// Returns 1/a for a complex a ≠ 0. Also returns two numbers of about 1/|a| whose product is 1/|a|², which avoids an
+/// overflow of the square.
 #[inline(always)]
 pub(crate) fn inverse<S: Scalar>(a: Complex<S>) -> (Complex<S>, (S, S)) {
     let inverse = (S::constant(1.0) / size(a, true)).named(
@@ -107,7 +107,8 @@ pub(crate) fn inverse<S: Scalar>(a: Complex<S>) -> (Complex<S>, (S, S)) {
     (reciprocal, (inverse, k))
 }
 
-/// Returns 1/a for a complex number with |Re a| + |Im a| = 1. `mode` only names variables in emitted code.
+/// Returns 1/a for a complex number a that is scaled to |Re a| + |Im a| = 1. `mode` only names variables in emitted
+/// code.
 #[inline(always)]
 pub fn reciprocal_of_unit<S: Scalar>(a: Complex<S>, mode: Option<usize>) -> Complex<S> {
     let inverse = (S::constant(1.0) / (a.re * a.re + a.im * a.im)).named(

@@ -52,7 +52,7 @@ fn ordered_sum(a: f64, b: f64) -> (f64, f64) {
 #[inline]
 fn split(a: f64) -> (f64, f64) {
     const LARGE: f64 = 6.696928794914171e299;
-    // The multiplication by `FACTOR` must not overflow.
+    // Without this division, the multiplication by `FACTOR` could overflow.
     if a.abs() > LARGE {
         return split_large(a);
     }
@@ -134,8 +134,8 @@ impl Dd {
         Self::finished(hi, lo)
     }
 
-    /// Creates a number, with `lo` replaced by 0 if `hi` is not finite. Next to an infinite `hi` the remainder would be
-    /// NaN, which must not spread.
+    /// Creates a number, with `lo` replaced by 0 if `hi` is not finite. Otherwise `lo` would be NaN beside an infinite
+    /// `hi`, and every later result would be NaN.
     #[inline]
     fn finished(hi: f64, lo: f64) -> Self {
         if hi.is_finite() {
@@ -145,7 +145,7 @@ impl Dd {
         }
     }
 
-    /// Adds a leading term and a smaller correction, and normalises the sum.
+    /// Adds a leading term and a smaller correction. The result is normalised: `hi` is the sum rounded to `f64`.
     #[inline]
     fn joined(hi: f64, lo: f64) -> Self {
         if !hi.is_finite() {
@@ -209,7 +209,7 @@ impl Dd {
         if self.hi <= 0.0 || !self.hi.is_finite() {
             return Self::new(crate::number::float::sqrt_f64(self.hi), 0.0);
         }
-        // Scaling keeps the last digits of root², and prevents its overflow.
+        // Scaling keeps the last digits of root². It also prevents an overflow of root².
         if self.hi < TINY {
             return self.scaled(UP).scaled(UP).sqrt().scaled(1.0 / UP);
         }
@@ -300,7 +300,8 @@ impl Div for Dd {
         if !first.is_finite() || !other.hi.is_finite() || first == 0.0 {
             return Self::new(first, 0.0);
         }
-        // The products of `other` with the digits, and the splittings of the products' factors, must not overflow.
+        // Without scaling, the products of `other` with the quotient's digits could overflow. The splittings of their
+        // factors could overflow too.
         if self.hi.abs() > LARGE || other.hi.abs() > LARGE {
             return self.scaled(DOWN) / other.scaled(DOWN);
         }

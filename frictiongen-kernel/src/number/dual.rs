@@ -1,8 +1,8 @@
 //! Dual numbers: a value together with its derivative with respect to one variable.
 //!
-//! A closed form evaluated with dual numbers gives its exact derivative together with its value. Close to a resonance
-//! the derivative of a bounded quotient is a difference of large terms. Dual numbers of [`Dd`](crate::number::dd::Dd)
-//! keep the digits of the difference.
+//! A closed form evaluated with dual numbers returns its value and its exact derivative. Close to a resonance this
+//! derivative is a small difference of large terms. Dual numbers of [`Dd`](crate::number::dd::Dd) keep the digits of
+//! the difference.
 
 use crate::number::scalar::{Float, Scalar};
 use crate::number::special::{exp_m1_minus, versine_pi};

@@ -4,8 +4,8 @@
 //! are used in `modal_sum::mass_controlled`.
 
 /// Number of Euler polynomials of even order that a response sums in `f64`. `SINGLE` is the number in `f32`. Each
-/// further order reduces the third harmonic of the neglected remainder at least by a factor of six. With these numbers
-/// (1/6)^(2·`DOUBLE`) is below the rounding error.
+/// further polynomial reduces the third harmonic of the neglected remainder by a factor of at least six. The number is
+/// chosen so that (1/6)^(2·`DOUBLE`) is below the rounding error.
 const DOUBLE: usize = 11;
 const SINGLE: usize = 5;
 

@@ -25,11 +25,11 @@ fn sqrt_f32(x: f32) -> f32 {
     root(x)
 }
 
-/// Returns √x, correctly rounded, in half the instructions of libm's function. The function suits processors that
-/// divide in single precision in one instruction.
+/// Returns √x of an `f32`, correctly rounded, with half as many instructions as the function of libm. It suits
+/// processors with a single-precision division instruction.
 ///
-/// The start halves the exponent of x. Three Heron steps then leave an error of at most one unit in the last place. The
-/// remainder x − root², exact in integers, gives the correction.
+/// The iteration starts from x with half its exponent. Three Heron steps leave an error of at most one unit in the last
+/// place. The remainder x − root², computed exactly in integers, gives the correction of this last unit.
 #[cfg(any(test, not(feature = "std")))]
 fn root(x: f32) -> f32 {
     const TWO_TO_24: f32 = 16_777_216.0;
@@ -53,8 +53,8 @@ fn root(x: f32) -> f32 {
     near = 0.5 * (near + x / near);
     near = 0.5 * (near + x / near);
     let near = near.to_bits();
-    // The remainder x − near², in units of the square of near's last place, is small. The low 32 bits of both terms are
-    // therefore enough. The left shift, by at least 21, keeps only the low bits of x.
+    // The remainder x − near² fits in 32 bits, in units of the square of near's last place. The low 32 bits of both
+    // terms are therefore enough. The left shift, by at least 21, keeps only the low bits of x.
     let unit = (near & FRACTION) | ONE;
     let shift = ((bits >> 23) + 150).wrapping_sub(2 * (near >> 23));
     let remainder = bits
@@ -139,8 +139,8 @@ macro_rules! real {
             }
             #[inline]
             fn atan2(self, x: Self) -> Self {
-                // Adding 0 turns −0 into +0. Otherwise the sign of an exact zero of a sine would decide between π and
-                // −π.
+                // Adding 0 turns −0 into +0. Otherwise the sign of a sine that is exactly zero would decide between the
+                // angles π and −π.
                 $atan2(self + 0.0, x + 0.0)
             }
             #[inline]
@@ -157,7 +157,7 @@ macro_rules! real {
                 if z.abs() > 0.75 {
                     return 1.0 - $trig::sin_pi(z) / (core::$float::consts::PI * z);
                 }
-                // The product of the leading bits has no rounding error, as in `trig`.
+                // The product of the leading bits of two numbers has no rounding error, as in the module `trig`.
                 const SIXTH_PI_SQUARED: [$float; 2] = $sixth_pi_squared;
                 let u = z * z;
                 let high = $trig::leading(z);
@@ -168,7 +168,8 @@ macro_rules! real {
             }
             #[inline]
             fn scaled_sinh_defect(self) -> Self {
-                // e^{−a} is 0 long before a = 1000, and for an infinite a the product a·e^{−a} would be NaN.
+                // e^{−a} rounds to 0 long before a = 1000. Without this bound, an infinite a would give the product
+                // a·e^{−a} = NaN.
                 let a = if self > 1000.0 { 1000.0 } else { self };
                 let decay = Scalar::exp(-a);
                 if a < 2.0 {
@@ -282,8 +283,9 @@ real! {
 mod tests {
     use super::root;
 
-    /// Compares `root` with the square root of the standard library. The last bit of a root depends only on the
-    /// fraction and on the parity of the exponent. The test therefore covers one even and one odd exponent densely.
+    /// Compares the square root of `f32` with the one of the standard library. The last bit of a root depends only on
+    /// the significand and on the parity of the exponent. The test therefore covers one even and one odd exponent
+    /// densely.
     #[test]
     fn roots_of_single_precision_are_rounded_correctly() {
         let edges = [0, 1, 2, 0x007f_ffff, 0x0080_0000, 0x7f7f_ffff, 0x7f80_0000].into_iter();

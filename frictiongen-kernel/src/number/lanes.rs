@@ -1,6 +1,7 @@
 //! Arrays of numbers that a processor can compute at once with packed (SIMD) instructions.
 //!
-//! Every operation acts on each number of the array separately. The results have the same bits as single numbers.
+//! Each operation on an array acts on each of its numbers separately. Each result has the same bits as the same
+//! operation on a single number.
 
 use crate::number::scalar::{Float, Scalar};
 use core::ops::{Add, Div, Mul, Neg, Sub};

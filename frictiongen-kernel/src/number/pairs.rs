@@ -1,5 +1,6 @@
-//! Iterators over the pairs (displacement, velocity) of a state vector. The standard iterators over chunks divide by a
-//! size that the compiler does not always know, and may then contain a panic. The iterators here contain none.
+//! Iterators over the pairs (displacement, velocity) of a state vector. Standard chunk iterators divide by the chunk
+//! size, which the compiler does not always know. The compiled code may then contain a panic. The iterators here
+//! contain none.
 
 /// Returns an iterator over the pairs (displacement, velocity) of a state vector.
 pub(crate) fn pairs<S>(numbers: &[S]) -> impl Iterator<Item = &[S]> + Clone {

@@ -2,7 +2,8 @@
 
 use super::scalar::{Float, Scalar};
 
-/// Shifts an angle in rad by at most one full turn into (−π, π]. The angle must be within one turn of that interval.
+/// Shifts an angle in rad by one full turn if this brings it into (−π, π]. The angle must be at most one turn outside
+/// this interval.
 #[inline]
 pub(crate) fn wrapped<S: Scalar>(angle: S) -> S {
     let (pi, turn) = (S::pi(), (S::pi() + S::pi()));
@@ -10,7 +11,8 @@ pub(crate) fn wrapped<S: Scalar>(angle: S) -> S {
     S::select((-pi).lt(angle), angle, angle + turn)
 }
 
-/// Subtracts all whole cycles from a phase in half-turns. The result is in [0, 2], and equals 2 only by rounding.
+/// Subtracts all whole cycles from a phase in half-turns, where a cycle has two half-turns. The result is in [0, 2],
+/// and equals 2 only by rounding.
 #[inline]
 pub(crate) fn within_cycle<S: Float>(t: S) -> S {
     t - (t * S::constant(0.5)).floor() * S::constant(2.0)

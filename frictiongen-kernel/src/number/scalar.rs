@@ -12,7 +12,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 /// replacement is far below every other value of x² − 1 in any precision.
 pub const NEXT_TO_POLE: f64 = 1.0 / (1u64 << 60) as f64;
 
-/// A number, or a symbol for a number, with which the closed forms can be evaluated.
+/// A number, or a symbol for a number, over which all closed forms are written.
 pub trait Scalar:
     Copy
     + Add<Output = Self>
@@ -21,10 +21,10 @@ pub trait Scalar:
     + Div<Output = Self>
     + Neg<Output = Self>
 {
-    /// Result of a comparison: `bool` for numbers, a symbol or an array of `bool` for other scalars.
+    /// Result of a comparison of two scalars: `bool` for numbers, a symbol or an array of `bool` for other scalars.
     type Condition: Copy;
-    /// True if the motion of a mass uses the polynomials of [`Float::euler_terms`] for modes that resonate far below
-    /// the excitation frequency.
+    /// True if the scalar has the Euler polynomials of [`Float::euler_terms`]. The motion of a mass then uses these
+    /// polynomials for modes that resonate far below the excitation frequency.
     const MASS_CONTROLLED: bool = false;
 
     /// Returns the representable number nearest to `value`.
@@ -96,16 +96,16 @@ pub trait Scalar:
         )
     }
 
-    /// Returns the constant `value` in place of `self`. A dual number keeps its derivative.
+    /// Returns the constant `value` in place of `self`. For a dual number, the result has the derivative of `self`.
     #[inline(always)]
     #[must_use]
     fn replaced(self, value: f64) -> Self {
         Self::constant(value)
     }
-    /// Names the local variable that emitted code uses for `self`, and explains it. `about` says which quantity `self`
-    /// is, with the number of its equation. Emitted code has `about` as a doc comment above the variable, so the text
-    /// stands beside the formula and nowhere else. `mode` is the zero-based index of the mode to which `self` belongs,
-    /// if any. The first name of a value counts. Numbers ignore name and text, and return `self`.
+    /// Names the local variable that emitted code uses for `self`. `about` explains the quantity and gives its equation
+    /// number. Emitted code has `about` as a comment above the variable. `mode` is the zero-based index of the mode to
+    /// which `self` belongs, if any. If a value is named twice, the first name counts. Numbers ignore the name and the
+    /// text, and return `self`.
     #[inline(always)]
     #[must_use]
     fn named(self, name: &'static str, about: &'static str, mode: Option<usize>) -> Self {
@@ -132,16 +132,16 @@ pub trait Float:
     const EPSILON: f64;
     /// Smallest relative difference between two values that a search can still distinguish in this precision.
     const RESOLUTION: f64 = Self::EPSILON;
-    /// True if the scalar carries a derivative next to its value. After an iteration, code then makes one more Newton
-    /// step, so that the derivative is correct too.
+    /// True if the scalar carries a derivative next to its value. Iterations then make one more Newton step, which
+    /// makes the derivative correct too.
     const CARRIES: bool = false;
     /// True if a processor can compute with two numbers of this type at once.
     const PAIRS: bool = false;
     /// Returns `self` rounded to the nearest `f64`.
     fn to_f64(self) -> f64;
     /// Returns the smallest and the largest 1/r at which the formulas are evaluated, where r is the frequency ratio.
-    /// Outside this range the limits r → ∞ and r → 0 are exact to every digit. Inside this range no square of a
-    /// frequency overflows or underflows.
+    /// Beyond this range the formulas equal their limits for r → ∞ and r → 0 to every digit. Inside this range no
+    /// square of a frequency overflows or underflows.
     fn inverse_ratio_range() -> (Self, Self);
     /// Returns the coefficients of the polynomials that describe a mode which resonates far below the excitation
     /// frequency. The slice is empty unless [`Scalar::MASS_CONTROLLED`] is true.
@@ -162,12 +162,12 @@ pub trait Float:
     fn to_index(self) -> usize {
         self.to_f64() as usize
     }
-    /// Returns true if `self` is 0 and the derivative that it carries, if any, is also 0.
+    /// Returns true if `self` is 0. For a dual number, its derivative must be 0 as well.
     fn vanishes(self) -> bool {
         self.is_zero()
     }
-    /// Returns `self` with the derivative removed. Code uses it for sample positions, which must not depend on the
-    /// variable of the derivative.
+    /// Returns `self` without its derivative. Code calls it for sample positions, which must not depend on the variable
+    /// of the derivative.
     #[must_use]
     fn primal(self) -> Self {
         self
@@ -195,8 +195,8 @@ pub trait Float:
         }
         found
     }
-    /// Returns true if `self` ≤ `other`. Neither number may be negative or NaN. `f64` and `f32` compare the bits, which
-    /// then have the same order as the numbers. This is cheaper on a small processor, and also works without a
+    /// Returns true if `self` ≤ `other`. Neither number may be negative or NaN. `f64` and `f32` compare the bits of the
+    /// numbers as integers, which have the same order. This comparison is cheaper on a small processor and needs no
     /// floating-point unit.
     #[must_use]
     #[inline]
@@ -217,8 +217,8 @@ pub trait Float:
 
 /// A scalar that carries no derivative next to its value. Dual numbers are not plain.
 ///
-/// Motions from rest and steady states are found by iteration. The iteration stops as soon as the value is correct. A
-/// derivative may still be wrong at that instant. Functions that start such an iteration require this trait, so that
-/// the compiler rejects dual numbers. [`Orbit::carrying`](crate::orbit::Orbit::carrying) adds derivatives to a steady
-/// state that is already known.
+/// Motions from rest and steady states are found by iteration. An iteration stops as soon as its value is correct, when
+/// a derivative may still be wrong. Functions that start such an iteration require this trait, so that the compiler
+/// rejects dual numbers. [`Orbit::carrying`](crate::orbit::Orbit::carrying) adds derivatives to a steady state that is
+/// already known.
 pub trait Plain: Float {}

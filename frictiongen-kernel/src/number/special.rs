@@ -23,10 +23,10 @@ pub fn versine_pi<T: Float>(z: T) -> T {
     versine_beside(z, z.cos_pi())
 }
 
-/// Returns 1 − cos πz from z and the known value `cosine` = cos πz.
+/// Returns 1 − cos πz, given z and `cosine` = cos πz.
 #[inline]
 pub(crate) fn versine_beside<T: Float>(z: T, cosine: T) -> T {
-    // Far from 0, nothing cancels in the plain difference, which has fewer roundings.
+    // Far from z = 0 the plain difference 1 − cos πz does not cancel. It is used there, because it has fewer roundings.
     let versine = T::constant(1.0) - cosine;
     if versine < T::constant(0.5) {
         let sin = (z * T::constant(0.5)).sin_pi();
@@ -51,8 +51,8 @@ pub(crate) fn versine_beside<T: Float>(z: T, cosine: T) -> T {
 pub fn exp_m1_minus<T: Float>(a: T) -> T {
     if a.abs() < T::constant(1.0) {
         let c = T::constant;
-        // Each precision has a branch of its own. The compiler removes the other branches, since T::EPSILON is a
-        // constant.
+        // Each number type has its own branch. T::EPSILON is a constant, so that the compiler removes the branches of
+        // other types.
         let curve = if T::EPSILON < 1e-20 {
             INVERSE_FACTORIAL
                 .iter()

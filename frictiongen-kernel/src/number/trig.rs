@@ -1,9 +1,9 @@
 //! Sine and cosine of angles in half-turns, in `f64` ([`double`]) and `f32` ([`single`]).
 //!
-//! The argument counts half-turns: `sin_pi(h)` is sin(πh). The functions subtract a multiple of 1/2 from h without
+//! The argument h counts half-turns: `sin_pi(h)` is sin(πh). The functions subtract a multiple of 1/2 from h without
 //! rounding, before they multiply by π. The results therefore have full relative accuracy next to every zero. They are
-//! exactly 0 or ±1 where the mathematical value is. Only `+`, `-` and `*` are used, so that every host returns the same
-//! bits. The coefficients of the minimax polynomials come from `tools/coefficients.py constants`.
+//! exactly 0 or ±1 wherever the mathematical value is. The functions use only `+`, `-` and `*`, so that every host
+//! returns the same bits. The coefficients of the minimax polynomials come from `tools/coefficients.py constants`.
 
 /// Evaluates a polynomial in u by Estrin's scheme, with the coefficient of the lowest power first. The scheme sums
 /// independent pairs of coefficients, which a processor can overlap. In Horner's scheme each step waits for the
@@ -59,7 +59,8 @@ macro_rules! half_turns {
             /// Returns h minus the nearest multiple of 4, exactly. The result is NaN if h is not finite.
             #[cold]
             fn wrapped(h: $float) -> $float {
-                // From `$even` on, every number is an even integer. h * 0.0 is then 0, or NaN if h is not finite.
+                // From `$even` on, every floating-point number is an even integer. h * 0.0 is then 0, or NaN if h is
+                // not finite.
                 if h.abs() < $even { h - ((h + TO_FOURS) - TO_FOURS) } else { h * 0.0 }
             }
 
@@ -79,8 +80,8 @@ macro_rules! half_turns {
 
             /// Returns sin πr and cos πr for |r| ≤ 1/4, each as a leading term and a small correction.
             ///
-            /// The leading product πr is split so that it has no rounding error. The cosine is 1 minus at most 0.3, so
-            /// that errors of the subtracted term matter little.
+            /// The leading product πr is split so that it has no rounding error. The cosine is 1 minus a number of at
+            /// most 0.3. Rounding errors of this number therefore matter little.
             #[inline(always)]
             fn kernel(r: $float) -> ([$float; 2], [$float; 2]) {
                 let u = r * r;
@@ -97,8 +98,8 @@ macro_rules! half_turns {
                 )
             }
 
-            /// Returns (sin(α + qπ/2), cos(α + qπ/2)) for a given `sin` = sin α and `cos` = cos α. The function does
-            /// not branch.
+            /// Returns sine and cosine of α + qπ/2, given `sin` = sin α and `cos` = cos α. The function does not
+            /// branch.
             #[inline(always)]
             fn turned(q: $bits, sin: $float, cos: $float) -> ($float, $float) {
                 const SIGN: u32 = $bits::BITS - 2;
@@ -131,9 +132,9 @@ macro_rules! half_turns {
 
             /// Returns (sin π(h − d), cos π(h − d)), with h and d in half-turns.
             ///
-            /// The difference h − d is never rounded. The function reduces h first, and then corrects for the digits
-            /// that the subtraction of d loses. Each result is within 1.2 units in the last place, also where h − d is
-            /// next to a zero. An exact zero is returned as 0. The result is NaN unless h and d are finite.
+            /// The difference h − d is never rounded. The function reduces h first, subtracts d, and corrects for the
+            /// digits that the subtraction loses. Each result is within 1.2 units in the last place, also where h − d
+            /// is next to a zero. An exact zero is returned as 0. The result is NaN unless h and d are finite.
             ///
             /// ```
             #[doc = concat!(
@@ -147,7 +148,7 @@ macro_rules! half_turns {
             #[inline]
             #[must_use]
             pub fn sin_cos_pi_minus(h: $float, d: $float) -> ($float, $float) {
-                // For a larger d, the square of the lost digits would not be negligible in `less`.
+                // For a larger d, `less` could not neglect the square of the lost digits.
                 let d = if d.abs() < $near { d } else { wrapped(d) };
                 less(reduced_any(h), d)
             }
@@ -159,7 +160,8 @@ macro_rules! half_turns {
                 let difference = r - d;
                 let subtracted = difference - r;
                 let lost = (r - (difference - subtracted)) - (d + subtracted);
-                // The first-order term of the addition theorem restores the digits in `lost`.
+                // `lost` has the digits that rounding removed from r − d. The first-order term of the addition theorem
+                // restores their effect.
                 let angle = lost * core::$float::consts::PI;
                 let (p, rest) = reduced(difference);
                 let (sin, cos) = kernel(rest);
@@ -168,11 +170,11 @@ macro_rules! half_turns {
                 turned(q.wrapping_add(p), s, c)
             }
 
-            /// Subtracts a multiple of 4 from each number that is too large for [`reduced`]. Other numbers stay
-            /// unchanged.
+            /// Subtracts a multiple of 4 from each number of an array that is too large for [`reduced`]. Other numbers
+            /// stay unchanged.
             #[inline(always)]
             fn near_of<const N: usize>(mut h: [$float; N]) -> [$float; N] {
-                // A single branch for all numbers lets the compiler use packed instructions.
+                // One branch for all numbers, instead of one for each, lets the compiler use packed instructions.
                 if !h.iter().fold(true, |all, h| all & (h.abs() < $exact)) {
                     for h in &mut h {
                         if !(h.abs() < $exact) {
@@ -187,7 +189,7 @@ macro_rules! half_turns {
             /// cosines.
             #[inline(always)]
             pub(crate) fn sin_cos_pi_of<const N: usize>(h: [$float; N]) -> [[$float; N]; 2] {
-                // All branches come first. The compiler then uses packed instructions for the loop.
+                // All branches come before the loop, so that the compiler uses packed instructions for the loop.
                 let h = near_of(h);
                 let (mut sines, mut cosines) = (h, h);
                 for ((s, c), h) in sines.iter_mut().zip(&mut cosines).zip(h) {

@@ -23,7 +23,7 @@ where
     C: AsRef<[Complex<S>]> + AsMut<[Complex<S>]>,
     K: ContactChain<S>,
 {
-    /// Computes a steady state as [`answer`](Self::answer) does, for emitted code.
+    /// Computes a steady state as [`answer`](Self::answer) does, with arguments that suit emitted code.
     ///
     /// # Errors
     /// Same errors as [`answer`](Self::answer).
@@ -57,8 +57,8 @@ where
         Self::answer(&question, parts, numbers, multipliers)
     }
 
-    /// Computes the steady state at r and β that is reached from a start at a maximum of the excitation.
-    /// [`Self::is_settled`] is false for the last cycles of a motion that does not settle.
+    /// Computes the steady state at r and β that a motion reaches from the given start, at a maximum of the excitation.
+    /// If the motion does not settle, the result may be its last cycles, for which [`Self::is_settled`] is false.
     ///
     /// # Errors
     /// [`NoOrbit`] gives the reason why there is no steady state.  Slices of a wrong length give `OutOfDomain`.
@@ -81,7 +81,7 @@ where
         if multipliers.as_ref().len() != size {
             return Err(OutOfDomain::Length(Slice::Multipliers).into());
         }
-        // From β*_lim on a stuck state exists.  The motion decides whether it reaches that state.
+        // A stuck state exists for β ≥ β*_lim. Only the motion itself shows whether it ends in that state.
         let holding =
             (!(beta < question.sliding)).then_some(setting.law_at(question.sliding).grip());
         let unbounded = unbounded(&dynamics, question.r, beta)?;
@@ -100,7 +100,7 @@ where
             .set_start(&mut cycle_map, &mut workspace)?;
         let settled = match (beta.is_zero() || start == Start::Stuck, holding) {
             (true, None) => Settled::Found(linear(&mut cycle_map, &mut workspace)?),
-            // With β = 0 this case implies β*_lim = 0, so that the load does not move the contact.
+            // With β = 0 this case implies β*_lim = 0. The load then does not move the contact.
             (true, Some(_)) => Settled::Stuck(zero),
             _ => {
                 let spare = states.get_mut(..2 * size).unwrap_or_default();
@@ -145,7 +145,7 @@ where
     }
 }
 
-/// Follows and records a period from where the search ended.
+/// Follows the motion from the state in which the search ended, and records a period.
 fn followed<S: Float, K: ContactChain<S>>(
     cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,
@@ -161,14 +161,14 @@ fn followed<S: Float, K: ContactChain<S>>(
         Settled::Found(found) => found,
         Settled::Not(_) => FoundState::NONE,
     };
-    // The search may have used up the steps.  The record of the period may take as many again.
+    // The search may have used up the budget of steps. The record of the period gets a new budget.
     cycle_map.step_budget = MAX_STEPS;
     record_period(cycle_map, record, found.period)?;
     let symmetric = found.symmetric || is_symmetric(cycle_map, workspace, found.period)?;
     Ok(FoundState { symmetric, ..found })
 }
 
-/// Records a period from its first event on.
+/// Records a period of the motion, starting at its first event.
 pub(super) fn record_period<S: Float, K: ContactChain<S>>(
     cycle_map: &mut CycleMap<'_, '_, S, K>,
     record: &mut Record<'_, S>,
@@ -180,10 +180,10 @@ pub(super) fn record_period<S: Float, K: ContactChain<S>>(
     record.follow(cycle_map, period)
 }
 
-/// The error of a sliding motion that grows without bound, if it does.
+/// Returns the reason why a sliding motion grows without bound, or `None` if it stays bounded.
 ///
 /// # Errors
-/// [`NoOrbit::Undamped`] if the load drives a mode for ever that neither damping nor the contact dissipates.
+/// [`NoOrbit::Undamped`] if the load drives a mode that neither damping nor the contact dissipates.
 fn unbounded<S: Float, K: ContactChain<S>>(
     dynamics: &Dynamics<'_, S, K>,
     r: S,
@@ -197,7 +197,7 @@ fn unbounded<S: Float, K: ContactChain<S>>(
     Ok(unbounded)
 }
 
-/// Fails if the load drives a mode for ever that neither damping nor the contact dissipates.
+/// Fails if the load drives a mode that neither damping nor the contact dissipates.
 fn settles<S: Float, K: ContactChain<S>>(
     dynamics: &Dynamics<'_, S, K>,
     mode: &Mode<S>,
@@ -213,7 +213,7 @@ fn settles<S: Float, K: ContactChain<S>>(
     Err(NoOrbit::Undamped(earlier + twins.count()))
 }
 
-/// Fails if the motion of a mode grows without bound while the contact slides.
+/// Fails if the amplitude of a mode grows without bound while the contact slides.
 fn bounded<S: Float>(mode: &Mode<S>, r: S, beta: S) -> Result<(), NoOrbit> {
     // Below β_n = (π/4)|φᵀp/φᵀw| friction dissipates less than the load supplies (6.2, 6.26).
     let threshold = S::constant(FRAC_PI_4) * mode.load.abs();
@@ -224,8 +224,8 @@ fn bounded<S: Float>(mode: &Mode<S>, r: S, beta: S) -> Result<(), NoOrbit> {
     Ok(())
 }
 
-/// Sets the state in which the contact never slides (6.11, 6.27, 6.33).  Every mode of the stuck chain is in its steady
-/// motion, and z̄ stays at `offset`.
+/// Sets the steady state in which the contact never slides (6.11, 6.27, 6.33). Every mode of the chain with its contact
+/// stuck is in its steady motion, and the relative displacement z̄ stays at `offset`.
 pub(super) fn stuck<S: Float, K: ContactChain<S>>(
     cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,
@@ -248,11 +248,11 @@ pub(super) fn stuck<S: Float, K: ContactChain<S>>(
         memory: K::memory_at(cycle_map.setting, cycle_map.stuck_modes, offset, at),
         ..ContactState::stuck(zero)
     };
-    // Deviations of the stuck chain's modes decay independently of each other.
+    // While the contact sticks, small deviations of the modes decay independently of each other.
     let two_pi = S::pi() + S::pi();
     let mut out = workspace.multipliers.iter_mut();
-    // `zip` takes an item of its first argument before it finds the second one empty.  The array therefore comes first,
-    // so that no multiplier is lost.
+    // `zip` takes an item of its first argument before it finds the second one empty. The array comes first, so that no
+    // multiplier is lost.
     let lost = cycle_map.setting.dynamics.chain.stuck_multipliers();
     for (re, out) in lost.iter().zip(out.by_ref()) {
         *out = Complex::new(S::constant(*re), zero);
@@ -325,8 +325,8 @@ fn to_event<S: Float, K: ContactChain<S>>(
             cycle_map.contact_state,
             left,
         );
-        // A leap too long for one search ends without an event.  If a mode turns faster than the precision of r
-        // resolves, all leaps end so.  The step budget then ends the loop.
+        // A search that is too long ends without an event. If a mode oscillates faster than the precision of r
+        // resolves, every search ends this way. The step budget then ends the loop.
         cycle_map.spend(end.steps)?;
         cycle_map.contact_state = end.contact_state;
         left = left - end.tau;
@@ -340,8 +340,8 @@ fn to_event<S: Float, K: ContactChain<S>>(
     }
 }
 
-/// Returns true if the state after half a period is the opposite of the state now.  For a period of an even number of
-/// cycles the load has the same sign half a period later, so that no state is opposite.
+/// Returns true if the state half a period later is the opposite of the present state. If the period has an even number
+/// of cycles, the load has the same sign half a period later, so that no state is opposite.
 fn is_symmetric<S: Float, K: ContactChain<S>>(
     cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,

@@ -1,5 +1,4 @@
-//! Tests whether a motion is near a fixed point of the half-period or period map, and whether the motion tends to that
-//! point.
+//! Tests whether a motion is near a fixed point of the half-period or period map, and whether it tends to that point.
 
 use super::cycle_map::{CycleMap, EventPattern};
 use super::newton::{PeriodMap, Workspace, multipliers, newton, same};
@@ -8,38 +7,42 @@ use crate::errors::NoOrbit;
 use crate::motion::{ContactChain, ContactState};
 use crate::number::scalar::Float;
 
-/// Distance from the unit circle, in roundings, below which a multiplier counts as lying on the circle.
+/// Distance from the unit circle, in roundings, below which a Floquet multiplier counts as lying on the circle.
 pub(super) const ON_CIRCLE: f64 = 4096.0;
 
 /// Upper bound on the period of a subharmonic motion, in cycles of the excitation.
 pub const MAX_PERIOD: u32 = 64;
 
-/// Upper bound on the cycles of a motion that the test follows to see whether the motion approaches a fixed point.
+/// Largest number of cycles over which the test follows a motion, to see whether the motion approaches a fixed point.
 const MOST_FOLLOWED: u32 = 64;
 
-/// Upper bound on the size of a marginal state over the size of the motion that tends to it.  The motion counts as at
-/// least P/k₁. Away from a resonance both sizes are of the order of the excitation.
+/// Largest ratio of the size of a marginal steady state to the size of the motion that tends to it. The size of the
+/// motion counts as at least P/k₁. Away from a resonance both sizes are of the order of the excitation.
 const MOST_GROWN: f64 = 64.0;
 
-/// Number of successive equal half cycles, with at most two stops or reversals a cycle, after which a motion counts as
-/// tending to a member of a continuum.  A motion with more events may still end elsewhere.
+/// Number of successive equal half cycles after which a motion counts as tending to a member of a continuum of steady
+/// states. Each cycle may have at most two stops or reversals, because a motion with more events may still end
+/// elsewhere.
 const CALM: u32 = 64;
 
-/// The test stops following when the multipliers predict that the distance from the fixed point has fallen to this
-/// fraction.
+/// Fraction of the initial distance from the fixed point at which the test stops. The multipliers predict when the
+/// distance reaches this fraction.
 const FAR_ENOUGH: f64 = 0.01;
-/// Allowance: the distance from the fixed point may fall by this fraction less than the multipliers predict.
+/// Allowance of the test: the distance from the fixed point may fall by this fraction less than the multipliers
+/// predict.
 const SPARE: f64 = 0.1;
 /// Largest relative difference of the sticking times of two motions that count as having the same stops.
 const STICKS_ALIKE: f64 = 0.25;
-/// Distance from the fixed point, relative to the state, below which the motion counts as having reached it.
+/// Distance from the fixed point, relative to the size of the state, below which the motion counts as having reached
+/// it.
 const REACHED: f64 = 1e-9;
-/// Distance from the fixed point, in P/k₁, below which the contact hardly moves, so that rounding decides its motion.
+/// Distance from the fixed point, in P/k₁, below which the contact hardly moves. Rounding then decides the motion of
+/// the contact.
 const HARDLY_MOVES: f64 = 1e-6;
-/// Lower bound on the cycles of a motion that the search follows before it chooses a member of a continuum.
+/// Smallest number of cycles that the search follows before it selects a member of a continuum of steady states.
 const LEAST_FOLLOWED: u32 = 64;
 
-/// Events of half a cycle of continuous motion: one reversal.
+/// Events in half a cycle of a continuous motion: one reversal.
 const ONE_REVERSAL: EventPattern = EventPattern {
     stops: 0,
     reversals: 1,
@@ -53,16 +56,17 @@ pub(super) struct FoundState<S> {
     pub settled: bool,
     /// Period in cycles of the excitation.
     pub period: u32,
-    /// True if the motion after half a period is the opposite of the motion before.
+    /// True if the motion half a period later is the opposite of the present motion.
     pub symmetric: bool,
-    /// True if the state is a member of a continuum of steady states, or at the end of one.
+    /// True if the state belongs to a continuum of steady states, or lies at the end of one.
     pub marginal: bool,
-    /// Offset of the last member of a continuum over the offset of this member.
+    /// Ratio of two contact offsets: the largest offset in the continuum of steady states, divided by the offset of
+    /// this state.
     pub reach: Option<S>,
 }
 
 impl<S> FoundState<S> {
-    /// Properties of a motion that does not repeat, of which only the last cycles are known.
+    /// Result for a motion that does not repeat. Only its last cycles are known.
     pub(super) const NONE: Self = Self {
         settled: false,
         period: MAX_PERIOD,
@@ -75,24 +79,25 @@ impl<S> FoundState<S> {
 /// Result of the test of a fixed point.
 pub(super) enum CandidateVerdict<S> {
     Found(FoundState<S>),
-    /// The fixed point belongs to a continuum, and the motion must be followed further to select the member.
+    /// The fixed point belongs to a continuum of steady states. The motion must be followed further to select one of
+    /// them.
     Wait,
     No,
 }
 
 pub(super) struct Candidate<S> {
     pub map: PeriodMap,
-    /// Events of the motion during the last map.
+    /// Events of the motion during the last application of the map.
     pub wanted: EventPattern,
-    /// Events of the motion in the last cycle.
+    /// Events of the motion in the last cycle of the excitation.
     pub recent: EventPattern,
-    /// Number of successive half cycles with the same events as a cycle before.
+    /// Number of successive half cycles whose events equal those one cycle earlier.
     pub alike: u32,
-    /// True if μ = 1.
+    /// True if the stiction μ is 1, so that the distance of two motions never grows.
     pub monotone: bool,
     /// Number of cycles followed since the start of the motion.
     pub cycles: u32,
-    /// State of the contact in the motion.  `Workspace::state` has the oscillators of the motion.
+    /// State of the contact in the motion. `Workspace::state` has the oscillators' states.
     pub here: ContactState<S>,
 }
 
@@ -117,8 +122,8 @@ impl<S: Float> Candidate<S> {
         if on_circle {
             return self.marginal(cycle_map, workspace, far, scale, self.cycles);
         }
-        // With μ = 1 the distance of two motions never grows.  The fixed point is therefore the state to which the
-        // motion tends.
+        // With μ = 1 the distance of two motions never grows. If the motion is this close to the fixed point, it
+        // therefore tends to it.
         let near = far <= same(scale);
         let same = pattern == self.wanted;
         if self.monotone || (same && (near || self.attracts(cycle_map, workspace, largest)?)) {
@@ -137,8 +142,8 @@ impl<S: Float> Candidate<S> {
     }
 
     /// Returns true if the motion keeps its events and approaches the fixed point as fast as the multipliers predict.
-    /// With μ > 1 other steady states may be close.  The cycle map is at the fixed point before and after a true
-    /// result.
+    /// With μ > 1 other steady states may be close, so that a small distance proves nothing. The cycle map is at the
+    /// fixed point before the call, and also after a true result.
     fn attracts<K: ContactChain<S>>(
         &mut self,
         cycle_map: &mut CycleMap<'_, '_, S, K>,
@@ -158,7 +163,7 @@ impl<S: Float> Candidate<S> {
         let mut cycles = 0;
         let mut keeps = true;
         while keeps && cycles < MOST_FOLLOWED && S::constant(FAR_ENOUGH) < promised {
-            // Each turn of the loop follows one whole period.
+            // Each pass of the loop follows the motion over one whole period.
             let maps = if self.map.symmetric { 2 } else { 1 };
             for _ in 0..maps {
                 let mut pattern = EventPattern::default();
@@ -175,7 +180,8 @@ impl<S: Float> Candidate<S> {
         cycle_map.save(workspace.state);
         let after = cycle_map.energy_between(workspace.other).sqrt();
         let enough = S::constant(SPARE) + S::constant(1.0 - SPARE) * promised;
-        // At a graze the states may be close although one motion stops and the other does not.
+        // At a graze (the contact almost stops) two states may be close although only one of the motions stops. The
+        // sticking times show the difference.
         let change = (cycle_map.stuck - stuck).abs();
         let alike = change <= S::constant(STICKS_ALIKE) * cycle_map.stuck.max(stuck);
         if !keeps || !alike || !(after <= enough * before.sqrt()) {
@@ -185,7 +191,7 @@ impl<S: Float> Candidate<S> {
         Ok(true)
     }
 
-    /// Tests a steady state whose neighbours are steady too.  The motion itself must select one of them.
+    /// Tests a steady state that belongs to a continuum of steady states. The motion itself must select one of them.
     fn marginal<K: ContactChain<S>>(
         &self,
         cycle_map: &mut CycleMap<'_, '_, S, K>,
@@ -214,18 +220,18 @@ impl<S: Float> Candidate<S> {
         if self.map.period != 1 {
             return Ok(CandidateVerdict::No);
         }
-        // A motion may be so large that friction is below rounding.  Every state then seems steady.
+        // In a very large motion, friction may be below rounding. Every state then seems steady.
         let own = workspace.state.iter();
         let own = own.fold(S::constant(1.0), |most, value| most.max(value.abs()));
         if own * S::constant(MOST_GROWN) < scale {
             return Ok(CandidateVerdict::No);
         }
-        // With μ > 1 a stop does not become shorter.  A motion with stops is then no member of the continuum, and does
-        // not tend to one.
+        // With μ > 1 stops do not become shorter from cycle to cycle. A motion with stops therefore neither belongs to
+        // the continuum nor tends to one of its members.
         if !self.monotone && self.recent.stops > 0 {
             return Ok(CandidateVerdict::No);
         }
-        // Where the contact hardly moves, rounding decides its motion.  Any distance below the limit then counts as
+        // Where the contact hardly moves, rounding decides its motion. Any distance below the bound then counts as
         // reached.
         let turns = self.recent.stops + self.recent.reversals;
         let calm = far <= S::constant(HARDLY_MOVES) || (turns <= 2 && CALM <= self.alike);

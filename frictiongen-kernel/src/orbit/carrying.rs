@@ -1,9 +1,8 @@
-//! Adds derivatives to a known steady state.
+//! Adds derivatives, with respect to one variable, to a known steady state.
 //!
-//! A steady state is a fixed point x = P(x) of the period map P at a fixed phase.  With dual numbers, following one
-//! period from x gives P(x) and the derivative b of P at fixed x, because every event carries derivatives.  A step of
-//! Newton's method then adds (1 − DP)⁻¹b to the derivative of x.  A second pass follows the segments from the resulting
-//! x and carries derivatives into every result.
+//! A steady state is a fixed point x = P(x) of the period map P at a fixed phase. With dual numbers, following one
+//! period from x gives P(x) and the derivative b of P at fixed x. Then a Newton step adds (1 − DP)⁻¹b to the derivative
+//! of x. A second pass follows the segments from the resulting x, and gives every result its derivative.
 
 use super::build::{record_period, stuck};
 use super::closed;
@@ -18,15 +17,15 @@ use crate::number::pairs::pairs;
 use crate::number::scalar::Float;
 use core::fmt;
 
-/// Relative distance to a graze below which the derivative of an event's instant is unreliable.  A graze is a motion at
-/// which an event appears or vanishes.
+/// Relative distance from a graze below which the derivative of an event's instant is unreliable. A graze is a motion
+/// at which an event appears or vanishes.
 const GRAZE: f64 = 1e-9;
-/// Largest relative difference between the derivatives of two successive Newton steps.
+/// Largest relative difference between the derivatives from two successive Newton steps.
 const ALIKE: f64 = 1e-6;
 
-/// Rounding error that a derivative of the state has in `f64`, relative to the size of the state.
+/// Rounding error of the state's derivative in `f64`, relative to the size of the state.
 const ROUNDING: f64 = 1e-14;
-/// Relative difference below which r and β count as equal to those of the steady state.
+/// Relative difference below which the given r and β count as equal to those of the steady state.
 const SAME: f64 = 1e-12;
 
 /// Reason why a steady state has no derivatives.
@@ -38,12 +37,13 @@ pub enum NoDerivative {
     NoOrbit(NoOrbit),
     /// The motion does not repeat, and only its last cycles are known.
     Unsettled,
-    /// The state is one of a continuum of steady states, or at its end.  The start decides which of them is reached.
+    /// The state belongs to a continuum of steady states, or lies at its end. The initial state decides which of them
+    /// the motion reaches.
     Marginal,
-    /// An event is about to appear or to vanish, so that the results have a kink.
+    /// An event of the contact is about to appear or to vanish, so that the results have a kink.
     Graze,
-    /// The modes themselves have no derivative.  Two modes of the free or of the stuck chain have the same constants,
-    /// or the contact is about to drive a mode that it does not touch.
+    /// The modes themselves have no derivative. Either two modes of the chain, free or with its contact stuck, have the
+    /// same constants. Or the contact is about to drive a mode that it does not drive now.
     Degenerate,
 }
 
@@ -78,7 +78,7 @@ impl From<OutOfDomain> for NoDerivative {
 /// Memory for a steady state that carries derivatives.
 #[derive(Debug)]
 pub struct CarryingStorage<'m, S, P, V, C> {
-    /// One [`Part::empty`] for each mode and each mode of the stuck chain.
+    /// One [`Part::empty`] for each mode of the chain, and one for each mode of the chain with its contact stuck.
     pub parts: P,
     /// Room for the scalars of any orbit of the scene ([`numbers`](super::numbers)).
     pub numbers: V,
@@ -88,7 +88,7 @@ pub struct CarryingStorage<'m, S, P, V, C> {
     pub multipliers: C,
 }
 
-/// Fails for an elastic contact, whose force the derivatives leave out.
+/// Fails for an elastic contact. The derivatives leave out the force that such a contact remembers.
 fn check_rigid<S: Float, K: ContactChain<S>>(
     dynamics: &Dynamics<'_, S, K>,
 ) -> Result<(), OutOfDomain> {
@@ -106,7 +106,7 @@ where
     C: AsRef<[Complex<S>]> + AsMut<[Complex<S>]>,
     K: ContactChain<S>,
 {
-    /// Computes the steady state `plain` over a scalar that carries derivatives.  `dynamics`, r and β belong to the
+    /// Computes the steady state `plain` with a number type that carries derivatives. `dynamics`, r and β belong to the
     /// same scene, and their values equal those of `plain`.
     ///
     /// # Errors
@@ -191,7 +191,8 @@ where
         Ok(orbit)
     }
 
-    /// Sets a cycle map over a scalar that carries derivatives to a state of this motion that closes over its period.
+    /// Sets a cycle map to a state of this motion that closes over its period. The cycle map has a number type that
+    /// carries derivatives.
     fn close<U: Float, J: ContactChain<U>>(
         &self,
         cycle_map: &mut CycleMap<'_, '_, U, J>,
@@ -219,8 +220,9 @@ where
         self.stops == 0 && marks.all(|mark| mark.contact_state.contact == Contact::Stuck)
     }
 
-    /// Returns z̄ of a contact that sticks all the time, if it has never slid from the start on.  Such a contact is at
-    /// z̄ = 0, or at −1 on a moving base.  After a slip the offset depends on every slip, and the state is marginal.
+    /// Returns the relative displacement z̄ of a contact that sticks all the time, if it has never slid since the
+    /// start. Such a contact is at z̄ = 0, or at −1 on a moving base. After a slip the offset depends on every earlier
+    /// slip, and the state is marginal.
     fn offset_without_slip<U: Float>(&self) -> Result<U, NoDerivative> {
         let offset = self.offset();
         if offset.is_zero() || offset == -self.setting.base {
@@ -230,14 +232,15 @@ where
         }
     }
 
-    /// Returns true if the motion is that of the closed form: sliding all the time, with one reversal in half a cycle.
+    /// Returns true if the motion is that of the closed form: the contact slides all the time, with one reversal in
+    /// half a cycle.
     fn is_closed(&self) -> bool {
         let (zero, own) = (self.setting.beta.is_zero(), self.period == 1);
         own && self.stops == 0 && self.reversals == 2 && self.symmetric && (zero || !self.marginal)
     }
 
-    /// Sets a cycle map to this steady state, at the middle of the longest sliding segment.  The cycle map may have
-    /// another scalar.  `masses` has room for displacements and velocities.
+    /// Sets a cycle map to this steady state, at the middle of the longest sliding segment. The cycle map may have
+    /// another number type. `masses` has room for displacements and velocities.
     fn set_state<U: Float, J: ContactChain<U>>(
         &self,
         cycle_map: &mut CycleMap<'_, '_, U, J>,
@@ -270,7 +273,7 @@ where
         Ok(())
     }
 
-    /// Returns true if an event is about to appear or to vanish.
+    /// Returns true if an event of the contact is about to appear or to vanish.
     fn grazes(&self) -> bool {
         let graze = S::constant(GRAZE);
         let setting = &self.setting;
@@ -283,7 +286,7 @@ where
             }
             let parts = segments.parts();
             let (modes, stuck_modes) = setting.split(parts);
-            // A contact that has just come to rest must have a force clearly away from μβ.
+            // After the contact has come to rest, its force must differ clearly from μβ.
             if !first && before != Contact::Stuck {
                 let force = setting.holding(modes, mark.contact_state.t.sin_cos_pi());
                 if setting.law().is_marginal(force, graze) {
@@ -294,8 +297,7 @@ where
             if self.never_slides() {
                 return false;
             }
-            // The function that reaches zero at the end of the segment must have a slope clearly different from zero
-            // there.
+            // At the end of the segment a function reaches zero. Its slope must differ clearly from zero.
             let sum = if before == Contact::Stuck {
                 setting
                     .start_sticking(modes, stuck_modes, &mark.contact_state, mark.length)
@@ -323,8 +325,8 @@ fn check_same<S: Float>(given: S, known: impl Float, ratio: Ratio) -> Result<(),
     }
 }
 
-/// Closes the cycle over a scalar that carries derivatives, from the state of the cycle map.  The first Newton step
-/// brings the derivative to the value's precision, and the second to the scalar's.
+/// Closes the cycle from the state of the cycle map, with a number type that carries derivatives. The first Newton step
+/// brings the derivative to the precision of the value, and the second to the precision of the number type.
 fn closed_in<S: Float, K: ContactChain<S>>(
     cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,
@@ -349,7 +351,8 @@ fn closed_in<S: Float, K: ContactChain<S>>(
                 }
             }
         }
-        // A derivative of 0 has no size.  The rounding error of the first step is therefore measured by the state.
+        // A derivative of 0 has no size. The rounding error of the first step is therefore compared with the size of
+        // the state.
         let rounding = cycle_map.scale() * S::constant(ROUNDING);
         if !(change <= alike * size + rounding) {
             return Err(NoDerivative::Graze);

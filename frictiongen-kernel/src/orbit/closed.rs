@@ -1,6 +1,6 @@
-//! The state of a steady motion without stops and with two reversals, from the closed form.
+//! The state of a steady motion with two reversals and no stops, from the closed form.
 //!
-//! Near a resonance the fixed point is badly conditioned, while the closed form loses no precision.
+//! Near a resonance the fixed point is badly conditioned. The closed form loses no precision there.
 
 use super::cycle_map::CycleMap;
 use crate::contact::dominant::Partner;
@@ -12,7 +12,7 @@ use crate::number::scalar::Float;
 use crate::oscillator::decay::Damped;
 use crate::oscillator::mode::Mode;
 
-/// The modes that the contact drives, evaluated at one frequency ratio.
+/// The modes that the contact drives, with their response functions at one frequency ratio.
 struct DrivenChain<'a, S> {
     chain: Chain<S>,
     modes: &'a [Mode<S>],
@@ -47,7 +47,8 @@ impl<'a, S: Float> DrivenChain<'a, S> {
     }
 }
 
-/// Sets the cycle map to the state of the closed form for a friction ratio, at a maximum of the relative motion.
+/// Sets the cycle map to the state of the closed form at a maximum of the contact's relative motion, for one friction
+/// ratio.
 pub(super) fn set<S: Float, K: ContactChain<S>>(cycle_map: &mut CycleMap<'_, '_, S, K>, beta: S) {
     let one = S::constant(1.0);
     let dynamics = &cycle_map.setting.dynamics;

@@ -1,9 +1,9 @@
-//! Selects one member of a continuum of steady motions.  Such a continuum exists at r = 1/2n without damping.
+//! Selects one member of a continuum of steady motions. Without damping, such a continuum exists at r = 1/2n.
 //!
-//! Two members differ by a free vibration at an even multiple of the excitation's frequency, in step with the
-//! reversals.  A motion that never stops keeps its amplitude of that vibration.  Each stop reduces the amplitude, and
-//! the reductions become smaller from stop to stop.  A motion with stops thus tends to the member without stops that
-//! has the largest such amplitude.
+//! Two members of the continuum differ by a free vibration at an even multiple of the excitation frequency, in phase
+//! with the reversals. A motion that never stops keeps its amplitude of this vibration. Each stop of the contact
+//! reduces the amplitude, by less and less. A motion with stops therefore tends to the member without stops that has
+//! the largest amplitude.
 
 use super::cycle_map::CycleMap;
 use super::cycle_map::unit;
@@ -14,25 +14,25 @@ use crate::motion::ContactChain;
 use crate::number::pairs::{pairs, pairs_mut};
 use crate::number::scalar::Float;
 
-/// Rounding error of a member of a continuum over half a cycle, in roundings of the state.
+/// Rounding error of a member of the continuum over half a cycle, in roundings of the state.
 const ROUNDINGS: f64 = 256.0;
 /// Number of bisections in the search for the end of a continuum.
 const BISECTIONS: u32 = 60;
-/// Upper bound on the doublings of the motion's own free vibration in the search for the end of a continuum.
+/// Largest number of doublings of the free vibration's amplitude in the search for the end of a continuum.
 const DOUBLINGS: u32 = 20;
-/// Distance from the multiplier 1 at which the inverse iteration inverts the half-period map.
+/// Difference from 1 of the shift in the inverse iteration. The iteration finds the eigenvector of the half-period map
+/// for the multiplier 1.
 const SHIFT: f64 = 1e-8;
 
-/// Sets the cycle map to the member of the continuum to which the motion tends.
+/// Sets the cycle map to the member of a continuum of steady motions to which the motion tends.
 ///
-/// Before the call the cycle map is at the symmetric member, and `workspace.state` is the motion in the same section.
-/// The *share* of a member is the amplitude of the free vibration in it.  The *last member* has the largest share of
-/// all members without a stop.  The result is the share of the last member, divided by the share of the member that the
-/// function has set.
+/// Before the call the cycle map is at the symmetric member, and `workspace.state` is the motion at the same phase. The
+/// *share* of a member is the amplitude of its free vibration. The *last member* has the largest share of all members
+/// without a stop. The result is the share of the last member, divided by the share of the selected member.
 ///
-/// `monotone` is true if μ = 1.  Stops then become shorter and shorter, so a motion with stops tends to the last
-/// member.  With μ > 1 a stop does not become shorter, because the contact sticks until the force has grown.  A motion
-/// with stops then tends to no member, and the function returns an error.
+/// `monotone` is true if μ = 1. Stops then become shorter from cycle to cycle, so that a motion with stops tends to the
+/// last member. With μ > 1 stops do not become shorter, because the contact sticks until the force has grown to μF. A
+/// motion with stops then tends to no member, and the function returns an error.
 pub(super) fn member<S: Float, K: ContactChain<S>>(
     cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,
@@ -40,22 +40,22 @@ pub(super) fn member<S: Float, K: ContactChain<S>>(
 ) -> Result<S, NoOrbit> {
     let (zero, one) = (S::constant(0.0), S::constant(1.0));
     if 0 < cycle_map.remembered() {
-        // An elastic contact sticks after every reversal, so that it dissipates every such vibration.
+        // An elastic contact sticks after every reversal, so that it dissipates every free vibration.
         return Err(NoOrbit::Unsettled);
     }
     let size = cycle_map.size();
     let contact_state = cycle_map.contact_state;
     let scale = cycle_map.scale();
-    // The members differ by the eigenvector of the half-period map for the multiplier 1.  Inverse iteration finds the
-    // eigenvector from the difference between the motion and the symmetric member.
+    // The members differ by the eigenvector of the half-period map for the multiplier 1. Inverse iteration starts from
+    // the difference between the motion and the symmetric member, and finds this eigenvector.
     for (part, state) in cycle_map.modes.iter().zip(pairs_mut(workspace.state)) {
         if let [y, u] = state {
             (*y, *u) = (*y - part.y, *u - part.u);
         }
     }
     for _ in 0..2 {
-        // `other` holds the symmetric member only until the cycle map has advanced.  Afterwards the linear system is
-        // solved in `other`.
+        // `other` stores the symmetric member only until the cycle map has advanced. Afterwards the code solves the
+        // linear system in `other`.
         cycle_map.save(workspace.other);
         unit(workspace.matrix, size);
         cycle_map.advance_half(Some(workspace.matrix))?;
@@ -74,7 +74,7 @@ pub(super) fn member<S: Float, K: ContactChain<S>>(
             *state = *other * weight;
         }
     }
-    // The bisection finds the largest share without a stop, up to the motion's own share.
+    // A bisection finds the largest share without a stop, up to the share of the motion itself.
     cycle_map.save(workspace.other);
     let shifted = |cycle_map: &mut CycleMap<'_, '_, S, K>, share: S| -> Result<bool, NoOrbit> {
         let set = |cycle_map: &mut CycleMap<'_, '_, S, K>| {
@@ -126,7 +126,7 @@ pub(super) fn member<S: Float, K: ContactChain<S>>(
         return Err(NoOrbit::Unsettled);
     }
     let inside = last_inside(zero, one, |share| shifted(cycle_map, share))?;
-    // The share becomes a little smaller, because exactly at the end rounding decides whether the contact stops.
+    // The share is reduced a little, because at the end of the continuum rounding decides whether the contact stops.
     let inside = inside * (one - S::constant(ROUNDINGS * S::EPSILON));
     if inside.is_zero() || !shifted(cycle_map, inside)? {
         return Err(NoOrbit::Unsettled);
@@ -134,8 +134,8 @@ pub(super) fn member<S: Float, K: ContactChain<S>>(
     Ok(one)
 }
 
-/// Finds the largest amount (share) of the free vibration with which the motion is still steady, by bisection.  The
-/// motion is steady with the share `inside` and not with `outside`.
+/// Finds by bisection the largest amplitude (share) of the free vibration with which the motion is still steady. The
+/// motion is steady with the share `inside`, and not steady with `outside`.
 fn last_inside<S: Float>(
     mut inside: S,
     mut outside: S,

@@ -1,5 +1,5 @@
-//! Follows the motion over half a cycle or a whole cycle of the excitation.  It starts from a *section*, a fixed phase
-//! of the excitation.
+//! Follows the motion over half a cycle or a whole cycle of the excitation. It starts at a fixed phase of the
+//! excitation, which is called a *section*.
 
 use super::types::MAX_STEPS;
 use crate::errors::{NoOrbit, OutOfDomain};
@@ -7,10 +7,10 @@ use crate::motion::{Contact, ContactChain, ContactState, Event, Law, Part, Setti
 use crate::number::pairs::{pairs, pairs_mut};
 use crate::number::scalar::Float;
 
-/// Upper bound on the events of a half cycle.  More events are an error.
+/// Largest number of events in a half cycle. More events are an error.
 pub(super) const MOST_EVENTS: u32 = 4096;
 
-/// Numbers of events of each kind in half a cycle, or in several half cycles.
+/// Numbers of stops, break-aways and reversals in half a cycle, or in several half cycles.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct EventPattern {
     pub stops: u32,
@@ -27,7 +27,7 @@ impl EventPattern {
         }
     }
 
-    /// Divides the numbers by `parts`, or returns `None` if one of them is not divisible.
+    /// Divides each number of events by `parts`. Returns `None` if a number is not divisible.
     pub(super) fn divided(self, parts: u32) -> Option<Self> {
         let part = |count: u32| {
             let part = count.checked_div(parts)?;
@@ -40,7 +40,7 @@ impl EventPattern {
         })
     }
 
-    /// Returns the sum of two patterns.
+    /// Returns the sum of two event counts.
     pub(super) fn and(self, other: Self) -> Self {
         Self {
             stops: self.stops + other.stops,
@@ -50,7 +50,7 @@ impl EventPattern {
     }
 }
 
-/// State of the motion at the section (the fixed phase at which the map starts), with the data that advance the state.
+/// State of the motion at a fixed phase of the excitation (the *section*), with the data that advance the state.
 pub(super) struct CycleMap<'f, 'a, S, K> {
     pub setting: &'f Setting<'a, S, K>,
     pub modes: &'f mut [Part<S>],
@@ -58,16 +58,17 @@ pub(super) struct CycleMap<'f, 'a, S, K> {
     pub contact_state: ContactState<S>,
     /// Middle of the longest segment of the last half cycle, in half-turns after the section.
     pub middle: S,
-    /// Time in τ for which the contact stuck during the last half cycle.
+    /// Time in τ during which the contact stuck in the last half cycle.
     pub stuck: S,
     /// Number of steps that the searches for events may still take.
     pub step_budget: u32,
-    /// True if the contact has slid since this was last set to false.
+    /// True if the contact has slid since the caller last set this flag to false.
     pub slid: bool,
 }
 
 impl<'f, 'a, S: Float, K: ContactChain<S>> CycleMap<'f, 'a, S, K> {
-    /// Creates the map from the oscillators of the modes and of the stuck chain, with all steps of its budget left.
+    /// Creates the map from the oscillators, which are the modes of the chain and the modes of the chain with its
+    /// contact stuck. The step budget is still complete.
     pub(super) fn new(
         setting: &'f Setting<'a, S, K>,
         (modes, stuck_modes): (&'f mut [Part<S>], &'f mut [Part<S>]),
@@ -91,12 +92,12 @@ impl<'f, 'a, S: Float, K: ContactChain<S>> CycleMap<'f, 'a, S, K> {
         self.setting.dynamics.state_size()
     }
 
-    /// Number of scalars that the contact remembers.  They follow the modes in a state.
+    /// Number of scalars that the contact remembers, such as its force. They follow the modes in a state vector.
     pub(super) fn remembered(&self) -> usize {
         self.setting.dynamics.chain.remembered()
     }
 
-    /// Contact force that is part of a state: the one that the contact remembers, or the kinetic force.
+    /// Contact force in a state vector: the force that the contact remembers, or else the kinetic friction force.
     pub(super) fn remembered_force(&self) -> S {
         let contact = self.contact_state.contact;
         if contact == Contact::Stuck {
@@ -106,20 +107,21 @@ impl<'f, 'a, S: Float, K: ContactChain<S>> CycleMap<'f, 'a, S, K> {
         }
     }
 
-    /// Place of the remembered contact force in a state.  `None` if the contact remembers none, and for a state of the
-    /// modes alone.
+    /// Index of the remembered contact force in a state vector. `None` if the contact remembers no force, or if the
+    /// vector contains the modes alone.
     pub(super) fn force_in(&self, state: &[S]) -> Option<usize> {
         let place = 2 * self.setting.dynamics.in_contact();
         (0 < self.remembered() && state.len() == self.size()).then_some(place)
     }
 
-    /// Difference between the remembered contact force and that of a state, and 0 if the contact remembers none.
+    /// Difference between the remembered contact force and the force in a state vector. It is 0 if the contact
+    /// remembers none.
     fn force_difference(&self, state: &[S]) -> S {
         let there = self.force_in(state).and_then(|place| state.get(place));
         there.map_or(S::constant(0.0), |there| self.remembered_force() - *there)
     }
 
-    /// Subtracts the search steps of one segment from the budget.
+    /// Subtracts the search steps of one segment from the step budget. Fails if the budget is exhausted.
     pub(super) fn spend(&mut self, steps: u32) -> Result<(), NoOrbit> {
         self.step_budget = self
             .step_budget
@@ -128,21 +130,21 @@ impl<'f, 'a, S: Float, K: ContactChain<S>> CycleMap<'f, 'a, S, K> {
         Ok(())
     }
 
-    /// Advances half a cycle, and advances the deviations in `columns` with the linearised motion.
+    /// Advances the motion by half a cycle, and advances the deviations in `columns` by the linearised motion.
     pub(super) fn advance_half(
         &mut self,
         columns: Option<&mut [S]>,
     ) -> Result<EventPattern, NoOrbit> {
         let start = self.contact_state.t;
         let pattern = self.advance(S::pi(), columns)?;
-        // The phase advances by exactly half a cycle, without the rounding in the sum of segment lengths.
+        // The phase advances by exactly half a cycle. The sum of the segments' lengths would have rounding errors.
         let (one, two) = (S::constant(1.0), S::constant(2.0));
         let t = start + one;
         self.contact_state.t = if t < two { t } else { t - two };
         Ok(pattern)
     }
 
-    /// Advances by a time τ, from event to event.
+    /// Advances the motion by a time τ, from event to event.
     pub(super) fn advance(
         &mut self,
         tau: S,
@@ -205,8 +207,8 @@ impl<'f, 'a, S: Float, K: ContactChain<S>> CycleMap<'f, 'a, S, K> {
         }
     }
 
-    /// Sets the oscillators from `state`.  If the given contact state sticks, it is kept.  Otherwise the motion gives
-    /// the contact state.
+    /// Sets the oscillators from a state vector. If the given contact state is stuck, it is kept. Otherwise the
+    /// velocities decide the contact state.
     pub(super) fn restore(&mut self, state: &[S], contact_state: &ContactState<S>) {
         for (part, state) in self.modes.iter_mut().zip(pairs(state)) {
             if let [y, u] = state {
@@ -222,8 +224,8 @@ impl<'f, 'a, S: Float, K: ContactChain<S>> CycleMap<'f, 'a, S, K> {
         }
     }
 
-    /// Sets `state` to the present state times `sign`, minus `state`, and the oscillators to the former `state`.  Returns
-    /// the remembered force of the former `state`.
+    /// Sets `state` to the present state times `sign`, minus `state`, and the oscillators to the former `state`.
+    /// Returns the remembered contact force of the former `state`.
     pub(super) fn subtract(&mut self, state: &mut [S], sign: S) -> S {
         for (part, state) in self.modes.iter_mut().zip(pairs_mut(state)) {
             if let [y, u] = state {
@@ -240,7 +242,8 @@ impl<'f, 'a, S: Float, K: ContactChain<S>> CycleMap<'f, 'a, S, K> {
         start
     }
 
-    /// Adds the state of the oscillators and a remembered force to `step`.  Returns the largest absolute value of `step`.
+    /// Adds the state of the oscillators and a remembered contact force to `step`. Returns the largest absolute value
+    /// in `step`.
     pub(super) fn add(&self, step: &mut [S], force: S) -> S {
         let mut largest = S::constant(0.0);
         for (part, state) in self.modes.iter().zip(pairs_mut(step)) {
@@ -256,7 +259,7 @@ impl<'f, 'a, S: Float, K: ContactChain<S>> CycleMap<'f, 'a, S, K> {
         largest
     }
 
-    /// Returns the largest absolute difference between the scalars of this state and of another.
+    /// Returns the largest absolute difference between the numbers of the present state and another state.
     pub(super) fn distance(&self, state: &[S]) -> S {
         let states = self.modes.iter().zip(pairs(state));
         let force = self.force_difference(state).abs();
@@ -266,7 +269,7 @@ impl<'f, 'a, S: Float, K: ContactChain<S>> CycleMap<'f, 'a, S, K> {
         })
     }
 
-    /// Returns twice the energy of the difference between this state and another.
+    /// Returns twice the energy of the difference between the present state and another state.
     pub(super) fn energy_between(&self, state: &[S]) -> S {
         let modes = self.modes.iter().zip(self.setting.dynamics.driven());
         let states = modes.zip(pairs(state));
@@ -284,7 +287,7 @@ impl<'f, 'a, S: Float, K: ContactChain<S>> CycleMap<'f, 'a, S, K> {
         )
     }
 
-    /// Fails if the state is not finite.
+    /// Fails if the state contains an infinite number or NaN.
     pub(super) fn check_finite(&self) -> Result<(), NoOrbit> {
         let driven = self.setting.dynamics.in_contact();
         let mut parts = self.modes.iter().take(driven);

@@ -1,4 +1,4 @@
-//! Extremes, offset and centred amplitude of a steady motion.
+//! Smallest and largest displacement, offset and centred amplitude of a steady motion.
 
 use super::motion::OrbitMotion;
 use super::types::Orbit;
@@ -15,7 +15,7 @@ where
     K: ContactChain<S>,
 {
     /// Returns the middle of the contact's relative motion, (max z̄ + min z̄)/2, over P/k₁, for base motion over Y. It
-    /// is 0 for a symmetric state, and z̄ itself for a contact that sticks with an offset.
+    /// is 0 for a symmetric motion. For a stuck contact it is the constant z̄.
     pub fn offset(&self) -> S {
         if self.symmetric {
             return S::constant(0.0);
@@ -42,7 +42,8 @@ where
         if self.turns_at_events() {
             return self.extremes_at_events();
         }
-        // Shifted by its amplitude, the motion does not change its sign, so that its largest |x̄| is at an extreme.
+        // The motion plus its own amplitude never changes its sign. The largest absolute value of this sum therefore
+        // gives the maximum of x̄.
         let shifted = |shift: S| {
             let mut most = S::constant(0.0);
             self.each(|_, sum| {

@@ -1,6 +1,6 @@
 //! Nodes and weights of Gaussian quadrature, for the harmonics of a motion between two events.
 
-/// The positive nodes of the rule with sixteen points on [−1, 1], and their weights.
+/// The positive nodes of the Gaussian rule with sixteen points on [−1, 1], and their weights.
 pub(super) const SIXTEEN: [(f64, f64); 8] = [
     (0.095_012_509_837_637_44, 0.189_450_610_455_068_5),
     (0.281_603_550_779_258_9, 0.182_603_415_044_923_58),
@@ -12,6 +12,6 @@ pub(super) const SIXTEEN: [(f64, f64); 8] = [
     (0.989_400_934_991_649_9, 0.027_152_459_411_754_1),
 ];
 
-/// Largest angle, in rad, by which the integrand may turn over a panel of the quadrature.  The error is then below
-/// 1e-25.
+/// Largest angle, in rad, by which the integrand may oscillate within one panel of the quadrature. The error is then
+/// below 1e-25.
 pub(super) const PANEL: f64 = 8.0;

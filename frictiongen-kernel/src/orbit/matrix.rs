@@ -1,9 +1,10 @@
-//! Small square matrices in a slice, column after column: linear equations and eigenvalues.
+//! Small square matrices, stored in a slice column after column. The module solves linear equations and computes
+//! eigenvalues.
 
 use crate::number::complex::Complex;
 use crate::number::scalar::Float;
 
-/// A square matrix in a slice, column after column.
+/// A square matrix in a slice, stored column after column.
 pub(super) struct SquareMatrix<'a, S> {
     entries: &'a mut [S],
     size: usize,
@@ -107,8 +108,8 @@ impl<'a, S: Float> SquareMatrix<'a, S> {
                 );
                 (end, rounds) = (end - 1, 0);
             } else if start + 2 == end || rounds >= 60 {
-                // No matrix is known to need sixty rounds.  After sixty rounds the code takes the eigenvalues of the
-                // last 2 × 2 block as they are.
+                // No matrix is known to need sixty iterations. After sixty iterations, the code accepts the eigenvalues
+                // of the last 2 × 2 block as they are.
                 let (first, second) = self.pair(end - 2);
                 put(out, end - 2, first);
                 put(out, end - 1, second);
@@ -159,8 +160,8 @@ impl<'a, S: Float> SquareMatrix<'a, S> {
         }
     }
 
-    /// Returns the index of the first row of the diagonal block that ends before `end`.  A negligible subdiagonal entry
-    /// separates the block from the rows above.
+    /// Returns the first row of the diagonal block that ends before row `end`. A negligible subdiagonal entry separates
+    /// the block from the rows above.
     fn last_block(&mut self, end: usize) -> usize {
         for k in (1..end).rev() {
             let size = self.at(k - 1, k - 1).abs() + self.at(k, k).abs();
@@ -174,7 +175,7 @@ impl<'a, S: Float> SquareMatrix<'a, S> {
         0
     }
 
-    /// Returns the eigenvalues of the 2 × 2 block at k.
+    /// Returns the two eigenvalues of the 2 × 2 block that starts at row k.
     fn pair(&self, k: usize) -> (Complex<S>, Complex<S>) {
         let (zero, half) = (S::constant(0.0), S::constant(0.5));
         let (a, d) = (self.at(k, k), self.at(k + 1, k + 1));
@@ -186,7 +187,7 @@ impl<'a, S: Float> SquareMatrix<'a, S> {
             let im = (-discriminant).sqrt();
             return (Complex::new(middle, im), Complex::new(middle, -im));
         }
-        // This form of the smaller eigenvalue has no cancellation.
+        // This formula for the smaller eigenvalue has no cancellation.
         let shift = difference + discriminant.sqrt().copysign(difference);
         let first = d + shift;
         let second = if shift.is_zero() {
@@ -205,7 +206,7 @@ impl<'a, S: Float> SquareMatrix<'a, S> {
             self.at(m - 1, m - 1) * self.at(m, m) - self.at(m - 1, m) * self.at(m, m - 1),
         );
         if rounds % 10 == 9 {
-            // An exceptional shift breaks a cycle in which the usual shifts repeat without convergence.
+            // The usual shifts may repeat in a cycle without convergence. An exceptional shift breaks the cycle.
             let w = self.at(m, m - 1).abs() + self.at(m - 1, m - 2).abs();
             (s, t) = (S::constant(1.5) * w, w * w);
         }
@@ -243,7 +244,7 @@ impl<'a, S: Float> SquareMatrix<'a, S> {
         }
     }
 
-    /// Applies (1 − τ v vᵀ) to the three entries that `place` selects.
+    /// Applies the reflection (1 − τ v vᵀ) to the three entries that `place` selects.
     fn reflect(
         &mut self,
         v: &[S; 3],
@@ -264,8 +265,8 @@ impl<'a, S: Float> SquareMatrix<'a, S> {
     }
 }
 
-/// Returns v and τ of the reflection that turns x into a multiple of the first unit vector.  Returns `None` if x
-/// already is such a multiple.
+/// Returns v and τ of the reflection that turns x into a multiple of the first unit vector. Returns `None` if x is
+/// already such a multiple.
 fn reflector<S: Float>(x: [S; 3]) -> Option<([S; 3], S)> {
     let [a, b, c] = x;
     let size = a.abs() + b.abs() + c.abs();
@@ -299,7 +300,7 @@ mod tests {
     use super::*;
     use fuzzing::Random;
 
-    /// The eigenvalues agree with the traces: Σλ = tr M, Σλ² = tr M², Σλ³ = tr M³.
+    /// Compares the eigenvalues λ with the traces of the matrix M: Σλ = tr M, Σλ² = tr M², Σλ³ = tr M³.
     #[test]
     fn eigenvalues_have_the_traces() {
         let mut random = Random(7);

@@ -1,12 +1,12 @@
-//! The steady state in any regime: a motion that repeats after one or several cycles of the excitation, its stops, and
-//! its Floquet multipliers.
+//! The steady state in any regime: a motion that repeats after one or several cycles of the excitation. It has the
+//! stops of the contact and the Floquet multipliers.
 //!
-//! The search first follows some cycles from the start, exactly ([`motion`](crate::motion)), until their pattern of
-//! events repeats.  Newton's method then converges in a few steps.  The method finds a fixed point of the half-period
-//! map times −1, which is a symmetric steady state.  For other states it finds a fixed point of the period map.
+//! The search first follows the motion exactly ([`motion`](crate::motion)) from the start, until the pattern of events
+//! repeats from cycle to cycle. Newton's method then converges in a few steps. A symmetric steady state is a fixed
+//! point of the half-period map times −1. Other states are fixed points of the period map.
 //!
-//! A stored steady state is a list of *marks*.  A mark is the start of a segment: the contact's state, the phase and z̄
-//! at that instant.  The *stuck chain* is the chain whose contact sticks.
+//! A stored steady state is a list of *marks*. A mark is the start of a segment: the contact's state, the phase and the
+//! relative displacement z̄ at that instant. The *stuck chain* is the chain with its contact stuck.
 
 mod build;
 mod candidate;
@@ -48,15 +48,15 @@ use crate::number::scalar::Float;
 use segments::Segments;
 use types::SegmentStart;
 
-/// Returns the number of scalars of memory that an orbit needs.  The scene has `modes` modes, of which the contact
-/// drives `driven`.
+/// Returns the number of scalars of memory that an orbit (steady state) needs. The scene has `modes` modes, of which
+/// the contact drives `driven`.
 #[must_use]
 pub const fn numbers(modes: usize, driven: usize) -> usize {
     numbers_of(modes, 2 * driven)
 }
 
-/// Returns the number of scalars of memory that an orbit needs.  The scene has `modes` modes, and a state has `size`
-/// scalars: two for each mode that the contact drives, and one more if the contact is elastic.
+/// Returns the number of scalars of memory that an orbit (steady state) needs. The scene has `modes` modes, and a state
+/// has `size` scalars: two for each mode that the contact drives, and one more if the contact is elastic.
 #[must_use]
 pub const fn numbers_of(modes: usize, size: usize) -> usize {
     MAX_SEGMENTS * 2 * modes + size * size + 2 * size
@@ -105,9 +105,9 @@ where
         self.period
     }
 
-    /// Returns true if the motion repeats.  Otherwise the orbit has the last [`MAX_PERIOD`] cycles of a motion that did
-    /// not settle in [`MAX_CYCLES`] cycles.  An amplitude is then the largest of those last cycles, and a harmonic is
-    /// the mean over them.
+    /// Returns true if the motion repeats. If not, the orbit contains the last [`MAX_PERIOD`] cycles of a motion that
+    /// did not settle in [`MAX_CYCLES`] cycles. An amplitude is then the largest of these last cycles, and a harmonic
+    /// is the mean over them.
     #[must_use]
     pub fn is_settled(&self) -> bool {
         self.settled
@@ -119,7 +119,7 @@ where
         self.stops
     }
 
-    /// Returns the number of changes of the sliding direction without a stop in a period.
+    /// Returns how often the contact changes its sliding direction without a stop in a period.
     #[must_use]
     pub fn reversals(&self) -> usize {
         self.reversals
@@ -139,7 +139,7 @@ where
     pub fn sliding_distance(&self) -> S {
         let zero = S::constant(0.0);
         let slid = |from: &SegmentStart<S>, to: &SegmentStart<S>| {
-            // A contact that sticks does not slide, even if its spring lets it move.
+            // A stuck contact does not slide, even if its own spring lets it move.
             if from.contact_state.contact == Contact::Stuck {
                 zero
             } else {
@@ -148,7 +148,8 @@ where
         };
         let mut distance = zero;
         let mut last: Option<SegmentStart<S>> = None;
-        // Within a segment the direction of sliding does not change, so that the end points give the distance.
+        // Within a segment the sliding direction does not change. The displacements at both ends give the sliding
+        // distance.
         for mark in self.segments() {
             if let Some(last) = last {
                 distance = distance + slid(&last, &mark);
@@ -165,14 +166,14 @@ where
         S::constant(f64::from(self.period))
     }
 
-    /// Reduces a phase in half-turns to the period, by whole periods.
+    /// Subtracts whole periods from a phase in half-turns.
     fn within(&self, t: S) -> S {
         let whole = self.cycles() * S::constant(2.0);
         t - (t / whole).floor() * whole
     }
 
-    /// Returns the excitation's angle at a mark, in half-turns.  The angle is 0 at the maximum of the excitation next
-    /// to τ = 0.
+    /// Returns the excitation's phase at a mark (start of a segment), in half-turns. The phase is 0 at the maximum of
+    /// the excitation next to τ = 0.
     fn angle(&self, mark: &SegmentStart<S>) -> S {
         let one = S::constant(1.0);
         let past = if one < self.origin {
@@ -184,8 +185,8 @@ where
     }
 
     /// Returns the intervals in which the contact sticks, each as its start and its length in rad of the excitation.
-    /// The start is the excitation's angle, from 0 to 2π times the number of cycles in the period.  The angle is 0 at a
-    /// maximum of the excitation.  In a subharmonic state, which has several maxima in a period, it is 0 at the maximum
+    /// The start is the excitation's phase, from 0 to 2π times the number of cycles in the period. The phase is 0 at a
+    /// maximum of the excitation. A subharmonic state has several maxima in a period. Its phase is 0 at the maximum
     /// next to τ = 0 (see [`origin`](Self::origin)).
     pub fn sticking_intervals(&self) -> impl Iterator<Item = (S, S)> + '_ {
         let stuck = |contact: &Contact| *contact == Contact::Stuck;
@@ -195,10 +196,10 @@ where
         intervals.map(|(start, length, _)| (start, length))
     }
 
-    /// Returns the intervals between changes of the contact's state, one after the other all around the period.  Each
-    /// interval has its start, its length and the contact state: stuck, or the direction of sliding.  The start is
-    /// defined as in [`sticking_intervals`](Self::sticking_intervals).  The last and the first interval may have the
-    /// same contact state.
+    /// Returns the intervals between changes of the contact's state, in order, over the whole period. Each interval has
+    /// its start, its length and the contact state: stuck, or the direction of sliding. The start is defined as in
+    /// [`sticking_intervals`](Self::sticking_intervals). The last and the first interval may have the same contact
+    /// state.
     pub fn intervals(&self) -> impl Iterator<Item = (S, S, Contact)> + '_ {
         self.segments().map(|mark| {
             let start = self.within(self.angle(&mark)) * S::pi();
@@ -206,9 +207,9 @@ where
         })
     }
 
-    /// Returns contact state and friction force over P at τ, which counts from where the relative motion leaves its
-    /// maximum.  While the contact slides, the force is β times the sign of the velocity.  While the contact sticks,
-    /// the force keeps the contact at rest.  A positive force opposes positive sliding.
+    /// Returns contact state and friction force over P at the phase τ, counted from the instant at which the contact's
+    /// relative motion leaves its maximum. While the contact slides, the force is β times the sign of the velocity.
+    /// While the contact sticks, the force keeps the contact at rest. A positive force opposes positive sliding.
     pub fn friction(&self, tau: S) -> (Contact, S) {
         let Some((mut segments, mark, since)) = Segments::at(self, tau) else {
             return (Contact::Stuck, S::constant(0.0));
@@ -230,8 +231,8 @@ where
         self.symmetric
     }
 
-    /// Returns the Floquet multipliers: the factors by which small deviations of the modes that the contact drives grow
-    /// in a period.  The slice is empty if the motion does not repeat.
+    /// Returns the Floquet multipliers: the factors by which small deviations grow in a period. Only deviations of
+    /// modes that the contact drives count. The slice is empty if the motion does not repeat.
     #[must_use]
     pub fn multipliers(&self) -> &[Complex<S>] {
         if self.settled {
@@ -248,30 +249,31 @@ where
         })
     }
 
-    /// Returns true if no small deviation grows.  A marginal state is stable in this sense.
+    /// Returns true if no small deviation from the steady state grows. A marginal state is stable in this sense.
     #[must_use]
     pub fn is_stable(&self) -> bool {
         self.settled
             && self.largest_multiplier() <= S::constant(1.0 + candidate::ON_CIRCLE * S::EPSILON)
     }
 
-    /// Returns true if some small deviation never decays, or decays more slowly than exponentially.  The state is then
-    /// a member of a continuum of steady states, or at the end of one.
+    /// Returns true if some small deviation never decays, or decays more slowly than exponentially. The steady state
+    /// then belongs to a continuum of steady states, or lies at the end of one.
     #[must_use]
     pub fn is_marginal(&self) -> bool {
         self.marginal
     }
 
-    /// Returns the largest |offset| at which the contact may come to rest or slide, over P/k₁, for base motion over Y.
-    /// Every state of the continuum has an offset between minus and plus this bound.  A stuck contact has a bound, and
-    /// so has a chain without damping at r = 1/2n.  Elsewhere, and where the bound is not known, the result is `None`.
+    /// Returns the largest |offset| of the contact in the continuum of steady states, over P/k₁, for base motion over
+    /// Y. Every state of the continuum has an offset between minus and plus this bound. A bound exists for a stuck
+    /// contact, and for a chain without damping at r = 1/2n. The result is `None` for other states, or if the bound is
+    /// unknown.
     #[must_use]
     pub fn offset_range(&self) -> Option<S> {
         self.offset_range
     }
 
-    /// Returns the excitation's angle at τ = 0, in rad.  At τ = 0 the relative motion in the contact leaves its
-    /// maximum.  The load is cos(τ + origin).
+    /// Returns the excitation's phase at τ = 0, in rad. τ counts from the instant at which the contact's relative
+    /// motion leaves its maximum. The load is cos(τ + origin).
     #[must_use]
     pub fn origin(&self) -> S {
         let angle = self.origin * S::pi();
@@ -306,14 +308,15 @@ where
         OrbitMotion::of_reversed_contact(self)
     }
 
-    /// Returns the components of all masses in the modes of the data in time, mass after mass, and the number of modes.
+    /// Returns the mode shapes of all masses, mass after mass, and the number of modes. The modes are those of the data
+    /// for motion in time.
     pub fn shapes(&self) -> (&'a [S], usize) {
         let dynamics = &self.setting.dynamics;
         (dynamics.shapes, dynamics.modes.len())
     }
 
-    /// Returns the motion of a linear combination of masses and base.  Its shape has the components in the modes of the data in
-    /// time.
+    /// Returns the motion of a linear combination of masses and base. `combination` has the components in the modes of
+    /// the data for motion in time.
     pub fn combination<'o>(
         &'o self,
         combination: Combination<'o, S>,

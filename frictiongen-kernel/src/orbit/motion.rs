@@ -13,7 +13,7 @@ use crate::number::scalar::Float;
 
 /// Difference, in roundings, below which two amplitudes count as equal.
 const ROUNDINGS: f64 = 64.0;
-/// Difference, in rad, below which two lags count as equal.  In `f32` the limit is [`ROUNDINGS`] roundings, because
+/// Difference, in rad, below which two lags count as equal. In `f32` the tolerance is [`ROUNDINGS`] roundings, because
 /// they exceed this number.
 const SAME_LAG: f64 = 1e-9;
 
@@ -21,9 +21,9 @@ const SAME_LAG: f64 = 1e-9;
 #[derive(Debug)]
 pub struct OrbitMotion<'o, 'a, S, P, V, C, K = Chain<S>> {
     orbit: &'o Orbit<'a, S, P, V, C, K>,
-    /// The combination of masses and base that moves, or `None` for the contact.
+    /// The moving combination of masses and base, or `None` for the contact's relative motion.
     combination: Option<Combination<'o, S>>,
-    /// True for the contact's motion with the opposite sign.
+    /// True for the contact's relative motion with the opposite sign.
     reversed: bool,
 }
 
@@ -34,7 +34,7 @@ impl<S: Copy, P, V, C, K> Clone for OrbitMotion<'_, '_, S, P, V, C, K> {
 }
 impl<S: Copy, P, V, C, K> Copy for OrbitMotion<'_, '_, S, P, V, C, K> {}
 
-/// Upper bound on the panels into which the quadrature of a harmonic divides a segment.
+/// Largest number of panels into which the quadrature of a harmonic divides a segment.
 const MOST_PANELS: f64 = (1_u32 << 14) as f64;
 
 /// The largest |x̄| found so far, and its lag.
@@ -77,8 +77,8 @@ where
         }
     }
 
-    /// Returns amplitude and phase from one search: the largest |x̄| over P/k₁ (for base motion over Y), and its lag in
-    /// rad.
+    /// Returns the amplitude and its lag in rad from one search. The amplitude is the largest |x̄| over P/k₁ (for base
+    /// motion over Y).
     pub fn largest(&self) -> (S, S) {
         let best = self.best();
         (best.value, best.lag.unwrap_or(S::constant(0.0)))
@@ -89,11 +89,12 @@ where
         self.best().value
     }
 
-    /// Returns the lag of the motion's largest |x̄| behind the excitation's maximum, rad, in (−π, π].  The lag is half
-    /// a turn more if x̄ is negative at that instant.
+    /// Returns the lag of the motion's largest |x̄| behind the excitation's maximum, rad, in (−π, π]. If x̄ is negative
+    /// at that instant, half a turn is added.
     ///
-    /// If the contact stops at its largest displacement, the lag is that of the beginning of the stop.  If several
-    /// maxima are equal, the lag of smallest size counts.  If two such lags differ in sign, the positive lag counts.
+    /// If the contact stops at its largest displacement, the lag belongs to the beginning of the stop. If several
+    /// maxima are equal, the lag of smallest size counts. Of two such lags with opposite signs, the positive lag
+    /// counts.
     pub fn phase(&self) -> S {
         self.best().lag.unwrap_or(S::constant(0.0))
     }
@@ -104,20 +105,21 @@ where
         wrapped(-fundamental.im.atan2(fundamental.re))
     }
 
-    /// Returns x̄ at τ, over P/k₁, for base motion over Y.  τ counts from where the relative motion in the contact
-    /// leaves its maximum.
+    /// Returns x̄ at the phase τ, over P/k₁, for base motion over Y. τ counts from the instant at which the contact's
+    /// relative motion leaves its maximum.
     pub fn displacement(&self, tau: S) -> S {
         self.evaluate(tau, |sum, tau| sum.local(tau).value)
     }
 
-    /// Returns dx̄/dτ at τ, which counts from where the relative motion in the contact leaves its maximum.
+    /// Returns dx̄/dτ at the phase τ, counted from the instant at which the contact's relative motion leaves its
+    /// maximum.
     pub fn velocity(&self, tau: S) -> S {
         self.evaluate(tau, |sum, tau| sum.local(tau).slope)
     }
 
-    /// Returns d²x̄/dτ² at τ, which counts from where the relative motion in the contact leaves its maximum.  The
-    /// acceleration jumps where the contact turns, stops or breaks away.  At a jump the result is the value just after
-    /// the jump.
+    /// Returns d²x̄/dτ² at the phase τ, counted from the instant at which the contact's relative motion leaves its
+    /// maximum. The acceleration jumps where the contact reverses, stops or breaks away. At a jump the result is the
+    /// value just after the jump.
     pub fn acceleration(&self, tau: S) -> S {
         self.evaluate(tau, |sum, tau| sum.local(tau).curve)
     }
@@ -129,33 +131,33 @@ where
         largest
     }
 
-    /// Returns the largest |d²x̄/dτ²| of the period.  Both sides of its jumps count.
+    /// Returns the largest |d²x̄/dτ²| of the period. At a jump of the acceleration, the values on both sides count.
     pub fn largest_acceleration(&self) -> S {
         let mut largest = S::constant(0.0);
         self.each(|_, sum| largest = largest.max(rates::largest_curve(sum)));
         largest
     }
 
-    /// Returns the complex amplitude X_n of a harmonic, with x̄ = Re Σ X_n e^{inτ_e} and τ_e from a maximum of the
-    /// excitation.  X_0 is the mean.
+    /// Returns the complex amplitude X_n of a harmonic. It is defined by x̄ = Re Σ X_n e^{inτ_e}, where the phase τ_e
+    /// is counted from a maximum of the excitation. X_0 is the mean.
     ///
-    /// If a vibration turns more than some 10⁴ times within a segment, only its order of magnitude is correct.  This
-    /// loss of precision concerns a large n, and modes far above the excitation.
+    /// If a vibration has more than about 10⁴ periods within a segment, only the order of magnitude is correct. This
+    /// concerns large n, and modes far above the excitation frequency.
     pub fn harmonic(&self, n: u32) -> Complex<S> {
         self.component(S::constant(f64::from(n)), n == 0, |mark| {
             mark.contact_state.t
         })
     }
 
-    /// Returns the complex amplitude X of the component of order k/[`period`](Orbit::period), which adds Re X
-    /// e^{ikτ_e/period} to x̄. The component turns k times in a period of the motion.  If k is a multiple of the
-    /// period, it is a [`harmonic`](Self::harmonic).  τ_e counts from the maximum of the excitation next to τ = 0.
+    /// Returns the complex amplitude X of the component of order k/[`period`](Orbit::period). The component adds Re X
+    /// e^{ikτ_e/period} to x̄, and has k oscillations in a period of the motion. If k is a multiple of the period, the
+    /// component is a [`harmonic`](Self::harmonic). τ_e counts from the maximum of the excitation next to τ = 0.
     pub fn subharmonic(&self, k: u32) -> Complex<S> {
         let order = S::constant(f64::from(k)) / self.orbit.cycles();
         self.component(order, k == 0, |mark| self.orbit.angle(mark))
     }
 
-    /// Returns the complex amplitude of a component of any order.  `starts` returns the excitation's angle at the start
+    /// Returns the complex amplitude of a component of any order. `starts` returns the excitation's phase at the start
     /// of a segment, in half-turns.
     fn component(
         &self,
@@ -174,7 +176,7 @@ where
             let mut start = zero;
             let mut done = zero;
             while done < panels {
-                // Each panel has its own sum, because in one long sum the rounding of all terms would add up.
+                // Each panel has a separate sum. In one long sum the roundings of all terms would add up.
                 let mut panel = complex::real(zero);
                 for (node, weight) in SIXTEEN {
                     for side in [-node, node] {
@@ -214,19 +216,19 @@ where
         best
     }
 
-    /// Returns true if this is the relative motion in the contact.
+    /// Returns true if this is the contact's relative motion.
     pub(super) fn is_contact(&self) -> bool {
         self.combination.is_none()
     }
 
-    /// Returns true if this is the relative motion in a rigid contact, which turns at events only.  An elastic contact
-    /// may turn while it sticks.
+    /// Returns true if this is the relative motion of a rigid contact, whose velocity changes its sign only at events.
+    /// The velocity of an elastic contact may also change its sign while the contact sticks.
     pub(super) fn turns_at_events(&self) -> bool {
         self.is_contact() && self.orbit.setting.dynamics.chain.remembered() == 0
     }
 
-    /// Notes the relative motion at all events, because the motion is largest where its velocity is zero.  The end of a
-    /// stop is left out, because the motion reaches its largest displacement at the beginning of the stop.
+    /// Records the relative motion at all events, because the motion is largest where its velocity is zero. The end of
+    /// a stop is left out, because the motion reaches its largest displacement at the beginning of the stop.
     fn at_events(&self, best: &mut LargestDisplacement<S>) {
         let (mut first, mut stuck) = (None, false);
         for mark in self.orbit.segments() {
@@ -238,7 +240,7 @@ where
             stuck = mark.contact_state.contact == Contact::Stuck;
         }
         match first {
-            // The segment before the first one is the last one of the period.  Its state is known only now.
+            // The segment before the first one is the last one of the period. Its state is known only here.
             Some(first) if !stuck => best.note(first.contact_state.t, self.signed(first.relative)),
             Some(first) if best.lag.is_none() => {
                 best.value = first.relative.abs();
@@ -267,7 +269,7 @@ where
         self.orbit.symmetric
     }
 
-    /// Returns a value of the contact with the sign of this motion.
+    /// Returns a value of the contact's relative motion, with the sign that this motion has.
     fn signed(&self, value: S) -> S {
         if self.reversed { -value } else { value }
     }
@@ -287,7 +289,7 @@ where
         }
     }
 
-    /// Returns the motion in one segment as a sum over oscillators.  The oscillators are in the state at the segment's
+    /// Returns the motion in one segment as a sum over oscillators. The oscillators are in their state at the segment's
     /// start.
     fn segment_sum<'p>(
         &self,
@@ -341,8 +343,8 @@ where
         for (index, part) in modes.iter_mut().enumerate().skip(driven) {
             part.weight = [component(index), zero];
         }
-        // The modes that the contact does not touch are stored between those that it drives and those of the stuck
-        // chain.
+        // The slice has the modes that the contact drives, then the other modes, then the modes of the chain with its
+        // contact stuck.
         let modes = setting.dynamics.modes.len();
         let range = if sticks {
             driven..parts.len()
@@ -363,7 +365,7 @@ where
 }
 
 impl<S: Float> LargestDisplacement<S> {
-    /// Notes a value at an instant, which is in half-turns of the excitation.
+    /// Records a value at an instant, which is the excitation's phase in half-turns.
     fn note(&mut self, t: S, value: S) {
         let (one, two) = (S::constant(1.0), S::constant(2.0));
         let near = S::constant(1.0 - ROUNDINGS * S::EPSILON);

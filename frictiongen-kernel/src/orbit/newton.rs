@@ -1,4 +1,4 @@
-//! Newton's method on the map of half a period or of a whole period, and the multipliers of that map.
+//! Newton's method on the half-period map or the period map, and the Floquet multipliers of that map.
 
 use super::cycle_map::{CycleMap, EventPattern, unit};
 use super::matrix::SquareMatrix;
@@ -10,21 +10,22 @@ use crate::number::scalar::Float;
 
 const NEWTON_STEPS: u32 = 12;
 
-/// Relative difference below which two computations of a state or an instant count as equal.
+/// Relative difference below which two computations of the same state or instant count as equal.
 const AGREEMENT: f64 = 1e-9;
-/// Lower bound, in roundings, on the difference below which two computations count as equal.  It exceeds `AGREEMENT` in
-/// `f32` only.  The roundings of all events of a cycle add up.
+/// Lower bound, in roundings, on the difference below which two computations count as equal. The roundings of all
+/// events of a cycle add up. This bound exceeds `AGREEMENT` in `f32` only.
 const AGREEING_ROUNDINGS: f64 = 1024.0;
 /// Size of a Newton step, relative to the state, below which the step is small.
 const SMALL_STEP: f64 = 1e-11;
-/// Lower bound, in roundings, on the size below which a Newton step is small.  It exceeds `SMALL_STEP` in `f32` only.
+/// Lower bound, in roundings, on the size below which a Newton step is small. This bound exceeds `SMALL_STEP` in `f32`
+/// only.
 const SMALL_ROUNDINGS: f64 = 256.0;
-/// Shortest Newton step that rounding allows, in roundings of the state.
+/// Shortest meaningful Newton step, in roundings of the state.
 const LEAST_ROUNDINGS: f64 = 4.0;
-/// Ratio of a small Newton step to the previous step, above which the method ends because only rounding is left.
+/// Ratio of two successive Newton steps above which a small step is only rounding. The method then ends.
 const STALLED: f64 = 0.25;
-/// Size of a Newton step, relative to the state, below which quadratic convergence ends the method.  The step must also
-/// be no larger than the square of the previous step.
+/// Size of a Newton step, relative to the state, below which the method may end by quadratic convergence. The step must
+/// also be no larger than the square of the previous step.
 const QUADRATIC: f64 = 1e-9;
 /// Lower bound on the size of a state, so that a division by that size stays finite.
 const SMALLEST_SCALE: f64 = 1e-290;
@@ -69,12 +70,12 @@ impl<'m, S: Float> Workspace<'m, S> {
     }
 }
 
-/// Map of a state over half a period, or over a whole one.
+/// Map of a state over half a period or over a whole period.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct PeriodMap {
     /// Period in cycles of the excitation.
     pub period: u32,
-    /// True if the map goes over half a period and changes the sign of the state.
+    /// True if the map covers half a period and changes the sign of the state.
     pub symmetric: bool,
 }
 
@@ -85,7 +86,7 @@ impl PeriodMap {
         symmetric: true,
     };
 
-    /// Returns the number of half cycles over which the map goes.
+    /// Returns the number of half cycles that the map covers.
     pub fn halves(self) -> u32 {
         if self.symmetric {
             self.period
@@ -95,8 +96,8 @@ impl PeriodMap {
     }
 }
 
-/// Applies Newton's method from the state of the cycle map.  Returns the events during the map, with the cycle map at
-/// the fixed point.  Returns `None` if the method does not converge.
+/// Applies Newton's method from the state of the cycle map. Returns the events during the map, and leaves the cycle map
+/// at the fixed point. Returns `None` if the method does not converge.
 pub(super) fn newton<S: Float, K: ContactChain<S>>(
     cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,
@@ -115,8 +116,8 @@ pub(super) fn newton<S: Float, K: ContactChain<S>>(
             return Ok(None);
         };
         if (image == Contact::Stuck) != (contact_state.contact == Contact::Stuck) {
-            // In the section the contact now sticks instead of slides, or the reverse.  The method starts again with
-            // the contact state of the image.
+            // At the section the contact state has changed between sticking and sliding. The method starts again with
+            // the contact state after the map.
             contact_state.contact = image;
             contact_state.t = start.t;
             cycle_map.save(workspace.other);
@@ -143,10 +144,10 @@ pub(super) fn newton<S: Float, K: ContactChain<S>>(
         contact_state.t = start.t;
         cycle_map.restore(workspace.other, &contact_state);
         let small = S::constant(SMALL_STEP.max(SMALL_ROUNDINGS * S::EPSILON)) * scale;
-        // If the contact hardly slides, its motion is far smaller than P/k₁ but has the rounding error of P/k₁.
+        // A contact that hardly slides moves by far less than P/k₁, but has the rounding error of P/k₁.
         let small = step <= small.max(S::constant(LEAST_ROUNDINGS * S::EPSILON));
-        // The method ends in three cases: the step is below rounding, rounding stalls the steps, or the convergence is
-        // quadratic.
+        // The method ends in three cases: the step is below rounding, rounding prevents smaller steps, or the
+        // convergence is quadratic.
         if step <= scale * S::constant(LEAST_ROUNDINGS * S::EPSILON)
             || (small && last * S::constant(STALLED) < step)
             || step <= scale * S::constant(QUADRATIC) && step <= last * last / scale
@@ -158,7 +159,7 @@ pub(super) fn newton<S: Float, K: ContactChain<S>>(
     Ok(None)
 }
 
-/// Applies the map to the state and its deviations.  Returns the contact's state after the map, and the events.
+/// Applies the map to the state and its deviations. Returns the contact's state after the map, and the events.
 pub(super) fn mapped<S: Float, K: ContactChain<S>>(
     cycle_map: &mut CycleMap<'_, '_, S, K>,
     columns: &mut [S],
@@ -183,8 +184,8 @@ pub(super) fn negate<S: Float>(numbers: &mut [S]) {
     }
 }
 
-/// Computes the multipliers of the period, for a cycle map at a fixed point.  The cycle map stays there.  Returns the
-/// largest modulus of the map's multipliers.
+/// Computes the Floquet multipliers of the period, for a cycle map at a fixed point. The cycle map stays at the fixed
+/// point. Returns the largest modulus of the map's multipliers.
 pub(super) fn multipliers<S: Float, K: ContactChain<S>>(
     cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,

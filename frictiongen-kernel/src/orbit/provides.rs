@@ -11,8 +11,8 @@ use crate::table::{Compiled, Tabled};
 impl<T: ProvidesOrbit> At<T> {
     /// Returns the steady state at β = F/P in which motion from rest ends, in any regime.
     ///
-    /// At the start the excitation is at its maximum, and every mass is at x̄ = 0 without velocity.  A moving base is
-    /// then at Y.  A contact with the base therefore starts at z̄ = −Y, and may stick there.
+    /// At the start the excitation is at its maximum, and every mass is at x̄ = 0 without velocity. A moving base is
+    /// then at Y. A contact with the base therefore starts at z̄ = −Y, and may stick there.
     ///
     /// # Errors
     /// [`NoOrbit`] gives the reason why there is no steady state.
@@ -22,18 +22,18 @@ impl<T: ProvidesOrbit> At<T> {
     }
 
     /// Returns the steady state as [`orbit`](Self::orbit) does, or the last 64 cycles of a motion from rest that does
-    /// not settle.  For such cycles `is_settled()` is false, and an amplitude is the largest of those cycles.
+    /// not settle. For such cycles `is_settled()` is false, and an amplitude is the largest of these cycles.
     ///
     /// # Errors
     /// [`NoOrbit`] if β is negative or not finite, if the motion is unbounded, or if an undamped mode never settles.
-    /// [`NoOrbit`] also if a cycle has too many events, or if following the motion takes too many steps.
+    /// [`NoOrbit`] also if a cycle has too many events, or if the motion takes too many search steps.
     #[inline]
     pub fn orbit_or_last_cycles(&self, beta: T::Scalar) -> Result<T::Orbit, NoOrbit> {
         T::settled(self, beta, Start::Rest, true)
     }
 
-    /// Returns the steady state that is reached from a given state at a maximum of the excitation: x̄ and dx̄/dτ of
-    /// every mass.
+    /// Returns the steady state that a motion from a given state reaches. The state has x̄ and dx̄/dτ of every mass, at
+    /// a maximum of the excitation.
     ///
     /// # Errors
     /// [`NoOrbit`], also for a state that does not have one finite number for each mass.
@@ -63,11 +63,11 @@ impl<T: ProvidesOrbit> At<T> {
         T::settled(self, beta, start, true)
     }
 
-    /// Returns the stable steady states at β that are found from a fixed list of starts, one at a time.
+    /// Returns the stable steady states at β that a fixed list of starts leads to, one at a time.
     ///
-    /// The starts are rest, the stuck state, the closed form, and motions at neighbouring friction ratios.  The first
-    /// state is that of [`orbit`](Self::orbit), unless motion from rest does not settle.  With μ = 1 there is one
-    /// state, or one continuum.
+    /// The starts are rest, the stuck state, the closed form, and motions at neighbouring friction ratios. The first
+    /// result is the state of [`orbit`](Self::orbit), unless motion from rest does not settle. With μ = 1 only one
+    /// state, or one continuum of states, exists.
     ///
     /// # Errors
     /// [`OutOfDomain`] for NaN, negative and infinite β.
@@ -76,7 +76,7 @@ impl<T: ProvidesOrbit> At<T> {
     }
 }
 
-/// Steady states of a scene with tables.  The exact formulas compute them, not the tables.
+/// Steady states of a scene with tables. The exact formulas compute these states.
 impl<T: Tabled + ProvidesOrbit> Compiled<T> {
     /// Returns the steady state at β = F/P that is reached from rest, in any regime.
     ///
@@ -95,7 +95,7 @@ impl<T: Tabled + ProvidesOrbit> Compiled<T> {
         self.exact().orbit_or_last_cycles(beta)
     }
 
-    /// Returns the steady state that is reached from another state, as [`At::orbit_from`] does.
+    /// Returns the steady state that a motion from another state reaches, as [`At::orbit_from`] does.
     ///
     /// # Errors
     /// Same errors as [`At::orbit_from`].
@@ -107,7 +107,7 @@ impl<T: Tabled + ProvidesOrbit> Compiled<T> {
         self.exact().orbit_from(beta, state)
     }
 
-    /// Returns the stable steady states that are found from a fixed list of starts, as [`At::states`] does.
+    /// Returns the stable steady states that a fixed list of starts leads to, as [`At::states`] does.
     ///
     /// # Errors
     /// Same errors as [`At::states`].

@@ -1,10 +1,10 @@
-//! Question for a steady state.
+//! Arguments of the search for a steady state.
 
 use super::start::Start;
 use crate::contact::sums::Chain;
 use crate::motion::Dynamics;
 
-/// The steady state that is asked for.
+/// Arguments of the search for a steady state: the scene, both ratios and the start.
 #[derive(Clone, Copy, Debug)]
 pub struct OrbitQuestion<'a, 's, S, K = Chain<S>> {
     /// Data of the scene.
@@ -13,11 +13,11 @@ pub struct OrbitQuestion<'a, 's, S, K = Chain<S>> {
     pub r: S,
     /// Friction ratio β.
     pub beta: S,
-    /// β*_lim, from which on the motion may end with the contact stuck.
+    /// β*_lim, the limit of sliding. For β ≥ β*_lim the motion may end with the contact stuck.
     pub sliding: S,
-    /// Start at a maximum of the excitation.
+    /// Initial state of the motion, at a maximum of the excitation.
     pub start: Start<'s, S>,
-    /// If true, a motion that does not settle gives its last [`MAX_PERIOD`](super::MAX_PERIOD) cycles.  If false, it
-    /// gives an error.
+    /// If true, a motion that does not settle returns its last [`MAX_PERIOD`](super::MAX_PERIOD) cycles. If false, it
+    /// returns an error.
     pub last: bool,
 }

@@ -1,20 +1,20 @@
 //! Finds the largest velocity and acceleration within a segment.
 //!
-//! The search samples sixteen instants in a half-turn of the fastest motion, and refines every extreme between them.
-//! It can only miss an extreme that lies within one sampling step of another extreme.  Two such extremes differ by less
+//! The search samples sixteen instants in a half-turn of the fastest oscillation, and refines every local maximum
+//! between them. It can only miss a maximum within one sampling step of another maximum. Two such maxima differ by less
 //! than a thousandth of their value.
 
 use crate::motion::OscillatorSum;
 use crate::number::scalar::Float;
 
-/// Number of sampled instants in a half-turn of the fastest motion.
+/// Number of sampled instants in a half-turn of the fastest oscillation.
 const PLACES: f64 = 16.0;
 /// Lower bound on the number of instants that are sampled in a segment.
 const FEWEST: f64 = 8.0;
 /// Upper bound on the number of instants that are sampled in a segment.
 const MOST: f64 = 4096.0;
-/// Number of steps of a refinement.  Each step keeps 0.62 of the interval, so that only rounding is left after the last
-/// one.
+/// Number of steps of a golden-section search. Each step keeps 0.62 of the interval, so that only rounding is left
+/// after the last step.
 const STEPS: usize = 40;
 
 /// Returns the largest |f′| over the searched length.
@@ -35,8 +35,8 @@ fn largest<S: Float>(sum: &OscillatorSum<'_, S>, size: impl Fn(S) -> S) -> S {
     let step = sum.reach / places;
     let (mut before, mut here) = (zero, size(zero));
     let mut best = here;
-    // An extreme next to an end point does not lie between three sampled instants.  The first and the last step are
-    // therefore searched separately.
+    // A maximum next to an end of the segment does not lie between three sampled instants. The first and the last step
+    // are therefore searched separately.
     for from in [zero, sum.reach - step] {
         best = best.max(summit(from, from + step, &size));
     }

@@ -1,8 +1,8 @@
 //! Records a steady state, segment by segment.
 //!
-//! A record has room for [`MAX_SEGMENTS`] marks, which are starts of segments.  If a period has more segments, the
-//! record keeps every second mark, then every fourth, and so on.  The other segments are computed again when they are
-//! needed.
+//! A record has room for [`MAX_SEGMENTS`] marks, where a mark is the start of a segment. If a period has more segments,
+//! the record keeps every second mark, then every fourth, and so on. The code computes the other segments again when it
+//! needs them.
 
 use super::cycle_map::CycleMap;
 use super::newton::agreement;
@@ -11,31 +11,31 @@ use crate::errors::NoOrbit;
 use crate::motion::{ContactChain, ContactState, Event, leap};
 use crate::number::scalar::Float;
 
-/// A record in progress.
+/// Record of a steady state while it is being written.
 pub(super) struct Record<'s, S> {
     marks: &'s mut [SegmentStart<S>; MAX_SEGMENTS],
     count: usize,
-    /// The oscillators' states at the marks.
+    /// The oscillators' states at the marks (starts of segments).
     states: &'s mut [S],
     /// Number of scalars in a state.
     size: usize,
-    /// Number of segments from one mark to the next.
+    /// Number of segments between two successive marks.
     stride: u32,
     segments: usize,
     stops: usize,
     reversals: usize,
-    /// z̄ at the end of the last recorded segment, if the contact sticks in that segment.
+    /// Relative displacement z̄ at the end of the last recorded segment, if the contact sticks in that segment.
     stuck_at: Option<S>,
-    /// The start of the segment from which z̄ falls from its largest value.
+    /// The start of the segment in which the relative displacement z̄ falls from its largest value.
     top: Option<SegmentStart<S>>,
 }
 
-/// Result of a recording.
+/// Recorded period of a steady state.
 pub(super) struct RecordedPeriod<S> {
     pub count: usize,
     pub stops: usize,
     pub reversals: usize,
-    /// Phase, in half-turns, and cycle at τ = 0.
+    /// Phase in half-turns, and cycle of the excitation, at τ = 0.
     pub origin: (S, S),
 }
 
@@ -60,7 +60,8 @@ impl<'s, S: Float> Record<'s, S> {
         }
     }
 
-    /// Records a contact that sticks during the whole cycle.  `offset` is z̄ of a rigid contact.
+    /// Records a contact that sticks during the whole cycle. `offset` is the relative displacement z̄ of a rigid
+    /// contact.
     pub(super) fn stuck<K: ContactChain<S>>(
         &mut self,
         cycle_map: &CycleMap<'_, '_, S, K>,
@@ -115,8 +116,7 @@ impl<'s, S: Float> Record<'s, S> {
         Ok(())
     }
 
-    /// Returns the start of the segment that now begins.  Stores the oscillators' state if the segment will have a
-    /// mark.
+    /// Returns the start of the segment that now begins. Stores the oscillators' state if the segment starts at a mark.
     fn begin<K: ContactChain<S>>(
         &mut self,
         cycle_map: &CycleMap<'_, '_, S, K>,
@@ -143,7 +143,7 @@ impl<'s, S: Float> Record<'s, S> {
         }
     }
 
-    /// Returns true if the next segment has a mark of its own.
+    /// Returns true if the next segment starts at a mark.
     fn is_due(&self) -> bool {
         let last = self.count.checked_sub(1);
         let last = last.and_then(|last| self.marks.get(last));
@@ -169,7 +169,7 @@ impl<'s, S: Float> Record<'s, S> {
         }
     }
 
-    /// Keeps every second mark, which frees half of the room.
+    /// Removes every second mark, which frees half of the room.
     fn thin(&mut self) {
         let (half, size) = (MAX_SEGMENTS / 2, self.size);
         for index in 0..half {
@@ -183,7 +183,7 @@ impl<'s, S: Float> Record<'s, S> {
                     *place = kept;
                 }
             }
-            // The scalars are copied one by one, because copying within a slice can panic.
+            // The numbers are copied one by one, because a copy within a slice can panic.
             let (from, to) = (2 * index * size, index * size);
             for offset in 0..size {
                 let value = self.states.get(from + offset).copied();
@@ -219,13 +219,13 @@ impl<'s, S: Float> Record<'s, S> {
     }
 }
 
-/// Returns the length in τ by which rounding may make a segment longer than the rest of the period.
+/// Returns the tolerance in τ by which rounding may make a segment longer than the rest of the period.
 pub(super) fn slack<S: Float>() -> S {
     agreement()
 }
 
-/// Returns the length of a segment when `left` of the period remains.  A segment that ends within the slack of the
-/// period's end becomes exactly `left` long.
+/// Returns the length of a segment when `left` of the period remains. A segment that ends within a rounding tolerance
+/// of the period's end gets exactly the length `left`.
 pub(super) fn within<S: Float>(length: S, left: S) -> S {
     if left - slack() < length {
         left
@@ -234,8 +234,8 @@ pub(super) fn within<S: Float>(length: S, left: S) -> S {
     }
 }
 
-/// Returns the number of cycles of the excitation that begin between two contact states.  The states are a time τ
-/// apart.
+/// Returns the number of cycles of the excitation that begin between two contact states. The second state is a time τ
+/// later than the first.
 pub(super) fn passed<S: Float>(from: &ContactState<S>, tau: S, to: &ContactState<S>) -> S {
     let half = S::constant(0.5);
     let turns = (from.t + tau * S::inverse_pi() - to.t) * half;

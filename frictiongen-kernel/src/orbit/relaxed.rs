@@ -1,11 +1,10 @@
-//! The implicit Euler method from cycle to cycle, for motions that approach their steady state too slowly to follow
-//! them.
+//! The implicit Euler method from cycle to cycle. It serves motions that approach their steady state too slowly to be
+//! followed.
 //!
-//! The closer r is to a resonance of the masses that the contact does not move, the more cycles a motion needs to
-//! settle.  For most of these cycles the events are not those of the steady state, so that Newton's method alone does
-//! not converge.  With μ = 1 the distance of two motions never grows.  Each step x′ = x + (F(x′) − x′)/σ, with the
-//! half-cycle map F, therefore has one solution.  The solution is closer to the steady state than x, however long the
-//! step is.
+//! Close to a resonance of the masses that the contact does not move, a motion needs many cycles to settle. For most of
+//! these cycles the events are not those of the steady state, so that Newton's method alone does not converge. With μ =
+//! 1 the distance of two motions never grows. Each step x′ = x + (F(x′) − x′)/σ, with the half-cycle map F, therefore
+//! has one solution. However long the step is, the solution is closer to the steady state than x.
 
 use super::cycle_map::{CycleMap, unit};
 use super::matrix::SquareMatrix;
@@ -19,20 +18,21 @@ use crate::number::scalar::Float;
 const MOST_STEPS: u32 = 64;
 /// Upper bound on the Newton steps within one Euler step.
 const NEWTON_STEPS: u32 = 10;
-/// Ratio of a Newton step to the whole Euler step below which the Newton step is small.
+/// Ratio of a Newton step to the whole Euler step, below which the Newton step is small enough.
 const SMALL: f64 = 1e-3;
-/// The first σ. It makes an Euler step of 16 half cycles.
+/// First value of σ. The Euler step is then 16 half cycles long.
 const FIRST_SHIFT: f64 = 0.0625;
-/// Factor on σ after an Euler step that succeeds.  It lengthens the next step.
+/// Factor on σ after a successful Euler step. It makes the next step longer.
 const LONGER: f64 = 0.25;
-/// Factor on σ after an Euler step that fails.  It shortens the next attempt.
+/// Factor on σ after a failed Euler step. It makes the next attempt shorter.
 const SHORTER: f64 = 8.0;
-/// The largest σ that is tried.  An Euler step with this σ is shorter than half a cycle.
+/// Largest σ. An Euler step with this σ is shorter than half a cycle.
 const LARGEST_SHIFT: f64 = 64.0;
-/// Change of the state over half a cycle, relative to the state, below which Newton's method on the map takes over.
+/// Change of the state over half a cycle, relative to the state, below which Newton's method on the half-cycle map
+/// takes over.
 const NEAR: f64 = 1e-11;
 
-/// Moves the cycle map towards the symmetric state that repeats after one cycle.  `last` has room for a state.
+/// Moves the cycle map towards the symmetric steady state that repeats after one cycle. `last` has room for one state.
 pub(super) fn relax<S: Float, K: ContactChain<S>>(
     cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,
@@ -60,7 +60,7 @@ pub(super) fn relax<S: Float, K: ContactChain<S>>(
     Ok(())
 }
 
-/// Makes one Euler step from `last`.  Returns false if Newton's method does not find the new state.
+/// Makes one Euler step from the state `last`. Returns false if Newton's method does not find the new state.
 fn step<S: Float, K: ContactChain<S>>(
     cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,

@@ -1,4 +1,4 @@
-//! Trait of a scene that provides steady states, and the comparison of two steady states.
+//! Trait of a scene that provides steady states, and a comparison of two steady states.
 
 use super::start::Start;
 use super::types::Orbit;
@@ -59,15 +59,15 @@ impl<S: Float> Print<S> {
     }
 }
 
-/// A scene that provides `orbit`.
+/// Trait of a scene that provides `orbit`, its steady state.
 pub trait ProvidesOrbit: Scene {
     /// Type of the steady state, with a method for each mass.
     type Orbit: Deref<Target: Known>;
-    /// Type of a state of the masses, with one number for each mass.
+    /// Type of the displacements or velocities of all masses, with one number for each mass.
     type State: AsRef<[Self::Scalar]> + ?Sized;
 
-    /// Returns the steady state reached from `start`.  If `last` is true and the motion does not settle, returns its
-    /// last 64 cycles.
+    /// Returns the steady state that a motion from `start` reaches. If `last` is true and the motion does not settle,
+    /// returns its last 64 cycles.
     ///
     /// # Errors
     /// [`NoOrbit`] gives the reason why there is no steady state.

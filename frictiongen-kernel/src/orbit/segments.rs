@@ -1,7 +1,7 @@
 //! Iterates over the segments of a steady state.
 //!
-//! If a period has many segments, only some of them have a stored state at their start, a *mark*.  The other segments
-//! are computed again.
+//! A *mark* is a segment whose state at the start is stored. If a period has many segments, only some of them are
+//! marks. The iterator computes the other segments again.
 
 use super::cycle_map::MOST_EVENTS;
 use super::record::{passed, slack, within};
@@ -14,7 +14,7 @@ use crate::number::scalar::Float;
 /// Iterator over the segments of a steady state.
 pub(super) struct Segments<'o, 'a, S, P, V, C, K> {
     orbit: &'o Orbit<'a, S, P, V, C, K>,
-    /// The oscillators for the segment returned last, once the caller has requested them.
+    /// The oscillators for the segment returned last, once the caller has requested their states.
     parts: Option<P>,
     /// True if the oscillators have the state at the start of the segment returned last.
     placed: bool,
@@ -45,7 +45,7 @@ where
         }
     }
 
-    /// Returns the segment that contains the instant τ after the orbit's origin.  Also returns the time from the
+    /// Returns the segment that contains the instant τ, counted from the orbit's origin. Also returns the time from the
     /// segment's start to the instant.
     pub(super) fn at(
         orbit: &'o Orbit<'a, S, P, V, C, K>,
@@ -95,7 +95,7 @@ where
         parts.as_mut()
     }
 
-    /// Returns true if the next segment has no mark, so that it is computed from the last one.
+    /// Returns true if the next segment has no mark. The iterator then computes it from the last segment.
     pub(super) fn follows(&self) -> bool {
         0 < self.more
     }
@@ -117,8 +117,8 @@ where
         let end = orbit.marks().first()?.contact_state.t + S::constant(2.0) * orbit.cycles();
         let (modes, stuck_modes) = setting.split(self.parts());
         let mut mark = *last;
-        // The first turn of the loop passes the last segment.  Further turns pass unsuccessful attempts to leave zero
-        // velocity.
+        // The first pass of the loop covers the last segment. Further passes skip segments of length zero, in which the
+        // contact fails to leave zero velocity.
         for _ in 0..MOST_EVENTS {
             let left = (end - mark.contact_state.t - S::constant(2.0) * mark.cycle) * S::pi();
             let reach = left + slack();

@@ -1,5 +1,5 @@
-//! Searches for the steady state as a fixed point of the half-period map times −1, or of the period map.  The period is
-//! one cycle of the excitation, or several cycles.
+//! Searches for the steady state as a fixed point of the half-period map times −1, or of the period map. The period is
+//! one or several cycles of the excitation.
 
 use super::candidate::{Candidate, CandidateVerdict, FoundState, MAX_PERIOD};
 use super::cycle_map::{CycleMap, EventPattern};
@@ -12,22 +12,22 @@ use crate::errors::NoOrbit;
 use crate::motion::{ContactChain, Law};
 use crate::number::scalar::Float;
 
-/// Upper bound on the cycles followed from a start that may be near a steady state.  Such starts are the stuck state,
-/// the closed form, and a motion at a neighbouring friction ratio.
+/// Largest number of cycles that the search follows from a start that may be near a steady state. Such starts are the
+/// stuck state, the closed form, and a motion at a neighbouring friction ratio.
 const MAX_CYCLES_NEAR: u32 = 128;
-/// Upper bound on the number of periods that one search for a subharmonic state tries.
+/// Largest number of periods that one search for a subharmonic state tries.
 const MOST_TRIED: u32 = 3;
-/// Number of cycles after which the search looks for a subharmonic state for the first time.
+/// Number of cycles after which the search first looks for a subharmonic state.
 const FIRST_ASKED: u32 = 16;
-/// Largest distance of the motion from its earlier state, relative to the size of the motion, at which the search tries
-/// a number of cycles as a period.
+/// Largest distance of the motion from its earlier state, relative to the size of the motion, at which a number of
+/// cycles counts as a possible period.
 const NEARLY_BACK: f64 = 1e-2;
-/// Largest ratio of two distances of the motion from its earlier state at which the search tries a number of cycles as
-/// a period.  The ratio is the distance after that number over the smallest distance after fewer cycles.
+/// Largest ratio of two distances of the motion from its earlier state at which a number of cycles counts as a possible
+/// period. The ratio is the distance after this number of cycles, divided by the smallest distance after fewer cycles.
 const NEARER: f64 = 0.1;
 
 impl<S> Start<'_, S> {
-    /// Returns the upper bound on the cycles that the search follows from this start.
+    /// Returns the largest number of cycles that the search follows from this start.
     pub(super) fn most_cycles(&self) -> u32 {
         match self {
             Self::Rest | Self::State(..) => MAX_CYCLES,
@@ -36,20 +36,20 @@ impl<S> Start<'_, S> {
     }
 }
 
-/// Result of following a motion.
+/// Result of following a motion towards its steady state.
 pub(super) enum Settled<S> {
     Found(FoundState<S>),
-    /// The contact sticks for ever, with this value of z̄.
+    /// The contact sticks for ever, at this relative displacement z̄.
     Stuck(S),
-    /// The search reached its upper bound on cycles without a steady state.  The value is the reason.
+    /// The search found no steady state within its largest number of cycles. The value is the reason.
     Not(NoOrbit),
 }
 
-/// Follows the motion until it reaches a steady state.  Afterwards the cycle map is at that state, or still on the
+/// Follows the motion until it reaches a steady state. Afterwards the cycle map is at that state, or still on the
 /// motion.
 ///
-/// `holding` is |V/H| if β is large enough for a stuck state, and `None` otherwise.  The search follows at most `most`
-/// cycles.  `spare` has room for two states.
+/// `holding` is |V/H|, the amplitude of the contact force in the stuck state, if β is large enough for this state.
+/// Otherwise it is `None`. The search follows at most `most` cycles. `spare` has room for two states.
 pub(super) fn settle<S: Float, K: ContactChain<S>>(
     cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,
@@ -68,8 +68,8 @@ pub(super) fn settle<S: Float, K: ContactChain<S>>(
     let mut failure = NoOrbit::Unsettled;
     let (mut cycles, mut wanted) = (0, 2);
     let mut halves = [EventPattern::default(); 4];
-    // Numbers of successive half cycles with unchanged events.  The first number compares with the half cycle before,
-    // the second with the cycle before.
+    // Numbers of successive half cycles with unchanged events. The first number compares with the previous half cycle,
+    // the second with the half cycle one cycle earlier.
     let mut settled = [0u32; 2];
     while cycles < most {
         while cycles < wanted {
@@ -89,11 +89,12 @@ pub(super) fn settle<S: Float, K: ContactChain<S>>(
             cycles += 1;
         }
         if monotone && hold.is_some() {
-            // The distance of two motions never grows, and a stuck state exists.  No other state is therefore steady.
+            // With μ = 1 the distance of two motions never grows, and a stuck state exists. No other state can
+            // therefore be steady.
             wanted = cycles * 2;
             continue;
         }
-        // The section is placed where no event is near.
+        // The section is placed in the middle of the longest segment, far from all events.
         let middle = cycle_map.middle * S::pi();
         cycle_map.advance(middle, None)?;
         let [last, before, ..] = halves;
@@ -128,8 +129,8 @@ pub(super) fn settle<S: Float, K: ContactChain<S>>(
             }
             cycle_map.restore(workspace.state, &candidate.here);
         }
-        // With μ = 1 the distance of two motions never grows.  A motion that repeats only after several cycles
-        // therefore belongs to a continuum.
+        // With μ = 1 the distance of two motions never grows. A motion that repeats only after several cycles therefore
+        // belongs to a continuum.
         if FIRST_ASKED <= cycles && (!monotone || most <= cycles * 2) {
             match several(cycle_map, workspace, &mut cycles, failure)? {
                 Settled::Not(error) => failure = error,
@@ -148,8 +149,8 @@ pub(super) fn settle<S: Float, K: ContactChain<S>>(
     Ok(Settled::Not(failure))
 }
 
-/// Finds the only steady state of a scene with μ = 1 that the motion approaches too slowly.  Without success the cycle
-/// map stays on the motion.
+/// Finds the only steady state of a scene with μ = 1, for a motion that approaches it too slowly. Without success the
+/// cycle map stays on the motion.
 fn slow<S: Float, K: ContactChain<S>>(
     cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,
@@ -179,8 +180,8 @@ fn slow<S: Float, K: ContactChain<S>>(
     None
 }
 
-/// Finds a steady state near the motion that repeats after several cycles.  Without success the cycle map stays on the
-/// motion.
+/// Finds a steady state that repeats after several cycles, close to the motion. Without success the cycle map stays on
+/// the motion.
 fn several<S: Float, K: ContactChain<S>>(
     cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,
@@ -237,8 +238,8 @@ fn several<S: Float, K: ContactChain<S>>(
     Ok(Settled::Not(failure))
 }
 
-/// Returns the smallest number of cycles, below `period`, after which the fixed point already repeats, if there is one.
-/// A free vibration that decays slowly comes back to itself and looks like a longer period.  The cycle map is at the
+/// Returns the smallest number of cycles, below `period`, after which the fixed point already repeats. Returns `None`
+/// if it has no smaller period. A slowly decaying free vibration can look like a longer period. The cycle map is at the
 /// fixed point before and after the call.
 fn repeats_sooner<S: Float, K: ContactChain<S>>(
     cycle_map: &mut CycleMap<'_, '_, S, K>,
@@ -260,9 +261,9 @@ fn repeats_sooner<S: Float, K: ContactChain<S>>(
     Ok(sooner)
 }
 
-/// Finds the number of cycles, more than `after` and at most `most`, after which the motion comes back close to its
-/// present state.  After fewer cycles the motion must not be as close.  Returns that number, and the events during
-/// these cycles.
+/// Finds the number of cycles after which the motion returns close to its present state. The number is more than
+/// `after` and at most `most`. After fewer cycles the motion must not be as close. Returns the number, and the events
+/// during these cycles.
 fn comes_back<S: Float, K: ContactChain<S>>(
     cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,
@@ -287,9 +288,9 @@ fn comes_back<S: Float, K: ContactChain<S>>(
     Ok(None)
 }
 
-/// Returns the events that a map should have if a whole period has the events `total`.  A symmetric map has half of
-/// them.  If the period has an even number of cycles, the load has the same sign after half a period.  No symmetric map
-/// exists then, and the result is `None`.
+/// Returns the events that a map should have if a whole period has the events `total`. A symmetric map covers half a
+/// period, and has half of the events. If the period has an even number of cycles, the load has the same sign after
+/// half a period. No symmetric map exists then, and the result is `None`.
 fn wanted(total: EventPattern, symmetric: bool, period: u32) -> Option<EventPattern> {
     if !symmetric {
         return Some(total);

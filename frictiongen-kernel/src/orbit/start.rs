@@ -1,4 +1,4 @@
-//! Initial states of a motion that the search follows to its steady state.
+//! Initial states from which the search follows a motion to its steady state.
 
 use super::closed;
 use super::cycle_map::CycleMap;
@@ -8,10 +8,10 @@ use crate::errors::{NoOrbit, OutOfDomain};
 use crate::motion::ContactChain;
 use crate::number::scalar::Float;
 
-/// Number of cycles that a motion runs at a neighbouring friction ratio before β takes its own value.
+/// Number of cycles for which a motion runs at a neighbouring friction ratio, before it continues at β.
 const NEIGHBOURING: u32 = 64;
 
-/// Start of a motion, with the excitation at its maximum.
+/// Initial state of a motion, with the excitation at its maximum.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Start<'s, S> {
     /// Every mass is at x̄ = 0 without velocity.
@@ -20,14 +20,15 @@ pub enum Start<'s, S> {
     State(&'s [S], &'s [S]),
     /// The stuck state with z̄ = 0, which exists for β ≥ β*_lim.
     Stuck,
-    /// The motion of the closed form at this friction ratio.  The contact need not move like that at the given β.
+    /// The motion of the closed form at this friction ratio. It need not be a motion of the scene at the given β.
     ClosedForm(S),
-    /// Rest, followed by some cycles at this neighbouring friction ratio.
+    /// Motion from rest that runs at this neighbouring friction ratio for some cycles.
     Neighbour(S),
 }
 
 impl<S: Float> Start<'_, S> {
-    /// Sets the oscillators and the contact of the cycle map to this initial state.  For `Stuck` the caller sets them.
+    /// Sets the oscillators and the contact of the cycle map to this initial state. The caller itself sets the initial
+    /// state `Stuck`.
     pub(super) fn set_start<K: ContactChain<S>>(
         self,
         cycle_map: &mut CycleMap<'_, '_, S, K>,
@@ -72,7 +73,7 @@ impl<S: Float> Start<'_, S> {
         Ok(())
     }
 
-    /// Returns the start, or an error if it does not exist at this β.
+    /// Returns the initial state, or an error if it does not exist at this β.
     pub(super) fn checked(self, holds: bool) -> Result<Self, OutOfDomain> {
         if self == Self::Stuck && !holds {
             return Err(OutOfDomain::StuckStart);

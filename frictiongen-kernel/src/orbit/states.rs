@@ -1,4 +1,4 @@
-//! Searches for all steady states at one β.
+//! Searches for the steady states of a scene at one friction ratio β.
 
 use super::scene::{Known, Print, ProvidesOrbit};
 use super::start::Start;
@@ -10,12 +10,12 @@ use core::fmt;
 
 /// Upper bound on the number of starts in a search for steady states.
 const STARTS: usize = 9;
-/// Fractions of β_lim at which the closed form serves as a start if β is at or above β_lim.
+/// Fractions of β_lim at which the closed form serves as an initial state, if β ≥ β_lim.
 const FORMER: [f64; 2] = [0.98, 0.5];
-/// Factors on β that give the neighbouring friction ratios of starts.
+/// Factors that turn β into the neighbouring friction ratios of some initial states.
 const NEIGHBOURS: [f64; 4] = [0.97, 1.03, 0.8, 1.25];
 
-/// Iterator over the steady states of [`At::states`].  Each state is computed when it is requested.
+/// Iterator over the steady states of [`At::states`]. It computes each state when the caller requests it.
 pub struct States<T: Scene> {
     at: At<T>,
     beta: T::Scalar,
@@ -43,7 +43,7 @@ impl<T: ProvidesOrbit> States<T> {
         };
         add(Some(Start::Rest));
         let zero = T::Scalar::constant(0.0);
-        // With μ = 1 the distance of two motions never grows, so that all starts lead to the same state.
+        // With μ = 1 the distance of two motions never grows, so that all initial states lead to the same steady state.
         let law = at.scene().numbers().chain.law(beta);
         if law.is_contraction() || beta.is_zero() {
             return Ok(Self::from_starts(at, beta, starts));

@@ -21,14 +21,14 @@ pub struct At<T: Scene> {
 
 impl<T: Scene + Copy> Copy for At<T> where T::Modes: Copy {}
 
-/// Upper bounds on the number of times that one search evaluates the sum over the modes. A grid of up to 32 instants
-/// counts as two evaluations.
+/// Upper bounds on the evaluations of the modal sum in one search. A grid of up to 32 instants counts as two
+/// evaluations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct MostEvaluations {
     /// Upper bound for one search for β_lim, the limit of continuous motion. `continuous_limit`, `limits`, `regime` and
-    /// `margin` run one such search, `motion` one or two. The bound is 0 where β_lim needs no search.
+    /// `margin` run one such search, `motion` runs one or two. The bound is 0 where β_lim needs no search.
     pub limit: u32,
     /// Upper bound for one search for the amplitude and phase of a mass.
     pub amplitude: u32,
@@ -86,7 +86,7 @@ impl<T: Scene> At<T> {
         }
     }
 
-    /// Copies the scene with the functions of the modes at r, so that a motion can own the copy.
+    /// Copies the scene with the functions of its modes at r, so that a motion can own the copy.
     #[inline]
     pub(super) fn kept(&self) -> Self {
         Self {
@@ -112,7 +112,7 @@ impl<T: Scene> At<T> {
         let (mut limits, h) = scene.limits_without_search(inverse_r);
         let numbers = scene.numbers();
         if numbers.absorbs && numbers.chain.may_absorb(h) {
-            // The force that keeps the contact stuck needs each mode's own functions.
+            // The contact force in the stuck state needs the response functions of each mode.
             limits.sliding = Self::new(scene.clone(), r)?.sliding_limit();
         }
         Ok(Limits {
@@ -159,8 +159,8 @@ impl<T: Scene> At<T> {
     }
 
     /// Searches for the velocity constraint max(S, H_c + μm*/r²), which decides β_lim (5.54, 7.36). S is a maximum over
-    /// the half period, the other term is the condition for break-away at a reversal. The result is multiplied by r²
-    /// and by the scale E of [`ContactAt`].
+    /// the half period. H_c + μm*/r² is the condition for break-away at a reversal. The result is multiplied by r² and
+    /// by the scale E of [`ContactAt`].
     #[must_use]
     pub fn velocity_constraint(&self) -> Peak<T::Scalar> {
         let numbers = self.scene.numbers();
@@ -174,15 +174,15 @@ impl<T: Scene> At<T> {
     /// Returns upper bounds on the number of evaluations in one search at this r. The bounds are also valid at every
     /// larger r.
     ///
-    /// The bounds at the smallest r of a sweep are therefore valid for the whole sweep. The bound is 256 evaluations
-    /// for β_lim and 1024 for an amplitude. Both grow by max √λ(1 + 2ζ)/16r, a sixteenth of the number of half turns
-    /// that the fastest mode makes in a half period. Neither bound exceeds
+    /// The bounds at the smallest r of a sweep are therefore valid for the whole sweep. For slow modes, the bound is
+    /// 256 evaluations for β_lim and 1024 for an amplitude. Both bounds grow by max √λ(1 + 2ζ)/16r, one evaluation for
+    /// 16 half turns of the fastest mode in a half period. Neither bound exceeds
     /// [`MAX_EVALUATIONS`](search::MAX_EVALUATIONS).
     ///
-    /// A search counts its evaluations. It stops where it would exceed its bound, and then reports
+    /// A search counts its evaluations. It stops before it would exceed its bound, and then reports
     /// [`Effort::Exceeded`]. In an undamped scene β_lim needs no search for r ≥ √λ_max/2. Searches usually take far
-    /// fewer evaluations than the bound; `docs/evidence.md` has measured numbers. In random scenes only searches with
-    /// more than 2·10⁴ half turns were stopped (section 9 of `docs/derivation.md`).
+    /// fewer evaluations than the bound. `docs/evidence.md` has measured numbers. In random scenes, only searches with
+    /// more than 2·10⁴ half turns reached their bound (section 9 of `docs/derivation.md`).
     #[must_use]
     pub fn most_evaluations(&self) -> MostEvaluations {
         let numbers = self.scene.numbers();
@@ -237,8 +237,7 @@ impl<T: Scene> At<T> {
     }
 
     /// Returns an upper bound on β_lim without a search. The formula replaces the velocity constraint S by its limit
-    /// for τ → 0 (5.64). The bound equals β_lim wherever the maximum that defines S lies at the start of the half
-    /// period.
+    /// for τ → 0 (5.64). The bound equals β_lim wherever S has its maximum at the start of the half period.
     #[inline]
     #[must_use]
     pub fn continuous_limit_without_search(&self) -> T::Scalar {
@@ -246,8 +245,8 @@ impl<T: Scene> At<T> {
     }
 
     /// Returns a lower bound on β_lim, as the thesis prints it (5.55, 7.37). The velocity constraint S is the maximum
-    /// of a sum over the modes. The printed formula replaces S by the sum of each mode's own maximum. The call makes
-    /// one search per mode.
+    /// of a sum over the modes. The printed formula replaces S by the sum of the modes' own maxima. The call makes one
+    /// search for each mode.
     #[must_use]
     pub fn continuous_limit_per_mode(&self) -> T::Scalar {
         let numbers = self.scene.numbers();
@@ -272,7 +271,7 @@ impl<T: Scene> At<T> {
         sliding_with_ends(&self.scene, self.r, limit)
     }
 
-    /// Returns the force that keeps a stuck contact from sliding, if masses beyond the contact act as an absorber.
+    /// Returns the amplitude of the contact force in the stuck state, if masses beyond the contact act as an absorber.
     /// Returns `None` if they do not.
     #[inline]
     pub(super) fn absorbed_force(&self) -> Option<T::Scalar> {

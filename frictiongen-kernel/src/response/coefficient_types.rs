@@ -9,7 +9,8 @@ pub struct Friction<S> {
     /// Friction ratio β = F/P.
     pub beta: S,
     /// In-phase term Q = √(|V|² − (βU)²) of the contact's relative motion. V is the response of the contact to the
-    /// load, and βU its velocity term from friction. Q is multiplied by r² and by the scale E of [`ContactAt`](crate::contact::sums::ContactAt).
+    /// load, and βU the velocity that friction contributes. Q is multiplied by r² and by the scale E of
+    /// [`ContactAt`](crate::contact::sums::ContactAt).
     pub root: S,
     /// Amplitude Z of the contact's relative motion, in units of P/k₁ (for base motion Y).
     pub amplitude: S,
@@ -19,7 +20,7 @@ pub struct Friction<S> {
     pub unscale: S,
 }
 
-/// Fundamental component of a motion, which has the frequency of the excitation: its coefficients.
+/// Fundamental component of a motion, at the frequency of the excitation, as coefficients of cos τ and sin τ.
 #[derive(Clone, Copy, Debug)]
 pub struct Fundamental<S> {
     /// Coefficient of cos τ in the displacement.
@@ -51,8 +52,8 @@ pub struct ModalCoefficients<S> {
     /// Coefficient of (1 − d)/x², the mode's response from rest to a constant force. Here x = 1/R is the natural
     /// frequency of the mode divided by the frequency of the excitation.
     pub rise: S,
-    /// Coefficient of cos τ − d, by which the mode's static displacement lags behind the excitation. The cos τ that
-    /// this term adds is subtracted from the fundamental component. The coefficient is 0 without damping.
+    /// Coefficient of cos τ − d, by which the mode's static displacement lags behind the excitation. This term adds a
+    /// cos τ, which the fundamental component subtracts again. The coefficient is 0 without damping.
     pub fall: S,
     /// Coefficient of sin τ − R q̃, by which the mode lags behind the excitation. R is the frequency of the excitation
     /// divided by the natural frequency of the mode.

@@ -1,13 +1,13 @@
 //! Coefficients of the exact continuous motion at one friction ratio (section 4 of `docs/derivation.md`).
 //!
 //! The response of mode i has a term with V, the response to the load, and a term with friction. Both terms have a pole
-//! where the mode resonates, and the poles cancel partly. The formulas therefore use ν = p v/V and κ = (p v U − w u
-//! V)/V. They take U and V without mode i wherever the terms of mode i would cancel. Then nothing is left to cancel:
-//! x̄_k = Re[Q ρ e^{iτ}] + β Im[κ e^{iτ}] + β Σ φ_k w [ (1 − d) − g d + uR²(sin τ − …) ], with ρ = V_k/V and Q = √(|V|²
-//! − β²U²).
+//! at the mode's resonance, and the poles partly cancel. The formulas therefore use ν = p v/V and κ = (p v U − w u
+//! V)/V. They use U and V without the terms of mode i wherever these would cancel. No cancellation then remains: x̄_k =
+//! Re[Q ρ e^{iτ}] + β Im[κ e^{iτ}] + β Σ φ_k w [ (1 − d) − g d + uR²(sin τ − …) ], with ρ = V_k/V and Q = √(|V|² −
+//! β²U²).
 //!
-//! Close to a damped resonance g d and Qρ are large and nearly proportional to cos τ. The code therefore moves −g cos τ
-//! into the fundamental component, and keeps g (cos τ − d), which is small.
+//! Close to a damped resonance, g d and Qρ are large and nearly proportional to cos τ. The code therefore moves −g cos
+//! τ into the fundamental component, and keeps the small term g (cos τ − d).
 
 pub use super::coefficient_types::{Friction, Fundamental, ModalCoefficients};
 use crate::contact::dominant::{DominantParts, DominantSums, Partner};
@@ -38,13 +38,14 @@ impl<S: Scalar> Chain<S> {
         let modulus_v =
             complex::modulus(contact.v, self.damped).named("modulus_v", "|V|·r²E", None);
         let velocity_part = (beta * contact.u).named("friction_quadrature", "βU·r²E", None);
-        // The formula takes the root of a product. Close to a limit, a difference of squares would lose its digits.
+        // The formula takes the root of a product (|V| − βU)(|V| + βU). A difference of squares would lose its digits
+        // close to a limit.
         let zero = S::constant(0.0);
         let less = (modulus_v - velocity_part).max(zero);
         let more = (modulus_v + velocity_part).max(zero);
         let root = if self.damped || self.on_moving_base.is_some() {
-            // On a moving base both factors grow as r⁴, and with damping V may almost vanish. The product would then
-            // overflow or underflow, so each factor gets its own root.
+            // On a moving base both factors grow as r⁴, and with damping V may almost vanish. The product may then
+            // overflow or underflow, so that the code takes the root of each factor.
             less.sqrt() * more.sqrt()
         } else {
             (less * more).sqrt()
@@ -117,9 +118,8 @@ impl<S: Scalar> Chain<S> {
     }
 
     /// Returns the coefficients of one mode in the motion of a mass, for
-    /// [`mass_wave`](crate::response::motion::mass_wave). If the mode is mass-controlled (resonance far below the
-    /// excitation), its response is kept as one function, so that no cancelling terms are added (see
-    /// `modal_sum::mass_controlled`).
+    /// [`mass_wave`](crate::response::motion::mass_wave). The response of a mass-controlled mode (resonance far below
+    /// the excitation) stays one function, so that no cancelling terms are added (see `modal_sum::mass_controlled`).
     #[inline]
     #[allow(clippy::too_many_arguments, reason = "a mode, and all it rests on")]
     pub fn mass_coefficients(
@@ -137,7 +137,7 @@ impl<S: Scalar> Chain<S> {
     }
 
     /// Returns the functions u and g of a mode, with both set to 0 for a mass-controlled mode (resonance far below the
-    /// excitation). Such a mode has its whole response in one function, so u and g must not add to the response again.
+    /// excitation). The response of such a mode is a single function that already contains u and g.
     fn without_parts(&self, mode: &Mode<S>, at: &ModeAt<S>, index: usize) -> ModeAt<S> {
         let (slow, zero) = (
             is_mass_controlled(mode.kind, mode.zeta, at.x),
@@ -235,8 +235,8 @@ impl<S: Scalar> Chain<S> {
         } else {
             (one, one)
         };
-        // The code multiplies sums instead of ratios. A mass far from the contact moves by V_k U − U_k V, and the
-        // factors common to both terms must stay exactly equal.
+        // The code multiplies sums instead of ratios. A mass far from the contact moves by the small difference V_k U −
+        // U_k V, in which common factors must stay exactly equal.
         let part = |driven, u: S, rubbed: Complex<S>, v| {
             let (u, rubbed) = (
                 (u * lower).named(

@@ -11,7 +11,7 @@ use crate::response::motion::Motion;
 /// Motion type of a scene, for the relative motion of its contact or for the motion of one mass.
 pub type MotionOf<T> = Motion<<T as Scene>::Scalar, <T as Scene>::Decay, <T as Scene>::Waves>;
 
-/// A scene that provides `motion`, the exact continuous motion.
+/// Trait of a scene that provides `motion`, the exact continuous motion.
 ///
 /// The default bodies are valid for every chain. A generator writes its own bodies where these are faster.
 pub trait ProvidesMotion: Scene {
@@ -32,8 +32,7 @@ pub trait ProvidesMotion: Scene {
         Motion::of_contact(*friction, fundamental, waves)
     }
 
-    /// Returns the motion of a mass that does not move as the contact does. Returns `None` if the scene has no such
-    /// mass.
+    /// Returns the motion of a mass that is not the contact's own mass. Returns `None` if the scene has no such mass.
     #[inline]
     fn mass_motion(
         at: &At<Self>,
@@ -58,7 +57,7 @@ fn fundamental_and_waves<T: Scene>(
     let chain = numbers.chain;
     let (contact, modes) = (&at.contact, at.modes.as_ref());
     let (inverse_r, quadratures) = (at.inverse_r, at.scene.quadratures());
-    // A scene without loads in quadrature has the formulas without them.
+    // A scene without loads in quadrature uses the shorter formulas.
     let fundamental = if quadratures.is_empty() {
         chain.fundamental(shape, numbers.modes, modes, contact, friction, inverse_r)
     } else {
@@ -107,7 +106,7 @@ impl<T: ProvidesMotion> At<T> {
         })
     }
 
-    /// Returns the closed form of the continuous motion without a check of the regime, at any β with 0 ≤ β < |V|/|U|.
+    /// Returns the closed form of the continuous motion at any β with 0 ≤ β < |V|/|U|, without a check of the regime.
     /// At larger β the formula has no real value. The closed form is a steady state only where [`motion`](Self::motion)
     /// returns it.
     #[inline]

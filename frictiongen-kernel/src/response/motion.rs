@@ -12,8 +12,8 @@ use crate::oscillator::decay::{Decay, Instant};
 use crate::oscillator::mode::Mode;
 use crate::response::coefficients::{Friction, Fundamental, ModalCoefficients};
 
-/// Tolerance for comparing the sizes of two lags, in roundings of a radian. The phase of the contact and the position
-/// of a maximum each have errors of a few roundings.
+/// Tolerance for the comparison of two lags, in roundings of a radian. The phase of the contact and the position of a
+/// maximum each have errors of a few roundings.
 const ALIKE: f64 = 64.0;
 
 /// Steady motion of one mass, or relative motion of the contact, while the contact slides all the time.
@@ -101,7 +101,7 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
         }
     }
 
-    /// Returns the amplitude and the phase by one search, with the number of evaluations that the search took.
+    /// Returns the amplitude and the phase from one search, with the number of evaluations that the search took.
     ///
     /// [`At::most_evaluations`](crate::response::At::most_evaluations) bounds the number of evaluations. The motion of
     /// the contact needs no search.
@@ -116,9 +116,9 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
         self.largest_of(&self.peak())
     }
 
-    /// Returns the amplitude and the phase by a search that begins at the maximum that the previous searches of a sweep
-    /// predict. It serves sweeps of r or β. The closer the steps of the sweep, the fewer evaluations the search takes.
-    /// The result is still the largest value over the whole period. The amplitude may differ from that of
+    /// Returns the amplitude and the phase by a search that begins at a predicted maximum. Previous searches of a sweep
+    /// over r or β give the prediction. The closer the steps of the sweep, the fewer evaluations the search takes. The
+    /// result is still the largest value over the whole period. The amplitude may differ from that of
     /// [`largest`](Self::largest) by four roundings of the motion's modal terms.
     pub fn largest_near(&self, neighbour: &mut Neighbour<S>) -> Largest<S> {
         if self.is_contact {

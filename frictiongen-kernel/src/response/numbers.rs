@@ -28,7 +28,7 @@ pub struct Numbers<'a, S> {
     /// Index of the mass that slides on a wall or base. `None` if two masses slide on each other.
     pub rubbing: Option<usize>,
     /// True if the masses beyond a stuck contact may act as an absorber. V and H, the responses of the contact to the
-    /// load and to a contact force, may then have common zeros.
+    /// load and to a contact force, may then vanish at the same frequency.
     pub absorbs: bool,
     /// Frequency ratios of the undamped resonances that the load drives. The response at these resonances may be
     /// unbounded.
@@ -38,7 +38,7 @@ pub struct Numbers<'a, S> {
 }
 
 impl<S: Float> Numbers<'_, S> {
-    /// Returns true if this mass moves as the contact does. Only a mass that slides on a support at rest moves so.
+    /// Returns true if this mass moves exactly as the contact does. Only a mass that slides on a support at rest does.
     #[inline]
     #[must_use]
     pub fn moves_as_contact(&self, mass: usize) -> bool {

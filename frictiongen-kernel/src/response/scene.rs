@@ -12,7 +12,7 @@ use crate::oscillator::decay::Decay;
 /// The default bodies are valid for every chain. A generator writes its own bodies where constants save work. The
 /// results of both have the same bits.
 pub trait Scene: Clone {
-    /// Number type: `f64`, `f32`, or a wider scalar.
+    /// Number type of the scene: `f64`, `f32`, or a wider scalar.
     type Scalar: Float;
     /// Kind of decay of the modes. A scene without damping evaluates no exponential functions.
     type Decay: Decay<Self::Scalar>;
@@ -56,8 +56,8 @@ pub trait Scene: Clone {
     fn frequency_stage(&self, inverse_r: Self::Scalar) -> (ContactAt<Self::Scalar>, Self::Modes);
 
     /// Returns the contact's sums as [`frequency_stage`](Self::frequency_stage) does, without the functions of the
-    /// modes. The sum G, the contact's displacement from friction at a reversal, is left out, since the limits do not
-    /// need it.
+    /// modes. The sum G (displacement of the contact that friction causes at a reversal) is left out, because the
+    /// limits do not need it.
     #[inline]
     fn contact_without_g(&self, inverse_r: Self::Scalar) -> ContactAt<Self::Scalar> {
         self.frequency_stage(inverse_r).0
@@ -67,9 +67,8 @@ pub trait Scene: Clone {
     /// mode in a sum over the modes.
     fn idle(&self) -> Self::Waves;
 
-    /// Copies the functions of the modes, so that a motion can own the copy. A generator writes a plain copy. When
-    /// optimising for size, the compiler turns `clone` into a loop over the modes, which costs time in a stuck
-    /// response.
+    /// Copies the functions of the modes, so that a motion can own the copy. A generator writes a plain copy. If a
+    /// compiler optimises for size, `clone` becomes a loop over the modes, which costs time.
     #[inline]
     fn kept(modes: &Self::Modes) -> Self::Modes {
         modes.clone()

@@ -94,7 +94,7 @@ impl<T: Scene> At<T> {
         if numbers.absorbs {
             let limits = found.sliding.iter_mut().zip(&found.h);
             for (r, (sliding, h)) in rs.iter().zip(limits) {
-                // The force that keeps the contact stuck needs each mode's own functions.
+                // The contact force in the stuck state needs the response functions of each mode.
                 if numbers.chain.may_absorb(*h)
                     && let Ok(Limits { sliding: limit, .. }) =
                         Self::limits_without_search(scene, *r)

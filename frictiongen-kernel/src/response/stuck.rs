@@ -12,7 +12,7 @@ pub trait ProvidesStuck: Scene {
     type Stuck: From<Stuck<Self>>;
 
     /// Returns x̄* = V_k − H_kV/H, the complex amplitude of mass k while the contact is stuck (6.11, 6.27, 6.33). V/H
-    /// is the force that keeps the contact stuck. The mass must not be the one that the stuck contact fixes to its
+    /// is the contact force in the stuck state. The mass must not be the mass that the stuck contact fixes to its
     /// support. The default body is valid for every chain. A generator replaces it where constants save work.
     #[inline]
     fn stuck_mass(at: &At<Self>, mass: usize) -> Option<Complex<Self::Scalar>> {
@@ -20,7 +20,7 @@ pub trait ProvidesStuck: Scene {
         let (shape, chain) = (at.scene.shape(mass)?, numbers.chain);
         let (contact, modes) = (&at.contact, at.modes.as_ref());
         let quadratures = at.scene.quadratures();
-        // A scene without loads in quadrature has the formula without them.
+        // A scene without loads in quadrature uses the shorter formula.
         Some(if quadratures.is_empty() {
             chain.stuck(shape, numbers.modes, modes, contact, at.inverse_r)
         } else {
@@ -52,8 +52,8 @@ impl<T: ProvidesStuck> At<T> {
         Stuck { at: self }
     }
 
-    /// Returns the amplitude of a mass, computed from the force in the stuck contact, if masses beyond the contact act
-    /// as an absorber. Returns `None` if they do not.
+    /// Returns the amplitude of a mass from the force in the stuck contact, if masses beyond the contact act as an
+    /// absorber. Returns `None` if they do not.
     #[inline]
     fn absorbed_mass(&self, mass: usize) -> Option<Complex<T::Scalar>> {
         let force = self.absorbed_force()?;
@@ -110,7 +110,7 @@ impl<T: ProvidesStuck> Stuck<T> {
         if let Some(amplitude) = self.at.scene().numbers().tied(mass) {
             return Some(complex::real(amplitude));
         }
-        // Where masses beyond the contact act as an absorber, V and H have common zeros.
+        // Where masses beyond the contact act as an absorber, V and H vanish at the same frequency, so that V/H is 0/0.
         if let Some(amplitude) = self.at.absorbed_mass(mass) {
             return Some(amplitude);
         }

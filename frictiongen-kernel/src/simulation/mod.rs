@@ -1,7 +1,7 @@
-//! The exact motion in time: closed forms between events, and events located to rounding.
+//! The exact motion in time: closed forms between events of the contact, and events located to rounding.
 //!
-//! The motion is not integrated in time steps.  The simulation searches for the next event, which is a zero of the
-//! relative velocity, or the instant at which the contact force reaches μβ.
+//! The simulation makes no time steps. It searches for the next event: a zero of the relative velocity, or the instant
+//! at which the force in the stuck contact reaches μβ.
 
 mod run;
 

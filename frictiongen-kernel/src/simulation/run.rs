@@ -44,8 +44,8 @@ impl<S: Float> Moment<S> {
     }
 }
 
-/// An exact simulation in time, from event to event.  It is an iterator over its segments.  A segment without an event
-/// for a cycle is returned in pieces of a cycle.
+/// An exact simulation in time, from event to event. It is an iterator over segments of the motion. A segment without
+/// an event within a cycle is returned in pieces of one cycle.
 ///
 /// `P` owns the oscillators: an array in emitted code, a vector at run time.  `L` is the kinetic friction:
 /// [`Constant`], or [`Lines`] over the speed.  `K`, the constants of the chain, selects the law of the contact.
@@ -59,9 +59,9 @@ pub struct Simulation<'a, S, P, L = Constant, K = Chain<S>> {
     /// Phase of the excitation at the start of the segment (`start`), and at the present instant (`now`).
     start: Clock<S>,
     now: Clock<S>,
-    /// The current segment once its end has been found, and the time in τ that has passed in it.  The simulation
-    /// searches for the end only once, however short the steps of the run are.  A new search close to an event would
-    /// find the event a second time.
+    /// The current segment once its end has been found, and the time in τ that has passed in the segment. The
+    /// simulation searches for the end only once, however short the steps of the caller are. A second search close to
+    /// an event would find the same event again.
     sought: Option<Sought<S>>,
     passed: Total<S>,
 }
@@ -72,18 +72,18 @@ pub type FixedSimulation<S, const PARTS: usize> = Simulation<'static, S, [Part<S
 pub type FixedLinesSimulation<S, const PARTS: usize> =
     Simulation<'static, S, [Part<S>; PARTS], Lines<'static, S>>;
 
-/// Upper bound on the pieces of motion that one call follows if the kinetic friction changes with the speed.  A piece
-/// ends at an event, or where the speed reaches the next straight line of the friction law.  It also ends where the
-/// power series of the motion ends.  If a call reaches the bound it returns, and the motion continues in another
-/// segment.
+/// Upper bound on the pieces of motion that one call follows if the kinetic friction changes with the speed. A piece
+/// ends at an event, or where the speed reaches the next straight line of the friction law. It also ends where the
+/// power series of the motion no longer converges. A call that reaches the bound returns, and the motion continues in
+/// another segment.
 pub const MAX_STRETCHES: u32 = 4096;
 
 impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, K: ContactChain<S>>
     Simulation<'a, S, P, Constant, K>
 {
-    /// Creates a simulation from a state at a maximum of the excitation, τ = 0.  The state has the displacements x̄ of
-    /// the masses and their velocities dx̄/dτ.  Without a state the motion starts from rest.  `parts` has one
-    /// [`Part::empty`] for each mode and each mode of the stuck chain.
+    /// Creates a simulation from a state at a maximum of the excitation, τ = 0. The state has the displacements x̄ of
+    /// the masses and their velocities dx̄/dτ. Without a state the motion starts from rest. `parts` has one
+    /// [`Part::empty`] for each mode of the chain, and one for each mode of the chain with its contact stuck.
     ///
     /// # Errors
     /// [`OutOfDomain`] for r that is not positive and finite, and for β or μβ that is NaN, negative or infinite.  A
@@ -109,9 +109,9 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, K: ContactChain<S>>
     /// Creates a simulation whose kinetic friction changes with the speed, in straight `lines`.
     ///
     /// # Errors
-    /// Same errors as [`new`](Simulation::new).  [`OutOfDomain::LoadAmplitude`] for a load under which the law's speeds
-    /// leave the scalar's range.  [`OutOfDomain::Steepness`] for a law that changes the motion more than
-    /// [`MAX_STEEPNESS`](super::MAX_STEEPNESS) times as fast as the fastest mode does.
+    /// Same errors as [`new`](Simulation::new). [`OutOfDomain::LoadAmplitude`] for a load that takes the law's speeds
+    /// out of the scalar's range. [`OutOfDomain::Steepness`] for a law that is too steep: it changes the motion more
+    /// than [`MAX_STEEPNESS`](super::MAX_STEEPNESS) times as fast as the fastest mode does.
     pub fn along(
         dynamics: Dynamics<'a, S, K>,
         r: S,
@@ -123,7 +123,7 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, K: ContactChain<S>>
     where
         S: Plain,
     {
-        // The speeds of the law depend on r.  r is checked first, so that an error names the true cause.
+        // The speeds of the law depend on r. The code checks r first, so that an error names the true cause.
         let mut run = Self::under(dynamics, (r, beta, lines), state, parts)?;
         lines.check()?;
         run.setting.check_lines(run.parts.as_ref(), &lines)?;
@@ -201,9 +201,8 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: Level<'a, S>, K: C
         (self.setting.relative(self.parts.as_ref(), at), velocity)
     }
 
-    /// Returns the present friction force in the contact, over P.  While the contact slides, it is the kinetic friction
-    /// force.  While the contact sticks, it is the force that keeps the contact at rest.  A positive force opposes
-    /// positive sliding.
+    /// Returns the present contact force over P. While the contact slides, it is the kinetic friction force. While the
+    /// contact sticks, it is the force that keeps the contact at rest. A positive force opposes positive sliding.
     #[must_use]
     pub fn friction(&self) -> S {
         let at = phase(self.now.t);
@@ -218,10 +217,10 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: Level<'a, S>, K: C
         })
     }
 
-    /// Advances to the next event, but at most by `reach` in τ.  A reach of 0 changes nothing.
+    /// Advances to the next event, or by at most `reach` in τ. A reach of 0 changes nothing.
     ///
-    /// The events of a run do not depend on the size of its steps.  The rounding of the steps accumulates neither in
-    /// the phase nor in the motion.
+    /// The events of a simulation do not depend on the size of its steps. Rounding errors of the steps do not
+    /// accumulate.
     ///
     /// # Errors
     /// [`OutOfDomain`] for a reach that is negative, infinite or NaN.  The simulation then keeps its state.
@@ -248,7 +247,7 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: Level<'a, S>, K: C
         segment.contact = self.find_end(reach).contact_state.contact;
         let (length, mut ended) = self.advance_within(reach);
         segment.length = length;
-        // A segment that an earlier call has searched may end without an event before the reach.
+        // An earlier call has searched this segment and found that it ends without an event before the reach.
         if known && ended == Some(None) && length < reach {
             let (more, next) = self.advance_within(reach - length);
             segment.length = length + more;
@@ -268,7 +267,7 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: Level<'a, S>, K: C
         segment
     }
 
-    /// Returns the current segment.  If its end is unknown, searches for it over at least a cycle.
+    /// Returns the current segment. If the end of the segment is unknown, searches for it over at least a cycle.
     fn find_end(&mut self, reach: S) -> Sought<S> {
         if let Some(sought) = self.sought {
             return sought;
@@ -280,7 +279,7 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: Level<'a, S>, K: C
             .setting
             .seek_under(level, parts, self.contact_state, reach);
         if sought.holds() {
-            // The contact could not leave zero velocity, so it continues to stick.
+            // The contact cannot leave zero velocity, so that it continues to stick.
             let (modes, held) = self.setting.split(parts);
             let oscillators = (&*modes, &*held);
             let end = ended(&self.setting, oscillators, &sought, phase(self.now.t));
@@ -291,8 +290,8 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: Level<'a, S>, K: C
         sought
     }
 
-    /// Advances within the current segment by at most `reach`.  Returns the length advanced.  If the segment is over,
-    /// also returns the event at its end, or `None` inside if it ends without an event.
+    /// Advances within the current segment by at most `reach`. Returns the length advanced. At the end of the segment,
+    /// also returns the event that ends it. The inner `None` means an end without an event.
     fn advance_within(&mut self, reach: S) -> (S, Option<Option<Event>>) {
         let sought = self.find_end(reach);
         let parts = self.parts.as_mut();

@@ -1,4 +1,4 @@
-//! Work and energy of a stepper's run. They are the terms of its energy balance.
+//! Work and energy of a stepper's run, the terms of its energy balance.
 
 use super::law::StepContact;
 use super::state::Store;
@@ -12,12 +12,12 @@ use crate::number::scalar::Float;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Work<S> {
-    /// Work of the forces and of the moving base.
+    /// Work of the forces on the masses and of the moving base.
     pub load: S,
     /// Work dissipated by friction.
     pub friction: S,
-    /// Work dissipated by modal damping, computed from the balance: the work of the load minus friction and stored
-    /// energy.
+    /// Work dissipated by modal damping. It is computed from the balance: the work of the load, minus friction, minus
+    /// stored energy.
     pub damping: S,
     /// Increase of kinetic and elastic energy since the start.
     pub stored: S,
@@ -43,7 +43,7 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepContact<S
         }
     }
 
-    /// Fails if the work has become so large that another step could take it beyond the scalar's range.
+    /// Fails if the work is so large that one more step could overflow the number type.
     pub(super) fn check_work(&self) -> Result<(), OutOfDomain> {
         let (_, most) = S::inverse_ratio_range();
         let status = &self.status;
@@ -55,8 +55,8 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepContact<S
         }
     }
 
-    /// Returns the kinetic and elastic energy of the chain, over k₁. [`pull`](Self::pull) adds the contribution of the
-    /// base's displacement.
+    /// Returns the kinetic and elastic energy of the chain, over k₁. The contribution of the base's displacement is
+    /// left out; [`pull`](Self::pull) returns it.
     pub(super) fn energy(&self) -> S {
         let half = S::constant(0.5);
         let modes = self.scene.dynamics.modes.iter().enumerate();
@@ -67,7 +67,7 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepContact<S
         sum * half
     }
 
-    /// Returns the energy that the springs to the moving base store because of the base's displacement, over k₁.
+    /// Returns the energy that the springs to the moving base store due to the base's displacement, over k₁.
     pub(super) fn pull(&self) -> S {
         let zero = S::constant(0.0);
         if !self.scene.on_base {

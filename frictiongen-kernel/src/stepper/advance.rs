@@ -1,5 +1,5 @@
-//! Advances through one sub-interval of a step.  The stepper uses its tables if the contact certainly has no event, and
-//! searches for events otherwise.
+//! Advances through one sub-interval of a step. The stepper uses its constant tables if the contact certainly has no
+//! event, and searches for events otherwise.
 
 use super::interval::StepInterval;
 use super::law::StepContact;
@@ -28,10 +28,10 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         }
     }
 
-    /// Advances without friction.  No force then keeps the contact at rest, so that its turning points are no events.
+    /// Advances without friction. The contact is then never at rest under a force, so that its reversals are no events.
     ///
-    /// The stepper uses the tables for the whole sub-interval, and no power series about events.  Rounded sums of such
-    /// series would not keep the energy of an undamped chain equal to the work.
+    /// The stepper uses its constant tables for the whole sub-interval. Power series about events have rounding errors,
+    /// which would break the energy balance of an undamped chain.
     fn advance_without_friction(&mut self) {
         if self.status.contact == Contact::Stuck && !self.status.unknown {
             self.start_sliding();
@@ -42,7 +42,7 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         self.advance_by_tables(0);
     }
 
-    /// Advances the modes from index `first` on over the whole sub-interval.  Friction does not act on these modes.
+    /// Advances the modes from index `first` on over the whole sub-interval. Friction does not act on these modes.
     fn advance_by_tables(&mut self, first: usize) {
         if self.scene.damped_from_base() {
             self.account_reaction(first..self.store.modes.len(), S::constant(0.0));

@@ -1,9 +1,9 @@
-//! Upper bounds on the cost of a step in floating-point operations, counted from the lengths of its loops.
+//! Upper bounds on the cost of a step in floating-point operations, computed from the lengths of its loops.
 
 use super::{MAX_EVENTS, MAX_STRETCHES};
 use crate::motion::{LOST_MODES, WALK};
 
-/// Sizes of a scene and its tables, from which the cost of a step follows.
+/// Numbers of modes, inputs and table entries of a scene, from which the cost of a step follows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Extent {
     /// Number of modes.
@@ -22,34 +22,34 @@ pub struct Extent {
     pub on_moving_base: bool,
     /// True if damping acts relative to the moving base.
     pub damped_from_base: bool,
-    /// True if the friction law has more lines than the last one.  A second walk then looks for the end of each line.
+    /// True if the friction law has at least two lines. A second search then looks for the end of each line.
     pub lines: bool,
 }
 
-/// Floating-point operations of a step: sums, products, quotients and comparisons.
+/// Cost of a step in floating-point operations: sums, products, quotients and comparisons.
 ///
-/// `tables` and `most` are bounds by construction.  No step that uses only the constant tables exceeds `tables`, and no
-/// step exceeds `most`.  On an emulated Cortex-M4F, in single precision and optimised for size, an operation takes at
-/// most [`Cost::INSTRUCTIONS`] instructions, and a sub-interval at most [`Cost::FIXED`] further instructions.
-/// `scripts/firmware` checks these bounds.
+/// `tables` and `most` are upper bounds by construction. A step that uses only the constant tables costs at most
+/// `tables`, and any step costs at most `most`. On an emulated Cortex-M4F, in single precision and optimised for size,
+/// an operation takes at most [`Cost::INSTRUCTIONS`] instructions. A sub-interval takes at most [`Cost::FIXED`] further
+/// instructions. `scripts/firmware` checks these bounds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Cost {
     /// Cost of a step without a search for events, in operations.
     pub tables: u64,
-    /// Cost of a step with one event, in operations.  All other sub-intervals use the tables, and each search takes
-    /// [`Cost::WALK`] evaluations.
+    /// Cost of a step with one event, in operations. All other sub-intervals use the constant tables, and each search
+    /// takes [`Cost::WALK`] evaluations.
     pub one_event: u64,
-    /// Upper bound on the cost of any step, in operations.  It counts [`MAX_STRETCHES`] pieces in every sub-interval,
-    /// and the largest permitted number of evaluations in each search.
+    /// Upper bound on the cost of any step, in operations. The bound counts [`MAX_STRETCHES`] pieces in every
+    /// sub-interval, and the largest permitted number of evaluations in each search.
     pub most: u64,
 }
 
 impl Cost {
-    /// Upper bound on the processor instructions of one operation.
+    /// Upper bound on the processor instructions for one floating-point operation.
     pub const INSTRUCTIONS: u64 = 4;
-    /// Upper bound on the processor instructions of a sub-interval that belong to no operation.
+    /// Upper bound on the processor instructions of a sub-interval that are not floating-point operations.
     pub const FIXED: u64 = 400;
-    /// Usual upper bound on the evaluations of the contact's function in a search for one event.
+    /// Usual upper bound on the evaluations of the contact's velocity or force in a search for one event.
     pub const WALK: u64 = 8;
 
     /// Computes the cost of a step from the sizes of a scene and its tables.
@@ -62,7 +62,8 @@ impl Cost {
         let tables = extent.parts * attempt;
         Self {
             tables,
-            // The step costs one piece before the event, one piece after the event, and the event itself.
+            // A step with one event consists of a piece before the event, the event itself, and a piece after the
+            // event.
             one_event: tables + 2 * usual + extent.event() + extent.held_force(),
             most: extent.parts
                 * (attempt
@@ -75,8 +76,8 @@ impl Cost {
 }
 
 impl Extent {
-    /// Returns the cost of advancing one sub-interval with the constant tables.  The cost is the same if the contact
-    /// turns out to have an event.
+    /// Returns the cost of advancing one sub-interval with the constant tables. The stepper has this cost also if the
+    /// contact turns out to have an event.
     const fn attempt(&self) -> u64 {
         let Self {
             modes,
@@ -86,7 +87,7 @@ impl Extent {
             ..
         } = *self;
         let load = 2 * inputs * d;
-        // The cost of a mode is that of the rows of its table, the work, and the bound on the second derivative.
+        // The cost of a mode has three parts: the rows of its table, the work, and the bound on the second derivative.
         let mode = load + (d + 1) * (3 + 2 * d) + 4 * d + 30;
         let base = if self.on_moving_base { 8 * d } else { 0 };
         let held = 2 * load + base + 2 * d * (3 + 4 * d) + (5 * inputs + 9) * d + 30;
@@ -103,12 +104,12 @@ impl Extent {
         } else {
             0
         };
-        // Inputs, base and work are counted in the constants.
+        // The constants contain the cost of inputs, base and work.
         (modes - driven) * mode + contact + 80 + 6 * inputs * d + reaction
     }
 
-    /// Returns the cost of the force in the sticking contact without the stuck chain's modes.  Includes the work of the
-    /// base on which the contact sticks.
+    /// Returns the cost of the force in the stuck contact, without the contribution of the modes. The cost includes the
+    /// work of the base on which the contact sticks.
     const fn still(&self) -> u64 {
         let d = self.coefficients;
         let base = if self.on_moving_base {
@@ -119,7 +120,7 @@ impl Extent {
         4 * self.inputs * d + 12 + base
     }
 
-    /// Returns the cost of the force in the sticking contact at the end of a sub-interval.
+    /// Returns the cost of the force in the stuck contact at the end of a sub-interval.
     const fn held_force(&self) -> u64 {
         self.still() + 2 * self.driven
     }
@@ -133,10 +134,11 @@ impl Extent {
             terms,
             ..
         } = *self;
-        // For each mode the power series costs the mode's term in the function, its drive, and its next coefficients.
+        // For each mode the power series has three costs: the mode's term in the series, its drive, and its next
+        // coefficients.
         let base = if self.on_moving_base { 8 } else { 0 };
         let series = terms * (driven * (16 + base) + 14) + d * driven * 4 * inputs;
-        // The moments advance the oscillators.  The inputs' polynomials are shifted to the end of the piece.
+        // Integrals (moments) advance the oscillators. The inputs' polynomials are shifted to the end of the piece.
         let reaction = if self.damped_from_base { 4 * d + 2 } else { 0 };
         let moved = driven * (terms * (14 + 7 * d) + (8 * inputs + 9) * d + 12 + reaction);
         let rest = 4 * terms + (inputs + 1) * d * d + 60;
@@ -151,8 +153,8 @@ impl Extent {
         6 * self.terms + 12 * 14 + 120
     }
 
-    /// Returns the cost of a change between sliding and sticking.  Each oscillator of one chain is a sum over all
-    /// oscillators of the other chain.
+    /// Returns the cost of a change between sliding and sticking. Each oscillator after the change is a sum over all
+    /// oscillators before it.
     const fn event(&self) -> u64 {
         self.driven * (8 * self.driven + 2 * self.inputs + 12) + 40
     }

@@ -1,11 +1,10 @@
-//! Sums over the few coefficients of an input, without loops.  On a microcontroller a loop would cost more than the
-//! sum.
+//! Sums over the few coefficients of an input, written without loops. On a microcontroller a loop would cost more than
+//! the sum.
 
 use crate::number::scalar::Float;
 
-/// Returns start + Σ a·b.  The products are summed first, because they cancel if an input changes its sign within a
-/// sub-interval.  If each product were added to `start` on its own, the rounding errors would be larger than the sum of
-/// the products.
+/// Returns start + Σ a·b. The products are summed first, because they cancel if an input changes its sign within a
+/// sub-interval. If each product were added to `start`, the rounding errors could exceed the sum of the products.
 #[inline(always)]
 pub(super) fn dot<S: Float, const D: usize>(start: S, a: &[S; D], b: &[S; D]) -> S {
     match (a.as_slice(), b.as_slice()) {
@@ -21,7 +20,7 @@ pub(super) fn dot<S: Float, const D: usize>(start: S, a: &[S; D], b: &[S; D]) ->
     }
 }
 
-/// Adds the coefficients factor·terms to `sum`.
+/// Adds factor·terms to the coefficients in `sum`.
 #[inline(always)]
 pub(super) fn add<S: Float, const D: usize>(sum: &mut [S; D], factor: S, terms: &[S; D]) {
     match (sum.as_mut_slice(), terms.as_slice()) {
@@ -44,7 +43,8 @@ pub(super) fn add<S: Float, const D: usize>(sum: &mut [S; D], factor: S, terms: 
     }
 }
 
-/// Returns upper bounds on the absolute value of a drive polynomial over a sub-interval, and on that of its derivative.
+/// Returns two upper bounds over a sub-interval: on the absolute value of a drive polynomial, and on that of its
+/// derivative.
 #[inline(always)]
 pub(super) fn sizes<S: Float, const D: usize>(drive: &[S; D]) -> (S, S) {
     let (two, three) = (S::constant(2.0), S::constant(3.0));
@@ -68,7 +68,7 @@ pub(super) fn sizes<S: Float, const D: usize>(drive: &[S; D]) -> (S, S) {
     }
 }
 
-/// Computes all moments except the first, each from its row of the table.
+/// Computes all moments except the first, each from its row of the constant table.
 #[inline(always)]
 pub(super) fn later<S, R, const D: usize>(
     moments: &mut [S; D],

@@ -1,4 +1,4 @@
-//! The input between two samples, as a polynomial over each sub-interval of a step.
+//! The input between two samples, as one polynomial for each sub-interval of a step.
 
 use super::input::Input;
 use super::scene::StepScene;
@@ -13,13 +13,13 @@ pub struct Sample<'i, S> {
     pub base: [S; 2],
     /// The forces, one for each loaded mass.
     pub forces: &'i [S],
-    /// The kinetic friction force F, not negative.  With linear input it acts over the step that ends at this sample.
-    /// With zero-order hold it acts over the step that starts at this sample.
+    /// The kinetic friction force F, not negative. With linear input, F acts over the step that ends at this sample.
+    /// With zero-order hold, F acts over the step that starts at this sample.
     pub friction: S,
 }
 
 impl<S: Float> Sample<'_, S> {
-    /// Fails if the sample is outside the scene's domain.
+    /// Fails if a number of the sample is outside the scene's domain.
     pub(super) fn check<K: ContactChain<S>>(
         &self,
         scene: &StepScene<'_, S, K>,
@@ -30,8 +30,8 @@ impl<S: Float> Sample<'_, S> {
         let energy = limit * limit * scene.units.stiffness;
         let sound = |value: S| {
             let size = value.abs();
-            // The work of an input in a step is a few times its square over k₁, and has to stay finite too.  The
-            // comparison must be strict, because infinity is not less than infinity.
+            // The work of an input in a step is a few times its square over k₁, and must stay finite too. The
+            // comparison is strict, because infinity is not less than infinity.
             size <= most && size * size < energy
         };
         if self.forces.len() != scene.forces.len() {
@@ -87,7 +87,7 @@ impl<S: Float> SubInterval<S> {
         terms
     }
 
-    /// Converts a cubic over the step to a polynomial over the sub-interval.
+    /// Converts a cubic polynomial over the step to a polynomial over the sub-interval.
     pub(super) fn cubic(self, cubic: [S; 4]) -> [S; 4] {
         let mut terms = cubic;
         if self.length == S::constant(1.0) {

@@ -1,4 +1,4 @@
-//! One sub-interval of a step in which the stepper searches for events, and advances from event to event.
+//! A sub-interval of a step in which the stepper searches for events. The stepper advances from event to event.
 
 use super::interval::{Departure, ROUNDINGS, StepInterval};
 use super::law::StepContact;
@@ -28,8 +28,8 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         }
     }
 
-    /// Advances over the rest of the sub-interval without events, in a way that creates no energy.  A contact at rest
-    /// stays stuck, and a sliding contact slides without friction.
+    /// Advances over the rest of the sub-interval without events, so that no energy is created. A contact at rest stays
+    /// stuck, and a sliding contact slides without friction.
     fn pass_without_events(&mut self, departing: Option<Departure<S>>) {
         self.exceeded = true;
         let left = S::constant(1.0) - self.progress;
@@ -46,7 +46,7 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         self.move_held(left);
     }
 
-    /// Determines the contact's state before the first step, under the inputs at the start.
+    /// Determines the contact's state before the first step, under the inputs at the start of this step.
     pub(super) fn begin(&mut self) {
         self.derive_contact();
         if self.status.contact != Contact::Stuck {
@@ -54,12 +54,13 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         }
         let force = self.stuck_force();
         let law = self.law();
-        // The acceleration of a moving base is unknown before the first step.  Only the first step decides whether the
-        // contact breaks away.
+        // The acceleration of a moving base is unknown before the first step. The first step therefore decides whether
+        // the contact breaks away.
         self.status.contact_force = law.limited(force);
         let slide = law.leave_rest(force);
         if let Some(slide) = slide.filter(|_| !self.scene.rubs_on_base()) {
-            // The contact breaks away at once.  The first step finds the break-away again, and counts it as an event.
+            // The contact breaks away at once. The first step finds the same break-away again, and counts it as an
+            // event.
             self.start_sliding();
             self.status.contact = slide.contact;
             self.status.contact_force = law.kinetic(slide.contact);
@@ -67,7 +68,7 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         }
     }
 
-    /// Determines the contact's state from the motion alone.
+    /// Determines the contact's state from the velocities of the modes alone.
     pub(super) fn derive_contact(&mut self) {
         self.status.unknown = false;
         self.status.wedged = false;
@@ -79,8 +80,7 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         self.status.line = line_at(self.scene.law, speed);
         let size = velocity.size + self.status.given * pace.span;
         if rate.abs() <= size * S::constant(ROUNDINGS * S::EPSILON) {
-            // The search for events follows.  It decides from the contact force whether the contact breaks away at
-            // once.
+            // The search for events follows. It decides from the contact force whether the contact breaks away at once.
             self.start_sticking(None);
         }
     }

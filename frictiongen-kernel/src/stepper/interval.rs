@@ -7,34 +7,34 @@ use super::table::View;
 use crate::motion::ContactChain;
 use crate::number::scalar::Float;
 
-/// Bound on the rounding error of a sum over modes, in roundings of the sum of its terms' absolute values.
+/// Bound on the rounding error of a sum over modes, in roundings of the sum of the absolute values of its terms.
 pub(super) const ROUNDINGS: f64 = 8.0;
-/// Bound on the distance of a function from its chord over a unit of time, as a multiple of the largest second
-/// derivative: 1/8.
+/// Factor 1/8: over a unit of time, a function differs from its chord by at most this factor times its largest second
+/// derivative.
 pub(super) const OFF_CHORD: f64 = 0.125;
 
-/// Data of a stepper during one sub-interval of a step. Times count in sub-intervals.
+/// Data of a stepper during one sub-interval of a step. The unit of time is one sub-interval.
 pub struct StepInterval<'t, 'a, S, const D: usize, K> {
     pub scene: &'t StepScene<'a, S, K>,
     pub table: View<'t, S, D>,
     pub store: StoreMut<'t, S, D>,
     pub status: &'t mut Status<S>,
-    /// The base's displacement over the sub-interval as a polynomial. It is used where the contact rubs on the base.
+    /// The base's displacement over the sub-interval as a polynomial. It matters only if the contact rubs on the base.
     pub base: [S; 4],
     /// Progress through the sub-interval, from 0 to 1. The inputs' polynomials have their origin at this instant.
     pub progress: S,
     /// Number of events in the sub-interval so far.
     pub events: u32,
-    /// True if the sub-interval reached the bound on events or pieces of motion.
+    /// True if the number of events or pieces of motion in the sub-interval reached its bound.
     pub exceeded: bool,
 }
 
-/// The contact at the instant at which it leaves zero velocity.
+/// The contact at the instant at which it starts to slide from zero velocity.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Departure<S> {
     /// Relative acceleration in the direction of sliding.
     pub slope: S,
-    /// Displacement at which the contact stuck until now, or `None` if it did not stick.
+    /// Displacement at which the contact stuck until this instant, or `None` if it did not stick.
     pub stuck: Option<S>,
 }
 
@@ -43,7 +43,7 @@ impl<S: Float, const D: usize, K: ContactChain<S>> StepInterval<'_, '_, S, D, K>
         self.scene.dynamics.in_contact().min(self.store.modes.len())
     }
 
-    /// The law of the contact, with forces over k₁.
+    /// Returns the law of the contact, with forces over k₁.
     #[inline]
     pub(super) fn law(&self) -> K::Law {
         self.status.law(self.scene)
@@ -72,7 +72,7 @@ impl<S: Float, const D: usize, K: ContactChain<S>> StepInterval<'_, '_, S, D, K>
         self.status.dissipated = self.status.dissipated.plus(friction);
     }
 
-    /// Advances the progress by `tau`, and moves the origin of the inputs' polynomials to the new instant.
+    /// Advances the progress by `tau`, and shifts the origin of the inputs' polynomials to the new instant.
     pub(super) fn shift_inputs(&mut self, tau: S) {
         let one = S::constant(1.0);
         let end = one - self.progress <= tau;

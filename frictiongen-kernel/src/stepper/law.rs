@@ -1,4 +1,4 @@
-//! The law of a contact within a step, while the contact sticks.
+//! Trait that a contact law implements for a stepper: its force while the contact sticks.
 
 use super::interval::StepInterval;
 use crate::motion::ContactChain;
@@ -6,7 +6,7 @@ use crate::number::scalar::Float;
 
 /// A chain whose contact a stepper can follow.
 pub trait StepContact<S: Float>: ContactChain<S> {
-    /// The force in the sticking contact over a sub-interval, as a polynomial, without the share of the stuck chain's
-    /// modes.
+    /// Returns the force in the stuck contact over a sub-interval, as a polynomial. The contribution of the modes is
+    /// left out.
     fn stuck_force_terms<const D: usize>(interval: &StepInterval<'_, '_, S, D, Self>) -> [S; 4];
 }

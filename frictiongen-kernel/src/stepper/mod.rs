@@ -1,16 +1,16 @@
-//! The motion under a force that is known sample by sample, in steps of a fixed length.
+//! The motion under a force that is known at samples, in time steps of a fixed length.
 //!
-//! A step is cut into equal sub-intervals, called `parts` in the code.  A sub-interval is so short that no oscillator
-//! turns by more than a radian in it.  A power series over a sub-interval therefore converges, and its cost is bounded.
+//! A step is divided into equal sub-intervals, called `parts` in the code. In a sub-interval, no oscillator advances by
+//! more than a radian. A power series over a sub-interval therefore converges, and its cost is bounded.
 //!
-//! Over a sub-interval the input is a polynomial, and each oscillator has a closed-form response.  A constant table
-//! takes the oscillator's state from the start of the sub-interval to its end.  Where the contact certainly keeps
-//! sliding, or certainly keeps sticking, the motion over the sub-interval is one product with that table.
+//! Over a sub-interval the input is a polynomial, and each oscillator has a closed-form response. A constant table
+//! advances the oscillator's state from the start of the sub-interval to its end. If the contact certainly keeps
+//! sliding, or certainly keeps sticking, one product with this table gives the motion over the sub-interval.
 //!
-//! Otherwise the stepper searches the sub-interval for events, and follows the motion in *pieces* between them.  The
-//! contact's velocity, or the force that keeps the contact stuck, is then a power series about an instant.  The
-//! simulation's walk finds the first zero of that series.  The *stuck chain* is the chain whose contact sticks.  The
-//! code calls its modes `held`.  Section 11 of docs/derivation.md derives the method.
+//! Otherwise the stepper searches the sub-interval for events, and follows the motion in *pieces* between them. The
+//! contact's velocity, or the force in the stuck contact, is then a power series about an instant. The search of the
+//! simulation finds the first zero of this series. The *stuck chain* is the chain with its contact stuck. The code
+//! calls its modes `held`. Section 11 of docs/derivation.md derives the method.
 
 mod account;
 mod advance;

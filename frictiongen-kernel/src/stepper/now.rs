@@ -1,4 +1,4 @@
-//! Present state of a stepper, as it reports it: the masses, the contact, and the friction force.
+//! Results that a stepper returns: the present motion of masses and contact, and the friction force.
 
 use super::cost::Cost;
 use super::interval::ROUNDINGS;
@@ -34,8 +34,8 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepContact<S
     /// Returns the time since the start, in seconds.
     #[must_use]
     pub fn time(&self) -> S {
-        // A conversion of 64 bits would need double precision, which a microcontroller has to emulate.  Two halves of
-        // 32 bits do not need it.
+        // A conversion of 64 bits would need double precision, which a microcontroller emulates. Two conversions of 32
+        // bits do not need it.
         let [high, low] = [
             self.status.steps >> 32,
             self.status.steps & u64::from(u32::MAX),
@@ -56,8 +56,7 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepContact<S
         self.status.stiction
     }
 
-    /// Derives the contact's state from its velocity.  A velocity no larger than the rounding of its terms counts as
-    /// rest.
+    /// Derives the contact's state from its velocity. A velocity within the rounding of its terms counts as zero.
     pub(super) fn direction(&self) -> Contact {
         let [_, velocity] = self.carrying();
         let (mut sum, mut size) = (-velocity, velocity.abs() + self.status.given);
@@ -86,7 +85,7 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepContact<S
     }
 
     /// Returns displacement and velocity of the contact point while the contact sticks, including the motion of the
-    /// base.  The velocity is in the time t√(k₁/m₁).
+    /// base. The velocity is in the time t√(k₁/m₁).
     pub(super) fn lifted(&self) -> (S, S) {
         let [place, velocity] = self.carrying();
         (self.status.stuck_at + place, velocity)

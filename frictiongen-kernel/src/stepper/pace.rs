@@ -2,7 +2,7 @@
 
 use crate::number::scalar::Float;
 
-/// Division of a step into sub-intervals, with the constants of the scene that depend on it or are used with it.
+/// Division of a step into sub-intervals, with constants of the scene that belong to it.
 #[derive(Clone, Copy, Debug)]
 pub struct Pace<S> {
     /// The step, in seconds.
@@ -11,19 +11,20 @@ pub struct Pace<S> {
     pub parts: u32,
     /// Length of a sub-interval in the time t√(k₁/m₁).
     pub span: S,
-    /// Angle by which the fastest oscillator turns in a sub-interval, including its damping, in rad.  It is at most 1.
+    /// Angle by which the fastest oscillator advances in a sub-interval, including its damping, in rad. It is at most
+    /// 1.
     pub rate: S,
     /// Number of terms that a power series needs over a sub-interval, so that the neglected terms are below rounding.
     pub terms: u32,
     /// wᵀK̄⁻¹w, the displacement of the contact per unit of steady force.
     pub receptance: S,
-    /// Σ 2ζc/σ over the receptance: damping force per unit of velocity of the sticking contact, times the inverse
+    /// Σ 2ζc/σ over the receptance: damping force per unit of velocity of the stuck contact, times the inverse
     /// effective mass m*.
     pub drag: S,
 }
 
 impl<S: Float> Pace<S> {
-    /// Returns a division of zeros, to be filled.
+    /// Returns a division whose numbers are all 0, to be filled.
     #[must_use]
     pub fn zero() -> Self {
         let zero = S::constant(0.0);

@@ -1,8 +1,8 @@
-//! Work of damping that acts relative to the moving base.
+//! Work of damping forces on the moving base, if damping acts relative to the base.
 //!
-//! The damping load C·1·ẏ on the masses has the opposite reaction on the base, and the base also feels 1ᵀC1·ẏ. The work
-//! of the base against both is 1ᵀC1∫ẏ²dt − ∫ẏ·1ᵀC·ẋ dt.  The sums over the inputs count ∫ẏ·1ᵀC·ẋ dt as work of the load on
-//! the masses, so that its double is subtracted.
+//! The damping load C·1·ẏ on the masses has an opposite reaction on the base. The base also feels the force 1ᵀC1·ẏ. The
+//! work of the base against both forces is 1ᵀC1∫ẏ²dt − ∫ẏ·1ᵀC·ẋ dt. The sums over the inputs count ∫ẏ·1ᵀC·ẋ dt as work
+//! of the load on the masses. The code therefore subtracts twice this integral.
 
 use super::dot::add;
 use super::drive::derived;
@@ -12,7 +12,7 @@ use crate::number::scalar::Float;
 use core::ops::Range;
 
 impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> {
-    /// Accounts for 1ᵀC1∫ẏ²dt over the sub-interval.
+    /// Adds 1ᵀC1∫ẏ²dt over the sub-interval to the work of the base.
     pub(super) fn account_base(&mut self) {
         let one = S::constant(1.0);
         let velocity = derived(self.base);
@@ -40,7 +40,7 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         self.account(-(work + work), S::constant(0.0));
     }
 
-    /// Twice the product of a mode's damping load and the moments of its rate.
+    /// Returns twice the product of a mode's damping load and the moments of its velocity.
     pub(super) fn reaction(&self, mode: usize, rises: &[S; D]) -> S {
         let load = self.base_load(mode);
         let terms = load.iter().zip(rises);
@@ -50,7 +50,7 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         done + done
     }
 
-    /// Rate that the velocity of the base adds to the u of a mode, through damping.
+    /// Returns the rate of a mode's scaled velocity u that the velocity of the base causes through damping.
     fn base_load(&self, mode: usize) -> [S; D] {
         let mut sum = [S::constant(0.0); D];
         let load = self.table.loads_of(mode).get(1);

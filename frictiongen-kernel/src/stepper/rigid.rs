@@ -1,4 +1,4 @@
-//! The force in a rigid contact that sticks, within a step.
+//! The force in a rigid contact while it sticks, within a step.
 
 use super::drive::derived;
 use super::interval::StepInterval;

@@ -1,15 +1,16 @@
-//! Tables of an oscillator over a sub-interval of a step: constants that are multiplied by its state and its drive.
+//! Constant tables of an oscillator over a sub-interval of a step. The oscillator's state and its drive are multiplied
+//! by these constants.
 
 use super::dot::dot;
 use crate::motion::TERMS;
 use crate::number::scalar::Float;
 
-/// A row of a mode's table: weights of the mode's displacement y and scaled velocity u, and of the coefficients of its
-/// drive.
+/// One row of a mode's table. It has the weights of the mode's displacement y, of its scaled velocity u, and of the
+/// coefficients of its drive.
 ///
 /// The first row of `moments` and the row `turn` are written as three shears, so that rounded weights create no energy.
-/// First y gains before·u, then u gains turn·y + loss·u, then y gains after·u.  The `state` of the first moment is
-/// [before, after], and the `state` of `turn` is [turn, loss].  See docs/decisions/0001-passive-step.md.
+/// First y increases by before·u, then u by turn·y + loss·u, then y by after·u. The `state` of the first moment is
+/// [before, after], and the `state` of `turn` is [turn, loss]. See docs/decisions/0001-passive-step.md.
 #[derive(Clone, Copy, Debug)]
 pub struct Row<S, const D: usize> {
     /// Weights of y and u at the start of the sub-interval.
@@ -18,8 +19,9 @@ pub struct Row<S, const D: usize> {
     pub drive: [S; D],
 }
 
-/// A row of the table of a stuck chain's mode: weights of the mode's state, and of the coefficients of the drives of y′
-/// and u′.  The first moment and the first of `turns` are three shears, as [`Row`] describes.
+/// One row of the table of a mode of the chain with its contact stuck. It has weights of the mode's state, and of the
+/// coefficients of the drives of y′ and u′. The first moment and the first of `turns` are three shears, as [`Row`]
+/// describes.
 #[derive(Clone, Copy, Debug)]
 pub struct HeldRow<S, const D: usize> {
     /// Weights of y and u at the start of the sub-interval.
@@ -32,12 +34,11 @@ pub struct HeldRow<S, const D: usize> {
 /// of time.
 #[derive(Clone, Copy, Debug)]
 pub struct ModeStep<S, const D: usize> {
-    /// Ω, the angle by which the mode would turn without damping, in rad.
+    /// Ω, the phase by which the mode would advance in a sub-interval without damping, in rad.
     pub angle: S,
     /// ζ, the modal damping ratio.
     pub zeta: S,
-    /// Rate u′ that a unit force on the mode causes: Ω/σ².  σ is the natural frequency of the mode as a frequency
-    /// ratio.
+    /// Rate u′ that a unit force on the mode causes: Ω/σ². σ is the natural frequency of the mode as a frequency ratio.
     pub per_force: S,
     /// φᵀw, the component of the mode in the contact's displacement.
     pub contact: S,
@@ -48,18 +49,18 @@ pub struct ModeStep<S, const D: usize> {
     pub moments: [Row<S, D>; D],
 }
 
-/// Table of a stuck chain's mode over a sub-interval of a step: y′ = Ωu + drive, u′ = −Ω(y + 2ζu) + drive.  The two
-/// drives are different.
+/// Table of a mode of the chain with its contact stuck, over a sub-interval of a step: y′ = Ωu + drive, u′ = −Ω(y +
+/// 2ζu) + drive. The two drives are different.
 #[derive(Clone, Copy, Debug)]
 pub struct HeldStep<S, const D: usize> {
-    /// Ω, the angle by which the mode would turn without damping, in rad.
+    /// Ω, the phase by which the mode would advance in a sub-interval without damping, in rad.
     pub angle: S,
     /// ζ, the modal damping ratio.
     pub zeta: S,
     /// Contact force per unit of the displacement y, with the opposite sign.
     pub force: S,
-    /// Rates of the mode's displacement y and scaled velocity u per unit of velocity of a moving base, and then per
-    /// unit of its acceleration.  They apply while the contact sticks to the base.
+    /// Rates of the mode's displacement y and scaled velocity u per unit of velocity of a moving base, then per unit of
+    /// its acceleration. They apply while the contact sticks to the base.
     pub from_base: [[S; 2]; 2],
     /// Weights that give ∫ sʲ y′ ds over the sub-interval.
     pub moments: [HeldRow<S, D>; D],
@@ -67,8 +68,8 @@ pub struct HeldStep<S, const D: usize> {
     pub turns: [HeldRow<S, D>; D],
 }
 
-/// Returns the next coefficients of y and u in an oscillator's power series, each multiplied by its order.  They follow
-/// from the present coefficients of y and u and of the drives of y′ and u′.
+/// Returns the next coefficients of y and u in the power series of an oscillator, each multiplied by its order. They
+/// follow from the present coefficients of y and u, and of the drives of y′ and u′.
 #[inline]
 pub(super) fn next<S: Float>(
     (angle, zeta): (S, S),
@@ -111,9 +112,9 @@ pub(super) fn moments<S: Float, const D: usize>(
 
 /// Rewrites the weights of y and u over a sub-interval as three shears.
 ///
-/// A product of shears has the determinant 1, whatever the weights are.  With these weights the product is a rotation
-/// in coordinates that differ from y and u by a rounding.  Without damping it therefore conserves a quadratic form
-/// close to the energy exactly.  The weight `loss` sets the determinant to e^(−2ζΩ), and thus the energy that damping
+/// A product of shears has the determinant 1, whatever the weights are. With these weights the product is a rotation in
+/// coordinates that differ from y and u by roundings. Without damping the product therefore conserves a quadratic form
+/// close to the energy exactly. The weight `loss` sets the determinant to e^(−2ζΩ), and so the energy that damping
 /// dissipates.
 fn shear<S: Float, const D: usize>((angle, zeta): (S, S), rows: &mut [[HeldRow<S, D>; D]; 2]) {
     let (zero, one) = (S::constant(0.0), S::constant(1.0));
@@ -134,8 +135,7 @@ fn shear<S: Float, const D: usize>((angle, zeta): (S, S), rows: &mut [[HeldRow<S
             *rise = *rise - after * turn;
         }
     }
-    // Under a constant force on an undamped oscillator, the force acts as an impulse between the first and the last
-    // shear.
+    // A constant force on an undamped oscillator acts as an impulse between the first and the last shear.
     let [_, of_force] = &mut rise.drive;
     if let (true, [constant, ..]) = (undamped, &mut of_force[..]) {
         *constant = zero;
@@ -164,7 +164,7 @@ impl<S: Float, const D: usize> ModeStep<S, D> {
         step
     }
 
-    /// Returns an entry of zeros, to initialise arrays.
+    /// Returns an entry whose numbers are all 0, to initialise arrays.
     #[must_use]
     pub fn zero() -> Self {
         let zero = S::constant(0.0);
@@ -191,7 +191,7 @@ impl<S: Float, const D: usize> HeldStep<S, D> {
         step
     }
 
-    /// Computes the weights of all moments.  A weight is the moment of the motion that a unit of one state, or of one
+    /// Computes the weights of all moments. Each weight is the moment of the motion that a unit of one state, or of one
     /// coefficient of a drive, causes.
     fn rows(of: (S, S)) -> [[HeldRow<S, D>; D]; 2] {
         let (zero, one) = (S::constant(0.0), S::constant(1.0));
@@ -231,7 +231,7 @@ impl<S: Float, const D: usize> HeldStep<S, D> {
         rows
     }
 
-    /// Returns an entry of zeros, to initialise arrays.
+    /// Returns an entry whose numbers are all 0, to initialise arrays.
     #[must_use]
     pub fn zero() -> Self {
         let zero = S::constant(0.0);

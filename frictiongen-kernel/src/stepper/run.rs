@@ -13,16 +13,17 @@ use crate::motion::{Contact, steepest};
 use crate::number::scalar::Float;
 use core::marker::PhantomData;
 
-/// Largest relative change of the contact's velocity that a friction law may cause in a sub-interval.  Under a steeper
+/// Largest relative change of the contact's velocity that a friction law may cause in a sub-interval. With a steeper
 /// law a power series would converge over only a small fraction of the sub-interval.
 const STEEPEST: f64 = 16.0;
 
 impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepContact<S>>
     Stepper<'a, S, D, T, V, K>
 {
-    /// Creates a stepper at rest under no load, or in a given state: displacements and velocities of the masses.
+    /// Creates a stepper without load, at rest or in a given state. The state has displacements and velocities of the
+    /// masses.
     ///
-    /// `store` must be at rest.
+    /// `store` must be the storage of a stepper at rest.
     ///
     /// # Errors
     /// [`OutOfDomain`] for a state that does not have one finite displacement and velocity for each mass.
@@ -83,9 +84,9 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepConta
         Ok(())
     }
 
-    /// Sets the input at the start of the first step.  Without this call the input there is 0.  A linear input begins
-    /// at this value.  [`contact`](Self::contact) responds to the sample at once.  If the base moves, `contact` assumes
-    /// that the velocity of the base stays constant.
+    /// Sets the input at the start of the first step. Without this call that input is 0. A linear input begins at this
+    /// value. [`contact`](Self::contact) responds to the sample at once. If the base moves, `contact` assumes a
+    /// constant velocity of the base.
     ///
     /// # Errors
     /// Same errors as [`advance`](Self::advance), and [`OutOfDomain::Begun`] after the first step.
@@ -123,18 +124,18 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepConta
         self.status.level = sample.friction / self.scene.units.stiffness;
     }
 
-    /// Takes one step.  A linear input reaches this sample at the end of the step.  With zero-order hold the input has
-    /// this sample during the whole step.
+    /// Takes one step. With linear input, the input reaches this sample at the end of the step. With zero-order hold,
+    /// the input has this sample during the whole step.
     ///
     /// # Errors
-    /// [`OutOfDomain`] in these cases.  The stepper then keeps its state.
+    /// [`OutOfDomain`] in the following cases. The stepper then keeps its state.
     ///
     /// - [`Force`](OutOfDomain::Force), [`BaseMotion`](OutOfDomain::BaseMotion) and [`Friction`](OutOfDomain::Friction)
     ///   for NaN, infinite numbers, numbers so large that their squares overflow, and a negative friction force.
-    /// - [`StepSteepness`](OutOfDomain::StepSteepness) for a friction force so large that the friction law would change
-    ///   the contact's velocity by more than 16 times that velocity in a sub-interval.
+    /// - [`StepSteepness`](OutOfDomain::StepSteepness) for a friction force that is too large for a friction law over
+    ///   the speed. The law would change the contact's velocity by more than 16 times that velocity in a sub-interval.
     /// - [`Forces`](OutOfDomain::Forces) for a wrong number of forces.
-    /// - [`Work`](OutOfDomain::Work) once the work exceeds the square of the largest permitted input, so that another
+    /// - [`Work`](OutOfDomain::Work) once the work exceeds the square of the largest permitted input, because one more
     ///   step could overflow.
     pub fn advance(&mut self, sample: Sample<'_, S>) -> Result<Stepped<S>, OutOfDomain> {
         sample.check(&self.scene, self.status.stiction)?;
@@ -187,9 +188,9 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepConta
         Ok(stepped)
     }
 
-    /// Advances through one sub-interval of a step.  Returns the number of events, and whether events were left out
-    /// because of the bound.
-    // The compiler must not inline this function into the loop.  It would then prepare addresses for further
+    /// Advances through one sub-interval of a step. Returns the number of events. The flag is true if the bound on
+    /// events left some of them out.
+    // The compiler must not inline this function into the loop. The inlined code would prepare addresses for further
     // sub-intervals in every step, although most steps have only one.
     #[inline(never)]
     fn advance_interval(
@@ -203,7 +204,7 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepConta
         (interval.events, interval.exceeded)
     }
 
-    /// Returns the data of a sub-interval at its start, with the inputs written as polynomials over the sub-interval.
+    /// Returns the data of a sub-interval at its start, with the inputs as polynomials over the sub-interval.
     #[inline]
     fn interval(
         &mut self,
@@ -224,8 +225,8 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepConta
         }
     }
 
-    /// Takes account of a jump of the base at the start of a step with zero-order hold.  A mass that rubs on the base
-    /// does not jump with the base.
+    /// Applies a jump of the base at the start of a step with zero-order hold. A mass that rubs on the base does not
+    /// jump with the base.
     fn jump_base(&mut self, [place, velocity]: [S; 2]) {
         if !self.scene.rubs_on_base() || self.status.unknown {
             return;
@@ -243,7 +244,8 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepConta
         self.status.unknown = true;
     }
 
-    /// Computes the state of the chain's modes from the state of the stuck chain's modes, while the contact sticks.
+    /// While the contact sticks, computes the state of the chain's modes from the modes of the chain with its contact
+    /// stuck.
     fn release(&mut self) {
         let lifted = self.lifted();
         let receptance = self.tables.view().pace.receptance;
@@ -272,7 +274,7 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepConta
                 *term = from;
             }
         }
-        // The velocity of the base is an input of its own if damping acts relative to the base.
+        // If damping acts relative to the base, the velocity of the base is a separate input.
         if sample.forces.len() < channels.len()
             && let Some((drive, _)) = channels.next()
         {

@@ -8,7 +8,7 @@ use super::types::Stepper;
 use crate::errors::OutOfDomain;
 use crate::number::scalar::Float;
 
-/// A stepper's state without its tables, as [`Stepper::save`](super::Stepper::save) returns it.
+/// State of a stepper without its tables, as [`Stepper::save`](super::Stepper::save) returns it.
 #[derive(Clone, Copy, Debug)]
 pub struct Saved<S, V> {
     pub(super) status: Status<S>,
@@ -33,7 +33,7 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepContact<S
         }
     }
 
-    /// Returns to a saved state.  The same steps from there give the same bits.
+    /// Restores a saved state. The same steps after this state then give the same bits.
     ///
     /// # Errors
     /// [`OutOfDomain::Saved`] if the state comes from a stepper of another scene or step, according to a hash of
@@ -54,8 +54,8 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepContact<S
         Ok(())
     }
 
-    /// Returns a hash of the scene with its units and loads, and of the step.  A saved state has a meaning only
-    /// together with them.
+    /// Returns a hash of the scene, with its units and loads, and of the step. A saved state is valid only for the same
+    /// scene and step.
     fn mark(&self) -> u64 {
         let View {
             pace,
@@ -101,7 +101,7 @@ impl Hash {
 
     fn word(&mut self, word: u64) -> &mut Self {
         let mixed = (self.0 ^ word).wrapping_mul(0x0100_0000_01b3);
-        // A product carries only to higher bits.  The upper half therefore has to be combined with the lower half.
+        // A product carries only to higher bits, so that the upper half must be combined with the lower half.
         self.0 = mixed ^ (mixed >> 32);
         self
     }

@@ -12,9 +12,9 @@ use crate::number::scalar::Float;
 pub struct Units<S> {
     /// k₁, force over displacement.
     pub stiffness: S,
-    /// √(k₁/m₁), in rad/s.
+    /// √(k₁/m₁), in rad/s, which converts frequencies.
     pub rate: S,
-    /// The sum of the springs between masses and base, over k₁.
+    /// Sum of the stiffnesses of all springs between masses and base, over k₁.
     pub support: S,
 }
 
@@ -23,7 +23,7 @@ pub struct Units<S> {
 pub struct StepScene<'a, S, K = Chain<S>> {
     /// The modes of the chain, and the modes of the chain whose contact sticks.
     pub dynamics: Dynamics<'a, S, K>,
-    /// Factors to the units of the scene.
+    /// Factors that convert non-dimensional groups to the units of the scene.
     pub units: Units<S>,
     /// True if the base moves.
     pub on_base: bool,
@@ -31,8 +31,8 @@ pub struct StepScene<'a, S, K = Chain<S>> {
     pub forces: &'a [usize],
     /// Interpolation of the input between two samples.
     pub input: Input,
-    /// Points (v, f) of Stribeck's law, with v ascending.  v is the speed in the scene's unit, and f the kinetic
-    /// friction force over its value at zero speed.  The list is empty for Coulomb's law.
+    /// Points (v, f) of Stribeck's law, with v ascending. v is the speed in the scene's unit. f is the kinetic friction
+    /// force over its value at zero speed. The list is empty for Coulomb's law.
     pub law: &'a [[S; 2]],
 }
 
@@ -43,7 +43,8 @@ impl<S: Float, K: ContactChain<S>> StepScene<'_, S, K> {
         usize::from(self.on_base) + usize::from(self.damped_from_base()) + self.forces.len()
     }
 
-    /// Returns true if damping acts on velocities relative to the moving base, whose velocity is then an input.
+    /// Returns true if damping acts on velocities relative to the moving base. The velocity of the base is then an
+    /// input.
     pub(super) fn damped_from_base(&self) -> bool {
         self.on_base && !self.dynamics.quadratures().is_empty()
     }
@@ -53,7 +54,7 @@ impl<S: Float, K: ContactChain<S>> StepScene<'_, S, K> {
         channel == 1 && self.damped_from_base()
     }
 
-    /// Load of a mode per unit velocity of the base in the time t√(k₁/m₁), 2ζ√λΓ.
+    /// Returns the load on a mode per unit velocity of the base in the time t√(k₁/m₁), 2ζ√λΓ.
     pub(super) fn drag(&self, mode: usize) -> S {
         let zero = S::constant(0.0);
         let loads = self.dynamics.quadratures().get(mode);
@@ -61,7 +62,7 @@ impl<S: Float, K: ContactChain<S>> StepScene<'_, S, K> {
         mode.map_or(zero, |([load, _], mode)| *load / mode.resonance)
     }
 
-    /// 1ᵀC̄1: force on the base per unit of its velocity in the time t√(k₁/m₁), if all masses are at rest.
+    /// Returns 1ᵀC̄1, the force on the base per unit of its velocity in the time t√(k₁/m₁), if all masses are at rest.
     pub(super) fn base_drag(&self) -> S {
         let (zero, two) = (S::constant(0.0), S::constant(2.0));
         let modes = self.dynamics.modes.iter().enumerate();
@@ -70,20 +71,20 @@ impl<S: Float, K: ContactChain<S>> StepScene<'_, S, K> {
             if drag.is_zero() {
                 return sum;
             }
-            // 2ζ√λΓ² by the square of 2ζ√λΓ.
+            // 2ζ√λΓ² is computed from the square of 2ζ√λΓ.
             sum + drag * drag / (two * mode.zeta * mode.resonance)
         })
     }
 
-    /// Returns the angle by which the fastest oscillator turns in a second, including its damping, in rad.  A step dt
-    /// is cut into as many sub-intervals as this rate times dt, rounded up.
+    /// Returns the phase by which the fastest oscillator advances in a second, including its damping, in rad. A step dt
+    /// is divided into this rate times dt, rounded up, sub-intervals.
     #[must_use]
     pub fn fastest(&self) -> S {
         self.turning() * self.units.rate
     }
 
-    /// Returns the angle by which the fastest oscillator turns in a unit of the time t√(k₁/m₁), including its damping,
-    /// in rad.
+    /// Returns the phase by which the fastest oscillator advances in a unit of the time t√(k₁/m₁), including its
+    /// damping, in rad.
     pub(super) fn turning(&self) -> S {
         let (one, two) = (S::constant(1.0), S::constant(2.0));
         let turned = |frequency: S, zeta: S| frequency * (one + two * zeta);
@@ -94,8 +95,8 @@ impl<S: Float, K: ContactChain<S>> StepScene<'_, S, K> {
         modes.chain(held).fold(S::constant(0.0), S::max)
     }
 
-    /// Returns the number of coefficients of an input's polynomial over a step in emitted tables.  The tables of a
-    /// system at run time may have room for more.
+    /// Returns the number of coefficients of an input's polynomial over a step in emitted tables. Tables of a run-time
+    /// system may have room for more.
     fn coefficients(&self) -> usize {
         match (self.input, self.on_base) {
             (Input::Hold, false) => 1,
@@ -104,22 +105,22 @@ impl<S: Float, K: ContactChain<S>> StepScene<'_, S, K> {
         }
     }
 
-    /// Returns the number of terms of a power series that the stepper uses.  `enough` is the number of terms of the
-    /// oscillators' series that are not below rounding over a sub-interval.
+    /// Returns the number of terms of a power series that the stepper uses. `enough` is the number of terms of an
+    /// oscillator's series that exceed rounding over a sub-interval.
     pub(super) fn terms(&self, enough: u32) -> usize {
         let terms = if self.law.is_empty() {
             usize::try_from(enough).unwrap_or(TERMS)
         } else {
             TERMS
         };
-        // The last coefficient of the input adds to the motion a power series that begins that many orders later.  The
-        // number of terms therefore increases by the number of the input's coefficients.
+        // The last coefficient of an input's polynomial adds a power series to the motion, which begins that many
+        // orders later. The number of terms therefore increases by the number of coefficients.
         (terms + self.coefficients()).clamp(5, TERMS)
     }
 
-    /// Returns upper bounds on the cost of a step that is cut into `parts` sub-intervals.  `coefficients` is the number
-    /// of coefficients of an input.  `terms` is the number of terms of a power series over a sub-interval
-    /// ([`series_terms`](super::series_terms)).
+    /// Returns upper bounds on the cost of a step that is divided into `parts` sub-intervals. `coefficients` is the
+    /// number of coefficients of an input's polynomial. `terms` is the number of terms of a power series over a
+    /// sub-interval ([`series_terms`](super::series_terms)).
     #[must_use]
     pub fn cost(&self, coefficients: usize, parts: u32, terms: u32) -> Cost {
         let count = |size: usize| u64::try_from(size).unwrap_or(u64::MAX);

@@ -1,5 +1,5 @@
-//! A sub-interval in which the contact slides.  The stepper advances with the constant tables, or with a power series
-//! up to an event.
+//! Motion over a sub-interval in which the contact slides. The stepper advances with the constant tables, or with a
+//! power series up to an event.
 
 use super::dot::add;
 use super::drive::{at, derived, growth};
@@ -10,7 +10,7 @@ use crate::motion::{KineticLine, Law, Power, Walk, WalkStart, first_zero, line};
 use crate::number::scalar::Float;
 
 impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> {
-    /// Returns the straight line of the friction law on which the speed lies.  The line's speeds are in units of length
+    /// Returns the straight line of the friction law on which the present speed lies. Its speeds are in units of length
     /// per sub-interval.
     #[inline]
     pub(super) fn line(&self) -> KineticLine<S> {
@@ -26,7 +26,7 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         line
     }
 
-    /// Returns the rate that the inputs add to u of a mode, as a polynomial over the sub-interval.
+    /// Returns the rate that the inputs add to the scaled velocity u of a mode, as a polynomial over the sub-interval.
     #[inline]
     pub(super) fn load(&self, mode: usize) -> [S; D] {
         let mut sum = [S::constant(0.0); D];
@@ -109,8 +109,8 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         true
     }
 
-    /// Slides until the contact stops, the speed reaches the next line of the law, or the sub-interval or the power
-    /// series ends.
+    /// Advances the sliding motion to the first of these instants: the contact stops, the speed reaches the next line
+    /// of the law, or the sub-interval or the power series ends.
     pub(super) fn slide_to_event(
         &mut self,
         departing: Option<Departure<S>>,
@@ -172,8 +172,8 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         })
     }
 
-    /// Returns the length over which a power series of the sliding motion converges.  The unit is one sub-interval.  A
-    /// steep friction law makes the length shorter, because the motion then changes faster than the modes turn.
+    /// Returns the length over which a power series of the sliding motion converges, in sub-intervals. A steep friction
+    /// law makes the length shorter, because the motion then changes faster than the modes oscillate.
     fn series_reach(&self, slope: S) -> S {
         let left = S::constant(1.0) - self.progress;
         let pace = &self.table.pace;
@@ -301,7 +301,7 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
     }
 }
 
-/// Returns one coefficient of the rate that the inputs add to u of a mode.
+/// Returns one coefficient of the rate that the inputs add to the scaled velocity u of a mode.
 #[inline]
 fn load_term<S: Float, const D: usize>(loads: &[S], inputs: &[[S; D]], place: usize) -> S {
     let zero = S::constant(0.0);

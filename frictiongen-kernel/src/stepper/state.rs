@@ -1,17 +1,17 @@
-//! The state of a stepper.
+//! State of a stepper, and its storage.
 
 use super::scene::StepScene;
 use crate::motion::{Contact, ContactChain, Total};
 use crate::number::scalar::Float;
 
-/// Mutable view of a stepper's numbers.
+/// Mutable view of all numbers of a stepper.
 #[derive(Debug)]
 pub struct StoreMut<'s, S, const D: usize> {
-    /// Displacement y and scaled velocity u of each mode of the chain.  While the contact sticks, only modes that the
-    /// contact does not drive have current values.
+    /// Displacement y and scaled velocity u of each mode of the chain. While the contact sticks, only the modes that
+    /// the contact does not drive are up to date.
     pub modes: &'s mut [[S; 2]],
-    /// Displacement y and scaled velocity u of each mode of the stuck chain.  They are current while the contact
-    /// sticks.
+    /// Displacement y and scaled velocity u of each mode of the chain with its contact stuck. They are up to date while
+    /// the contact sticks.
     pub held: &'s mut [[S; 2]],
     /// Working space, with one entry for each mode.
     pub scratch: &'s mut [[S; 2]],
@@ -22,8 +22,8 @@ pub struct StoreMut<'s, S, const D: usize> {
 }
 
 impl<S: Float, const D: usize> StoreMut<'_, S, D> {
-    /// Writes the state of the modes that the contact drives, from the state of the stuck chain and from the
-    /// displacement and velocity of the sticking contact.
+    /// Writes the state of the modes that the contact drives. It follows from the modes of the chain with its contact
+    /// stuck, and from displacement and velocity of the stuck contact.
     pub(super) fn release<K: ContactChain<S>>(
         &mut self,
         scene: &StepScene<'_, S, K>,
@@ -36,18 +36,18 @@ impl<S: Float, const D: usize> StoreMut<'_, S, D> {
     }
 }
 
-/// Read-only view of a stepper's numbers.
+/// Read-only view of the numbers that define a stepper's state.
 #[derive(Clone, Copy, Debug)]
 pub struct StoreRef<'s, S> {
     /// Displacement y and scaled velocity u of each mode of the chain.
     pub modes: &'s [[S; 2]],
-    /// Displacement y and scaled velocity u of each mode of the stuck chain.
+    /// Displacement y and scaled velocity u of each mode of the chain with its contact stuck.
     pub held: &'s [[S; 2]],
     /// The forces at the last sample, over k₁.
     pub last: &'s [S],
 }
 
-/// Storage of a stepper's numbers: arrays or vectors.
+/// Storage of a stepper's numbers, in arrays or vectors.
 pub trait Store<S, const D: usize> {
     /// Returns all numbers as mutable slices.
     fn change(&mut self) -> StoreMut<'_, S, D>;
@@ -115,15 +115,15 @@ impl<S: Float, const D: usize, const MODES: usize, const HELD: usize, const INPU
     }
 }
 
-/// State of a stepper apart from its oscillators.
+/// State of a stepper, except the states of its oscillators.
 #[derive(Clone, Copy, Debug)]
 pub struct Status<S> {
     /// State of the contact: stuck, or its direction of sliding.
     pub contact: Contact,
     /// True while the contact's state must still be derived from its velocity and from the force in it.
     pub unknown: bool,
-    /// True if the contact was about to slide and could not.  Rounding alone must then not let the contact force exceed
-    /// μF.
+    /// True if the contact has just failed to slide. A contact force that exceeds μF by rounding alone must then not
+    /// start sliding.
     pub wedged: bool,
     /// Relative displacement of the contact while it sticks.
     pub stuck_at: S,
@@ -147,13 +147,13 @@ pub struct Status<S> {
     /// Energy of the chain at the start of the first step, divided by k₁.
     pub energy: S,
     pub pull: S,
-    /// Sum of the absolute values of the terms of the contact's velocity in the given start state.  It measures the
-    /// rounding error of that velocity, and is zero after the first step.
+    /// Sum of the absolute values of the terms of the contact's velocity in the given initial state. It is the size to
+    /// which the velocity's rounding error is relative. After the first step it is zero.
     pub given: S,
 }
 
 impl<S: Float> Status<S> {
-    /// The law of the contact, with forces over k₁.
+    /// Returns the law of the contact, with forces over k₁.
     #[inline]
     pub(super) fn law<K: ContactChain<S>>(&self, scene: &StepScene<'_, S, K>) -> K::Law {
         scene.dynamics.chain.law_with(self.level, self.stiction)

@@ -1,5 +1,5 @@
-//! A sub-interval in which the contact sticks.  The stepper advances with the constant tables, or with a power series
-//! up to an event.
+//! Motion over a sub-interval in which the contact sticks. The stepper advances with the constant tables, or with a
+//! power series up to an event.
 
 use super::drive::at;
 use super::interval::{Departure, OFF_CHORD, ROUNDINGS, StepInterval};
@@ -55,7 +55,7 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         true
     }
 
-    /// Sticks until the contact force reaches μF, or until the sub-interval ends.
+    /// Advances the motion while the contact sticks, until the contact force reaches μF or the sub-interval ends.
     pub(super) fn stick_to_event(&mut self) -> Option<Departure<S>> {
         let zero = S::constant(0.0);
         let left = S::constant(1.0) - self.progress;
@@ -90,7 +90,7 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
             self.move_held(tau);
         }
         let contact = breaks?;
-        // The force has just reached μF, except if it was already beyond μF at the start.
+        // The force has just reached μF, unless it was already beyond μF at the start.
         let law = self.law();
         let slide = if zero < tau {
             law.break_away(contact)
@@ -107,7 +107,7 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         })
     }
 
-    /// Advances the modes of the stuck chain by a sticking motion of length `tau`, without an event.
+    /// Advances the modes of the chain with its contact stuck by a time `tau` without an event.
     pub(super) fn move_held(&mut self, tau: S) {
         let zero = S::constant(0.0);
         let mut work = self.carried_work(None, tau);
@@ -134,8 +134,8 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         self.shift_inputs(tau);
     }
 
-    /// Changes from sliding to sticking, at the displacement `place`, or at the displacement that the modes give.  The
-    /// state of the modes becomes the state of the stuck chain's modes.
+    /// Changes the state from sliding to sticking, at the displacement `place`, or without it at the displacement that
+    /// the modes give. Computes the modes of the chain with its contact stuck from the chain's modes.
     pub(super) fn start_sticking(&mut self, place: Option<S>) {
         let dynamics = &self.scene.dynamics;
         let receptance = self.table.pace.receptance;
@@ -170,7 +170,8 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         dynamics.project(receptance, states, (zero, rate), held);
     }
 
-    /// Changes from sticking to sliding.  The state of the stuck chain's modes becomes the state of the modes.
+    /// Changes the state from sticking to sliding. Computes the chain's modes from the modes of the chain with its
+    /// contact stuck.
     pub(super) fn start_sliding(&mut self) {
         let [base, rate] = self.base_now();
         let lifted = (self.status.stuck_at + base, rate);

@@ -1,4 +1,4 @@
-//! The force in a sticking contact within a sub-interval, and the work of the inputs while the contact sticks.
+//! Force in a stuck contact within a sub-interval, and work of the inputs while the contact sticks.
 
 use super::dot::add;
 use super::drive::{derived, growth};
@@ -10,9 +10,9 @@ use crate::motion::Power;
 use crate::number::scalar::Float;
 
 impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> {
-    /// Returns the rates that the inputs add to one mode of the stuck chain, as polynomials.  The first rate belongs to
-    /// the displacement y of the mode, the second to its scaled velocity u.  The base on which the contact sticks
-    /// counts as an input.
+    /// Returns the rates that the inputs add to one mode of the chain with its contact stuck, as polynomials. The first
+    /// rate belongs to the displacement y of the mode, the second to its scaled velocity u. The base on which the
+    /// contact sticks counts as an input.
     #[inline]
     pub(super) fn held_load(&self, mode: usize, step: &HeldStep<S, D>) -> [[S; D]; 2] {
         let mut sum = [[S::constant(0.0); D]; 2];
@@ -51,8 +51,8 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         }
     }
 
-    /// Returns the force in the sticking contact without the contribution of the stuck chain's modes.  The result is a
-    /// polynomial, with an upper bound on its second derivative over the sub-interval.
+    /// Returns the force in the stuck contact, without the contribution of the modes. The result is a polynomial, with
+    /// an upper bound on its second derivative over the sub-interval.
     pub(super) fn force_without_modes(&self) -> ([S; 4], S) {
         let sum = K::stuck_force_terms(self);
         let [_, _, c, d] = sum;
@@ -60,7 +60,7 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         (sum, two * c.abs() + six * d.abs())
     }
 
-    /// Returns the force in the sticking contact as a power series about the present instant.
+    /// Returns the force in the stuck contact as a power series about the present instant.
     pub(super) fn force_series(&mut self) -> Power<S> {
         let zero = S::constant(0.0);
         let mut force = Power::zero(self.terms());
@@ -107,15 +107,15 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         force
     }
 
-    /// Returns the present force in the sticking contact.
+    /// Returns the present force in the stuck contact.
     pub(super) fn stuck_force(&self) -> S {
         let ([still, ..], _) = self.force_without_modes();
         let held = self.table.held.iter().zip(&*self.store.held);
         held.fold(still, |sum, (step, [y, _])| sum - step.force * *y)
     }
 
-    /// Returns the work of the inputs from the present instant to `place` while the contact sticks to a moving base.
-    /// The result leaves out the contribution of the stuck chain's modes.
+    /// Returns the work of the inputs from the present instant to `place`, while the contact sticks to a moving base.
+    /// The contribution of the modes is left out.
     pub(super) fn carried_work(&self, still: Option<&[S; 4]>, place: S) -> S {
         let zero = S::constant(0.0);
         if !self.scene.rubs_on_base() {
@@ -132,8 +132,8 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         work - product(&still, &velocity, place)
     }
 
-    /// Returns the work that the inputs do through one mode of the stuck chain during a motion up to `place`.  The work
-    /// follows from the moments of the mode over that motion.
+    /// Returns the work that the inputs do through one mode of the chain with its contact stuck, during a motion up to
+    /// `place`. It follows from the moments of the mode over that motion.
     pub(super) fn held_work(
         &self,
         mode: usize,
@@ -151,7 +151,7 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
             }
         }
         if self.scene.rubs_on_base() {
-            // −∫F b′ is integrated by parts, where b counts from its present value.
+            // The integral −∫F b′ is integrated by parts, where b is the base's displacement minus its present value.
             let rise = growth(&self.base, place);
             let mut sum = to * rise;
             for (term, moment) in self.base.iter().zip(moments).skip(1) {
@@ -163,8 +163,8 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
     }
 }
 
-/// Returns one coefficient of the rates that the inputs add to one mode of the stuck chain.  The first result belongs
-/// to the displacement y of the mode, the second to its scaled velocity u.
+/// Returns one coefficient of the rates that the inputs add to one mode of the chain with its contact stuck. The first
+/// result belongs to the displacement y of the mode, the second to its scaled velocity u.
 #[inline]
 fn held_load_term<S: Float, const D: usize>(
     loads: &[HeldLoad<S>],

@@ -8,16 +8,16 @@ use crate::errors::{Given, OutOfDomain, Slice};
 use crate::motion::{ContactChain, TERMS, lift};
 use crate::number::scalar::Float;
 
-/// A power series ends where its next term is this factor below a rounding.
+/// A power series ends before the term that is smaller than a rounding divided by this factor.
 const BELOW_ROUNDING: f64 = 16.0;
 
-/// Coupling of one input with one mode of the stuck chain.
+/// Coupling of one input with one mode of the chain with its contact stuck.
 #[derive(Clone, Copy, Debug)]
 pub struct HeldLoad<S> {
     /// Rates of the mode's displacement y and scaled velocity u per unit of the input.
     pub drive: [S; 2],
-    /// Displacement of the input's point of action per unit of y, and per unit of u, for the work of the input.  It has
-    /// the opposite sign for the velocity of the base, because damping relative to the base reacts on the base.
+    /// Displacement of the input's point of action per unit of y, and per unit of u, for the work of the input. For the
+    /// velocity of the base it has the opposite sign, because damping relative to the base has a reaction on the base.
     pub reach: [S; 2],
 }
 
@@ -26,7 +26,7 @@ pub struct HeldLoad<S> {
 pub struct Channel<S> {
     /// wᵀΓ⁻¹p, the contact's acceleration per unit of the input.
     pub acceleration: S,
-    /// Displacement of the input's point of action per unit of displacement of the sticking contact, with the sign of
+    /// Displacement of the input's point of action per unit of displacement of the stuck contact, with the same sign as
     /// [`HeldLoad::reach`].
     pub lift: S,
 }
@@ -38,24 +38,24 @@ pub struct View<'t, S, const D: usize> {
     pub pace: Pace<S>,
     /// Tables of all modes.
     pub modes: &'t [ModeStep<S, D>],
-    /// Tables of the modes of the stuck chain.
+    /// Tables of the modes of the chain with its contact stuck.
     pub held: &'t [HeldStep<S, D>],
-    /// Rate of u per unit of input, for each mode and input.
+    /// Rate of the scaled velocity u per unit of input, for each mode and input.
     pub loads: &'t [S],
-    /// Coupling of the inputs to the modes of the stuck chain, for each mode and input.
+    /// Coupling of the inputs to the modes of the chain with its contact stuck, for each mode and input.
     pub held_loads: &'t [HeldLoad<S>],
     /// Coupling of the inputs to the contact, for each input.
     pub channels: &'t [Channel<S>],
 }
 
 impl<'t, S, const D: usize> View<'t, S, D> {
-    /// Returns the rate of u of a mode, per unit of each input.
+    /// Returns the rate of a mode's scaled velocity u, per unit of each input.
     #[inline]
     pub(super) fn loads_of(&self, mode: usize) -> &'t [S] {
         row(self.loads, mode, self.channels.len())
     }
 
-    /// Returns the coupling of each input with a mode of the stuck chain.
+    /// Returns the coupling of each input with a mode of the chain with its contact stuck.
     #[inline]
     pub(super) fn held_loads_of(&self, mode: usize) -> &'t [HeldLoad<S>] {
         row(self.held_loads, mode, self.channels.len())
@@ -69,7 +69,7 @@ fn row<T>(entries: &[T], index: usize, length: usize) -> &[T] {
     entries.get(start..start + length).unwrap_or_default()
 }
 
-/// Storage of the tables: arrays, a constant, or vectors.
+/// Storage of the tables, in arrays, a constant, or vectors.
 pub trait Tables<S, const D: usize> {
     /// Returns a view of all tables.
     fn view(&self) -> View<'_, S, D>;
@@ -88,11 +88,11 @@ pub struct FixedTables<
     pub pace: Pace<S>,
     /// Tables of all modes.
     pub modes: [ModeStep<S, D>; MODES],
-    /// Tables of the modes of the stuck chain.
+    /// Tables of the modes of the chain with its contact stuck.
     pub held: [HeldStep<S, D>; HELD],
-    /// Rate of u per unit of input, for each mode and input.
+    /// Rate of the scaled velocity u per unit of input, for each mode and input.
     pub loads: [[S; INPUTS]; MODES],
-    /// Coupling of the inputs to the modes of the stuck chain, for each mode and input.
+    /// Coupling of the inputs to the modes of the chain with its contact stuck, for each mode and input.
     pub held_loads: [[HeldLoad<S>; INPUTS]; HELD],
     /// Coupling of the inputs to the contact, for each input.
     pub channels: [Channel<S>; INPUTS],
@@ -101,7 +101,7 @@ pub struct FixedTables<
 impl<S: Float, const D: usize, const MODES: usize, const HELD: usize, const INPUTS: usize>
     FixedTables<S, D, MODES, HELD, INPUTS>
 {
-    /// Creates the tables of a scene for a step, in seconds.
+    /// Creates the tables of a scene for a time step in seconds.
     ///
     /// # Errors
     /// Same errors as [`fill`].
@@ -154,14 +154,15 @@ impl<S, const D: usize, T: Tables<S, D>> Tables<S, D> for &T {
     }
 }
 
-/// Fills the tables of a scene for a step, in seconds.
+/// Fills the tables of a scene for a time step in seconds.
 ///
-/// The slices have these numbers of entries: one for each mode, one for each mode of the stuck chain, one for each pair
-/// of mode and input, one for each pair of a stuck chain's mode and input, and one for each input.
+/// The slices need these numbers of entries. `modes` has one for each mode, and `held` one for each mode of the chain
+/// with its contact stuck. `loads` and `held_loads` have one for each pair of such a mode and an input. `channels` has
+/// one for each input.
 ///
 /// # Errors
-/// [`OutOfDomain::Step`] for a step that is not positive and finite, or in which the fastest oscillator turns by more
-/// than [`MAX_PARTS`] radians.  [`OutOfDomain::Length`] for slices of another length.
+/// [`OutOfDomain::Step`] for a step that is not positive and finite, or in which the fastest oscillator advances by
+/// more than [`MAX_PARTS`] radians. [`OutOfDomain::Length`] for slices of a wrong length.
 pub fn fill<S: Float, const D: usize, K: ContactChain<S>>(
     scene: &StepScene<'_, S, K>,
     step: S,
@@ -239,8 +240,8 @@ pub fn fill<S: Float, const D: usize, K: ContactChain<S>>(
     Ok(pace)
 }
 
-/// Returns the number of terms that a power series needs over a sub-interval in which the fastest oscillator turns by
-/// `rate`, at most 1 rad.  The neglected terms are below a sixteenth of the scalar's rounding.
+/// Returns the number of terms that a power series needs over a sub-interval in which the fastest oscillator advances
+/// by `rate`, at most 1 rad. The neglected terms are below a sixteenth of the number type's rounding.
 #[must_use]
 pub fn series_terms<S: Float>(rate: S, epsilon: f64) -> u32 {
     let one = S::constant(1.0);
@@ -290,7 +291,7 @@ fn pace<S: Float, K: ContactChain<S>>(
 }
 
 impl<S: Float> HeldLoad<S> {
-    /// Returns an entry of zeros, to initialise arrays.
+    /// Returns an entry whose numbers are all 0, to initialise arrays.
     #[must_use]
     pub fn zero() -> Self {
         let zero = S::constant(0.0);
@@ -302,7 +303,7 @@ impl<S: Float> HeldLoad<S> {
 }
 
 impl<S: Float> Channel<S> {
-    /// Returns an entry of zeros, to initialise arrays.
+    /// Returns an entry whose numbers are all 0, to initialise arrays.
     #[must_use]
     pub fn zero() -> Self {
         Self {

@@ -1,4 +1,4 @@
-//! Advances an oscillator over a whole sub-interval by its table.
+//! Advances an oscillator over a whole sub-interval by its constant table.
 
 use super::dot::{dot, later, sizes};
 use super::rows::{HeldStep, ModeStep};
@@ -22,7 +22,7 @@ impl<S: Float, const D: usize> ModeStep<S, D> {
         (next, work / self.per_force)
     }
 
-    /// Returns an upper bound on |u″| over the sub-interval.
+    /// Returns an upper bound on |u″| over the sub-interval, with the scaled velocity u.
     #[inline]
     pub(super) fn bend(&self, [y, u]: [S; 2], drive: &[S; D]) -> S {
         let rate = self.angle * (S::constant(1.0) + self.zeta + self.zeta);
@@ -58,7 +58,7 @@ impl<S: Float, const D: usize> HeldStep<S, D> {
         (next, moments)
     }
 
-    /// Returns an upper bound on |y″| over the sub-interval.
+    /// Returns an upper bound on |y″| over the sub-interval, with the displacement y.
     #[inline]
     pub(super) fn bend(&self, [y, u]: [S; 2], [first, second]: &[[S; D]; 2]) -> S {
         let rate = self.angle * (S::constant(1.0) + self.zeta + self.zeta);

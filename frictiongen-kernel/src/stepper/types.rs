@@ -1,4 +1,4 @@
-//! Types of a stepper, and of the results that it reports.
+//! Types of a stepper, and of the results that it returns.
 
 use super::scene::StepScene;
 use super::state::{FixedStore, Status};
@@ -8,7 +8,7 @@ use crate::motion::Contact;
 use crate::number::scalar::Float;
 use core::marker::PhantomData;
 
-/// The motion under an input that is known step by step.
+/// Motion in time under an input that is known step by step.
 ///
 /// `T` owns the tables and `V` the state: arrays or constants in emitted code, vectors at run time.  `D` is the number
 /// of coefficients of an input's polynomial over a step.  `K`, the constants of the chain, selects the law of the contact.
@@ -51,7 +51,7 @@ pub struct Stepped<S> {
     pub exceeded: bool,
 }
 
-/// A mass at the end of the last step.
+/// Motion of a mass at the end of the last step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct MassNow<S> {
@@ -59,7 +59,7 @@ pub struct MassNow<S> {
     pub(super) velocity: S,
 }
 
-/// The contact at the end of the last step.
+/// Motion of the contact, and its friction force, at the end of the last step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct ContactNow<S> {
@@ -103,13 +103,13 @@ impl<S: Float> ContactNow<S> {
         self.force
     }
 
-    /// Returns whether the contact sticks, or in which direction it slides.
+    /// Returns the state of the contact: stuck, or its direction of sliding.
     #[must_use]
     pub fn contact(&self) -> Contact {
         self.contact
     }
 
-    /// Returns whether the contact sticks.
+    /// Returns true if the contact sticks.
     #[must_use]
     pub fn is_sticking(&self) -> bool {
         self.contact == Contact::Stuck

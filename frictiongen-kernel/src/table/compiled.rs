@@ -14,8 +14,8 @@ pub struct Domain<S> {
     pub beta: (S, S),
     /// True if the exact formulas compute the results beyond this range. If false, a call beyond the range is an error.
     pub exact_beyond: bool,
-    /// True if β_lim exceeds every friction ratio of the range, at every frequency ratio of the range. The closed form
-    /// of the continuous motion is then used without a comparison with β_lim.
+    /// True if β_lim exceeds every friction ratio of the range, at every frequency ratio of the range. The code then
+    /// uses the closed form of the continuous motion without a comparison with β_lim.
     pub always_continuous: bool,
     /// True if β*_lim, the limit of sliding, exceeds every friction ratio of the range. β*_lim is then not evaluated.
     pub never_stuck: bool,
@@ -55,7 +55,8 @@ impl<T: Tabled> Compiled<T> {
             exact_beyond,
             ..
         } = scene.domain();
-        // A difference of two unequal numbers is never 0, so its sign decides. The lookup needs the same difference.
+        // The difference of two unequal floating-point numbers is never 0, so that its sign decides. The lookup in the
+        // table needs the same difference.
         let within = r - low >= T::Scalar::constant(0.0) && r <= high;
         if !within {
             let allowed = exact_beyond && r >= T::Scalar::constant(0.0);
@@ -175,13 +176,13 @@ impl<T: Tabled> Compiled<T> {
         }
     }
 
-    /// Returns true if β is within the domain and the motion is continuous. `limit` is β_lim. The method makes as few
-    /// comparisons as possible.
+    /// Returns true if β is within the domain and below β_lim, so that the motion is continuous. `limit` is β_lim. The
+    /// method makes as few comparisons as possible.
     #[inline]
     pub(super) fn is_admitted(&self, beta: T::Scalar, limit: T::Scalar) -> bool {
         let domain = self.scene.domain();
         let (low, high) = domain.beta;
-        // A β below β_lim is finite, so an infinite upper bound needs no comparison.
+        // β is below the finite β_lim, so that an infinite upper bound of the domain needs no comparison.
         let asked = beta >= T::Scalar::constant(0.0)
             && (domain.exact_beyond || (low <= beta && (!high.is_finite() || beta <= high)));
         asked && (domain.always_continuous || beta < limit)
@@ -193,9 +194,9 @@ impl<T: Tabled> Compiled<T> {
         self.scene.domain().never_stuck || beta < self.sliding_limit()
     }
 
-    /// Returns true if β is below β*_lim, for a β that admits continuous motion. With μ ≤ 1 this is always so. The
-    /// contact cannot stick while it can slide all the time, since the difference of both motions would lose energy for
-    /// ever. β_lim is then the smaller limit.
+    /// Returns true if β is below β*_lim, for a β below β_lim. With μ ≤ 1 the result is always true, because β_lim is
+    /// then the smaller limit. A stuck state cannot exist beside a motion that slides all the time, because the
+    /// difference of both motions would lose energy for ever.
     #[inline]
     fn slides_if_admitted(&self, beta: T::Scalar) -> bool {
         let one = T::Scalar::constant(1.0);

@@ -5,11 +5,12 @@ use super::quotient::Quotient;
 use crate::number::complex::{self, Complex};
 use crate::number::scalar::Float;
 
-/// Factor of a polynomial in s = ir with real coefficients, from one real zero or one pair of complex zeros s = x ± iy.
+/// Factor of a polynomial in s = ir with real coefficients. It belongs to one real zero, or to one pair of complex
+/// zeros s = x ± iy.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Root<S> {
-    /// Factor of the pair of zeros x ± iy: (s − x)² + y² = x² − (r − y)(r + y) − 2ixr. It stores y as a rounded value
-    /// and the rounding error, so that r − y keeps its digits close to the zero.
+    /// Factor of the zeros x ± iy: (s − x)² + y² = x² − (r − y)(r + y) − 2ixr. It stores y as a rounded value and a
+    /// rounding error, so that r − y keeps its digits close to the zero.
     Pair {
         /// Imaginary part y of the zero, rounded to the number type.
         at: S,
@@ -72,8 +73,8 @@ impl<S: Float> Transfer<'_, S> {
     }
 }
 
-/// Returns the product of all factors at the frequency ratio r. Returns `None` if there are no factors. The product of
-/// the first twelve factors is written out without a loop, so that constant factors compile to plain arithmetic.
+/// Returns the product of all factors at the frequency ratio r. Returns `None` if there are no factors. The first
+/// twelve factors are multiplied without a loop, so that constant factors compile to plain arithmetic.
 #[inline(always)]
 fn product<S: Float>(roots: &[Root<S>], r: S) -> Option<Complex<S>> {
     let mut product = roots.first()?.value(r);

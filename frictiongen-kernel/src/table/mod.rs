@@ -1,13 +1,12 @@
-//! Results of a declared accuracy for one scene over a range of frequency ratios, from piecewise polynomials.
+//! Results of a declared accuracy for one scene over a range of frequency ratios. They come from piecewise polynomials.
 //!
 //! For one scene the limit of continuous motion β_lim is a function of r alone. Three further functions of r give the
-//! contact's amplitude and phase at any β. A generator knows all four functions exactly and writes [`Table`]s of them.
-//! The limit of sliding β*_lim and |V| are [`Quotient`]s of products. The responses while the contact is stuck are
-//! written as [`HeldResponse`]s.
+//! contact's amplitude and phase at any β. A generator computes all four functions exactly and writes [`Table`]s of
+//! them. It writes the limit of sliding β*_lim and |V| (amplitude of the contact without friction) as [`Quotient`]s of
+//! products. It writes the responses of the chain with its contact stuck as [`HeldResponse`]s.
 //!
-//! [`Compiled`] is a scene at one r whose results come from its tables. It calls the exact formulas for everything that
-//! the tables do not contain. This module does not build tables, and does not know how far they are from the exact
-//! values.
+//! [`Compiled`] is a scene at one r whose results come from its tables. It calls the exact formulas for all results
+//! that the tables do not contain. This module does not build tables, and does not know how accurate they are.
 
 mod compiled;
 mod held;

@@ -10,16 +10,16 @@ use crate::number::scalar::Float;
 use crate::response::motion::Largest;
 use crate::response::{Continuous, MotionOf, ProvidesMotion};
 
-/// Table values of the contact at one frequency ratio. They give the amplitude and the phase of the contact at any β.
+/// Numbers from the tables at one frequency ratio. They give the amplitude and the phase of the contact at any β.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContactTable<S> {
     /// Limit of continuous motion β_lim.
     pub limit: S,
-    /// a = β_lim·U/|V|: velocity that friction at β_lim gives the contact at a reversal (β_lim·U), divided by |V|, the
+    /// a = β_lim·U/|V|. β_lim·U is the velocity that friction at β_lim gives the contact at a reversal. |V| is the
     /// amplitude of the contact without friction.
     pub quadrature: S,
-    /// g = β_lim·G/|V|: displacement that friction at β_lim gives the contact at a reversal (β_lim·G), divided by |V|,
-    /// the amplitude of the contact without friction. Without damping g is 0.
+    /// g = β_lim·G/|V|. β_lim·G is the displacement that friction at β_lim gives the contact at a reversal. |V| is the
+    /// amplitude of the contact without friction. Without damping g is 0.
     pub displacement: S,
     /// Modulus |V| of the relative motion that the excitation causes without friction.
     pub excitation: S,
@@ -73,8 +73,8 @@ impl<S: Float> ContactTable<S> {
     fn in_phase(&self, share: S) -> S {
         let one = S::constant(1.0);
         let quadrature = share * self.quadrature;
-        // The product is negative only if β exceeds the tabulated β_lim, within its accuracy. The exact product is then
-        // 0 within that accuracy.
+        // The product is negative only if β exceeds the tabulated β_lim, within the accuracy of the table. The exact
+        // product is then 0 within the same accuracy.
         ((one - quadrature) * (one + quadrature)).abs().sqrt()
     }
 
@@ -120,7 +120,7 @@ impl<T: TabledMotion> Compiled<T> {
             let beta = self.checked(beta).map_err(|_| NotContinuous::OutOfDomain)?;
             self.exact().admitted(beta)?;
         } else {
-            // One lookup serves both the check of β and the motion.
+            // One lookup in the table serves both the check of β and the motion.
             table = self.scene().tabled_contact(self.frequency_ratio());
             let limit = match table {
                 Some(table) => table.limit,

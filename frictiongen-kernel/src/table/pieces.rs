@@ -1,5 +1,5 @@
-//! Tables of piecewise polynomials in r. Each table divides its range into buckets of equal width. The bucket of r and
-//! a few halvings find the polynomial that is valid at r.
+//! Tables of piecewise polynomials in r. Each table divides its range of r into buckets of equal width. The bucket of r
+//! and a few halvings of its pieces find the polynomial that is valid at r.
 
 use crate::number::scalar::Float;
 
@@ -8,8 +8,8 @@ use crate::number::scalar::Float;
 pub struct Piece<S, const F: usize, const C: usize> {
     /// Smallest r of the interval. The interval ends where the next one begins.
     pub from: S,
-    /// Origin of the piece: its polynomials are in r − `origin`. Near a zero of a function, the origin is that zero.
-    /// The relative accuracy is then kept up to the zero.
+    /// Origin of the piece: its polynomials are in r − `origin`. Near a zero of a function, the origin is that zero, so
+    /// that the relative accuracy is kept up to the zero.
     pub origin: S,
     /// Polynomial coefficients of each function, from the constant term upwards.
     pub coefficients: [[S; C]; F],
@@ -25,7 +25,7 @@ pub struct Table<'a, S, B, const F: usize, const C: usize> {
     pub low: S,
     /// Number of buckets per unit of r. All buckets have the same width.
     pub density: S,
-    /// Number of comparisons that find a polynomial piece within a bucket. At most 2^halvings − 1 pieces begin in a
+    /// Number of comparisons that find a polynomial piece within a bucket. At most 2^halvings − 1 pieces begin in one
     /// bucket.
     pub halvings: u32,
     /// Index of the polynomial piece that contains the start of each bucket. The number of buckets is a power of two.
@@ -43,7 +43,7 @@ impl<S: Float, B: Copy + Into<usize>, const F: usize, const C: usize> Table<'_, 
         let bucket = ((r - self.low) * self.density).to_index();
         let bucket = bucket & self.buckets.len().wrapping_sub(1);
         let first: usize = self.buckets.get(bucket).copied().map_or(0, Into::into);
-        // Where the number of halvings is a constant, the compiler keeps one of these arms, without branches.
+        // If the number of halvings is a constant, the compiler keeps one of these arms, without branches.
         match self.halvings {
             0 => self.pieces.get(first),
             1 => self.among::<2>(first, r),
@@ -55,8 +55,8 @@ impl<S: Float, B: Copy + Into<usize>, const F: usize, const C: usize> Table<'_, 
         }
     }
 
-    /// Returns the polynomial piece that contains r, by looking at `W` pieces from index `first` on. If fewer pieces
-    /// follow, it looks at the last `W` pieces.
+    /// Returns the polynomial piece that contains r. The function looks at `W` pieces from index `first` on, or at the
+    /// last `W` pieces of the table.
     #[inline(always)]
     fn among<const W: usize>(&self, first: usize, r: S) -> Option<&Piece<S, F, C>> {
         let first = first.min(self.pieces.len().saturating_sub(W));
@@ -68,8 +68,8 @@ impl<S: Float, B: Copy + Into<usize>, const F: usize, const C: usize> Table<'_, 
         }
     }
 
-    /// Returns the polynomial piece that contains r, from index `first` on. It halves the interval `halvings` times in
-    /// a loop.
+    /// Returns the polynomial piece that contains r. The function halves the pieces from index `first` on, `halvings`
+    /// times in a loop.
     fn onwards(&self, first: usize, r: S) -> Option<&Piece<S, F, C>> {
         let mut index = first;
         let mut halving = self.halvings;
@@ -91,7 +91,7 @@ impl<S: Float, B: Copy + Into<usize>, const F: usize, const C: usize> Table<'_, 
     pub fn values(&self, r: S) -> [S; F] {
         let mut values = [S::constant(f64::NAN); F];
         if let Some(piece) = self.piece(r) {
-            // The calls are written out instead of a loop, so that the compiler removes a function whose value is not
+            // The calls are written out without a loop. The compiler then removes each function whose value is not
             // used.
             let t = r - piece.origin;
             put(&mut values, piece, 0, t);
@@ -119,8 +119,8 @@ impl<S: Float, B: Copy + Into<usize>, const F: usize, const C: usize> Table<'_, 
     }
 }
 
-/// Returns the polynomial piece that contains r, among `W` consecutive pieces, by halving. Halving takes the fewest
-/// instructions.
+/// Returns the polynomial piece that contains r, among `W` consecutive pieces, by halving. Halving takes fewer
+/// instructions than counting.
 #[inline(always)]
 fn halved<S: Float, const F: usize, const C: usize, const W: usize>(
     window: &[Piece<S, F, C>; W],
@@ -161,7 +161,7 @@ fn half<S: Float, const F: usize, const C: usize>(
 /// at or below r, first in coarse and then in fine steps.
 ///
 /// A compiler turns halving into branches. A large processor cannot predict these branches for an arbitrary r, and each
-/// branch waits for the previous one. The comparisons of a count do not wait for one another.
+/// branch waits for the previous one. Counting has comparisons that do not wait for one another.
 #[inline(always)]
 fn counted<S: Float, const F: usize, const C: usize, const W: usize>(
     window: &[Piece<S, F, C>; W],
@@ -229,8 +229,8 @@ pub fn polynomial<S: Float>(coefficients: &[S], t: S) -> S {
     sum.unwrap_or(S::constant(0.0))
 }
 
-/// Returns one step of the evaluation of a polynomial: the pair c_k + c_k+1·t with k = `first`, plus t² times the sum
-/// of the higher pairs. Returns `higher` unchanged if there is no coefficient `first`.
+/// Returns one step of the evaluation of a polynomial: the pair c_k + c_k+1·t, plus t² times `higher`, the sum of the
+/// higher pairs. k is `first`. Returns `higher` unchanged if there is no coefficient c_k.
 #[inline(always)]
 fn below<S: Float>(
     coefficients: &[S],

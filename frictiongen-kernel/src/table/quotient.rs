@@ -1,13 +1,13 @@
-//! Real rational functions of r as quotients of products over zeros and poles. Close to a zero or pole, each factor
-//! keeps its digits.
+//! Real rational functions of r, written as quotients of products over zeros and poles. Close to a zero or pole, each
+//! factor keeps its digits.
 
 use crate::number::scalar::Float;
 
-/// Real factor of a rational function of r², for one zero or pole or for a pair of them. In a damped chain the factor
-/// belongs to the squared modulus. A zero is written s = x + iy, with s = ir.
+/// Real factor of a rational function of r². It belongs to one zero or pole, or to a pair of them. In a damped chain
+/// the factor belongs to the squared modulus. A zero is s = x + iy, with s = ir.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Factor<S> {
-    /// Factor (r − y)(r + y) of a zero on the imaginary axis. It stores y as a rounded value and the rounding error, so
+    /// Factor (r − y)(r + y) of a zero on the imaginary axis. It stores y as a rounded value and a rounding error, so
     /// that r − y keeps its digits close to the zero.
     Zero {
         /// Imaginary part y of the zero, rounded to the number type.
@@ -96,8 +96,8 @@ impl<S: Float> Quotient<'_, S> {
     }
 }
 
-/// Returns the product of all factors at r. The product of the first twelve factors is written out without a loop, so
-/// that constant factors compile to plain arithmetic.
+/// Returns the product of all factors at r. The first twelve factors are multiplied without a loop, so that constant
+/// factors compile to plain arithmetic.
 #[inline(always)]
 fn product<S: Float>(factors: &[Factor<S>], r: S) -> S {
     let mut product = S::constant(1.0);

@@ -8,20 +8,20 @@ use crate::response::{ProvidesStuck, Stuck};
 
 /// A scene whose response with the contact stuck is written as products over zeros and poles.
 ///
-/// The exact formulas compute the response, unless the scene writes its own bodies for these methods.
+/// The default bodies of these methods use the exact formulas. A scene with products writes its own bodies.
 pub trait TabledStuck: Tabled + ProvidesStuck {
     /// Type that `stuck` returns. In emitted code this type has one method for each mass.
     type Sticking: From<Sticking<Self>>;
 
-    /// Returns true if the response comes from products over zeros and poles. If false, only the exact formulas reach
-    /// the declared accuracy.
+    /// Returns true if the response with the contact stuck comes from products over zeros and poles. If false, only the
+    /// exact formulas reach the declared accuracy.
     #[inline]
     fn holds_stuck(&self) -> bool {
         false
     }
 
-    /// Returns frequency ratios within the domain at which the stuck chain has an undamped resonance. Only resonances
-    /// that are exactly a number of the type are listed.
+    /// Returns the undamped resonances of the chain with its contact stuck, as frequency ratios within the domain. The
+    /// list has only resonances that the number type represents exactly.
     #[inline]
     fn stuck_resonances(&self) -> &[Self::Scalar] {
         &[]
@@ -65,7 +65,7 @@ impl<T: TabledStuck> Compiled<T> {
     /// Returns true if the response at this r comes from products over zeros and poles.
     #[inline]
     fn holds_stuck(&self) -> bool {
-        // If a call beyond the range is an error, r is within the range and needs no check.
+        // If a call beyond the range of the tables is an error, r is always within the range here.
         let within = !self.scene().domain().exact_beyond || self.is_within();
         within && self.scene().holds_stuck()
     }

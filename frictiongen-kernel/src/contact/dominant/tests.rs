@@ -1,7 +1,7 @@
 //! Tests of the choice of the dominant mode, and of the response V against which the phase of the mode is measured.
 //!
-//! A wrong choice causes only rounding errors close to a resonance. A rounding of r changes every result there by more,
-//! so that no test of the results would detect the error.
+//! The tests check the choice itself, because no result shows a wrong choice. It causes only rounding errors close to a
+//! resonance, where the rounding of r changes every result by more.
 
 use super::{DominantSums, Partner, Terms, Which};
 use crate::contact::quadrature::InPhase;
@@ -75,8 +75,8 @@ fn the_mode_that_outweighs_the_others() {
     assert_eq!(taken([1.0, 1.2, 1.0], None), None);
 }
 
-/// Checks the choice of the dominant mode on a moving base. The static term of the response V must count among the
-/// terms of the other modes.
+/// Checks the choice of the dominant mode on a moving base, where V has a static term. The static term must count among
+/// the terms of the other modes.
 #[test]
 fn beside_what_stands_at_rest() {
     assert_eq!(taken([1.0, 1e3, 1.0], Some(1e3)), Some(1));

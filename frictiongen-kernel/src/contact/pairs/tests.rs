@@ -60,7 +60,7 @@ fn bits<S: Float>(contact: &ContactAt<S>, kept: &[ModeAt<S>]) -> Vec<u64> {
 }
 
 /// Compares modal sums in pairs with sums one by one, and limits from gathered constants with limits from the sums.
-/// Returns the numbers of both kinds of comparison.
+/// Returns the number of comparisons of each kind.
 fn agree<S: Float>() -> [usize; 2] {
     let dampings: [fn(usize) -> f64; 4] = [
         |_| 0.0,
@@ -79,8 +79,8 @@ fn agree<S: Float>() -> [usize; 2] {
                     inverse_mass: S::constant(0.9),
                     stiction: S::constant(1.2),
                 };
-                // Some of these 1/r put modes on a resonance or a subharmonic, or close to it. At the largest the phase
-                // of xτ is lost.
+                // Some of these 1/r place modes on, or close to, a resonance or a subharmonic. At the largest 1/r,
+                // rounding makes the phase xτ meaningless.
                 for inverse_r in [2.0, 1.0, 0.3, 0.7, 6.0, 1.0 + 1e-7, 1e-9, 3e5, 1e17] {
                     let inverse_r = S::constant(inverse_r);
                     let (mut by_two, mut in_turn) = (Vec::new(), Vec::new());
@@ -112,7 +112,7 @@ fn agree<S: Float>() -> [usize; 2] {
 
 #[test]
 fn pairs_of_modes_have_the_bits_of_single_ones() {
-    // Gathered constants exist for undamped modes of every number, and for a single mode with the last damping. They do
+    // Gathered constants exist for any number of undamped modes, and for a single mode with the last damping. They do
     // not exist for sets of modes that the contact does not drive.
     let laid_out = ((7 * 4 - (7 + 1)) + (4 - 2)) * 2 * 9;
     assert_eq!(agree::<f64>(), [7 * 4 * 4 * 2 * 9, laid_out]);

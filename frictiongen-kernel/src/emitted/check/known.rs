@@ -1,4 +1,4 @@
-//! Known answers of an emitted scene, and their comparison with its own.
+//! Known answers of an emitted scene. The self-check compares them with the answers that the scene computes.
 
 use super::{Fault, Listed};
 use crate::Complex;
@@ -25,7 +25,7 @@ pub struct Known<S, const MASSES: usize, const FORCES: usize> {
 pub struct KnownMotion<S, const MASSES: usize> {
     /// Friction ratio.
     pub beta: S,
-    /// Why there is no continuous motion. `None` if there is one.
+    /// Reason why no continuous motion exists. `None` if one exists.
     pub error: Option<NotContinuous>,
     /// Amplitude and phase of the contact. 0 where there is no continuous motion.
     pub contact: [S; 2],
@@ -71,7 +71,7 @@ impl<S: Float, const MASSES: usize, const FORCES: usize> Known<S, MASSES, FORCES
         }
     }
 
-    /// Compares a response while the contact is stuck. `place` is its index in [`stuck`](Self::stuck).
+    /// Compares a response while the contact is stuck. `place` is the index of the response in [`stuck`](Self::stuck).
     ///
     /// # Errors
     /// [`Fault::Answer`] if the response differs by more than `tolerance` of its size.
@@ -88,11 +88,11 @@ impl<S: Float, const MASSES: usize, const FORCES: usize> Known<S, MASSES, FORCES
 }
 
 impl<S: Float, const MASSES: usize> KnownMotion<S, MASSES> {
-    /// Returns the motion, if there is one and it is known that there is one. Returns `None` if there is none, for the
-    /// known reason.
+    /// Returns the motion if the scene computes one and the known answer has one. Returns `None` if neither has one,
+    /// for the same reason.
     ///
     /// # Errors
-    /// [`Fault::Answer`] for a motion where none is known, and for another reason.
+    /// [`Fault::Answer`] if the scene computes a motion where none is known, or gives another reason.
     pub fn found<M>(&self, own: Result<M, NotContinuous>) -> Result<Option<M>, Fault> {
         match (own, self.error) {
             (Ok(motion), None) => Ok(Some(motion)),
@@ -115,10 +115,11 @@ impl<S: Float, const MASSES: usize> KnownMotion<S, MASSES> {
         }
     }
 
-    /// Compares displacement and velocity of a mass. `place` is its index in [`masses`](Self::masses).
+    /// Compares displacement and velocity of a mass. `place` is the index of the mass in [`masses`](Self::masses).
     ///
     /// # Errors
-    /// [`Fault::Answer`] with the name of the mass, if one differs by more than `tolerance` of their size.
+    /// [`Fault::Answer`] with the name of the mass, if one of the two numbers differs by more than `tolerance` of their
+    /// size.
     pub fn mass(
         &self,
         place: usize,

@@ -124,12 +124,12 @@ fields! {
     [] Mode<S>: kind in_contact resonance zeta q q_defect load contact residue contact_squared static_residue;
     [] Chain<S>: damped on_moving_base inverse_mass stiction;
     [] Ends<S>: sliding_at_rest continuous_at_infinity sliding_at_infinity;
-    // `modes` and `chain` have checksums of their own.
+    // `modes` and `chain` have separate checksums.
     [] Numbers<'_, S>: ends rubbing absorbs unbounded invisible;
     [] HeldMode<S>: kind frequency zeta q force inverse;
     [] Dynamics<'_, S>: modes held participations shapes weights rubbing;
     [] Units<S>: stiffness rate support;
-    // `dynamics` has a checksum of its own.
+    // `dynamics` has a separate checksum.
     [] StepScene<'_, S>: units on_base forces input law;
     [] Pace<S>: step parts span rate terms receptance drag;
     [const D: usize] Row<S, D>: state drive;

@@ -1,4 +1,5 @@
-//! Self-check of emitted code. It compares checksums of the emitted constants, and answers with known ones.
+//! Self-check of emitted code. It compares the checksums of the emitted constants, and computed answers, with known
+//! values.
 
 mod known;
 mod listed;
@@ -13,9 +14,9 @@ use core::fmt;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Fault {
-    /// The numbers of this constant, or of this group of constants, are not those that the generator wrote.
+    /// The numbers of this constant, or group of constants, differ from the numbers that the generator wrote.
     Numbers(&'static str),
-    /// An answer of this method, or of the method for this mass, is not the known one.
+    /// The answer of this method, or of the method for this mass, differs from the known answer.
     Answer(&'static str),
 }
 
@@ -36,7 +37,7 @@ impl fmt::Display for Fault {
 
 impl core::error::Error for Fault {}
 
-/// Multiplier of a step of the checksum: 2³² over the golden ratio, odd.
+/// Multiplier of one step of the checksum: 2³² divided by the golden ratio, as an odd integer.
 pub const MULTIPLIER: u32 = 0x9e37_79b1;
 /// Bits by which a step of the checksum rotates the sum.
 pub const TURN: u32 = 5;
@@ -64,11 +65,11 @@ pub fn sum<S: Float>(numbers: &(impl Listed<S> + ?Sized)) -> u32 {
     sum
 }
 
-/// Compares the checksum of a constant with the known one. The compiler cannot compute the checksum itself, because it
-/// does not know the numbers behind `black_box`.
+/// Compares the checksum of a constant with the known checksum. `black_box` hides the numbers from the compiler, which
+/// could otherwise compute the checksum itself.
 ///
 /// # Errors
-/// [`Fault::Numbers`] with this name if the sums differ.
+/// [`Fault::Numbers`] with the name of the constant, if the two checksums differ.
 pub fn compare<S: Float>(
     name: &'static str,
     numbers: &(impl Listed<S> + ?Sized),
@@ -85,7 +86,7 @@ pub fn compare<S: Float>(
 mod tests {
     use super::{compare, mixed, sum, with};
 
-    /// Every changed bit of one word changes the sum, whatever follows.
+    /// Checks that every changed bit of one word changes the checksum, whatever words follow.
     #[test]
     fn one_changed_word_is_seen() {
         for bit in 0..u32::BITS {
@@ -108,7 +109,8 @@ mod tests {
         assert_ne!(sum::<f64>(&[0.0]), sum::<f64>(&[-0.0]));
     }
 
-    /// A number has the same checksum in both precisions, so that a generator computes sums of `f32` in `f64`.
+    /// Checks that a number has the same checksum in `f32` and `f64`. A generator therefore computes checksums of `f32`
+    /// in `f64`.
     #[test]
     fn single_precision_has_the_sums_of_double() {
         let numbers = [1.5_f32, 0.1, 1e-40];

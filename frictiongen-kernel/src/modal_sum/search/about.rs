@@ -1,6 +1,7 @@
-//! Closes the cells of a grid around a local maximum of the modal sum. Near the maximum Taylor's theorem bounds the
-//! sum. Farther away the bound is a cubic with the value and slope of the next node (section 9 of
-//! `docs/derivation.md`). A *summit* is a position from which one Newton step leads to the maximum.
+//! Closes grid cells around a local maximum of the modal sum: it proves that no value in a cell exceeds the maximum.
+//! Near the maximum Taylor's theorem bounds the sum. Farther away a cubic through the value and slope of the next node
+//! bounds it (section 9 of `docs/derivation.md`). A *summit* is a position from which one Newton step leads to the
+//! maximum.
 
 use super::grid::{Grid, Node, Open};
 use super::summit::{Cubic, REACH, Summit, beyond_cubic};
@@ -8,12 +9,12 @@ use super::{Search, Weight};
 use crate::number::scalar::Float;
 use crate::oscillator::decay::Decay;
 
-/// Factor ρ = 97, tried before the smaller `REACH`. A local maximum closes cells around it only if the sum is concave
-/// within ρ times the last Newton step. A larger ρ lets a flatter maximum close cells.
+/// Factor ρ = 97, tried before the smaller factor `REACH`. A local maximum closes cells around it only if the sum is
+/// concave within ρ times the last Newton step. With a larger ρ, a flatter maximum can close cells.
 const FAR: f64 = 97.0;
 
-/// Excess E of a modal sum over a level, near a local maximum, or E/τ. E is ±sum − level, or ±sum − level·sin τ. A cell
-/// is closed once E ≤ 0 is proven in it.
+/// Excess E of a modal sum over a level, near a local maximum. E is ±sum − level, or ±sum − level·sin τ. A cell of the
+/// grid is closed once E ≤ 0 is proven in the cell.
 struct Excess<S> {
     /// Phase τ near the local maximum, at which `cubic` has the derivatives.
     tau: S,
@@ -77,8 +78,8 @@ impl<S: Float> Excess<S> {
         self.is_near(distance) || self.is_below(node, distance)
     }
 
-    /// Returns true if the derivatives of E = ±sum − level at `tau` alone prove that E stays below 0 up to a distance.
-    /// At so small a distance the higher terms amount to at most a third of the curvature term.
+    /// Returns true if the derivatives of E = ±sum − level at `tau` prove that E stays below 0 up to a distance. Within
+    /// the distance, the higher terms are at most a third of the curvature term.
     fn is_near(&self, distance: S) -> bool {
         let Cubic {
             curvature, third, ..
@@ -103,12 +104,12 @@ impl<S: Float> Excess<S> {
 }
 
 impl<S: Float, D: Decay<S>> Search<'_, S, D> {
-    /// Returns the open cells around a local maximum in which no value exceeds the upper bound on the maximum. The
-    /// cells are closed for the sign of the sum at the maximum. A Newton step across the end of the half period may
-    /// have changed the sign.
+    /// Returns those cells around a local maximum that stay open, because the sum may exceed the maximum in them. The
+    /// other cells are closed for the sign that the sum has at the maximum. A Newton step across the end of the half
+    /// period may have changed the sign.
     pub(super) fn about(&self, summit: &Summit<S>, grid: &Grid<S>, open: Open) -> Open {
         let zero = S::constant(0.0);
-        // The bounds on the derivatives are valid only from the first node on.
+        // The bounds on the derivatives hold only from the first node on.
         if summit.tau < grid.stretch.from {
             return [0, 0];
         }
@@ -135,12 +136,12 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         }
         let [plus, minus] = open;
         let among = if summit.negative { minus } else { plus };
-        // `closed` has the bits of the cells closed so far. `before` is true if E stays below 0 from the summit to the
+        // `closed` has one bit for each cell closed so far. `before` is true if E stays below 0 from the summit to the
         // last visited node. `last` is the bit of the cell after that node.
         let (mut closed, mut before, mut last) = (0, false, 0_u32);
         grid.beside(among, |after, tau, node| {
             let cell = after >> 1;
-            // A visited node proves something about this cell only if it bounds the cell.
+            // The last visited node bounds this cell only if the cell follows it.
             let known = before && last == cell;
             let (value, slope) = self.excess_at(&node, summit.negative, level);
             let first = starts && tau.is_zero();

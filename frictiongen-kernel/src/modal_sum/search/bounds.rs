@@ -1,8 +1,8 @@
-//! Upper bounds on the derivatives of a modal sum after an instant, and the state of each mode at the instant.
+//! Upper bounds on the derivatives of a modal sum from an instant on, and the state of each mode at that instant.
 //!
-//! The motion of a mode is split into a free motion, and a forced motion of a constant and sinusoids. Some modes are
-//! not split and *keep their forcing*: their state contains the whole motion. From the state, the equation of the mode
-//! gives the later motion (section 9 of `docs/derivation.md`).
+//! The motion of a mode is split into a free motion and a forced motion, which is a constant plus sinusoids. Some modes
+//! are not split and *keep their forcing*: their state contains the whole motion. The equation of the mode gives the
+//! later motion from the state (section 9 of `docs/derivation.md`).
 
 use crate::modal_sum::wave::{Sum, Wave};
 use crate::number::scalar::Float;
@@ -11,9 +11,9 @@ use crate::oscillator::decay::{Basis, Decay, Instant};
 /// Distance from the resonance x = 1 within which a mode is not split into free and forced motion. Close to x = 1 both
 /// motions are large and nearly cancel, so that their sum would be mainly rounding error.
 const NEAR_EXCITATION: f64 = 0.125;
-/// Bound on the rounding error of a mode at a node, as a number of rounding units of the mode's amplitude. The same
-/// bound applies to sin τ and cos τ. The matrix of one step has three roundings, and its fourth power has twelve. A
-/// grid applies the fourth power seven times, with errors that do not all have the same sign.
+/// Bound on the rounding error of a mode at a grid node, in rounding units of the mode's amplitude. The same bound
+/// applies to sin τ and cos τ. The matrix of one step from node to node has three roundings, and its fourth power has
+/// twelve. A grid applies the fourth power seven times. The errors partly cancel, so that 64 is enough.
 const ROUNDINGS: f64 = 64.0;
 
 /// State of one mode at an instant, and the force that drives the mode from the instant on: y″ + 2ζx y′ + x²y =
@@ -75,7 +75,7 @@ impl<S: Float> Track<S> {
             };
             return (track, common);
         }
-        // Without forcing, the state is a combination of p and p′. The return d = p′ + 2ζx·p contributes to both
+        // Without forcing, the state is a combination of p and p′. The free motion d = p′ + 2ζx·p contributes to both
         // coefficients.
         let constant = wave.rise / (x * x);
         let of_slope = -(wave.forced_slope + constant);
@@ -109,11 +109,11 @@ pub(super) fn keeps_forcing<S: Float, D: Decay<S>>(wave: &Wave<S, D>, all: bool)
         || (wave.x - S::constant(1.0)).abs() < S::constant(NEAR_EXCITATION)
 }
 
-/// Upper bounds on the derivatives of a modal sum after an instant, with bounds on its size and rounding error.
+/// Upper bounds on the derivatives of a modal sum from an instant on, with bounds on the sum's size and rounding error.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Bounds<S> {
-    /// Second derivative of the sum at the instant. The field `third` is the third derivative there. Only a search of
-    /// sum/sin τ needs these two numbers. Its sum has no mass-controlled modes, which the two numbers leave out.
+    /// Second derivative of the sum at the instant. The field `third` has the third derivative. Only a search of
+    /// sum/sin τ needs both numbers. They leave out mass-controlled modes, which such a sum does not contain.
     pub second: S,
     pub third: S,
     pub fourth: S,
@@ -128,7 +128,7 @@ pub(super) struct Bounds<S> {
 }
 
 impl<S: Float> Bounds<S> {
-    /// Computes the bounds for a modal sum from the instant `at` on, over a time `time`.
+    /// Computes the bounds on a modal sum for the time `time` after the instant `at`.
     ///
     /// The bounds follow from the energy (x y⁽ⁿ⁾)² + (y⁽ⁿ⁺¹⁾)² of the nth derivative of a mode. Damping decreases this
     /// energy, and only the nth derivative of the force on the mode can increase it.

@@ -1,10 +1,10 @@
-//! Search by grids, which closes every cell in which no value can exceed the largest value found.
+//! Search of a modal sum by grids. The search closes every cell (interval between two nodes) in which no value can
+//! exceed the largest value found.
 //!
-//! A cell is the interval between two nodes of a grid. In a cell a cubic with the values and slopes of the sum at both
-//! nodes approximates the sum. The sum exceeds the largest Bernstein coefficient of the cubic by no more than the
-//! fourth derivative allows. The search refines local maxima by Newton's method, from the highest open cell on. A finer
-//! grid divides the cells that remain open. The division ends when only rounding keeps cells open (section 9 of
-//! `docs/derivation.md`).
+//! In a cell, the sum is approximated by a cubic with the values and slopes of the sum at both nodes. The largest
+//! Bernstein coefficient of the cubic, plus a bound from the fourth derivative, is an upper bound on the sum. The
+//! search refines local maxima by Newton's method, starting in the highest open cell. A finer grid divides the cells
+//! that remain open. The division ends when only rounding errors keep cells open (section 9 of `docs/derivation.md`).
 
 use super::bounds::Bounds;
 use super::grid::{Grid, Node, Open, Stretch};
@@ -16,21 +16,21 @@ use crate::oscillator::decay::{Decay, Instant};
 /// Allowed error of the cubic in a cell, relative to the largest value. It sets the width of the cells. A smaller error
 /// needs more nodes, a larger error leaves more cells open.
 const SLACK: f64 = 2e-3;
-/// Smallest estimate of the largest value, as a fraction of the sum of the modal amplitudes. The estimate sets the
-/// width of the first grid. The bound matters where modes cancel.
+/// Smallest estimate of the largest value, as a fraction of the sum of the modal amplitudes. The estimate sets the cell
+/// width of the first grid. The fraction matters where the terms of the modes nearly cancel.
 const CANCELLED: f64 = 1e-3;
-/// Cost of one grid, as a number of evaluations of the modal sum.
+/// Cost of evaluating one grid, counted as this number of evaluations of the modal sum.
 const COST: u32 = 2;
 /// Largest number of local maxima that the search refines by Newton's method on one grid.
 const SUMMITS: u32 = 6;
-/// Number of cells into which a finer grid divides a cell, if at most three adjacent cells are open.
+/// Number of cells into which a finer grid divides one cell. It applies if at most three adjacent cells are open.
 const FINER: f64 = 10.0;
 
 const NONE: Open = [0, 0];
 
 impl<S: Float, D: Decay<S>> Search<'_, S, D> {
-    /// Returns true if the search may still evaluate one more grid and the local maxima on the grid. Otherwise marks
-    /// the search as incomplete.
+    /// Returns true if the search may still evaluate one more grid and its local maxima. If not, marks the search as
+    /// incomplete.
     fn has_room(&mut self) -> bool {
         self.peak.exceeded |= self.most - self.peak.evaluations < COST + SUMMITS * EVALUATIONS;
         !self.peak.exceeded
@@ -118,8 +118,8 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         } else {
             self.open(&grid, [u32::MAX; 2])
         };
-        // Cells that stay open next to a local maximum would lead to the same maximum again on this grid. A finer grid
-        // searches them.
+        // Some cells next to a local maximum may stay open. On this grid they would lead to the same maximum again, so
+        // that a finer grid searches them.
         let mut left = [u32::MAX; 2];
         for _ in 0..SUMMITS {
             let [plus, minus] = [open[0] & left[0], open[1] & left[1]];
@@ -152,12 +152,12 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         self.open(&grid, open)
     }
 
-    /// Returns true if the search of a motion has not found any value yet. No cell can then be excluded.
+    /// Returns true if the search of a motion has not found any value yet. Without a value, no cell can be closed.
     fn knows_nothing(&self) -> bool {
         self.problem.weight == Weight::One && self.peak.value.is_zero()
     }
 
-    /// Returns the cells among `among` in which the sum or its negative may exceed the largest value found.
+    /// Returns those cells of `among` in which the sum, or its negative, may exceed the largest value found.
     fn open(&self, grid: &Grid<S>, among: Open) -> Open {
         let mut open = NONE;
         for (open, (&negative, among)) in open.iter_mut().zip(self.signs().iter().zip(among)) {
@@ -168,11 +168,12 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         open
     }
 
-    /// Returns the level below which a cell is closed. For a motion the level is slightly below the largest value, so
-    /// that the search also finds equal maxima.
+    /// Returns the level that a value must exceed to keep its cell open. For a motion the level is slightly below the
+    /// largest value found, so that the search also finds equal maxima.
     fn bar(&self, negative: bool) -> S {
         match self.problem.weight {
-            // No value has been found yet. A sum that is only rounding error must return its largest value too.
+            // No value has been found yet. A sum that consists of rounding errors only must still return its largest
+            // value.
             Weight::One if self.peak.places[0].is_none() => self.peak.value,
             Weight::One => {
                 let equal = self.peak.value * S::constant(1.0 - EQUAL * S::RESOLUTION);
@@ -202,8 +203,8 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         }
     }
 
-    /// Returns the cells among `among` in which the sum may exceed the level. In such a cell a Bernstein coefficient of
-    /// the cubic exceeds the level less the error of the cubic. The coefficients are the values at the two nodes, and
+    /// Returns those cells of `among` in which the sum may exceed the level. In such a cell a Bernstein coefficient of
+    /// the cubic exceeds the level minus the error of the cubic. The coefficients are the values at both nodes, and
     /// value ± slope·h/3.
     pub(super) fn open_of(&self, grid: &Grid<S>, negative: bool, among: u32) -> u32 {
         let zero = S::constant(0.0);

@@ -1,9 +1,9 @@
 //! Grid of nodes over an interval of the half period, with upper bounds on the modal sum between the nodes.
 //!
-//! A constant matrix advances a mode from node to node, four nodes at a time. The loop evaluates no sine and no
-//! exponential. Between two nodes, a cubic with the values and slopes of the sum at both nodes differs from the sum by
-//! at most h⁴/384 times the fourth derivative. The Bernstein coefficients of the cubic follow directly from the values
-//! and slopes (section 9 of `docs/derivation.md`).
+//! A constant matrix advances a mode from node to node, four nodes at a time. The loop therefore evaluates no sine and
+//! no exponential. Between two nodes a cubic approximates the sum, with the same values and slopes at both nodes. Its
+//! error is at most h⁴/384 times the fourth derivative. The Bernstein coefficients of the cubic follow directly from
+//! the values and slopes (section 9 of `docs/derivation.md`).
 
 use super::bounds::{Bounds, Track, keeps_forcing};
 use super::row::{LANES, Matrix, Row, add, advanced, first_lanes, pairwise};
@@ -143,14 +143,16 @@ impl<S: Float> Grid<S> {
         }
     }
 
-    /// Evaluates the sum at all nodes. The grid is filled in place, since a returned grid would occupy the stack twice.
+    /// Evaluates the sum at all nodes. The function fills the grid in place, because a returned grid would occupy the
+    /// stack twice.
     pub fn fill<D: Decay<S>>(&mut self, sum: &Sum<'_, S, D>) {
         let (zero, stretch) = (S::constant(0.0), self.stretch);
         let at = &Instant::from_start(stretch.from);
         let width = stretch.width;
         let step = Instant::new(width * S::inverse_pi());
         self.turn(at, &step);
-        // Time of a step by one row of nodes. Only modes that are not split into free and forced motion need it.
+        // Time of a step by one row, which has four nodes. Only modes that are not split into free and forced motion
+        // need it.
         let mut four = None;
         let (mut constant, mut cosine, mut sine) = (zero, sum.cosine, sum.sine);
         for wave in sum.waves {

@@ -1,10 +1,10 @@
 //! Search for the largest value of a modal sum over a half period, with a proof that no larger value exists.
 //!
-//! The search covers the half period by grids. The interval between two nodes of a grid is a *cell*. In a cell, a cubic
-//! and a bound on the fourth derivative give an upper bound on the sum. A cell is *open* while this bound exceeds the
-//! largest value found so far. On each grid the search refines local maxima. A *summit* is a position from which one
-//! Newton step leads to a local maximum. Finer grids then divide the cells that remain open. The search ends when no
-//! value larger than the result times 1 + tolerance exists, except for rounding (section 9 of `docs/derivation.md`).
+//! The search covers the half period by grids. The interval between two nodes of a grid is a *cell*. A cubic and a
+//! bound on the fourth derivative give an upper bound on the sum in a cell. A cell is *open* while its bound exceeds
+//! the largest value found so far. On each grid the search refines local maxima. A *summit* is a position from which
+//! one Newton step leads to a local maximum. Finer grids then divide the cells that remain open. At the end, no value
+//! exceeds result·(1 + tolerance), except by rounding (section 9 of `docs/derivation.md`).
 
 mod about;
 mod bounds;
@@ -21,25 +21,25 @@ use crate::modal_sum::wave::Sum;
 use crate::number::scalar::Float;
 use crate::oscillator::decay::Decay;
 
-/// Upper bound on the number of evaluations of the modal sum in one search, for any scene. A grid of up to 32 nodes
-/// counts as two evaluations. [`most_evaluations`] gives a smaller bound for a given scene, and `docs/evidence.md` has
-/// measured numbers. A search that reaches its bound returns the best value that it has found.
+/// Upper bound on the evaluations of the modal sum in one search, for any scene. A grid of up to 32 nodes counts as two
+/// evaluations. [`most_evaluations`] gives a smaller bound for a given scene. `docs/evidence.md` has measured numbers.
+/// A search that reaches its bound returns the best value that it has found.
 pub const MAX_EVALUATIONS: u32 = 20_000;
 
-/// Number of evaluations that a search of sum/sin τ may take even if all modes are slow. The number is five times the
-/// largest one measured.
+/// Number of evaluations that a search of sum/sin τ may take if all modes are slow. The number is five times the
+/// largest measured number.
 const OVER_SINE: u32 = 256;
-/// Number of evaluations that a search of a motion may take even if all modes are slow. The number is three times the
-/// largest one measured. A motion can be the small remainder of modes that cancel.
+/// Number of evaluations that a search of a motion may take if all modes are slow. The number is three times the
+/// largest measured number. A motion may be the small difference of modal terms that nearly cancel.
 const OF_MOTION: u32 = 1024;
-/// Number of half turns of the fastest mode for which a search may take one more evaluation. Measured searches need at
+/// A search may take one more evaluation for this number of half turns of the fastest mode. Measured searches need at
 /// most one evaluation for 120 half turns.
 const HALF_TURNS: usize = 16;
 
 /// Returns the upper bound on the number of evaluations in one search. `fastest` is the largest √λ(1 + 2ζ)/r of the
 /// modes.
 ///
-/// A search stops before it evaluates a grid and local maxima if these might exceed the bound.
+/// A search stops before a grid whose evaluation, with its local maxima, could exceed the bound.
 #[must_use]
 pub fn most_evaluations<S: Float>(weight: Weight, fastest: S) -> u32 {
     let few = match weight {
@@ -56,7 +56,7 @@ const EQUAL: f64 = 64.0;
 /// Factor by which the search multiplies the rounding error of a sum that it divides by sin τ, for τ > π/2.
 const NOISE: f64 = 16.0;
 /// Distance in τ below which two positions belong to the same maximum. Around a maximum the sum falls with the square
-/// of the distance. At this distance it has fallen by far more than equal maxima may differ.
+/// of the distance. At this distance it has fallen by far more than the tolerance for equal maxima.
 const SAME_MAXIMUM: f64 = 0.05;
 
 /// Divisor of the modal sum in a search: 1 or sin τ.
@@ -79,8 +79,8 @@ pub struct Problem<S> {
     pub end: S,
     /// Smallest value of interest. The search ignores smaller values.
     pub floor: S,
-    /// Limit for τ → 0 of the function whose largest value is wanted. This function is `start` plus the modal sum over
-    /// its divisor. The sum does not contain `start`.
+    /// Limit for τ → 0 of the function to be maximised. The function is `start` plus the modal sum divided by 1 or sin
+    /// τ. The modal sum itself does not contain `start`.
     pub start: S,
     /// Tolerance of the search. The search may miss a value that exceeds the result by less than `tolerance` times
     /// (result + `start`).
@@ -99,7 +99,7 @@ pub struct Maximiser<S> {
 /// Result of a search: the largest value, its positions, and the work.
 #[derive(Clone, Copy, Debug)]
 pub struct Peak<S> {
-    /// Largest value that the search found. If no value exceeds the floor of the problem, the floor is stored here.
+    /// Largest value that the search found. If no value exceeds the floor of the problem, it is the floor.
     pub value: S,
     /// Positions of up to four equal largest values. All are `None` if no value exceeds the floor of the problem.
     pub places: [Option<Maximiser<S>>; 4],
@@ -137,7 +137,7 @@ struct Search<'a, S, D> {
     sum: Sum<'a, S, D>,
     problem: Problem<S>,
     peak: Peak<S>,
-    /// Upper bound on the rounding error of the sum. Smaller values of the sum carry no information.
+    /// Upper bound on the rounding error of the sum. Values of the sum below it carry no information.
     rounding: S,
     /// Upper bound on the number of evaluations.
     most: u32,
@@ -198,8 +198,7 @@ impl<'a, S: Float, D: Decay<S>> Search<'a, S, D> {
     }
 
     /// Returns the level that ±sum/sin τ must exceed to be larger than the largest value found. The function to be
-    /// maximised is `start` + sum/sin τ, or its negative. −sum/sin τ contains −`start` instead of +`start`, so that its
-    /// level is higher by 2·`start`.
+    /// maximised is ±(`start` + sum/sin τ). For the negative sign, the level is therefore higher by 2·`start`.
     fn signed(&self, level: S, negative: bool) -> S {
         if negative {
             level + self.problem.start + self.problem.start
@@ -208,8 +207,8 @@ impl<'a, S: Float, D: Decay<S>> Search<'a, S, D> {
         }
     }
 
-    /// Returns the possible rounding error of a modal sum that is divided by sin τ. Towards τ = π the sum and sin τ
-    /// both vanish, but the rounding error does not. For τ ≤ π/2 the result is 0, since towards τ = 0 the error
+    /// Returns the largest rounding error of a modal sum that is divided by sin τ. Towards τ = π the sum and sin τ both
+    /// vanish, but the rounding error does not. For τ ≤ π/2 the result is 0, because towards τ = 0 the rounding error
     /// vanishes as well.
     fn noise(&self, cosine: S) -> S {
         let zero = S::constant(0.0);

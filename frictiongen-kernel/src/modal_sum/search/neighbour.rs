@@ -5,8 +5,8 @@ use crate::number::scalar::Float;
 
 /// Positions of the largest values that the last searches of a frequency sweep found.
 ///
-/// A search that gets a `Neighbour` begins at the predicted position. Like every search, it then proves that no larger
-/// value exists. A wrong prediction costs some evaluations, but does not change the result.
+/// A search with a `Neighbour` begins at the predicted position. Like every search, it then proves that no larger value
+/// exists. A wrong prediction costs some evaluations, but does not change the result.
 ///
 /// One `Neighbour` serves the motion of one mass of one scene. See
 /// [`Motion::largest_near`](crate::response::motion::Motion::largest_near).
@@ -19,21 +19,22 @@ pub struct Neighbour<S> {
 /// Position of a largest value, and the frequency at which it was found.
 #[derive(Clone, Copy, Debug)]
 struct Known<S> {
-    /// Rate x(1 + 2ζ) of the fastest mode. The rate is proportional to 1/r, and so identifies the frequency of the
+    /// Rate x(1 + 2ζ) of the fastest mode. The rate is proportional to 1/r, so that it identifies the frequency of the
     /// sweep.
     speed: S,
     place: Maximiser<S>,
 }
 
 impl<S: Float> Neighbour<S> {
-    /// Creates a prediction that knows no positions. The first search of a sweep then runs without a prediction.
+    /// Creates a prediction without known positions. The first search of a sweep then starts from its grid.
     #[must_use]
     pub fn new() -> Self {
         Self { known: [None; 3] }
     }
 
-    /// Extrapolates the position of the largest value to a new frequency. Three known positions give a parabola, two a
-    /// line, and a single one is returned itself. Without known positions the result is `None`.
+    /// Extrapolates the position of the largest value to a new frequency. It uses a parabola through three known
+    /// positions, or a line through two. A single position is returned unchanged. Without known positions the result is
+    /// `None`.
     pub(super) fn guess(&self, speed: S) -> Option<Maximiser<S>> {
         let [last, second, third] = self.known;
         let last = last?;

@@ -5,8 +5,8 @@ use crate::number::scalar::Float;
 use crate::oscillator::decay::Decay;
 
 impl<S: Float, D: Decay<S>> Search<'_, S, D> {
-    /// Records a local maximum unless a larger one is known. `best` is compared with the largest value so far, and
-    /// `kept` then replaces the largest value.
+    /// Records a local maximum unless a larger value is known. `best` is compared with the largest value so far. If
+    /// `best` is larger, `kept` becomes the largest value.
     pub(super) fn keep(&mut self, best: S, kept: S, place: Maximiser<S>) {
         let share = S::constant(1.0 - EQUAL * S::RESOLUTION);
         if self.peak.value < best {
@@ -20,9 +20,9 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         }
     }
 
-    /// Moves a position that a Newton step has reached into the half period. The returned flag is true if the position
-    /// was in the next or the previous half period, where a motion continues with the opposite sign. The velocity
-    /// constraint has no meaning outside the half period, so that its position is clamped to the bounds.
+    /// Moves a position after a Newton step into the half period. The flag is true if the position was in the next or
+    /// the previous half period, where a motion continues with the opposite sign. The velocity constraint has no
+    /// meaning outside the half period, so that its position is clamped to the bounds.
     pub(super) fn moved(&self, tau: S) -> (S, bool) {
         let (zero, end) = (S::constant(0.0), self.problem.end);
         match self.problem.weight {
@@ -41,8 +41,8 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         }
     }
 
-    /// Returns true if the maximum at a position is already recorded. For a motion, the end of a half period and the
-    /// beginning of the next are one instant, and the motion continues with the opposite sign.
+    /// Returns true if the maximum at a position is already recorded. The end of a half period and the beginning of the
+    /// next are the same instant, at which a motion changes its sign.
     fn knows(&self, place: Maximiser<S>) -> bool {
         let near = S::constant(SAME_MAXIMUM);
         self.peak.places.iter().flatten().any(|known| {

@@ -1,5 +1,5 @@
-//! Summits of a modal sum. A summit is a position from which one Newton step leads to a local maximum. A search from
-//! the highest node of a grid usually needs two evaluations to find a summit.
+//! Finds summits of a modal sum. A *summit* is a position from which one Newton step leads to a local maximum. From the
+//! highest node of a grid, two evaluations usually lead to a summit.
 
 use super::grid::{Grid, Node, Open};
 use super::{Maximiser, Search, Weight};
@@ -9,7 +9,8 @@ use crate::oscillator::decay::{Decay, Instant};
 
 /// Largest number of evaluations of the modal sum in one iteration to a local maximum.
 pub(super) const EVALUATIONS: u32 = 5;
-/// Multiple of a Newton step within which the terms that the step neglects must be small, for the step to be the last.
+/// Multiple of the last Newton step within which the neglected terms must be small. Otherwise another Newton step
+/// follows.
 pub(super) const REACH: f64 = 7.0;
 
 /// Position from which one Newton step leads to a local maximum, with the modal sum and its derivatives there.
@@ -223,7 +224,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
                     tau,
                     negative,
                     jet,
-                    // Where modes cancel, rounding errors exceed the tolerance.
+                    // Where the terms of the modes nearly cancel, rounding errors exceed the tolerance.
                     level: quotient.value + rise + tolerance * size + self.rounding,
                 });
             }

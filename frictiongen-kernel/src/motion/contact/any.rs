@@ -1,4 +1,4 @@
-//! A contact whose law is known only at run time: rigid or elastic.
+//! A contact whose law is known only at run time. The contact is rigid or elastic.
 
 use super::elastic::ElasticChain;
 use super::law::ContactChain;
@@ -19,7 +19,7 @@ pub enum AnyContact<S> {
     Elastic(ElasticChain<S>),
 }
 
-/// Calls a method of the law that the contact has.  A call with a setting passes it with the constants of that law.
+/// Calls a method of the contact's law. A method that takes a setting gets it with the constants of this law.
 macro_rules! of_law {
     ($chain:expr, $name:ident($($argument:expr),*)) => {
         match $chain {

@@ -1,6 +1,6 @@
-//! The law of the contact: what decides when it sticks and slides, and under which force.
+//! The law of the contact: it decides when the contact sticks or slides, and under which force.
 //!
-//! [`Law`] has the forces and decisions of a law, and [`ContactChain`] their meaning for the modes of a chain.
+//! [`Law`] has the forces and decisions of a law. [`ContactChain`] applies them to the modes of a chain.
 //! CONTRIBUTING.md says how to add a law, under “Add a friction law”.
 //!
 //! | question | answered by |
@@ -14,8 +14,9 @@
 //! | what a contact that sticks remembers | [`ContactChain::remembered`], [`ContactChain::memory_at`], [`ContactChain::memory_at_stop`] |
 //! | how a deviation grows, and how it jumps at an event | [`ContactChain::carry_deviations`], [`ContactChain::stuck_multipliers`] |
 //!
-//! Every law shares the transformation between the modes of the chain and those of the stuck chain (`stuck_chain`), and
-//! the oscillators while the contact sticks and slides (`sticking`, `sliding`).
+//! All laws use the same transformation between the modes of the chain and the modes of the chain with its contact
+//! stuck (`stuck_chain`). They also use the same oscillators while the contact sticks and slides (`sticking`,
+//! `sliding`).
 
 mod any;
 mod elastic;

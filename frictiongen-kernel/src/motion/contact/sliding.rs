@@ -11,23 +11,24 @@ use crate::number::complex::{self, Complex};
 use crate::number::pairs::pairs_mut;
 use crate::number::scalar::Float;
 
-/// Rounding bound of a velocity that vanishes, in roundings of the sum of its terms' sizes.
+/// Bound on the rounding error of a velocity that vanishes, in roundings of the sum of the absolute values of its
+/// terms.
 const ROUNDINGS: f64 = 8.0;
 
 impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {
-    /// The law of the contact, with forces over P.
+    /// Returns the law of the contact, with forces over P.
     #[inline]
     pub(crate) fn law(&self) -> K::Law {
         self.law_at(self.beta)
     }
 
-    /// The law of the contact at another friction ratio, with forces over P.
+    /// Returns the law of the contact at another friction ratio, with forces over P.
     #[inline]
     pub(crate) fn law_at(&self, beta: S) -> K::Law {
         self.dynamics.chain.law(beta)
     }
 
-    /// State of a contact that leaves zero relative velocity at the phase `t`.
+    /// Returns the state of a contact that leaves zero relative velocity at the phase `t`.
     pub(crate) fn sliding_away(&self, t: S, slide: Slide<S>) -> ContactState<S> {
         ContactState {
             t,
@@ -37,7 +38,8 @@ impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {
         }
     }
 
-    /// State of a contact that slides off in a given direction at the phase `t`, where the modes have come to rest.
+    /// Returns the state of a contact that starts to slide in a given direction at the phase `t`, where its velocity is
+    /// zero.
     pub(crate) fn sliding_off(&self, parts: &[Part<S>], t: S, contact: Contact) -> ContactState<S> {
         let force = self.holding(parts, phase(t));
         self.sliding_away(t, self.law().slide(contact, force))
@@ -48,14 +50,15 @@ impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {
         K::contact_state(self, parts, t)
     }
 
-    /// Direction in which the contact slides, or `None` if its velocity vanishes within rounding.
+    /// Returns the direction in which the contact slides, or `None` if its velocity vanishes within rounding.
     pub(super) fn direction(&self, parts: &[Part<S>], at: (S, S)) -> Option<Contact> {
         let (velocity, size) = self.relative_velocity(parts, at);
         let moves = !(velocity.abs() <= size * S::constant(ROUNDINGS * S::EPSILON));
         moves.then(|| Contact::along(velocity))
     }
 
-    /// Sets the oscillators of the modes to sliding, and returns the function z̄′ times its sign.
+    /// Sets the oscillators of the modes for sliding. Returns the function that a search for the next event examines,
+    /// the relative velocity z̄′ times its sign.
     pub(crate) fn start_sliding<'p>(
         &self,
         modes: &'p mut [Part<S>],
@@ -86,8 +89,8 @@ impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {
         OscillatorSum::new(modes, zero, (cosines, sines), at, reach)
     }
 
-    /// Changes the velocities of a deviation of the modes for an event that occurs a time `later`, at which the contact
-    /// force falls by `jump`.
+    /// Changes the velocities in a deviation of the modes at an event. The event occurs a time `later` later, and the
+    /// contact force falls by `jump`.
     pub(super) fn delay(&self, jump: S, later: S, column: &mut [S]) {
         for (mode, state) in self.dynamics.driven().iter().zip(pairs_mut(column)) {
             if let [_, u] = state {

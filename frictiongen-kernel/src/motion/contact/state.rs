@@ -15,7 +15,7 @@ pub enum Contact {
 }
 
 impl Contact {
-    /// Sign of the relative velocity: 1, −1, or 0 while the contact sticks.
+    /// Returns the sign of the relative velocity: 1, −1, or 0 while the contact sticks.
     pub(crate) fn sign<S: Float>(self) -> S {
         S::constant(match self {
             Self::Stuck => 0.0,
@@ -24,7 +24,7 @@ impl Contact {
         })
     }
 
-    /// Sliding in the direction of a force.
+    /// Returns the state of a contact that slides in the direction of a force.
     pub(crate) fn along<S: Float>(force: S) -> Self {
         if force < S::constant(0.0) {
             Self::Backward
@@ -33,7 +33,8 @@ impl Contact {
         }
     }
 
-    /// Sliding in the negative direction, or in the positive one.
+    /// Returns the state of a contact that slides in the negative direction if `negative` is true, otherwise in the
+    /// positive direction.
     pub(crate) fn towards(negative: bool) -> Self {
         if negative {
             Self::Backward
@@ -72,15 +73,17 @@ pub struct ContactState<S> {
     pub t: S,
     /// State of the contact: stuck, or its direction of sliding.
     pub contact: Contact,
-    /// The number that the contact remembers from its last event.  For a contact that slides away from zero velocity it is
-    /// the relative acceleration in the direction of sliding.  For an elastic contact that sticks it is the force over P.
+    /// The number that the contact remembers from its last event. If the contact slides away from zero velocity, it is
+    /// the relative acceleration in the direction of sliding. If an elastic contact sticks, it is the contact force
+    /// over P.
     pub memory: Option<S>,
-    /// True if the contact has just failed to leave.  Rounding then must not decide that the contact force exceeds μβ.
+    /// True if the contact has just failed to slide. A contact force that exceeds μβ by rounding alone must then not
+    /// start sliding.
     pub wedged: bool,
 }
 
 impl<S: Float> ContactState<S> {
-    /// State of a contact that sticks at the phase `t`.
+    /// Returns the state of a contact that sticks at the phase `t`.
     pub(crate) fn stuck(t: S) -> Self {
         Self {
             t,
@@ -96,39 +99,40 @@ impl<S: Float> ContactState<S> {
 pub struct SegmentEnd<S> {
     /// Length of the segment, in τ.
     pub tau: S,
-    /// Event that ends the segment, or `None` at the reach.
+    /// Event that ends the segment, or `None` if the segment ends without an event.
     pub event: Option<Event>,
     /// State of the contact after the event.
     pub contact_state: ContactState<S>,
-    /// At an event, the slope of the function that vanishes at the event: z̄″ before the event, or F′.
+    /// At an event, the slope of the function that vanishes there. For a sliding contact it is z̄″ before the event,
+    /// for a stuck contact the slope of its force.
     pub slope: S,
-    /// Jump of the contact force at the event: force before less force after.
+    /// Jump of the contact force at the event: the force before the event, minus the force after it.
     pub jump: S,
-    /// Number of steps of the walk that found the end.
+    /// Number of steps of the search that found the end.
     pub steps: u32,
 }
 
-/// A segment whose end has been found, before any oscillator is advanced.
+/// A segment whose end the search has found. The oscillators are still at the start.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Sought<S> {
     /// State of the contact at the segment's start.
     pub contact_state: ContactState<S>,
     /// Length of the segment, in τ.
     pub tau: S,
-    /// z̄, where the contact sticks.
+    /// Relative displacement z̄, if the contact sticks in the segment.
     pub offset: S,
     /// The way in which the segment ends.
     pub outcome: Outcome,
-    /// Slope at the end of the contact force, where the contact sticks.
+    /// Slope of the contact force at the end of the segment, if the contact sticks.
     pub slope: S,
-    /// Number of steps of the walk that found the end.
+    /// Number of steps of the search that found the end.
     pub steps: u32,
 }
 
 /// The way in which a segment ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Outcome {
-    /// No event within the reach.
+    /// No event occurs within the searched time.
     Goes,
     /// The relative velocity vanishes.
     Halts,

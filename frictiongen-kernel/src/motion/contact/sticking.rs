@@ -1,4 +1,4 @@
-//! The chain while its contact sticks, at one frequency ratio: its state, and the force in the contact.
+//! The chain with its contact stuck, at one frequency ratio: its state, and the force in the contact.
 
 use super::law::{ContactChain, Law};
 use super::state::ContactState;
@@ -11,7 +11,8 @@ use crate::number::complex::{self, Complex};
 use crate::number::scalar::Float;
 
 impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {
-    /// Computes the displacements y and scaled velocities u of the stuck chain's modes, as [`Dynamics::project`] does.
+    /// Computes the displacements y and scaled velocities u of the modes of the chain with its contact stuck, as
+    /// [`Dynamics::project`] does.
     pub(crate) fn project(
         &self,
         states: impl Iterator<Item = [S; 2]> + Clone,
@@ -25,7 +26,8 @@ impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {
             .project(self.receptance, states, lifted, stuck_modes);
     }
 
-    /// Computes the state of the modes from this setting's stuck chain, as [`Dynamics::release`] does.
+    /// Computes the state of the chain's modes from the modes of the chain with its contact stuck, as
+    /// [`Dynamics::release`] does.
     pub(crate) fn release<'s>(
         &self,
         stuck_modes: &[Part<S>],
@@ -37,7 +39,8 @@ impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {
             .release(self.receptance, stuck_modes, lifted, states);
     }
 
-    /// Sets the oscillators of the stuck chain from the state of the modes, and returns the contact force and z̄.
+    /// Sets the oscillators of the chain with its contact stuck, from the state of the chain's modes. Returns the
+    /// contact force and z̄.
     pub(crate) fn start_sticking<'p>(
         &self,
         modes: &mut [Part<S>],
@@ -75,8 +78,9 @@ impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {
         )
     }
 
-    /// Largest |offset| at which the contact may stick for ever, while the forced motion has a contact force of amplitude
-    /// `steady`.  The rest of the static force can carry a constant force, and with it an offset.
+    /// Returns the largest |offset| at which the contact may stick for ever. `steady` is the amplitude of the contact
+    /// force in the forced motion. The rest of the static friction force can carry a constant force, and with it an
+    /// offset.
     pub(crate) fn offset_range(&self, steady: S) -> S {
         let receptance = self.receptance - self.dynamics.chain.compliance();
         (self.law().grip() - steady).max(S::constant(0.0)) * receptance
@@ -124,7 +128,8 @@ impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {
         Some(sum)
     }
 
-    /// Displacement of the stuck contact including the base's, and its velocity in the time t√(k₁/m₁).
+    /// Returns the displacement of the stuck contact including the displacement of the base, and its velocity in the
+    /// time t√(k₁/m₁).
     pub(crate) fn lifted(&self, offset: S, (sine, cosine): (S, S)) -> (S, S) {
         let z = Complex::new(self.base, S::constant(0.0));
         (

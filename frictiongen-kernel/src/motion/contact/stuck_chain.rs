@@ -1,4 +1,4 @@
-//! Transformation between the modes of the chain and the modes of the stuck chain.
+//! Transformation between the modes of the chain and the modes of the chain with its contact stuck (stuck chain).
 
 use super::law::ContactChain;
 use crate::motion::dynamics::{Dynamics, HeldMode, lift};
@@ -6,9 +6,9 @@ use crate::number::complex::Complex;
 use crate::number::scalar::Float;
 
 impl<S: Float, K: ContactChain<S>> Dynamics<'_, S, K> {
-    /// Computes y and u of the stuck chain's modes from the state (y, u) of the chain's modes.  The displacement z of
-    /// the contact and its rate in the time t√(k₁/m₁) are subtracted first, with the shape in which they lift the
-    /// modes.
+    /// Computes y and u of the stuck chain's modes from the state (y, u) of the chain's modes. The function first
+    /// subtracts the displacement z of the contact and its rate in the time t√(k₁/m₁), times the static shape that
+    /// belongs to z.
     pub(crate) fn project<'s>(
         &self,
         receptance: S,
@@ -32,7 +32,8 @@ impl<S: Float, K: ContactChain<S>> Dynamics<'_, S, K> {
         }
     }
 
-    /// Computes both components of the drive of a stuck chain's mode, times r.  `base` is the base coefficient s.
+    /// Computes both components of the drive of a mode of the chain with its contact stuck, times r. `base` is the base
+    /// coefficient s.
     pub(crate) fn stuck_drive(
         &self,
         (mode, participations): (&HeldMode<S>, &[[S; 2]]),
@@ -40,8 +41,7 @@ impl<S: Float, K: ContactChain<S>> Dynamics<'_, S, K> {
         receptance: S,
     ) -> [Complex<S>; 2] {
         let (zero, two) = (S::constant(0.0), S::constant(2.0));
-        // The load on each mode is reduced by the inertia and damping of the motion that the base imposes on the stuck
-        // contact.
+        // The base moves the stuck contact. The inertia and damping of this motion reduce the load on each mode.
         let mut sums = [Complex::new(zero, zero); 2];
         let modes = self.driven().iter().zip(participations).enumerate();
         for (index, (driven, participation)) in modes {
@@ -59,8 +59,8 @@ impl<S: Float, K: ContactChain<S>> Dynamics<'_, S, K> {
         [Complex::new(re_y, im_y), Complex::new(re_u, im_u)]
     }
 
-    /// Computes the state of the modes from y and u of the stuck chain's modes and from the displacement of the
-    /// contact.
+    /// Computes the state of the chain's modes. The arguments are y and u of the modes of the chain with its contact
+    /// stuck, and the displacement of the contact.
     pub(crate) fn release<'s>(
         &self,
         receptance: S,
@@ -99,17 +99,19 @@ impl<S: Float, K: ContactChain<S>> Dynamics<'_, S, K> {
 }
 
 impl<S: Float, K: ContactChain<S>> Dynamics<'_, S, K> {
-    /// Returns the largest relative change of a motion of the sliding chain's modes if the contact sticks and is
-    /// released at once.  The tested states move two modes and not the contact.  If the modes of the stuck chain are
-    /// well separated, the change is of the order of rounding.  If many modes are at or beyond critical damping, the
-    /// frequencies of the stuck chain are close together, and the contributions of its modes cancel.
+    /// Returns the largest relative change of a motion if the contact sticks and is released at once. The tested states
+    /// move two modes and not the contact. The change is of the order of rounding if the modes of the chain with its
+    /// contact stuck are well separated. If many modes are at or beyond critical damping, their frequencies are close
+    /// together, and the contributions of the modes cancel.
     ///
-    /// `states` has room for the modes that the contact drives, and `stuck_modes` for the modes of the stuck chain.
+    /// `states` has room for the modes that the contact drives, and `stuck_modes` for the modes of the chain with its
+    /// contact stuck.
     pub fn held_loss(&self, states: &mut [[S; 2]], stuck_modes: &mut [[S; 2]]) -> S {
         let zero = S::constant(0.0);
         let (receptance, still) = (self.receptance(), (zero, zero));
         let driven = self.driven();
-        // The mode that the contact drives most balances each of the others, so that the contact does not move.
+        // Each tested state combines the mode that the contact drives most with one other mode, so that the contact
+        // does not move.
         let most = driven
             .iter()
             .enumerate()
@@ -165,7 +167,7 @@ impl<S: Float, K: ContactChain<S>> Dynamics<'_, S, K> {
                     let [y, u] = start(of);
                     for change in [state[0] - y, state[1] - u] {
                         let change = change.abs() / weight;
-                        // NaN counts as the worst change, and stays.
+                        // NaN counts as the largest change, and no later change replaces it.
                         if worst.is_finite() && !(change <= worst) {
                             worst = change;
                         }

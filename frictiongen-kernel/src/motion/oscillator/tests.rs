@@ -1,4 +1,4 @@
-//! Tests of the quantities that limit the steps of a search for events: the derivatives of an oscillator's motion, and
+//! Tests of two quantities that limit the steps of a search for events: the derivatives of an oscillator's motion, and
 //! the bound on the third derivative.
 
 use super::*;
@@ -55,14 +55,14 @@ fn third_derivatives_stay_within_their_bound() {
             }
         }
         println!("ζ {zeta}: {most} of the bound");
-        // A loose bound would be correct, but would make searches slow.
+        // A loose bound would be correct, but would make searches slow. The test therefore requires a tight bound.
         assert!(most > 0.3, "ζ {zeta}: {most}");
     }
     println!("{compared} derivatives compared, none skipped");
     assert_eq!(compared, 11 * 400 * 40);
 }
 
-/// Slope and curvature of the searched function agree with finite differences.  The test includes frequencies near a
+/// Compares slope and curvature of the searched function with finite differences. The test includes frequencies near a
 /// resonance, where the forced motion grows from zero.
 #[test]
 fn slope_and_curve_are_derivatives() {
@@ -117,7 +117,8 @@ fn slope_and_curve_are_derivatives() {
     assert!(compared == 6000 && beside > 100);
 }
 
-/// Near a resonance the response to the load grows from 0.  Its Taylor series at the start agrees with its closed form.
+/// Compares the Taylor series of the response at the start with its closed form. Near a resonance the response to the
+/// load grows from 0.
 #[test]
 fn the_series_of_what_grows() {
     let mut random = Random(31);

@@ -1,16 +1,16 @@
-//! A function of time between two events, in the form that a search for its zeros needs: its derivatives at an instant,
-//! or its power series from the start.
+//! A function of time between two events, in the form that a search for its zeros needs: derivatives at an instant, or
+//! a power series from the start.
 
 use crate::number::scalar::Float;
 
-/// Bound on the rounding error of a sum over modes, in roundings of the sum of its terms' absolute values.
+/// Bound on the rounding error of a sum over modes, in roundings of the sum of the absolute values of its terms.
 pub(crate) const ROUNDINGS: f64 = 4.0;
-/// Length up to which a series of [`ORDER`] terms is used, in radians of the fastest oscillator.  The neglected terms,
-/// of the order 0.03⁹/9!, are below rounding.
+/// Largest length of a series of [`ORDER`] terms, in radians of the fastest oscillator. The neglected terms, of the
+/// order 0.03⁹/9!, are below rounding.
 pub(crate) const SERIES_REACH: f64 = 0.03;
 
-/// Upper bound on the steps of a search along one segment.  A segment that needs more steps continues in another
-/// segment.
+/// Upper bound on the number of steps of a search along one segment. A segment that needs more steps continues in
+/// another segment.
 pub const MAX_STEPS: u32 = 4000;
 
 /// Value and derivatives of a function at one instant.
@@ -19,7 +19,8 @@ pub(crate) struct Local<S> {
     pub value: S,
     pub slope: S,
     pub curve: S,
-    /// Upper bound on |f‴| from this instant to the end of the searched length.
+    /// Upper bound on the absolute value of the third derivative, from this instant to the end of the searched
+    /// interval.
     pub bound: S,
 }
 
@@ -30,7 +31,7 @@ pub(crate) const ORDER: usize = 9;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LocalSeries<S> {
     terms: [S; ORDER],
-    /// Length in τ up to which the neglected terms are below rounding.
+    /// Length in τ over which the neglected terms of the series are below rounding.
     pub reach: S,
 }
 
@@ -40,10 +41,11 @@ impl<S: Float> LocalSeries<S> {
         Self { terms, reach }
     }
 
-    /// Returns value, slope and curvature at τ. `bound` becomes the bound on the third derivative in the result.
+    /// Returns value, slope and curvature of the series at τ. The result has `bound` as the bound on the third
+    /// derivative.
     pub(crate) fn at(&self, tau: S, bound: S) -> Local<S> {
-        // The terms are written out.  In a loop the reciprocals would be divisions in double precision on a
-        // microcontroller.
+        // The terms are written out. In a loop a microcontroller would compute the reciprocals by divisions in double
+        // precision.
         let [c0, c1, c2, c3, c4, c5, c6, c7, c8] = self.terms;
         let [h2, h3, h4, h5, h6, h7, h8] = [
             S::constant(1.0 / 2.0),
@@ -96,14 +98,14 @@ impl<S: Float> LocalSeries<S> {
     }
 }
 
-/// A function of time whose zeros or peaks a *walk* finds.  A walk is a sequence of steps that passes no zero.
+/// A function of time whose zeros or peaks a *walk* finds. A walk is a search in steps that skip no zero.
 pub(crate) trait Walked<S> {
-    /// Upper bound on the steps of one walk along the function.
+    /// Upper bound on the number of steps of one search along the function.
     const MOST: u32 = MAX_STEPS;
     /// Returns value and derivatives of the function at τ, with a bound on its third derivative from τ on.
     fn local(&self, tau: S) -> Local<S>;
-    /// Returns the series of the function from the start.  The caller gives value and slope at the start, which it
-    /// knows more accurately than by evaluation.
+    /// Returns the power series of the function from the start. The caller passes value and slope at the start, because
+    /// it knows them more accurately.
     fn series(&self, value: S, slope: S) -> LocalSeries<S>;
     /// Returns the rounding error of a value of the function.
     fn noise(&self) -> S;

@@ -1,4 +1,4 @@
-//! Functions of the contact between two events, such as its velocity or its force. They are sums over oscillators or
+//! Functions of the contact between two events, such as its velocity or its force. Each is a sum over oscillators or a
 //! power series.
 
 mod local;

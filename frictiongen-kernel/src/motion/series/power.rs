@@ -3,10 +3,10 @@
 use super::local::{Local, LocalSeries, ORDER, ROUNDINGS, SERIES_REACH, Walked};
 use crate::number::scalar::Float;
 
-/// Upper bound on the number of terms of a power series.  1/24! is below the rounding of every scalar that has a table.
+/// Largest number of terms of a power series. 1/24! is below the rounding of every number type for which tables exist.
 pub(crate) const TERMS: usize = 24;
 
-/// Upper bound on the steps of a search along a power series.
+/// Upper bound on the number of steps of a search along a power series.
 pub(crate) const WALK: u32 = 64;
 
 /// The power series Σ c_n sⁿ, with the size of its first terms, from which a rounding bound follows.
@@ -14,7 +14,7 @@ pub(crate) const WALK: u32 = 64;
 pub(crate) struct Power<S> {
     pub terms: [S; TERMS],
     pub count: usize,
-    /// Sum of the absolute values of all summands of the first terms.
+    /// Sum of the absolute values of all summands in the first terms.
     pub size: S,
 }
 
@@ -40,7 +40,7 @@ impl<S: Float> Power<S> {
         self.terms.get(place).copied().unwrap_or(S::constant(0.0))
     }
 
-    /// Returns the function sign·f − level, where f is this series, for a search over the length `reach`.
+    /// Returns the function sign·f − level for a search over the length `reach`, where f is this series.
     pub(crate) fn seen(&self, sign: S, level: S, reach: S) -> PowerUpTo<'_, S> {
         let (one, two) = (S::constant(1.0), S::constant(2.0));
         let mut bound = S::constant(0.0);
@@ -62,8 +62,8 @@ impl<S: Float> Power<S> {
     }
 }
 
-/// A function for a search: sign·f − level, where f is a power series.  It has a length over which it is searched, and
-/// a bound on its third derivative.
+/// The function sign·f − level, in which a search looks for a zero. f is a power series. The function has a bound on
+/// its third derivative.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct PowerUpTo<'p, S> {
     power: &'p Power<S>,
@@ -108,7 +108,8 @@ impl<S: Float> Walked<S> for PowerUpTo<'_, S> {
         }
         let [first, second, ..] = &mut terms;
         (*first, *second) = (value, slope);
-        // The neglected terms are below rounding.  A motion that turns by at most a radian has terms that fall as 1/n!.
+        // The neglected terms are below rounding. In a motion that advances by at most a radian, the terms decrease as
+        // 1/n!.
         LocalSeries::new(terms, S::constant(SERIES_REACH))
     }
 

@@ -1,34 +1,34 @@
-//! A function of time between two events, with its derivatives and a bound on its third derivative.  The function is a
-//! component at the excitation's frequency plus a sum over oscillators.  The oscillators are the modes of the free
-//! chain or of the stuck chain.
+//! A function of time between two events, with its derivatives and a bound on its third derivative. The function is a
+//! component at the excitation frequency plus a sum over oscillators. The oscillators are the modes of the free chain,
+//! or of the chain with its contact stuck.
 
 use super::local::{Local, LocalSeries, ORDER, ROUNDINGS, SERIES_REACH, Walked};
 use crate::motion::oscillator::Part;
 use crate::number::scalar::Float;
 
-/// The function constant + cosine·cos τ + sine·sin τ + Σ of the oscillators' free motions.  An oscillator near its
-/// resonance also adds its forced motion, which grows from zero.
+/// The function constant + cosine·cos τ + sine·sin τ + Σ of the oscillators' free motions. Oscillators near their
+/// resonance also contribute a forced motion, which grows from zero.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct OscillatorSum<'a, S> {
     pub parts: &'a [Part<S>],
     pub constant: S,
     pub cosine: S,
     pub sine: S,
-    /// Sine and cosine of the excitation's angle at the start of the searched interval.
+    /// Sine and cosine of the excitation's phase at the start of the searched interval.
     pub phase: (S, S),
     /// Length in τ over which the function is searched.
     pub reach: S,
     /// Rounding error of a value of the function.
     pub noise: S,
-    /// Rate of the fastest oscillator, in rad per rad of the excitation.  A derivative of the function is larger than
-    /// the function by at most this factor.
+    /// Rate of the fastest oscillator, in rad per rad of the excitation. Each derivative increases the function by at
+    /// most this factor.
     pub(crate) rate: S,
     /// Bound on the third derivative of the fundamental component and of the oscillators near a resonance.
     bound: S,
 }
 
 impl<'a, S: Float> OscillatorSum<'a, S> {
-    /// Creates the sum.  [`Part::aim`] must have prepared each of `parts`.
+    /// Creates the sum. The caller has prepared each of `parts` with [`Part::aim`].
     pub(crate) fn new(
         parts: &'a [Part<S>],
         constant: S,
@@ -107,8 +107,8 @@ impl<S: Float> Walked<S> for OscillatorSum<'_, S> {
         self.local(tau)
     }
 
-    /// Returns the series from the start, with the given value and slope.  Its reach is the largest τ at which the
-    /// series is exact to rounding.
+    /// Returns the power series of the function from the start, with the given value and slope. Its reach is the
+    /// largest τ at which the series is exact to rounding.
     fn series(&self, value: S, slope: S) -> LocalSeries<S> {
         let mut terms = [S::constant(0.0); ORDER];
         let (mut cosine, mut sine) = (self.cosine, self.sine);

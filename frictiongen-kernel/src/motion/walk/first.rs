@@ -1,21 +1,22 @@
-//! Searches for the first zero of a function in safe steps, and misses no zero.  This search is called a *walk*.  A
-//! bound on the third derivative limits each step to a length over which the function is certainly positive.  The steps
-//! shrink as they approach the zero, so that the walk also locates the zero.
+//! Searches for the first zero of a function in steps that skip no zero. This search is called a *walk*. A bound on the
+//! third derivative limits each step to a length over which the function is certainly positive. The steps become
+//! shorter towards the zero, so that the walk also locates the zero.
 
 use super::step;
 use crate::motion::series::{Local, LocalSeries, ROUNDINGS, Walked};
 use crate::number::scalar::Float;
 
-/// Margin by which a force must exceed the break-away level after the contact has just failed to slide, in units of the
-/// rounding error.
+/// Distance, in units of the rounding error, by which a force must exceed the break-away level. It applies after the
+/// contact has just failed to slide.
 const WEDGED: f64 = 16.0;
 /// Smallest advance after an instant at which the function only touches zero, in roundings of the instant.
 const PAST: f64 = 4.0;
 
-/// Result of a search in safe steps (a *walk*).
+/// Result of a *walk*, a search for a zero in steps that skip no zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Walk<S> {
-    /// The function has a zero at this instant.  The flag is true if the function reaches −level instead of level.
+    /// The function has a zero at this instant. The flag is true if the function reaches −level, and false if it
+    /// reaches +level.
     Zero(S, bool),
     /// The function has no zero up to this instant.
     Until(S),
@@ -23,18 +24,18 @@ pub(crate) enum Walk<S> {
     NoStart,
 }
 
-/// Value of the function at the start of a walk.
+/// Value of the function at the start of a walk (search for a zero).
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum WalkStart<S> {
-    /// Any value.  The walk evaluates the function at its start.
+    /// The value is unknown. The walk evaluates the function at its start.
     Anywhere,
-    /// Exactly zero, with this slope.
+    /// The value is exactly zero, and the slope is given.
     Zero(S),
-    /// The contact has just failed to slide.  The force must exceed its level by more than rounding.
+    /// The contact has just failed to slide. The force must now exceed its level by more than rounding.
     Wedged,
 }
 
-/// Finds the first zero of a function that starts positive.  Adds the number of steps to `steps`.
+/// Finds the first zero of a function that is positive at the start. Adds the number of steps to `steps`.
 pub(crate) fn first_zero<S: Float, F: Walked<S>>(
     sum: &F,
     start: WalkStart<S>,
@@ -132,12 +133,12 @@ pub(crate) fn first_reach<S: Float, F: Walked<S>>(
     Walk::Until(tau)
 }
 
-/// Clamps an instant to the searched length.  Rounding may place the zero of a flat function beyond that length.
+/// Clamps an instant to the searched interval. Rounding may place the zero of a flat function beyond its end.
 fn within<S: Float>(sum: &impl Walked<S>, tau: S) -> S {
     tau.max(S::constant(0.0)).min(sum.reach())
 }
 
-/// Returns the function level − f, or level + f if `negative` is true.
+/// Returns the function level − f. If `negative` is true, returns level + f.
 fn gap<S: Float>(local: &Local<S>, level: S, negative: bool) -> Local<S> {
     if negative {
         Local {
@@ -159,7 +160,7 @@ enum RootVerdict<S> {
     Above,
     /// The function has a zero at this distance from the present instant.
     Zero(S),
-    /// The function touches zero without crossing it.  At this distance it has the same value as now.
+    /// The function touches zero without crossing it. At this distance it has its present value again.
     Past(S),
 }
 
@@ -183,7 +184,7 @@ fn verdict<S: Float>(local: &Local<S>, noise: S, tau: S, exact: bool) -> RootVer
     }
     let mut shift = -(value / slope);
     if !((shift * curve).abs() <= slope.abs()) {
-        // The slope is almost zero, so that the tangent's zero may be far too late.  The curvature then gives the zero.
+        // The slope is almost zero. The zero of the tangent may be far too late, so that the curvature gives the zero.
         let two = S::constant(2.0);
         let root = (slope * slope - two * value * curve).sqrt();
         shift = two * value / (root - slope);

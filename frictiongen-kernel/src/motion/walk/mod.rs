@@ -1,5 +1,5 @@
-//! Searches along a function in steps that miss no zero (*walks*): for its first zero, for a level, and for its largest
-//! values.
+//! Searches along a function in steps that skip no zero (*walks*). They find its first zero, the instant at which it
+//! reaches a level, and its largest values.
 
 mod first;
 mod peak;

@@ -1,4 +1,4 @@
-//! Finds the largest absolute value of a sum over oscillators between two events.  The search for events also finds
+//! Finds the largest absolute value of a sum over oscillators between two events. It uses the search for events to find
 //! peaks.
 
 use super::first::{Walk, WalkStart, first_reach};
@@ -7,25 +7,25 @@ use crate::number::scalar::Float;
 
 /// Difference, in roundings, below which two values count as equal.
 const EQUAL: f64 = 64.0;
-/// Upper bound on the number of peaks in a segment to which the search climbs.
+/// Largest number of peaks in a segment that the search refines.
 const MAX_CLIMBS: u32 = 256;
-/// The search continues where the function has fallen from a summit by this multiple of the difference that counts as
-/// equal.
+/// Multiple of the difference that counts as equal. The search continues after a peak where the function has fallen by
+/// this multiple.
 const BELOW: f64 = 4.0;
-/// Upper bound on the steps of a climb to a summit, shortened steps included.
+/// Largest number of Newton steps to a peak, shortened steps included.
 const CLIMB_STEPS: usize = 60;
-/// Longest first step of a climb, in radians of the excitation.  After a step downhill, half of that step is the
-/// longest.
+/// Longest first Newton step to a peak, in radians of the excitation. If a step goes downhill, half of that step
+/// becomes the longest.
 const TRUSTED: f64 = 0.25;
-/// Length of a Newton step, in radians of the excitation, below which the climb is at the summit.  Closer to the
-/// summit, values differ only by rounding.
+/// Length of a Newton step, in radians of the excitation, below which the peak counts as reached. Closer to the peak,
+/// values differ only by rounding.
 const AT_SUMMIT: f64 = 1e-3;
-/// Shortest step that rounding allows, in roundings.
+/// Shortest meaningful Newton step, in roundings.
 const LEAST_ROUNDINGS: f64 = 4.0;
 
 impl<S: Float> OscillatorSum<'_, S> {
-    /// Calls `note` with the instant and the value of every local extreme whose size reaches `level` within rounding.
-    /// `note` returns the new level.
+    /// Calls `note` with the instant and the value of every local extreme whose absolute value reaches `level` within
+    /// rounding. `note` returns the new level.
     pub(crate) fn peaks(&self, mut level: S, mut note: impl FnMut(S, S) -> S) {
         let (zero, two) = (S::constant(0.0), S::constant(2.0));
         let near = S::constant(1.0 - EQUAL * S::EPSILON);
@@ -39,8 +39,8 @@ impl<S: Float> OscillatorSum<'_, S> {
         let start = self.local(zero);
         let low = start.value.abs() <= self.noise || !(start.curve * start.value < zero);
         if start.slope.abs() <= self.noise * self.rate && low {
-            // The function starts at zero or at the bottom of a valley, from where no climb starts.  Two values between
-            // the end points raise the level.  The fractions are constants of S, so that `f32` scenes link no
+            // The function starts at zero or at a minimum, from where the search for a peak cannot start. Values at two
+            // inner instants raise the level. The fractions are constants of S, so that `f32` scenes link no
             // double-precision code.
             for share in [S::constant(0.3), S::constant(0.5)] {
                 let value = self.local(self.reach * share).value;
@@ -55,7 +55,7 @@ impl<S: Float> OscillatorSum<'_, S> {
             };
             let (top, value, curve) = self.climbed(tau);
             level = note(top, value);
-            // The search continues after the summit, where the function is below the level again.
+            // The search continues after the peak, where the function is below the level again.
             let fall = S::constant(BELOW * EQUAL * S::EPSILON) * value.abs();
             let width = (two * fall / curve.abs()).sqrt();
             let mut step = if !width.is_finite() {
@@ -63,7 +63,7 @@ impl<S: Float> OscillatorSum<'_, S> {
             } else if zero < width {
                 width
             } else {
-                // The function is zero within rounding everywhere.  Its curvature then gives no width of the peak.
+                // The function is zero within rounding everywhere, so that its curvature gives no width of the peak.
                 self.reach * S::constant(1.0 / f64::from(MAX_CLIMBS))
             };
             from = tau.max(top) + step;
@@ -78,8 +78,8 @@ impl<S: Float> OscillatorSum<'_, S> {
         }
     }
 
-    /// Finds the local extreme near an instant by Newton's method on the slope, without steps downhill.  Returns its
-    /// instant, value and curvature.
+    /// Finds the local extreme near an instant by Newton's method on the slope, without steps downhill. Returns the
+    /// instant, the value and the curvature of the extreme.
     fn climbed(&self, tau: S) -> (S, S, S) {
         let zero = S::constant(0.0);
         let mut at = tau;
@@ -110,8 +110,8 @@ impl<S: Float> OscillatorSum<'_, S> {
             }
         }
         if S::CARRIES {
-            // The instant of the extreme needs the derivative of the slope.  The value does not, because the slope is
-            // zero there.
+            // The instant of the extreme needs the derivative of the slope. The value does not need it, because the
+            // slope is zero there.
             at = at.primal();
             local = self.local(at);
             if zero < at && at < self.reach {

@@ -1,19 +1,18 @@
-//! Safe step of a search: a length over which a positive function stays positive, from a bound on its third derivative.
+//! Length of a step over which a positive function stays positive, from a bound on its third derivative.
 
 use crate::number::scalar::Float;
 
 /// Upper bound on the number of Newton steps towards a root of the cubic.
 const STEPS: usize = 12;
-/// Relative Newton step below which a root counts as found.  The search continues from the root anyway, so that a
-/// tighter tolerance would cost time and gain nothing.
+/// Relative Newton step below which the root of the cubic counts as found. The search continues from the root anyway,
+/// so that a smaller tolerance would only cost time.
 const CLOSE: f64 = 0.1;
 
 /// Returns a step over which a function f stays positive if |f‴| ≤ B.
 ///
-/// `f`, `slope` and `curve` are f, f′ and f″ at the start, and `bound` is B.  The caller passes f ≥ 0, and f′ > 0 if
-/// f = 0.  The cubic p(h) = f + f′h + f″h²/2 − Bh³/6 is a lower bound on f.  The function f is therefore positive up to
-/// the smallest positive root of p.  The result approximates this root.  It exceeds neither the root, to rounding, nor
-/// `most`.
+/// `f`, `slope` and `curve` are f, f′ and f″ at the start, and `bound` is B. The caller passes f ≥ 0, and f′ > 0 if f =
+/// 0. The cubic p(h) = f + f′h + f″h²/2 − Bh³/6 is a lower bound on f. The function f is therefore positive up to the
+/// smallest positive root of p. The result is close to this root. It exceeds neither the root, to rounding, nor `most`.
 pub(crate) fn safe<S: Float>(f: S, slope: S, curve: S, bound: S, most: S) -> S {
     let (zero, half) = (S::constant(0.0), S::constant(0.5));
     let sixth = S::constant(1.0 / 6.0);
@@ -29,15 +28,14 @@ pub(crate) fn safe<S: Float>(f: S, slope: S, curve: S, bound: S, most: S) -> S {
     if zero < discriminant {
         let root = discriminant.sqrt();
         if slope < zero && zero < curve {
-            // The dip is the smaller root of p′, in the form that does not cancel.
+            // The minimum of p is at the smaller root of p′, written in the form that does not cancel.
             let dip = -(slope + slope) / (curve + root);
             if value(dip) <= zero {
                 return from_left(value, tangent);
             }
         }
         if curve < zero {
-            // This is the same root of p′ in the form that does not cancel.  The other form would lose the root for a
-            // small bound.
+            // This is the same root of p′. The other form would cancel and lose the root for a small bound.
             from = ((slope + slope) / (root - curve)).max(zero);
         } else if zero < curve + root {
             from = (curve + root) / bound;
@@ -45,12 +43,13 @@ pub(crate) fn safe<S: Float>(f: S, slope: S, curve: S, bound: S, most: S) -> S {
     } else if !(zero < value(inflection)) {
         return from_left(value, tangent);
     }
-    // To the right of `from`, p falls ever more steeply.  Newton's method that starts right of the root of p therefore
-    // stays right of it.
+    // To the right of `from`, p decreases ever more steeply. Newton's method that starts right of the root of p
+    // therefore stays right of the root.
     let top = value(from);
     let fall = tangent(from);
     let steep = -(curve - bound * from);
-    // Three upper bounds on the root: the tangent at `from`, the curvature at `from`, and the cubic term alone.
+    // The code takes the smallest of three upper bounds on the root. They come from the tangent at `from`, the
+    // curvature at `from`, and the cubic term alone.
     let mut h = from + (top * S::constant(6.0) / bound).max(S::constant(1.0));
     if fall < zero {
         h = h.min(from - top / fall);
@@ -81,14 +80,14 @@ pub(crate) fn safe<S: Float>(f: S, slope: S, curve: S, bound: S, most: S) -> S {
     }
     let p = value(h);
     if p < zero {
-        // The chord of a concave function reaches zero before the function does.
+        // The chord of a concave function reaches zero before the function does, so that it is a safe step.
         from + (h - from) * (top / (top - p))
     } else {
         h
     }
 }
 
-/// Returns the value at the bottom of a dip, or the present value if there is no dip.
+/// Returns the value at the minimum of the function, or the present value if there is no minimum.
 fn least<S: Float>(f: S, slope: S, curve: S, bound: S) -> S {
     let discriminant = curve * curve + (bound + bound) * slope;
     let zero = S::constant(0.0);
@@ -100,7 +99,7 @@ fn least<S: Float>(f: S, slope: S, curve: S, bound: S) -> S {
     }
 }
 
-/// Finds the root of a convex, falling function by Newton's method from 0.  The steps never pass the root.
+/// Finds the root of a convex, decreasing function by Newton's method from 0. The steps never pass the root.
 fn from_left<S: Float>(value: impl Fn(S) -> S, tangent: impl Fn(S) -> S) -> S {
     let zero = S::constant(0.0);
     let mut h = zero;
@@ -124,15 +123,15 @@ mod tests {
 
     #[test]
     fn a_slight_bound_leaves_a_fall_its_root() {
-        // The cubic is 2h − h²/2 minus a tiny term in h³, with its root near 4.  Newton's method must approach this
-        // root from the right.  The top of the cubic is at 2.
+        // The cubic is 2h − h²/2 minus a tiny term in h³. Its maximum is at 2, and its root near 4. Newton's method
+        // must approach this root from the right.
         for bound in [1e-12_f32, 1e-9, 1e-7, 1e-4] {
             let h = safe(0.0, 2.0, -1.0, bound, 10.0);
-            // The bounds are close to 4, because the chord at the last Newton step is nearer to the root than that step
+            // The result is close to 4, because the chord at the last Newton step is nearer to the root than the step
             // itself.
             assert!((3.99..=4.000_001).contains(&h), "{bound:e}: {h}");
         }
-        // The cubic 1 − h − h²/2 has its top at a negative h.
+        // The maximum of the cubic 1 − h − h²/2 is at a negative h.
         let h = safe(1.0, -1.0, -1.0, 1e-9_f32, 10.0);
         assert!((0.731..=0.732_06).contains(&h), "{h}");
     }

@@ -17,7 +17,8 @@ fn mantissa(value: Dd) -> (Dd, i32) {
             value = value / factor;
             exponent += power;
         }
-        // The smaller numbers are scaled up to just below 10. The last pass, with power 1, leaves at least 1.
+        // Only numbers below 10/factor are scaled up, so that the result stays below 10. After the last pass, with
+        // power 1, the result is at least 1.
         if value < Dd::from(10.0) / factor {
             value = value * factor;
             exponent -= power;

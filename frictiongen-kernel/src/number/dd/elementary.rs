@@ -13,8 +13,8 @@ fn dominated_sum(large: Dd, small: Dd) -> Dd {
     Dd::joined(hi, rest + (large.lo + small.lo))
 }
 
-/// Returns Σ cₖvᵏ, where every term is far below the previous term. From index `exact` on, the terms are below 2^−55 of
-/// the first term. Their leading `f64` is therefore accurate enough.
+/// Returns the series Σ cₖvᵏ, in which each term is far below the previous one. From index `exact` on, all terms are
+/// below 2^−55 of the first term, so that `f64` is accurate enough for these terms.
 #[inline]
 fn series<'a>(
     coefficients: impl DoubleEndedIterator<Item = &'a Dd> + ExactSizeIterator + Clone,
@@ -28,7 +28,8 @@ fn series<'a>(
     })
 }
 
-/// Returns 18 inverse factorials in steps of two: 1/first!, 1/(first + 2)!, 1/(first + 4)! ….
+/// Returns 18 inverse factorials in steps of two, as a series of a sine or cosine needs them: 1/first!, 1/(first + 2)!,
+/// ….
 #[expect(
     clippy::indexing_slicing,
     reason = "only while compiling, where a panic is an error of the build"
@@ -47,7 +48,8 @@ static EVEN: [Dd; 18] = in_twos(2);
 /// Inverse factorials of odd numbers, 1/3!, 1/5! … 1/37!, for the sine.
 static ODD: [Dd; 18] = in_twos(3);
 
-/// Returns the sum of the first `terms` terms of Σ factorials[k]·vᵏ. From index `exact` on, `f64` is accurate enough.
+/// Returns Σ factorials[k]·vᵏ over the first `terms` terms. `f64` is accurate enough for the terms from index `exact`
+/// on.
 fn factorials_in_twos(factorials: &[Dd], terms: usize, exact: usize, v: Dd) -> Dd {
     series(factorials.iter().take(terms), exact, v)
 }
@@ -55,7 +57,7 @@ fn factorials_in_twos(factorials: &[Dd], terms: usize, exact: usize, v: Dd) -> D
 /// Returns the integer q for which q/2 is nearest to h, and the exact remainder h − q/2. Only the two lowest bits of q
 /// are meaningful.
 fn reduced(h: Dd) -> (u64, Dd) {
-    // Beyond 2^53 `lo` still contains a fraction. `hi` and `lo` are therefore both reduced.
+    // Above 2^53, `hi` is an integer and `lo` still contains a fraction. Both are therefore reduced.
     let (q, high) = double::reduced_any(h.hi);
     let (p, low) = double::reduced_any(h.lo);
     let (sum, lost) = two_sum(high, low);
@@ -174,7 +176,7 @@ impl Scalar for Dd {
         if y.is_zero() {
             return if x.hi < 0.0 { Self::PI } else { Self::ZERO };
         }
-        // For angles below 1e-17 the angle equals the ratio y/x. The scaling further down would cut off digits of y.
+        // Below 1e-17 the angle equals the ratio y/x. The general method would scale y and lose its last digits.
         if x.hi > 0.0 && start.abs() < 1e-17 {
             return y / x;
         }
@@ -186,7 +188,8 @@ impl Scalar for Dd {
             _ => 1.0,
         };
         (y, x) = (y.scaled(power), x.scaled(power));
-        // One Newton step adds the tangent of the remaining angle, whose cube is below 1e-45.
+        // One Newton step adds the tangent of the remaining angle. The tangent replaces the angle, because the angle's
+        // cube is below 1e-45.
         let (sin, cos) = (Self::from(start) / Self::PI).sin_cos_pi();
         Self::from(start) + (y * cos - x * sin) / (x * cos + y * sin)
     }
@@ -216,7 +219,8 @@ impl Scalar for Dd {
     }
 
     fn scaled_sinh_defect(self) -> Self {
-        // e^{−a} is 0 long before a = 1000, and for an infinite a the product a·e^{−a} would be NaN.
+        // e^{−a} rounds to 0 long before a = 1000. Without this bound, an infinite a would give the product a·e^{−a} =
+        // NaN.
         let a = if self.hi > 1000.0 {
             Self::from(1000.0)
         } else {

@@ -72,7 +72,7 @@ fn no_derivative_exceeds_its_bound() {
             nearest = nearest.max(fourth / bounds.fourth);
             compared += 1;
         }
-        // A sum with a mass-controlled mode does not need the second and third derivative.
+        // A sum with a mass-controlled mode needs no second and third derivative.
         let asked = sum.waves.iter().all(|wave| !wave.mass_controlled);
         for (order, value) in [(2, bounds.second), (3, bounds.third)] {
             let want = sum_derivative(&sum, from, order);
@@ -135,7 +135,8 @@ fn size_of(sum: &TestSum<'_>) -> f64 {
     size(&search(*sum, asked(Weight::One, true, 0.0), 0.0))
 }
 
-/// Checks that the sum is below an arbitrary level in all closed cells, if the search also refines local maxima.
+/// Checks that the sum is below an arbitrary level in all closed cells. The search also refines local maxima in this
+/// test.
 #[test]
 fn nothing_is_above_the_level_in_a_closed_cell() {
     let mut random = Lcg(67);
@@ -219,8 +220,8 @@ fn a_cell_that_exceeds_the_level_is_open() {
         let above = (1..32)
             .map(|i| excess(&search, false, at(i)))
             .fold(f64::MIN, f64::max);
-        // Levels that are not positive are left out, except in the last cell of sum/sin τ, where only such levels are
-        // exceeded.
+        // Non-positive levels are skipped. The last cell of sum/sin τ is an exception, because the sum exceeds only
+        // such levels there.
         let low = search.peak.value <= 0.0 && (!over_sine || case % 3 != 1);
         if above < 1e-9 * size(&search) || low {
             continue;
@@ -254,7 +255,7 @@ fn a_summit_closes_nothing_that_is_higher() {
         let (sum, problem) = (drawn.sum(), drawn.problem);
         let mut search = search(sum, problem, 0.0);
         let rate = sum.waves.iter().map(|wave| wave.x).fold(1.0, f64::max);
-        // The cells are wide enough that the fourth derivative decides which cells are closed.
+        // The cells are so wide that the fourth derivative decides which cells are closed.
         let width = random.log_uniform(0.3, 6.0) / rate;
         let from = if case % 4 < 2 {
             0.0
@@ -289,8 +290,8 @@ fn a_summit_closes_nothing_that_is_higher() {
     assert!(summits > 900 && closed > 2000);
 }
 
-/// Checks a Newton step across the end of the half period. The cells around the local maximum are closed for the sign
-/// that the sum has there.
+/// Checks a Newton step across the end of the half period. The cells around the local maximum must be closed for the
+/// sign that the sum has at the maximum.
 #[test]
 fn a_summit_across_the_end_closes_cells_of_its_own_sign() {
     let waves = [];

@@ -81,7 +81,8 @@ fn equal_maxima_are_all_found() {
                 let peak = largest(sum, motion_problem());
                 assert!((peak.value / want - 1.0).abs() < 1e-13, "{k}, {b}, {odd}");
                 let places = places(&peak);
-                // With these b, the middle itself is never the maximum of a sum that is even about it.
+                // For these coefficients b, the middle of the half period is never a maximum of a sum that is even
+                // about the middle.
                 let [(first, sign), (second, other)] = places[..] else {
                     panic!("{k}, {b}, odd {odd}: {places:?}");
                 };
@@ -98,7 +99,8 @@ fn equal_maxima_are_all_found() {
     assert_eq!(compared, 18);
 }
 
-/// Checks that a result keeps four of seven equal maxima. Both bounds of the half period count as one maximum.
+/// Checks that a result contains four positions if seven maxima are equal. Both bounds of the half period count as one
+/// maximum.
 #[test]
 fn a_peak_keeps_four_places() {
     let (waves, cosine, sine) = harmonics(&[(7.0, 1.0)], &[]);
@@ -143,7 +145,7 @@ fn a_search_that_takes_too_long_ends_with_the_best_so_far() {
     let most = most_evaluations(Weight::One, 1e5 + 0.3);
     println!("{} evaluations of {most}", peak.evaluations);
     assert!(most < MAX_EVALUATIONS);
-    // The evaluations that remain are fewer than one more grid and its local maxima would take.
+    // The search stops because one more grid and its local maxima might exceed the bound.
     assert!(peak.evaluations <= most && peak.evaluations > most - 32);
     assert!(peak.exceeded && peak.effort() == Effort::Exceeded);
     assert!((peak.value * (1e5 + 0.3) / 1e5 - 1.0).abs() < 1e-9);

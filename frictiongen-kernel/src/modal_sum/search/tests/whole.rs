@@ -68,7 +68,7 @@ fn no_maximum_of_a_random_sum_is_missed() {
         let most = most_evaluations(problem.weight, sum.fastest());
         assert!(!found.exceeded && found.evaluations <= most, "case {case}");
         if found.places[0].is_none() {
-            // The search returns the floor. Sum and sin τ both vanish at τ = 0, where a scanned quotient may be
+            // The search returns the floor. Sum and sin τ both vanish at τ = 0, where a quotient of the scan may be
             // slightly larger.
             assert!(want < 1e-6, "case {case}: {want} above the floor");
             floors += 1;
@@ -85,7 +85,8 @@ fn no_maximum_of_a_random_sum_is_missed() {
         );
         counts[usize::from(sine)].push(found.evaluations);
     }
-    // The limits are a quarter above the measured median, 90th percentile and largest number of evaluations.
+    // Bounds on the median, the 90th percentile and the largest number of evaluations. Each bound is a quarter above
+    // the measured number.
     let most = [(213, 531, 1225), (91, 134, 980)];
     for ((name, counts), most) in ["plain", "over sin τ"].iter().zip(&mut counts).zip(most) {
         counts.sort_unstable();

@@ -1,11 +1,11 @@
 //! The law of an elastic contact: a spring in series with a slider (Jenkins element).
 //!
-//! The force is f = (z̄ − q)/ρ, with the place q of the slider and the compliance ρ = k₁/k of the spring.  While
-//! |f| ≤ μβ the slider rests: the contact *sticks*, and its force follows the motion.  A slider that moves keeps |f| = β.
-//! It stops where the velocity z̄′ vanishes.
+//! The force is f = (z̄ − q)/ρ, with the displacement q of the slider and the compliance ρ = k₁/k of the spring.
+//! The slider rests while |f| ≤ μβ: the contact *sticks*, and its force follows the motion. While the slider moves, |f|
+//! is β. The slider stops where the velocity z̄′ vanishes.
 //!
-//! A contact that sticks remembers its force f, and q = z̄ − ρf follows from it.  The other way around, f would lose
-//! digits with a stiff spring, because z̄ − q is then a small difference.
+//! A stuck contact stores its force f, from which q = z̄ − ρf follows. If it stored q, f would lose digits with a stiff
+//! spring, because z̄ − q is then a small difference.
 
 mod derivative;
 mod on_chain;
@@ -17,6 +17,6 @@ use crate::contact::sums::Chain;
 pub struct ElasticChain<S> {
     /// Constants of the chain.
     pub chain: Chain<S>,
-    /// Compliance ρ of the spring in series with the slider: k₁ over its stiffness.
+    /// Compliance ρ of the spring in series with the slider: k₁ divided by the stiffness of this spring.
     pub compliance: S,
 }

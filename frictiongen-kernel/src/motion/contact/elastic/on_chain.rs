@@ -13,19 +13,20 @@ use crate::number::scalar::Float;
 impl<S: Float> ContactChain<S> for ElasticChain<S> {
     type Law = Rigid<S>;
 
-    /// The spring keeps the contact's own mode.
+    /// The chain with its contact stuck has as many modes as the contact drives, because the spring still lets the
+    /// contact move.
     #[inline]
     fn lost_modes(&self) -> usize {
         0
     }
 
-    /// The contact remembers its force.
+    /// The stuck contact remembers one number, its force.
     #[inline]
     fn remembered(&self) -> usize {
         1
     }
 
-    /// A deviation of the slider's place stays.
+    /// A deviation of the slider's displacement neither grows nor decays.
     fn stuck_multipliers(&self) -> &'static [f64] {
         &[1.0]
     }
@@ -45,7 +46,7 @@ impl<S: Float> ContactChain<S> for ElasticChain<S> {
         Rigid { level, stiction }
     }
 
-    /// The contact sticks without force.  Without friction it slides.
+    /// The contact sticks without force. With β = 0 it slides.
     fn contact_state(setting: &Setting<'_, S, Self>, parts: &[Part<S>], t: S) -> ContactState<S> {
         if setting.law().grip().is_zero() {
             return Chain::contact_state(&setting.with(setting.dynamics.chain.chain), parts, t);
@@ -56,7 +57,7 @@ impl<S: Float> ContactChain<S> for ElasticChain<S> {
         }
     }
 
-    /// The contact continues to slide, or sticks under the kinetic force if the velocity now has the other sign.
+    /// The contact continues to slide. It sticks under the kinetic force if the velocity now has the other sign.
     fn sliding_state(
         setting: &Setting<'_, S, Self>,
         parts: &[Part<S>],
@@ -101,7 +102,7 @@ impl<S: Float> ContactChain<S> for ElasticChain<S> {
         }
     }
 
-    /// The place q = z̄ − ρf of the slider.
+    /// The displacement q = z̄ − ρf of the slider.
     fn stuck_place(
         setting: &Setting<'_, S, Self>,
         modes: &[Part<S>],
@@ -133,7 +134,7 @@ impl<S: Float> ContactChain<S> for ElasticChain<S> {
         )
     }
 
-    /// The slider stops.  Without friction the spring has no force, and the contact reverses as a rigid one does.
+    /// The slider stops. Without friction the spring has no force, and the contact reverses like a rigid contact.
     fn halt(
         setting: &Setting<'_, S, Self>,
         modes: &[Part<S>],
@@ -155,7 +156,7 @@ impl<S: Float> ContactChain<S> for ElasticChain<S> {
         end.contact_state.memory = Self::memory_at_stop(setting, before);
     }
 
-    /// The slider moves off with the velocity of the contact.  With μ > 1 the force drops.
+    /// The slider moves off with the velocity of the contact. With μ > 1 the force drops to the kinetic force.
     fn break_away(setting: &Setting<'_, S, Self>, contact: Contact, end: &mut SegmentEnd<S>) {
         end.event = Some(Event::Slip);
         end.contact_state.contact = contact;
@@ -174,8 +175,8 @@ impl<S: Float> ContactChain<S> for ElasticChain<S> {
 }
 
 impl<S: Float> Setting<'_, S, ElasticChain<S>> {
-    /// The contact force, from the oscillators of the stuck chain.  `lifted` is the displacement of the slider including
-    /// the base's.
+    /// The contact force, from the oscillators of the chain with its contact stuck. `lifted` is the displacement of the
+    /// slider, including the displacement of the base.
     pub(super) fn elastic_force(&self, stuck_modes: &[Part<S>], lifted: S) -> S {
         let modes = stuck_modes.iter().zip(self.dynamics.held);
         modes.fold(-(lifted / self.receptance), |force, (part, mode)| {
@@ -183,9 +184,9 @@ impl<S: Float> Setting<'_, S, ElasticChain<S>> {
         })
     }
 
-    /// Sets the contact force by a small change of one mode of the stuck chain, the mode with the largest force per unit
-    /// of displacement.  With a stiff spring the displacement of that mode is a small difference of large displacements,
-    /// so that the given force has more digits.
+    /// Sets the contact force to `force` by a small change of one mode of the chain with its contact stuck. The chosen
+    /// mode has the largest force per unit of displacement. With a stiff spring its displacement is a small difference
+    /// of large displacements, so that the given force has more digits.
     pub(super) fn set_elastic_force(&self, stuck_modes: &mut [Part<S>], lifted: S, force: S) {
         let excess = self.elastic_force(stuck_modes, lifted) - force;
         let modes = stuck_modes.iter_mut().zip(self.dynamics.held);

@@ -1,7 +1,8 @@
-//! Sliding where the kinetic friction changes with the speed.
+//! Sliding motion if the kinetic friction changes with the speed.
 //!
-//! On one line of the law the friction force is level + slope·velocity, which couples the modes.  A power series gives
-//! their motion over a piece in which modes, excitation and law together turn by at most a radian.
+//! On one straight line of the friction law the force is level + slope·velocity, which couples the modes. A power
+//! series gives their motion over a short piece. In a piece the modes, the excitation and the law advance the motion by
+//! at most a radian.
 
 use super::line::KineticLine;
 use super::lines::{LineCrossing, Lines};
@@ -15,14 +16,14 @@ use crate::motion::setting::Setting;
 use crate::motion::walk::{Walk, WalkStart, first_zero};
 use crate::number::scalar::Float;
 
-/// Upper bound on the rate at which the law changes the motion, as a multiple of the fastest mode's rate.
+/// Upper bound on the rate at which the friction law changes the motion, as a multiple of the fastest mode's rate.
 pub const MAX_STEEPNESS: u32 = 4096;
 
-/// Length, in roundings, up to which a piece counts as having no length.
+/// Length, in roundings, below which a piece of motion counts as having no length.
 const STILL: f64 = 64.0;
 
 impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {
-    /// The largest rate at which modes and excitation turn.
+    /// The largest rate, in rad per rad of the excitation, at which modes and excitation oscillate.
     fn turning(&self, modes: &[Part<S>]) -> S {
         let one = S::constant(1.0);
         let driven = modes.iter().take(self.dynamics.in_contact());
@@ -31,7 +32,7 @@ impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {
         })
     }
 
-    /// Fails if a law is too steep to be followed.
+    /// Fails if the friction law is too steep for the power series.
     pub(crate) fn check_lines(
         &self,
         modes: &[Part<S>],
@@ -46,14 +47,14 @@ impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {
         }
     }
 
-    /// Length in τ of the piece over which a power series serves.
+    /// Length in τ of the piece over which a power series is valid.
     fn stretch(&self, modes: &[Part<S>], line: &KineticLine<S>) -> S {
         let steep = self.acceleration(self.law().level() * line.slope.abs());
         S::constant(1.0) / (self.turning(modes) + steep)
     }
 
-    /// z̄′ as a power series over a piece, with s from 0 to 1.  The modes are advanced from the start of the piece to s
-    /// = `to`.
+    /// Returns the relative velocity z̄′ as a power series over a piece, with s from 0 to 1. Advances the modes from
+    /// the start of the piece to s = `to`.
     fn velocity_series(
         &self,
         modes: &mut [Part<S>],
@@ -112,7 +113,8 @@ impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {
     }
 }
 
-/// Searches for the end of a piece of sliding on one line of the law: an event, another line, or the end of the series.
+/// Searches for the end of a piece of sliding motion on one line of the friction law. The end is an event, the start of
+/// another line, or the end of the series.
 pub(crate) fn seek<S: Float, K: ContactChain<S>>(
     setting: &Setting<'_, S, K>,
     modes: &mut [Part<S>],
@@ -145,8 +147,8 @@ pub(crate) fn seek<S: Float, K: ContactChain<S>>(
 }
 
 impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {
-    /// Finds where a piece on a line of bounded speed leads, as a fraction of its length.  `None` if the contact cannot
-    /// leave zero velocity.
+    /// Finds the end of a piece on a line of bounded speed, as a fraction of the piece's length. Returns `None` if the
+    /// contact cannot leave zero velocity.
     fn slope(
         &self,
         modes: &mut [Part<S>],
@@ -174,7 +176,7 @@ impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {
             Walk::NoStart => return None,
         };
         if !(zero < at) {
-            // A piece without length has no earlier crossing.
+            // A piece of length zero has no earlier crossing.
             return Some((at, crossing));
         }
         let rises = velocity.seen(-sign, -high, at);
@@ -186,7 +188,8 @@ impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {
         })
     }
 
-    /// Finds where a piece leads, in τ, where the kinetic friction is constant beyond the last point of the law.
+    /// Finds the end of a piece, in τ, beyond the last point of the friction law. The kinetic friction is constant
+    /// there.
     fn plateau(
         &self,
         modes: &mut [Part<S>],
@@ -207,7 +210,8 @@ impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {
     }
 }
 
-/// Sets the modes to their state τ after a piece's start.  `to` is the excitation's phase then.
+/// Sets the modes to their state a time τ after the start of a piece. `to` is sine and cosine of the excitation's phase
+/// at that instant.
 pub(crate) fn place<S: Float, K: ContactChain<S>>(
     setting: &Setting<'_, S, K>,
     modes: &mut [Part<S>],

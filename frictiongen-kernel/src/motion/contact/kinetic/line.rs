@@ -2,7 +2,7 @@
 
 use crate::number::scalar::Float;
 
-/// One line of the friction law.  Between two speeds the force over F is level + slope·|v|.
+/// One straight line of the friction law. Between two speeds the force over F is level + slope·|v|.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct KineticLine<S> {
     pub level: S,
@@ -13,7 +13,7 @@ pub struct KineticLine<S> {
     pub high: Option<S>,
 }
 
-/// Returns the line of index `place`.  A law without points has one line, which is Coulomb's law.
+/// Returns the line with the index `place`. A law without points has one line, Coulomb's law.
 #[inline(always)]
 pub(crate) fn line<S: Float>(points: &[[S; 2]], place: usize) -> KineticLine<S> {
     let (zero, one) = (S::constant(0.0), S::constant(1.0));
@@ -28,7 +28,7 @@ pub(crate) fn line<S: Float>(points: &[[S; 2]], place: usize) -> KineticLine<S> 
     between(points, place)
 }
 
-/// Returns the line of index `place` of a law with points.
+/// Returns the line with the index `place` of a law with points.
 fn between<S: Float>(points: &[[S; 2]], place: usize) -> KineticLine<S> {
     let (zero, one) = (S::constant(0.0), S::constant(1.0));
     let [low, first] = match place.checked_sub(1) {
@@ -59,7 +59,7 @@ pub(crate) fn place<S: Float>(points: &[[S; 2]], speed: S) -> usize {
     points.iter().take_while(|[v, _]| *v <= speed).count()
 }
 
-/// Largest absolute slope of the law.
+/// Returns the largest absolute slope of the friction law.
 pub(crate) fn steepest<S: Float>(points: &[[S; 2]]) -> S {
     let slopes = (0..points.len()).map(|place| line(points, place).slope.abs());
     slopes.fold(S::constant(0.0), S::max)

@@ -1,14 +1,14 @@
-//! The friction law of a simulation: one kinetic level, or straight lines over the speed.
+//! The friction law of a simulation: one kinetic force, or straight lines over the speed.
 
 use super::line::{self, KineticLine};
 use crate::errors::{Given, OutOfDomain};
 use crate::number::scalar::Float;
 
-/// Kinetic friction as a simulation sees it.
+/// Trait of a kinetic friction law: Coulomb's law, or straight lines over the speed.
 pub trait Level<'a, S>: Copy {
-    /// The lines of the law, or `None` where the kinetic friction is constant.
+    /// Returns the lines of the law, or `None` if the kinetic friction is constant.
     fn lines(&self) -> Option<&Lines<'a, S>>;
-    /// The lines of the law as a mutable reference, or `None` where the kinetic friction is constant.
+    /// Returns the lines of the law as a mutable reference, or `None` if the kinetic friction is constant.
     fn lines_mut(&mut self) -> Option<&mut Lines<'a, S>>;
 }
 
@@ -33,19 +33,18 @@ impl<'a, S> Level<'a, S> for Constant {
 pub struct Lines<'a, S> {
     /// Points (v, f): speed in the scene's units, and kinetic friction over its value at zero speed, with v ascending.
     points: &'a [[S; 2]],
-    /// The velocity, in the scene's units, for which dz̄/dτ is 1.
+    /// Velocity, in the scene's units, that corresponds to dz̄/dτ = 1.
     unit: S,
     /// Index of the straight line of the law that contains the speed.
     place: usize,
-    /// Crossing at the end of the piece that has been searched.
+    /// Crossing at the end of the piece that the last search has found.
     next: LineCrossing,
-    /// Number of successive pieces that ended where they started.  `cut` counts the runs of such pieces that were
-    /// broken off.
+    /// Number of successive pieces of length zero. `cut` counts how often the code has ended such a run of pieces.
     still: u32,
     cut: u32,
 }
 
-/// Crossing at the end of a piece of motion on one line.
+/// Way in which a piece of motion on one line of the friction law ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum LineCrossing {
     /// The motion stays on the line.
@@ -56,16 +55,18 @@ pub(crate) enum LineCrossing {
     Slower,
 }
 
-/// Number of successive pieces without length after which a piece continues along its line regardless of crossings.
+/// Number of successive pieces of length zero, after which the next piece continues along its line regardless of
+/// crossings.
 const STILL: u32 = 4;
 
-/// Upper bound on the doublings of such a forced piece, each twice as long as the one before.  In double precision the
-/// longest, 2²⁰ roots of a rounding, is a sixty-fourth of the power series' length.
+/// Largest number of doublings of such a forced piece, where each is twice as long as the previous one. In double
+/// precision the longest, 2²⁰ roots of a rounding, is a sixty-fourth of the power series' length.
 const CUTS: u32 = 20;
 
 impl<'a, S: Float> Lines<'a, S> {
-    /// Creates the lines of a law, with speeds in the scene's units, at r under a load of this amplitude.  `speed` is
-    /// the velocity in the scene's units for which dz̄/dτ is 1 at r = 1 and amplitude 1.
+    /// Creates the lines of a law whose points have speeds in the scene's units. `amplitude` is the amplitude of the
+    /// load at the frequency ratio r. `speed` is the velocity in the scene's units for which dz̄/dτ is 1 at r = 1 and
+    /// amplitude 1.
     #[must_use]
     pub fn under(points: &'a [[S; 2]], r: S, amplitude: S, speed: S) -> Self {
         Self {
@@ -108,7 +109,7 @@ impl<'a, S: Float> Lines<'a, S> {
         }
     }
 
-    /// The line on which the speed lies, for speeds |dz̄/dτ|.
+    /// Returns the line on which the present speed lies, for speeds |dz̄/dτ|.
     pub(crate) fn line(&self) -> KineticLine<S> {
         let mut line = line::line(self.points, self.place);
         line.slope = line.slope * self.unit;
@@ -117,7 +118,7 @@ impl<'a, S: Float> Lines<'a, S> {
         line
     }
 
-    /// Largest absolute slope of the law, for speeds |dz̄/dτ|.
+    /// Returns the largest absolute slope of the law, for speeds |dz̄/dτ|.
     pub(crate) fn steepest(&self) -> S {
         line::steepest(self.points) * self.unit
     }
@@ -127,11 +128,11 @@ impl<'a, S: Float> Lines<'a, S> {
         self.place = line::place(self.points, speed * self.unit);
     }
 
-    /// Records the crossing at the end of the piece, and returns a length if the piece must be extended instead.
+    /// Records the crossing at the end of a piece. Returns a length if the piece must be extended instead.
     ///
-    /// At a grazed point of the law, rounding may send the motion to and fro between two lines without end.  After
-    /// `STILL` pieces without length the motion therefore continues along its line over the returned length, which is
-    /// a fraction of the power series' length.
+    /// Where the speed only touches a point of the law, rounding may switch the motion between two lines without end.
+    /// After `STILL` pieces of length zero the motion therefore continues along its line over the returned length. This
+    /// length is a fraction of the power series' length.
     pub(crate) fn leads_to(&mut self, next: LineCrossing, moves: bool) -> Option<S> {
         self.next = next;
         if moves || next == LineCrossing::None {
@@ -151,7 +152,7 @@ impl<'a, S: Float> Lines<'a, S> {
         Some(length)
     }
 
-    /// Goes to the line to which the piece leads, or to the first line where the piece ended at rest.
+    /// Selects the line to which the piece leads, or the first line if the piece ended at rest.
     pub(crate) fn pass(&mut self, at_rest: bool) {
         self.place = match self.next {
             _ if at_rest => 0,
@@ -194,7 +195,7 @@ mod tests {
             assert_eq!(lines.leads_to(next, true), None);
             lines.pass(false);
         }
-        // The speeds of the law are divided by 0.5·2·0.1.
+        // The speeds of the law are divided by the unit 0.5·2·0.1.
         let [low, high] = [0.1 / 0.1, 0.3 / 0.1];
         let first = (0.0, Some(low));
         assert_eq!(found, [first, first, (low, Some(high)), (high, None)]);
@@ -203,8 +204,8 @@ mod tests {
         assert!(Lines::<f64>::none().lines().is_none() && lines.lines().is_some());
     }
 
-    /// To and fro without motion, every fourth piece continues, each twice as long as the one before, and the line
-    /// stays.
+    /// Checks that a motion cannot switch between two lines for ever. Every fourth piece of length zero is extended,
+    /// each time to twice the length, and the line stays.
     #[test]
     fn to_and_fro_has_an_end() {
         let mut lines = Lines::under(&LAW, 1.0, 1.0, 1.0);
@@ -231,7 +232,7 @@ mod tests {
             (100, f64::EPSILON.sqrt(), true)
         );
         assert_eq!(went[99], f64::EPSILON.sqrt() * f64::from(1 << 20));
-        // A piece with length resets the count.
+        // A piece with a length resets the count of pieces of length zero.
         assert_eq!(lines.leads_to(LineCrossing::Faster, true), None);
         let next: Vec<_> = (0..4)
             .map(|_| lines.leads_to(LineCrossing::Slower, false))

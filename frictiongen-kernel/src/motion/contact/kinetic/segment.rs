@@ -1,4 +1,5 @@
-//! A segment under any kinetic friction: with one level as a sum over the modes, on a line as a power series.
+//! A segment under any kinetic friction law. With a constant force the motion is a sum over the modes, on a line it is
+//! a power series.
 
 use super::coupled;
 use super::lines::Level;
@@ -10,7 +11,8 @@ use crate::motion::setting::Setting;
 use crate::number::scalar::Float;
 
 impl<'a, S: Float, K: ContactChain<S>> Setting<'a, S, K> {
-    /// Searches for the next event from a contact state, as far as `reach`, and sets the oscillators to the segment.
+    /// Searches for the next event from a contact state, over at most `reach`. Sets the oscillators to the start of the
+    /// segment.
     pub(crate) fn seek_under(
         &self,
         level: &mut impl Level<'a, S>,
@@ -27,7 +29,8 @@ impl<'a, S: Float, K: ContactChain<S>> Setting<'a, S, K> {
         }
     }
 
-    /// Sets the oscillators to their state τ after the segment's start.  `to` is the excitation's phase then.
+    /// Sets the oscillators to their state a time τ after the segment's start. `to` is sine and cosine of the
+    /// excitation's phase at that instant.
     pub(crate) fn place_under(
         &self,
         level: &impl Level<'a, S>,
@@ -44,7 +47,7 @@ impl<'a, S: Float, K: ContactChain<S>> Setting<'a, S, K> {
         }
     }
 
-    /// The contact force over P.  While the contact sticks, it is the force that keeps the contact at rest.
+    /// Returns the contact force over P. While the contact sticks, it is the force that keeps the contact at rest.
     pub(crate) fn contact_force(
         &self,
         level: &impl Level<'a, S>,
@@ -61,7 +64,7 @@ impl<'a, S: Float, K: ContactChain<S>> Setting<'a, S, K> {
         };
         let (velocity, _) = self.relative_velocity(parts, at);
         let line = lines.line();
-        // Rounding may leave a speed a little beyond the line.
+        // Rounding may put a speed slightly beyond the line.
         let speed = velocity.abs().max(line.low);
         let speed = line.high.map_or(speed, |high| speed.min(high));
         self.law().kinetic_at(&line, contact, speed)

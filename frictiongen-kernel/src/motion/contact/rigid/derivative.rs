@@ -1,5 +1,5 @@
-//! Growth of small deviations along a motion.  Between events it has a closed form.  At each event a deviation jumps
-//! (saltation), because the event then occurs a little earlier or later.
+//! Growth of small deviations along a motion. Between events the growth has a closed form. At each event a deviation
+//! jumps (saltation), because the event then occurs slightly earlier or later.
 
 use crate::motion::contact::state::{Contact, ContactState, SegmentEnd};
 use crate::motion::oscillator::Part;
@@ -7,8 +7,8 @@ use crate::motion::setting::Setting;
 use crate::number::pairs::{pairs, pairs_mut};
 use crate::number::scalar::Float;
 
-/// Takes deviations of the modes' states (y and u in turn, column after column) through a segment.  `modes` and
-/// `stuck_modes` are the oscillators after the segment.  The states in `stuck_modes` are overwritten.
+/// Advances deviations of the modes' states through a segment, column after column, with y and u in turn. `modes` and
+/// `stuck_modes` are the oscillators after the segment. The function overwrites the states in `stuck_modes`.
 pub(super) fn carry<S: Float>(
     setting: &Setting<'_, S>,
     (modes, stuck_modes): (&[Part<S>], &mut [Part<S>]),
@@ -39,7 +39,8 @@ pub(super) fn carry<S: Float>(
     }
 }
 
-/// In a stuck contact a deviation of its displacement stays, and the stuck chain's modes carry the rest.
+/// Advances deviations while the contact sticks. The deviation of the contact's displacement stays constant. The modes
+/// of the chain with its contact stuck carry the rest.
 fn stuck<S: Float>(
     setting: &Setting<'_, S>,
     stuck_modes: &mut [Part<S>],
@@ -69,8 +70,8 @@ fn stuck<S: Float>(
     setting.release(stuck_modes, (moved, zero), states);
 }
 
-/// Applies the jump of an event that occurs δτ = −δf/f′ later.  Meanwhile the state follows the slope before the event
-/// instead of the slope after it.  Both differ by the jump of the contact force.
+/// Applies the jump of a deviation at an event that occurs δτ = −δf/f′ later. In the time δτ the state follows the
+/// slope before the event instead of the slope after it. The two slopes differ by the jump of the contact force.
 fn jump<S: Float>(
     setting: &Setting<'_, S>,
     contact_state: &ContactState<S>,

@@ -7,15 +7,15 @@ use super::law::{Law, Slide};
 use super::state::Contact;
 use crate::number::scalar::Float;
 
-/// Number of modes that the chain loses while a rigid contact sticks.  The contact then has no motion of its own.
+/// Number of modes that the chain loses while a rigid contact sticks. The contact then has no motion of its own.
 pub const LOST_MODES: usize = 1;
 
-/// The forces of a contact that sticks up to μF and slides under F, all in one unit.
+/// The friction forces of a contact that sticks up to μF and slides under F, in one unit.
 #[derive(Clone, Copy, Debug)]
 pub struct Rigid<S> {
     /// Kinetic friction force at zero speed.
     pub level: S,
-    /// μ, static over kinetic friction force.
+    /// Ratio μ of the static to the kinetic friction force.
     pub stiction: S,
 }
 
@@ -25,13 +25,13 @@ impl<S: Float> Law<S> for Rigid<S> {
         self.level
     }
 
-    /// The static friction force.
+    /// Returns the static friction force μF.
     #[inline]
     fn grip(self) -> S {
         self.stiction * self.level
     }
 
-    /// Two motions never move apart if the static force does not exceed the kinetic one.
+    /// The distance of two motions never grows if the static force does not exceed the kinetic force.
     fn is_contraction(self) -> bool {
         self.stiction <= S::constant(1.0)
     }

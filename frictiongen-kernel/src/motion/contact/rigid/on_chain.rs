@@ -18,7 +18,7 @@ impl<S: Float> ContactChain<S> for Chain<S> {
         LOST_MODES
     }
 
-    /// A deviation of the contact's displacement stays, and a deviation of its velocity vanishes at once.
+    /// A deviation of the contact's displacement stays constant. A deviation of its velocity vanishes at once.
     fn stuck_multipliers(&self) -> &'static [f64] {
         &[1.0, 0.0]
     }
@@ -47,7 +47,7 @@ impl<S: Float> ContactChain<S> for Chain<S> {
         }
     }
 
-    /// The relative displacement z̄.
+    /// Returns the relative displacement z̄ of the contact.
     fn stuck_place(
         setting: &Setting<'_, S>,
         modes: &[Part<S>],
@@ -61,7 +61,7 @@ impl<S: Float> ContactChain<S> for Chain<S> {
         S::constant(0.0)
     }
 
-    /// The force that keeps the contact at rest.
+    /// Returns the force that keeps the contact at rest.
     fn stuck_force(
         setting: &Setting<'_, S>,
         modes: &[Part<S>],
@@ -71,7 +71,7 @@ impl<S: Float> ContactChain<S> for Chain<S> {
         setting.holding(modes, at)
     }
 
-    /// At z̄ = `place`, wᵀx̄ is `place` + s cos τ_e.
+    /// At z̄ = `place`, the displacement wᵀx̄ is `place` + s cos τ_e.
     fn steady_stuck_force(setting: &Setting<'_, S>, place: S) -> (S, Complex<S>) {
         let inverse_mass = setting.dynamics.chain.inverse_mass;
         let base = setting.base;
@@ -95,7 +95,7 @@ impl<S: Float> ContactChain<S> for Chain<S> {
             end.jump = law.kinetic(before) - force;
             return;
         };
-        // In the direction of sliding, the velocity only touched zero.
+        // The contact continues in its direction of sliding, so that the velocity only touched zero.
         if slide.contact != before {
             end.event = Some(Event::Reversal);
             end.jump = law.kinetic(before) - law.kinetic(slide.contact);
