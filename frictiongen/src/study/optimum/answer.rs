@@ -89,7 +89,7 @@ pub struct Optimum {
     /// Largest amplitude over the band with the contact stuck at every frequency.
     pub with_contact_locked: f64,
     /// Intervals of friction in which the amplitude is at most 1, 5 and 10 per cent above the best amplitude. They
-    /// show how flat the optimum is.
+    /// show how flat the optimum is. The list is empty if the bound on work ended the search.
     pub tolerances: Vec<Tolerance>,
     /// Relative derivatives d ln X/d ln p of the optimum's amplitude X with respect to each parameter p except
     /// friction and frequency, while friction stays optimal. The list is empty without a load, and where there are no

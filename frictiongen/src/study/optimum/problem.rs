@@ -120,8 +120,9 @@ impl<'s> OptimumProblem<'s> {
             // does not.
             SearchEnd::Jump | SearchEnd::Spent => Vec::new(),
         };
-        let tolerances = EXCESSES
-            .iter()
+        // Friction ratios of an unfinished search are not verified, so an interval of them is not either.
+        let verified = EXCESSES.iter().filter(|_| least.end != SearchEnd::Spent);
+        let tolerances = verified
             .map(|excess| flat::tolerance(band, least, *excess))
             .collect();
         let with_contact_locked = largest(FrictionAmount::Locked);

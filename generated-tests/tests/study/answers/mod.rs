@@ -144,6 +144,11 @@ fn a_frame_on_which_the_search_gave_up() {
     // With the default work the search finds 14.25 mm at 68.5 N. A curve has 14.2 mm there, and more at 65 N and at 70
     // N. With the work of this test the result is within 3 % of 14.25 mm.
     assert!(millimetres < 1.03 * 14.25, "{force} N: {millimetres} mm");
+    // An unfinished search has not verified any interval of friction.
+    assert_eq!(
+        found.tolerances.is_empty(),
+        found.end == OptimumEnd::WorkSpent
+    );
     let [from, to] = found.bracket;
     assert!(from <= found.beta && found.beta <= to);
 }
