@@ -36,7 +36,7 @@ pub fn harmonics(highest: Option<&str>) -> Result<Option<u32>, Failure> {
     highest.map(of).transpose()
 }
 
-/// Parses a number, the value of an option.
+/// Parses a number that is the value of an option.
 pub fn number(option: &str, text: &str) -> Result<f64, Failure> {
     text.trim().parse().map_err(|_| {
         let hint = hint::of(text);
@@ -44,8 +44,8 @@ pub fn number(option: &str, text: &str) -> Result<f64, Failure> {
     })
 }
 
-/// Parses a finite number, the value of an option. It must satisfy `sound`, and `needed` states this condition in the
-/// message.
+/// Parses a finite number that is the value of an option. The number must satisfy `sound`. The message states this
+/// condition as `needed`.
 pub fn number_that(
     option: &str,
     text: &str,
@@ -61,7 +61,7 @@ pub fn number_that(
         })
 }
 
-/// Parses a whole number, the value of an option.
+/// Parses a whole number that is the value of an option.
 pub fn whole(option: &str, text: &str, range: RangeInclusive<u32>) -> Result<u32, Failure> {
     let number = text.trim().parse().ok();
     number
@@ -74,7 +74,7 @@ pub fn whole(option: &str, text: &str, range: RangeInclusive<u32>) -> Result<u32
         })
 }
 
-/// Returns the named masses, each once. Without names it returns all masses. `option` is named in messages.
+/// Returns the named masses, each once. Without names it returns all masses. Messages name the option `option`.
 pub fn masses(system: &System, option: &str, names: &[String]) -> Result<Vec<Mass>, Failure> {
     if names.is_empty() {
         return Ok(known(system).collect());
@@ -140,7 +140,7 @@ fn mass(system: &System, option: &str, name: &str) -> Result<Mass, Failure> {
     })
 }
 
-/// Fails if the velocity or the acceleration of a motion is requested, where only displacements and forces are known.
+/// Fails if a velocity or an acceleration is requested of a command that has only displacements and forces.
 pub fn without_rates(parts: &[Part]) -> Result<(), Failure> {
     match parts.iter().find(|part| part.has_rate()) {
         Some(part) => Err(Failure::new(format_args!(
@@ -151,7 +151,7 @@ pub fn without_rates(parts: &[Part]) -> Result<(), Failure> {
     }
 }
 
-/// Returns the one requested part.
+/// Returns the contact, mass or combination with this name.
 pub fn part(system: &System, name: &str) -> Result<Part, Failure> {
     let mut parts = parts(system, &[name.to_owned()])?;
     parts

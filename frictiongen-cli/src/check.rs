@@ -12,7 +12,7 @@ use std::ops::Range;
 pub fn run(arguments: &CheckArguments, out: &mut dyn Write) -> Result<(), Failure> {
     let name = arguments.file.name();
     let text = arguments.file.text()?;
-    // The command refuses everything that the macro refuses.
+    // The command rejects every description that the macro rejects.
     let description = parse_text(&text, &Limits::CHECK).map_err(|diagnostics| {
         let list = diagnostics.list.iter();
         Failure::Lines(
@@ -61,7 +61,7 @@ fn token(text: &str, line: usize, column: usize) -> Range<usize> {
     let start = before + within.map_or(rest.len(), |(place, _)| place);
     let token = text.get(start..).unwrap_or_default();
     let word = |letter: char| letter.is_alphanumeric() || letter == '_' || letter == '.';
-    // A number may have a sign. A token that is not a word is a single sign or bracket.
+    // A number may have a sign. Any other token that is not a word is a single sign or bracket.
     let first = token.chars().next().map_or(0, char::len_utf8);
     let sign = if token.starts_with('-') { first } else { 0 };
     let after = token.get(sign..).unwrap_or_default();

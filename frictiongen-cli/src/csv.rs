@@ -1,4 +1,4 @@
-//! Writes CSV. No value contains a comma or a quote, because words are regimes, answers and Rust identifiers.
+//! Writes CSV. No value contains a comma or a quote, because all words are regimes, answers or Rust identifiers.
 
 use std::borrow::Cow;
 use std::io::{self, Write};

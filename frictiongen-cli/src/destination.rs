@@ -6,7 +6,7 @@ use crate::file;
 use std::io::Write;
 use std::path::Path;
 
-/// Additions to a CSV file.
+/// Additions to a CSV file: a row of units, and comment lines.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Extras {
     /// A second line with the units of the columns.
@@ -49,7 +49,7 @@ impl FormatArguments {
         }
     }
 
-    /// Returns the format that the options set, for an answer without a file.
+    /// Returns the format that the options set, for an answer on standard output.
     pub fn checked(&self) -> Result<Form, Failure> {
         self.check(self.form()).map(|()| self.form())
     }
@@ -69,12 +69,13 @@ impl FormatArguments {
 pub struct Destination<'a> {
     /// Format of the answer: table, CSV, JSON or picture.
     pub form: Form,
-    /// The file, which must not be the description. With `None` the answer goes to standard output.
+    /// The file, and the path of the description, which must not be the same. With `None` the answer goes to standard
+    /// output.
     file: Option<(&'a Path, Option<&'a Path>)>,
 }
 
 impl<'a> Destination<'a> {
-    /// Reads the destination from the options. `draws` tells whether the command can draw.
+    /// Reads the destination from the options. `draws` is true if the command can draw.
     pub fn of(
         path: Option<&'a Path>,
         description: Option<&'a Path>,
@@ -129,7 +130,8 @@ impl<'a> Destination<'a> {
             )));
         }
         format.check(form)?;
-        // A file that cannot be written is reported before a long computation, not after it.
+        // The check comes before the computation, so that an error about the file is reported before a long
+        // computation.
         file::check(path, description)?;
         Ok(Self {
             form,

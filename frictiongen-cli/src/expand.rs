@@ -1,4 +1,5 @@
-//! `frictiongen expand`: prints the Rust code that the macro emits, after comments that say where it comes from.
+//! `frictiongen expand`: prints the Rust code that the macro emits. Comments before the code name the description and
+//! the version.
 
 use crate::args::ExpandArguments;
 use crate::compile::command;
@@ -10,7 +11,7 @@ use std::io::Write;
 
 /// Runs `frictiongen expand`.
 pub fn run(arguments: &ExpandArguments, out: &mut dyn Write) -> Result<(), Failure> {
-    // The command refuses everything that the macro refuses.
+    // The command rejects every description that the macro rejects.
     let description = arguments.file.description(&Limits::MACRO)?;
     let source = pretty(&description).map_err(|error| {
         Failure::new(format_args!(

@@ -27,7 +27,8 @@ impl Failure {
     }
 }
 
-/// Returns the reason why a file cannot be read or written. The most common reasons have the same words everywhere.
+/// Returns the reason why a file cannot be read or written. The most common reasons have the same words on every
+/// system.
 pub fn reason(error: &io::Error) -> String {
     match error.kind() {
         io::ErrorKind::NotFound => "there is no such file or folder".to_owned(),

@@ -22,7 +22,7 @@ pub fn write_with(
     let file = place.open().map_err(|error| refused(&error))?;
     let mut out = Noting { file, error: None };
     let written = match write(&mut out) {
-        // In this case the file itself could not be written.
+        // In this case writing the file itself has failed, and its error is the reason.
         Err(failure) => Err(out.error.as_ref().map_or(failure, refused)),
         Ok(()) => place.keep().map_err(|error| refused(&error)),
     };
@@ -100,7 +100,7 @@ impl Place {
             return OpenOptions::new().write(true).open(&self.last);
         };
         if let Ok(found) = fs::metadata(&self.last) {
-            // A file without write permission is refused before the temporary file is written.
+            // A file without write permission is rejected before the temporary file is written.
             OpenOptions::new().write(true).open(&self.last)?;
             let file = File::create(first)?;
             fs::set_permissions(first, found.permissions())?;
@@ -118,13 +118,13 @@ impl Place {
 
     fn discard(&self) {
         if let Some(first) = &self.first {
-            // The temporary file may not exist, so an error is ignored.
+            // The temporary file may not exist. An error is therefore ignored.
             let _ = fs::remove_file(first);
         }
     }
 }
 
-/// A file that records why it could not be written.
+/// A file that stores the reason why it could not be written.
 struct Noting {
     file: File,
     error: Option<io::Error>,
@@ -133,7 +133,7 @@ struct Noting {
 impl Noting {
     fn noted<T>(&mut self, result: io::Result<T>) -> io::Result<T> {
         result.inspect_err(|error| {
-            // The kind of the error is kept, because it contains the reason.
+            // The error's kind is stored, because it contains the reason.
             self.error = Some(error.kind().into());
         })
     }

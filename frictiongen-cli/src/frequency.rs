@@ -53,7 +53,7 @@ impl Band {
         }
     }
 
-    /// Returns the range between two ratios, printed in Hz or not.
+    /// Returns the range between two ratios. If `in_hertz` is true, tables print it in Hz.
     #[cfg(feature = "report")]
     pub fn between(from: f64, to: f64, in_hertz: bool) -> Self {
         Self {
@@ -64,7 +64,7 @@ impl Band {
         }
     }
 
-    /// Returns the range for use under this load. If the load has units, r is printed with its Hz.
+    /// Returns the range for use under this load. If the load has units, tables print Hz next to r.
     pub fn under(mut self, measure: &Measure) -> Self {
         self.unit = self.unit.under(measure);
         self
@@ -103,7 +103,8 @@ fn too_far(quantity: Quantity, given: f64) -> Failure {
     ))
 }
 
-/// Returns the quantity as which a frequency is parsed. If `in_time` is true, the frequency must have a cycle.
+/// Returns the quantity that selects how a frequency is parsed. If `in_time` is true, the frequency must be above 0 and
+/// finite.
 fn quantity(unit: Unit, in_time: bool) -> Quantity {
     match (unit, in_time) {
         (Unit::Ratio | Unit::RatioUnderLoad, false) => Quantity::FrequencyRatio,
@@ -120,12 +121,12 @@ fn quantity(unit: Unit, in_time: bool) -> Quantity {
 pub struct Frequencies {
     given: Vec<f64>,
     unit: Unit,
-    /// The quantity as which the frequencies were parsed.
+    /// The quantity that selects how the frequencies were parsed.
     pub quantity: Quantity,
 }
 
 impl Frequencies {
-    /// Parses the grid. If `in_time` is true, every frequency must have a cycle.
+    /// Parses the grid. If `in_time` is true, every frequency must be above 0 and finite.
     pub fn parse(arguments: &FrequencyArguments, in_time: bool) -> Result<Self, Failure> {
         let (text, unit) = given(arguments)?;
         let quantity = quantity(unit, in_time);
@@ -158,7 +159,7 @@ impl Frequencies {
         self.given.len()
     }
 
-    /// Returns the grid for use under this load. If the load has units, r is printed with its Hz.
+    /// Returns the grid for use under this load. If the load has units, tables print Hz next to r.
     pub fn under(mut self, measure: &Measure) -> Self {
         self.unit = self.unit.under(measure);
         self
@@ -174,7 +175,7 @@ impl Frequencies {
         &self.given
     }
 
-    /// Returns the frequencies in the order given.
+    /// Returns all frequencies in the given order.
     pub fn all<'a>(&'a self, system: &'a System) -> impl Iterator<Item = Frequency> + 'a {
         self.given.iter().map(|given| self.of(system, *given))
     }

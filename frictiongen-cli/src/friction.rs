@@ -18,7 +18,7 @@ pub struct Frictions {
 }
 
 impl Frictions {
-    /// Parses the grid. Together with the grid of frequencies, if there is one, it must not be too long.
+    /// Parses the grid. The product with the length of the frequency grid, if there is one, must not be too large.
     pub fn parse(
         arguments: &FrictionArguments,
         frequencies: Option<&Frequencies>,
@@ -88,7 +88,7 @@ impl Frictions {
         &self.given
     }
 
-    /// Returns the frictions in the order given.
+    /// Returns all frictions in the given order.
     pub fn all(&self) -> impl Iterator<Item = Friction> + Clone + '_ {
         self.given.iter().map(|given| self.of(*given))
     }

@@ -11,20 +11,21 @@ pub const MOST_POINTS: usize = 10_000_000;
 /// Number of equal steps in a range `a:b`.
 pub const STEPS: u32 = 100;
 
-/// The quantity that a grid gives.
+/// The physical quantity of a grid's numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Quantity {
     /// Frequency ratio r; 0 and infinity are allowed.
     FrequencyRatio,
-    /// Frequency ratio r of a motion in time. It must have a cycle, so 0 and infinity are not allowed.
+    /// Frequency ratio r of a motion in time. It must be above 0 and finite, so that the excitation has a cycle.
     FrequencyRatioInTime,
     /// Frequency in Hz; 0 and infinity are allowed.
     Hertz,
-    /// Frequency in Hz of a motion in time. It must have a cycle, so 0 and infinity are not allowed.
+    /// Frequency in Hz of a motion in time. It must be above 0 and finite, so that the excitation has a cycle.
     HertzInTime,
     /// Angular frequency in rad/s; 0 and infinity are allowed.
     Omega,
-    /// Angular frequency in rad/s of a motion in time. It must have a cycle, so 0 and infinity are not allowed.
+    /// Angular frequency in rad/s of a motion in time. It must be above 0 and finite, so that the excitation has a
+    /// cycle.
     OmegaInTime,
     /// Friction ratio β. It must be finite.
     FrictionRatio,
@@ -69,12 +70,12 @@ impl Quantity {
         )
     }
 
-    /// Returns whether the quantity is a frequency, whose range needs no step.
+    /// Returns true if the quantity is a frequency, whose range needs no step.
     fn is_frequency(self) -> bool {
         !matches!(self, Self::FrictionRatio | Self::FrictionForce)
     }
 
-    /// Returns whether infinity is allowed.
+    /// Returns true if the quantity may be infinite.
     fn may_be_infinite(self) -> bool {
         matches!(self, Self::FrequencyRatio | Self::Hertz | Self::Omega)
     }
@@ -94,18 +95,18 @@ impl fmt::Display for GridError {
     }
 }
 
-/// Parses a grid and returns its points in the order written. There is at least one. A range `a:b` of frequencies has
-/// [`STEPS`] steps.
+/// Parses a grid and returns its points in the order in which they are written. There is at least one point. A range
+/// `a:b` of frequencies has [`STEPS`] steps.
 pub fn parse(text: &str, quantity: Quantity) -> Result<Vec<f64>, GridError> {
     points(text, quantity, quantity.is_frequency())
 }
 
-/// Parses a grid as [`parse`] does, with ranges `a:b` of frictions too.
+/// Parses a grid as [`parse`] does. Frictions may also have ranges `a:b`.
 pub fn parse_ranges(text: &str, quantity: Quantity) -> Result<Vec<f64>, GridError> {
     points(text, quantity, true)
 }
 
-/// Parses a grid. `open` allows ranges without a step.
+/// Parses a grid. If `open` is true, ranges without a step are allowed.
 fn points(text: &str, quantity: Quantity, open: bool) -> Result<Vec<f64>, GridError> {
     let mut points = Vec::new();
     for entry in text.split(',').map(str::trim) {
@@ -157,7 +158,7 @@ pub fn band(text: &str, quantity: Quantity) -> Result<[f64; 3], GridError> {
     })
 }
 
-/// Returns the failure for a grid with several points where one point is needed.
+/// Returns the error for a grid with several points if only one point is allowed.
 pub fn several(quantity: Quantity, points: usize) -> Failure {
     Failure::new(format_args!(
         "{}: one {} is needed, but this is a grid of {points}",
@@ -228,9 +229,9 @@ fn decimals(texts: [&str; 3]) -> Option<Decimals> {
     Decimals::new(first?, step?, last?)
 }
 
-/// Returns the number of points `more`, if so many fit in addition to those that exist.
+/// Returns the number of points `more`. Fails if they do not fit in addition to the existing points.
 fn room(already: usize, more: f64) -> Result<usize, String> {
-    // The conversions are exact, because both numbers are whole, and small if they fit.
+    // Both conversions are exact, because the numbers are whole, and small if they fit.
     if more <= MOST_POINTS.saturating_sub(already) as f64 {
         Ok(more as usize)
     } else {
@@ -240,7 +241,7 @@ fn room(already: usize, more: f64) -> Result<usize, String> {
     }
 }
 
-/// A range with its number of steps.
+/// A range of floating-point numbers with its number of steps.
 struct Range {
     first: f64,
     step: f64,
@@ -266,7 +267,7 @@ impl Range {
                 "from {first:?} to {last:?} the step must be {sign}"
             ));
         }
-        // `blur` is the largest change of the ratio by rounding of the three numbers.
+        // `blur` is the largest change of the ratio that rounding of the three numbers can cause.
         let blur = 4.0 * f64::EPSILON * ((first.abs() + last.abs()) / step.abs() + ratio);
         let whole = ratio.round();
         let ends_at_last = (ratio - whole).abs() <= blur;

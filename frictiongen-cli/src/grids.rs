@@ -1,4 +1,4 @@
-//! A grid of frequencies and frictions with everything needed to write answers over it.
+//! A grid of frequencies and frictions, with the settings for answers over the grid.
 
 use crate::asked::Part;
 use crate::frequency::Frequencies;

@@ -1,4 +1,4 @@
-//! Advice for a number that cannot be read: a decimal comma, or a unit behind the number.
+//! Advice for a text that is not a number, such as a decimal comma or a unit after the number.
 
 /// Units that users append to numbers, with their power of ten in m, N, Hz or kg.
 const UNITS: [(&str, i32); 13] = [
@@ -17,7 +17,8 @@ const UNITS: [(&str, i32); 13] = [
     ("%", -2),
 ];
 
-/// Returns the advice for a text that is not a number, to append to the message. It is empty if the text resembles none.
+/// Returns advice for a text that is not a number, to be appended to the message. The advice is empty if the text does
+/// not resemble a number.
 pub fn of(text: &str) -> String {
     let text = text.trim();
     if let Some((whole, fraction)) = text.split_once(',') {
@@ -34,7 +35,7 @@ pub fn of(text: &str) -> String {
         let Some(number) = number.filter(|number| number.parse::<f64>().is_ok()) else {
             continue;
         };
-        // The power of ten goes into the text, so that 1.2 mm gives 0.0012 without rounding.
+        // The power of ten is appended to the text, so that 1.2 mm becomes 0.0012 without rounding.
         let scaled = format!("{number}e{power}").parse::<f64>();
         let scaled = scaled.map_or_else(|_| number.to_owned(), |scaled| scaled.to_string());
         return format!(

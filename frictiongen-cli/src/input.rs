@@ -60,7 +60,7 @@ impl FileArgument {
         })
     }
 
-    /// Reads and parses a description for a question that needs a rigid contact. It returns an error for an elastic one.
+    /// Reads and parses a description for a command that needs a rigid contact. Fails for an elastic contact.
     pub fn rigid(&self, limits: &Limits) -> Result<Description, Failure> {
         let description = self.description(limits)?;
         self.check_rigid(&description)?;
@@ -78,13 +78,14 @@ impl FileArgument {
         )))
     }
 
-    /// Reads and parses a description for an exact response. It returns an error unless the contact is rigid and the
-    /// kinetic friction is constant.
+    /// Reads and parses a description for an exact response. Fails unless the contact is rigid and the kinetic friction
+    /// is constant.
     pub fn constant_level(&self, limits: &Limits) -> Result<Description, Failure> {
         Ok(self.constant_level_with_text(limits)?.0)
     }
 
-    /// Reads a description for an exact response, and returns its text too.
+    /// Reads a description for an exact response as [`constant_level`](Self::constant_level) does, and also returns its
+    /// text.
     pub fn constant_level_with_text(
         &self,
         limits: &Limits,
@@ -102,7 +103,7 @@ impl FileArgument {
     }
 }
 
-/// Reads a source, but at most one byte more than the largest size.
+/// Reads a source. Stops one byte after the largest allowed size.
 fn read(source: impl Read) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     source.take(MOST_BYTES as u64 + 1).read_to_end(&mut bytes)?;

@@ -6,7 +6,7 @@ static PRESSED: AtomicBool = AtomicBool::new(false);
 
 /// Starts to watch for Ctrl-C. A second Ctrl-C ends the program.
 pub fn watch() {
-    // If the program cannot catch signals, or already does, Ctrl-C ends it as usual.
+    // If the program cannot catch signals, or already catches them, Ctrl-C ends it as usual.
     let _ = ctrlc::set_handler(|| {
         if PRESSED.swap(true, Ordering::Relaxed) {
             std::process::exit(130);

@@ -1,11 +1,11 @@
-//! Writes an answer as one JSON object. Its points are written as they are computed, each on a line of its own.
+//! Writes an answer as one JSON object. Each point is written when it is computed, on a separate line.
 
 use crate::number::{Cell, Exact as _};
 use crate::summary::Summary;
 use serde_json::Value as Json;
 use std::io::{self, Write};
 
-/// Version of the object's format. It grows when a field is renamed or changes its meaning.
+/// Version of the object's format. It increases when a field is renamed or changes its meaning.
 const VERSION: u32 = 1;
 
 /// Writes the object step by step.

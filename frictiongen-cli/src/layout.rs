@@ -14,7 +14,7 @@ pub enum Layout {
     Objects,
     /// Text has one line for each row. JSON has an object for the contact and a list of the masses.
     Masses,
-    /// Text has a line for each contact or mass that moves. JSON is as for [`Layout::Masses`].
+    /// Text has one line for each moving contact or mass. JSON is the same as for [`Layout::Masses`].
     Lines,
 }
 
@@ -73,7 +73,7 @@ impl Layout {
                 line.push(column.read(row));
             }
         }
-        // A contact or mass without an amplitude does not move, so it has no line.
+        // A contact or mass without an amplitude does not move, and gets no line.
         let amplitude = once.len() + 1;
         lines.retain(|line| line.get(amplitude) != Some(&Cell::Missing));
         match lines.first_mut() {

@@ -54,7 +54,7 @@ use failure::Failure;
 use std::ffi::OsString;
 use std::io::Write;
 
-/// The reason why a command line gave no result or an incomplete one.
+/// The reason why a command gave no result or an incomplete result.
 #[derive(Debug)]
 pub enum Ended {
     /// The command line was not understood, or it asked for help.
@@ -74,7 +74,7 @@ impl From<Failure> for Ended {
     }
 }
 
-/// Runs a command line, the program's name first. The results go to `out`.
+/// Runs a command line. Its first word is the program's name. The results go to `out`.
 ///
 /// # Errors
 /// [`Ended`] contains the message for the user.

@@ -9,7 +9,7 @@ pub use frictiongen::study::columns::Dimension;
 pub use frictiongen::study::columns::Measure;
 use frictiongen::study::units::{Load, LoadError};
 
-/// Returns the units under the load that the options give. Without a load the units are non-dimensional groups.
+/// Returns the units under the given load. Without a load the units are non-dimensional groups.
 pub fn of(arguments: &LoadArguments, system: &System) -> Result<Measure, Failure> {
     let groups = Measure::groups(system);
     let under = |load: Load, name: &str, text: &str| {

@@ -1,4 +1,4 @@
-//! Formats the values of cells for people and for programs.
+//! Formats the values of table cells, for people and for programs.
 
 pub use frictiongen::study::columns::Cell;
 use std::borrow::Cow;
@@ -8,9 +8,9 @@ pub fn word(flag: bool) -> &'static str {
     if flag { "true" } else { "false" }
 }
 
-/// A value that programs read.
+/// A value in the form that programs read.
 pub trait Exact {
-    /// Formats a value with as few digits as read back as the same number.
+    /// Formats a value with the smallest number of digits that read back as the same number.
     fn exact(&self) -> Cow<'_, str>;
     /// Converts a value to JSON.
     fn json(&self) -> serde_json::Value;
@@ -54,8 +54,7 @@ pub fn survives(given: f64, computed: f64) -> bool {
     computed.is_finite() == given.is_finite() && (computed == 0.0) == (given == 0.0)
 }
 
-/// Formats a computed number for people. It has six decimals, or six significant digits if six decimals show too
-/// little.
+/// Formats a computed number for people. It has six decimals, or six significant digits if six decimals are not enough.
 pub fn computed(value: f64) -> String {
     let size = value.abs();
     if size == 0.0 {
@@ -67,11 +66,11 @@ pub fn computed(value: f64) -> String {
     }
 }
 
-/// Formats a computed number that lies within an interval of this width: as [`computed`] does, without the digits that
-/// the width makes meaningless.
+/// Formats a computed number that is only known to lie within an interval of this width. It has the format of
+/// [`computed`], without the digits that the width makes meaningless.
 pub fn within(value: f64, width: f64) -> String {
     let size = value.abs();
-    // Decimals up to the first one that the width changes.
+    // The decimals end with the first one that the width changes.
     let decimals = (-width.log10()).ceil();
     if size == 0.0 || size.is_infinite() || !width.is_finite() {
         computed(value)
@@ -83,10 +82,10 @@ pub fn within(value: f64, width: f64) -> String {
     }
 }
 
-/// Largest number of decimals of a given number.
+/// Largest number of decimals for a number that the user gave.
 const MOST_DECIMALS: usize = 9;
 
-/// Formats a number that the user gave, for people, with the decimals that its whole grid needs.
+/// Formats a number that the user gave, for people. It has the number of decimals that its whole grid needs.
 pub fn given(value: f64, decimals: usize) -> String {
     let size = value.abs();
     if size == 0.0 || size.is_infinite() || (1e-6..1e9).contains(&size) {
@@ -96,7 +95,7 @@ pub fn given(value: f64, decimals: usize) -> String {
     }
 }
 
-/// Returns the number of decimals that a number needs. Digits that rounding left do not count.
+/// Returns the number of decimals that a number needs, without digits that are due to rounding.
 pub fn decimals(value: f64) -> usize {
     let text = given(value, MOST_DECIMALS);
     match text.split_once('.') {

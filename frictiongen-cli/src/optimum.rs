@@ -1,4 +1,4 @@
-//! `frictiongen optimum`: finds the friction that keeps the largest amplitude over a band smallest.
+//! `frictiongen optimum`: finds the friction with which the largest amplitude over a band is smallest.
 
 use crate::args::OptimumArguments;
 use crate::asked;

@@ -41,7 +41,7 @@ pub trait Table {
     fn preamble(&self) -> Vec<(&'static str, String)> {
         Vec::new()
     }
-    /// Returns an additional field of a row's JSON, if there is one.
+    /// Returns an additional field for the JSON of a row, if there is one.
     fn more(&self, _row: &Self::Row) -> Option<(&'static str, serde_json::Value)> {
         None
     }

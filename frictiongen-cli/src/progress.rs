@@ -18,9 +18,9 @@ pub struct Progress {
 }
 
 impl Progress {
-    /// Starts the progress of a run over `total` items, named `what`.
+    /// Starts the progress of a run over `total` items. Messages call the items `what`.
     pub fn new(total: usize, what: &'static str) -> Self {
-        // If the output goes to the same terminal, the lines of the output already show the progress.
+        // If the output goes to the same terminal, its lines already show the progress.
         let watched = io::stderr().is_terminal() && !io::stdout().is_terminal();
         Self {
             total,
@@ -64,7 +64,7 @@ impl Drop for Progress {
 /// Writes a text to standard error.
 pub fn say(text: &str) {
     let mut stderr = io::stderr().lock();
-    // If standard error refuses the message, the computation must still continue.
+    // If standard error cannot be written, the computation continues.
     let _ = stderr.write_all(text.as_bytes());
     let _ = stderr.flush();
 }

@@ -1,4 +1,4 @@
-//! Writes the lines above a table: the scene, its natural frequencies and the non-dimensional groups.
+//! Writes the lines above a table. They contain the scene, its natural frequencies and the non-dimensional groups.
 
 use crate::measure::{self, Measure};
 use crate::number::computed;
@@ -61,7 +61,7 @@ impl Summary {
         lines.try_for_each(|line| writeln!(out, "# {line}"))
     }
 
-    /// Writes the lines above a table, and the lines that its report adds.
+    /// Writes the lines above a table, and additional lines of the answer.
     pub fn write(&self, out: &mut dyn Write, more: &[(&str, String)]) -> io::Result<()> {
         writeln!(out, "{}: {}", self.scene, self.description)?;
         writeln!(out)?;
@@ -87,7 +87,7 @@ impl Summary {
     }
 }
 
-/// Returns the first numbers as text, each in a column, and the number of those that are left out.
+/// Returns the first numbers as text, each in a column, and the number of omitted numbers.
 fn row(values: &[f64]) -> String {
     let mut cells: Vec<String> = values
         .iter()

@@ -12,7 +12,7 @@ pub enum Scale {
     Log,
 }
 
-/// The unit of a linear axis. Its ticks are at multiples of this unit.
+/// The unit of a linear axis. Its ticks are at round multiples of this unit.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Unit {
     /// Plain numbers. Ticks are at 1, 2 and 5 times powers of ten.
@@ -35,7 +35,7 @@ pub struct Axis {
     pub high: f64,
     /// Linear or logarithmic spacing.
     pub scale: Scale,
-    /// The unit at whose multiples the axis has ticks.
+    /// The unit that determines at which values the axis has ticks.
     pub unit: Unit,
 }
 
@@ -62,7 +62,7 @@ impl Axis {
     }
 
     /// Creates a linear axis that shows all finite values with a margin. The axis begins at zero if no value is
-    /// negative and the least value is near zero.
+    /// negative and the smallest value is near zero.
     #[must_use]
     pub fn fitted(label: impl Into<Label>, values: impl IntoIterator<Item = f64>) -> Self {
         let Some((low, high)) = ends(values, f64::MIN) else {
@@ -105,8 +105,8 @@ impl Axis {
         }
     }
 
-    /// Returns the range of the axis, changed so that it can be drawn: finite, ascending, wider than rounding, and
-    /// positive on a logarithmic axis.
+    /// Returns the range of the axis, changed if it could not be drawn. The result is finite, ascending and wider than
+    /// rounding, and positive on a logarithmic axis.
     pub(crate) fn range(&self) -> (f64, f64) {
         if !self.low.is_finite() || !self.high.is_finite() {
             return if self.scale == Scale::Log {
@@ -152,7 +152,7 @@ impl Axis {
 /// fewer digits.
 const SMALLEST: f64 = 1e-304;
 
-/// Returns the smallest and the largest finite value that is at least `least`. `None` if there is none.
+/// Returns the smallest and the largest of the finite values that are at least `least`. `None` if there is none.
 fn ends(values: impl IntoIterator<Item = f64>, least: f64) -> Option<(f64, f64)> {
     values
         .into_iter()
@@ -167,8 +167,8 @@ fn ends(values: impl IntoIterator<Item = f64>, least: f64) -> Option<(f64, f64)>
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Mapping {
     scale: Scale,
-    /// Lower end of the range. It is halved on a linear axis, so that the width stays finite, and a logarithm on a
-    /// logarithmic axis. `span` is the width in the same form.
+    /// Lower end of the range, in the form that the conversion needs. On a linear axis it is halved, so that the width
+    /// stays finite. On a logarithmic axis it is a logarithm. `span` is the width in the same form.
     low: f64,
     span: f64,
     from: f64,

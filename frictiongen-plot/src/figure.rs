@@ -91,7 +91,8 @@ pub struct PanelFrame {
     pub width: f64,
     /// Height of the frame.
     pub height: f64,
-    /// Values at the left and right edges. [`Axis::scale`] of the panel's axis gives the scale between them.
+    /// Values at the left and right edges of the frame. [`Axis::scale`] of the panel's axis gives the scale between
+    /// them.
     pub x: (f64, f64),
     /// Values at the lower and upper edges of the frame.
     pub y: (f64, f64),

@@ -15,7 +15,7 @@ const TITLE: f64 = 14.5;
 const LABEL: f64 = 15.0;
 /// Text size of the tick labels, in pixels.
 const TICK: f64 = 13.0;
-/// Size of the tick labels of an inset.
+/// Text size of the tick labels of an inset, in pixels.
 const SMALL: f64 = 12.0;
 /// Distance from the frame to the tick labels, in pixels.
 const OFF: f64 = 6.0;
@@ -32,7 +32,7 @@ pub(crate) struct Frame {
     y_ticks: Vec<Tick>,
     /// Text sizes of the tick labels and of the axis labels.
     sizes: (f64, f64),
-    /// True if the text has a light outline, because lines may run under the text.
+    /// True if the text has a light outline, which keeps it legible over lines.
     halo: bool,
 }
 

@@ -26,7 +26,7 @@ pub enum Layer {
 /// A curve of one or more pieces, which are never joined. A value that is not finite ends a piece.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Line {
-    /// Name of the curve in the legend. `None` leaves the curve out.
+    /// Name of the curve in the legend. With `None` the legend omits the curve.
     pub name: Option<Label>,
     /// Colour of the curve.
     pub colour: Colour,
@@ -69,7 +69,7 @@ impl Line {
 /// Separate points, drawn as markers of one shape and colour.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Markers {
-    /// Name of the points in the legend. `None` leaves the points out.
+    /// Name of the points in the legend. With `None` the legend omits the points.
     pub name: Option<Label>,
     /// Colour of the markers.
     pub colour: Colour,
@@ -154,8 +154,8 @@ impl Region {
     }
 }
 
-/// A map of cells over a rectangle, all of one size on paper. Rows go from low to high y, and cells of a row from low
-/// to high x.
+/// A map of rectangular cells of equal size on paper. Rows go from low to high y, and cells of a row from low to high
+/// x.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Raster {
     /// Range of x that the cells cover.
@@ -182,7 +182,7 @@ impl Raster {
 /// Contents of the cells of a map.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Cells {
-    /// Each cell belongs to a class, or to none and stays empty.
+    /// Each cell belongs to a class. A cell without a class stays empty.
     Classes {
         /// The classes with their names in the legend.
         classes: Vec<(Label, Fill)>,
@@ -248,7 +248,7 @@ pub enum Across {
 /// A straight line across a panel.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Guide {
-    /// Name of the line in the legend. `None` leaves the line out.
+    /// Name of the line in the legend. With `None` the legend omits the line.
     pub name: Option<Label>,
     /// Direction and position of the line.
     pub across: Across,

@@ -128,7 +128,8 @@ impl Legend {
         let mut widths = vec![0.0_f64; columns];
         for row in self.entries.chunks(columns) {
             for (width, entry) in widths.iter_mut().zip(row) {
-                // The browser's font may be a little wider than the embedded one, so the width has 4 % of margin.
+                // The browser's font may be slightly wider than the embedded font. The width therefore has a margin of
+                // 4 %.
                 *width = width.max(SAMPLE + SPACE + 1.04 * entry.name.width(SIZE) + GAP);
             }
         }

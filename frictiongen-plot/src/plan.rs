@@ -62,7 +62,7 @@ impl<'a> Plan<'a> {
         if !(1..=most).contains(&count) {
             return None;
         }
-        // The stations from left to right are the base, the masses and the wall.
+        // The elements from left to right are the base, the masses and the wall. The code calls them stations.
         let station = |end: End| match end {
             End::Base => Some(0),
             End::Mass(index) => (index < count).then_some(index + 1),

@@ -1,4 +1,5 @@
-//! Writes SVG documents: a few kinds of elements, numbers with two decimals, text as text.
+//! Writes SVG documents. They have a few kinds of elements, numbers with two decimals, and text elements instead of
+//! outlines.
 
 use crate::geometry::{Point, Rect};
 use crate::palette::{INK, PAPER, Rgb};
@@ -10,7 +11,7 @@ use std::fmt::Write as _;
 const FAMILY: &str =
     "'STIX Two Text','Times New Roman',Times,'Liberation Serif','Noto Serif',serif";
 
-/// Corners of rectangles and markers. Those of lines are round, as the whole document says.
+/// Attribute for the sharp corners of rectangles and markers. The whole document has round corners for lines.
 const SHARP: &str = " stroke-linejoin=\"miter\"";
 
 /// A grid of cells on the page.

@@ -106,7 +106,7 @@ fn pieces(label: &Label, size: f64) -> Vec<TextPiece<'_>> {
 /// Returns three offsets for the bar over a letter, in ems: back to the letter, forward after the bar, and the height.
 fn bar(letter: char, face: Face) -> (f64, f64, f64) {
     let tall = letter.is_uppercase() || "bdfhklt".contains(letter);
-    // The top of a slanted letter is to the right of the letter's middle.
+    // The top of an italic letter is to the right of the letter's middle.
     let slant = match (face, tall) {
         (Face::Italic, true) => 0.1,
         (Face::Italic, false) => 0.04,

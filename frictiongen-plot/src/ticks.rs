@@ -17,7 +17,7 @@ pub(crate) struct Tick {
 pub(crate) fn ticks(axis: &Axis, count: usize) -> Vec<Tick> {
     let (low, high) = axis.range();
     let count = count.max(2);
-    // The range of a circle is divided into a few round fractions.
+    // A circle is divided into a few round fractions.
     let parts = count.min(5);
     match (axis.scale, axis.unit) {
         (Scale::Log, _) => log(low, high, count),

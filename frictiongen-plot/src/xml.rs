@@ -1,4 +1,4 @@
-//! Formats numbers, paths and text for XML.
+//! Formats numbers, paths and text for XML documents.
 
 use crate::geometry::Point;
 use std::fmt::Write as _;
@@ -9,7 +9,7 @@ pub(crate) fn data(lines: &[Vec<Point>], end: &str) -> String {
     for line in lines.iter().filter(|line| 1 < line.len()) {
         let mut last = None;
         for (x, y) in line.iter().filter(|(x, y)| x.is_finite() && y.is_finite()) {
-            // The steps are between rounded points, so that rounding errors do not add up.
+            // The steps connect rounded points, so that rounding errors do not add up.
             let (x, y) = (hundredths(*x), hundredths(*y));
             match last {
                 None => {

@@ -1,8 +1,7 @@
-//! Features of the response for emitted and run-time systems alike, without allocation: thresholds, limits at r → 0
-//! and r → ∞, and changes of the regime.
+//! Features of the response, for emitted and run-time systems, without allocation: thresholds, limits for r → 0 and r →
+//! ∞, and changes of the regime.
 //!
-//! `System::features` (feature `study`) finds more: features that need the scene's mode shapes, and complete lists of
-//! features.
+//! `System::features` (feature `study`) finds more: features that need the scene's mode shapes, and complete lists.
 //!
 //! ```
 //! use frictiongen::features::{self, Change};
@@ -43,11 +42,11 @@ use frictiongen_kernel::{Float, Scalar};
 /// Writes the limit of continuous motion β_lim at every resonance into the caller's slice, in ascending order of the
 /// resonances.
 ///
-/// Without damping, β_lim at resonance i is the threshold β_n,i (6.2, 6.26), below which the resonance is unbounded.
-/// With damping, (7.62) estimates β_lim. For a mode that the contact does not touch, the entry bounds nothing.
+/// Without damping, β_lim at resonance i is the threshold β_n,i (6.2, 6.26), below which the amplitude is unbounded.
+/// With damping, (7.62) estimates β_lim. If the contact does not drive a mode, its entry has no meaning.
 ///
 /// # Errors
-/// [`SweepError::Length`] for a slice whose length is not the number of resonances. The slice stays unchanged.
+/// [`SweepError::Length`] for a slice whose length is not the number of resonances. The slice then stays unchanged.
 pub fn thresholds_into<F: FrictionSystem>(
     system: &F,
     thresholds: &mut [F::Scalar],
@@ -66,10 +65,11 @@ pub fn thresholds_into<F: FrictionSystem>(
     Ok(())
 }
 
-/// Returns β_lim and β*_lim for r → 0. There β_lim is 0 (6.4). Up to β*_lim there is a quasi-static start (6.5).
+/// Returns β_lim and β*_lim for r → 0. β_lim is 0 (6.4). For β up to β*_lim the contact slides at the quasi-static
+/// start (6.5).
 ///
 /// # Errors
-/// None, because 0 is in the domain.
+/// No errors, because 0 is in the domain.
 pub fn limits_at_rest<F: FrictionSystem>(system: &F) -> Result<Limits<F::Scalar>, OutOfDomain> {
     Ok(system.at(F::Scalar::constant(0.0))?.limits())
 }
@@ -78,7 +78,7 @@ pub fn limits_at_rest<F: FrictionSystem>(system: &F) -> Result<Limits<F::Scalar>
 /// base.
 ///
 /// # Errors
-/// None, because ∞ is in the domain.
+/// No errors, because ∞ is in the domain.
 pub fn limits_at_infinity<F: FrictionSystem>(system: &F) -> Result<Limits<F::Scalar>, OutOfDomain> {
     Ok(system.at(F::Scalar::constant(f64::INFINITY))?.limits())
 }
@@ -94,7 +94,7 @@ pub struct Change<S> {
     pub after: Regime,
 }
 
-/// Iterator over the changes of the regime along frequency, made by [`regime_changes`].
+/// Iterator over the changes of the regime along frequency. [`regime_changes`] creates it.
 #[derive(Clone, Debug)]
 pub struct RegimeChanges<'s, F: FrictionSystem> {
     system: &'s F,
@@ -109,7 +109,7 @@ pub struct RegimeChanges<'s, F: FrictionSystem> {
 /// Bisection locates each change to the last digits.
 ///
 /// The search evaluates the regime at `steps` + 1 frequencies. It misses a regime that lies entirely between two of
-/// them. `System::features` misses fewer regimes and reports when it misses none.
+/// these frequencies. `System::features` misses fewer regimes, and says whether its list is complete.
 ///
 /// # Errors
 /// [`OutOfDomain`] for a range that does not run from above 0 to a larger, finite r; for NaN, negative and infinite β;
@@ -183,7 +183,8 @@ impl<F: FrictionSystem> Iterator for RegimeChanges<'_, F> {
                     (high, after) = (middle, regime);
                 }
             }
-            // A third regime may lie between the two frequencies, so the search repeats from the change just found.
+            // A third regime may lie between the two frequencies. The search therefore repeats from the change just
+            // found.
             self.last = (high, after);
             self.step -= 1;
             return Some(Change {

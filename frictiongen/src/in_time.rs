@@ -7,7 +7,7 @@ use frictiongen_kernel::Float;
 use frictiongen_kernel::motion::{ContactChain, Part};
 use frictiongen_kernel::orbit::{Orbit, OrbitMotion};
 
-/// A scene at one frequency ratio that also gives steady states in any regime: continuous, stick-slip or stuck.
+/// A scene at one frequency ratio that also provides steady states in any regime: continuous, stick-slip or stuck.
 ///
 /// ```
 /// use frictiongen::{FrictionSystem, Of, OrbitAt, SteadyState, friction_system};
@@ -52,8 +52,8 @@ pub trait OrbitAt: LimitsAt {
     /// [`NoOrbit`], with the reason why motion from rest reaches no steady state.
     fn orbit(&self, beta: Self::Scalar) -> Result<Self::Orbit<'_>, NoOrbit>;
 
-    /// Returns the steady state as [`orbit`](Self::orbit) does. Where the motion from rest does not settle, it returns
-    /// the last 64 cycles instead, and [`SteadyState::is_settled`] is false.
+    /// Returns the steady state as [`orbit`](Self::orbit) does. If the motion from rest does not settle, it returns the
+    /// last 64 cycles of this motion instead, and [`SteadyState::is_settled`] is false.
     ///
     /// # Errors
     /// [`NoOrbit`] if the motion is unbounded, if the search takes too many steps, or if β is negative or not finite.
@@ -67,8 +67,7 @@ pub trait SteadyState {
 
     /// Returns the number of excitation cycles after which the motion repeats: 1, or up to 64 for a subharmonic state.
     fn period(&self) -> u32;
-    /// Returns true if the motion repeats. False means that this state describes the last 64 cycles that were
-    /// computed.
+    /// Returns true if the motion repeats. If false, this state describes the last 64 computed cycles.
     fn is_settled(&self) -> bool;
     /// Returns the number of stops of the contact in a period. At a stop the contact starts to stick.
     fn stops(&self) -> usize;
@@ -80,8 +79,7 @@ pub trait SteadyState {
     fn is_symmetric(&self) -> bool;
     /// Returns true if the steady state is stable: no small deviation from the motion grows.
     fn is_stable(&self) -> bool;
-    /// Returns true if the steady state is a member of a continuum of steady states, or lies at the end of a
-    /// continuum.
+    /// Returns true if the steady state belongs to a continuum of steady states, or lies at its end.
     fn is_marginal(&self) -> bool;
     /// Returns the Floquet multipliers: the complex factors by which small deviations from the motion change in a
     /// period.
@@ -95,7 +93,7 @@ pub trait SteadyState {
     ) -> Option<T>;
 }
 
-/// The queries of the kernel's steady state, as a separate trait. [`SteadyState`] is implemented for every type that
+/// The methods of the kernel's steady state, as a separate trait. [`SteadyState`] is implemented for every type that
 /// derefs to a type with `Kept`. Without `Kept`, an implementation of [`SteadyState`] for the kernel's type would
 /// conflict if that type implemented `Deref` in a later version.
 #[doc(hidden)]

@@ -3,8 +3,8 @@
 //! A description of masses, springs, one contact and an excitation becomes a solver. The solver gives the exact steady
 //! response and the boundaries between continuous, stick-slip and stuck motion.
 //!
-//! * [`friction_system!`] does the modal analysis at compile time and emits specialised Rust: `no_std`, without
-//!   allocation, without `unsafe`, everything of fixed size.
+//! * [`friction_system!`] does the modal analysis at compile time and emits specialised Rust code. The code is
+//!   `no_std`, has a fixed size, and needs neither allocation nor `unsafe`.
 //! * `System` (feature `study`) reads the same description at run time.
 //! * `measure` (feature `measure`) finds the friction force in recordings. [`watch`] finds it in samples on a device.
 //! * The command `frictiongen` reads the same description from a file.
@@ -104,7 +104,7 @@
 //! # Conventions
 //!
 //! x̄ = x/(P/k₁), for base motion x/Y; β = F/P, r = ω√(m₁/k₁), τ = ωt. A phase is a lag in (−π, π]. Equation numbers
-//! are those of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, DPhil thesis, Oxford, 2021.
+//! refer to L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, DPhil thesis, Oxford, 2021.
 #![cfg_attr(not(feature = "std"), no_std)]
 
 pub mod features;
@@ -122,7 +122,7 @@ pub mod watch;
 #[cfg(feature = "study")]
 pub mod study;
 
-/// Answers of emitted and of run-time systems.
+/// Result types of emitted and of run-time systems.
 pub mod answer {
     pub use frictiongen_kernel::orbit::OrbitMotion;
     pub use frictiongen_kernel::response::motion::Motion;
@@ -130,7 +130,7 @@ pub mod answer {
     pub use frictiongen_kernel::stepper::{ContactNow, Cost, MassNow, Stepped, Work};
 }
 
-/// Scalars, for functions that are generic over the precision.
+/// Number types, for functions that are generic over the precision.
 pub mod scalar {
     #[doc(hidden)]
     pub use frictiongen_kernel::Plain;

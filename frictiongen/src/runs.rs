@@ -7,7 +7,7 @@ use frictiongen_kernel::Float;
 use frictiongen_kernel::motion::{Contact, ContactChain, Level, Part};
 use frictiongen_kernel::simulation::{Moment, Segment, Simulation};
 
-/// A scene that also gives its exact motion in time, from event to event.
+/// A scene that also provides its exact motion in time, from event to event.
 ///
 /// ```
 /// use frictiongen::{FrictionSystem, OutOfDomain, Run, Simulates, friction_system};
@@ -56,8 +56,8 @@ pub trait Simulates: FrictionSystem {
     -> Result<Self::Run<'_>, OutOfDomain>;
 }
 
-/// A scene whose exact motion in time depends on the load's amplitude: an emitted scene with `friction: stribeck`, and
-/// every run-time system.
+/// A scene whose exact motion in time depends on the load's amplitude. It is an emitted scene with
+/// `friction: stribeck`, or any run-time system.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` gives no motion in time under a load of known amplitude",
     label = "add `simulation` to the scene's `provide: [...]`; without `friction: stribeck` it is `Simulates`"
@@ -75,7 +75,7 @@ pub trait SimulatesUnder {
     ///
     /// # Errors
     /// [`OutOfDomain`] unless r and the amplitude are positive and finite, and β is finite and not negative.
-    /// [`OutOfDomain`] also for a friction law that is too steep to be followed.
+    /// [`OutOfDomain`] also for a friction law that is too steep.
     fn simulation_under(
         &self,
         r: Self::Scalar,
@@ -89,7 +89,7 @@ pub trait Run {
     /// The scalar type of the scene.
     type Scalar: Float;
 
-    /// Advances to the next event, but at most by `reach` in the phase τ = ωt. A reach of 0 does nothing.
+    /// Advances to the next event, or by at most `reach` in the phase τ = ωt. A reach of 0 does nothing.
     ///
     /// # Errors
     /// [`OutOfDomain`] for a reach that is negative, infinite or NaN. The simulation then stays unchanged.
@@ -104,8 +104,8 @@ pub trait Run {
     fn relative(&self) -> (Self::Scalar, Self::Scalar);
     /// Returns the friction force in the contact over the load amplitude P.
     fn friction(&self) -> Self::Scalar;
-    /// Returns the present displacement and velocity of a mass. `mass` is its index in the description. The result is
-    /// rest if there is no such mass.
+    /// Returns the present displacement and velocity of a mass. `mass` is the index in the description. If there is no
+    /// such mass, both are 0.
     fn moment(&self, mass: usize) -> Moment<Self::Scalar>;
 }
 

@@ -7,10 +7,10 @@ use frictiongen_kernel::oscillator::decay::Decay;
 use frictiongen_kernel::response::motion::{Largest, Motion};
 use frictiongen_kernel::table::{SteadyContact, TabledMotion};
 
-/// Selects the motion that a query is about: that of the contact, of a mass, or of a combination of masses and base.
+/// Selects a motion: that of the contact, of a mass, or of a combination of masses and base.
 ///
-/// Emitted solvers answer for the contact and for masses. A run-time `System` also answers for the combinations. The
-/// largest value of a force is in units of P, for base motion of k₁Y.
+/// Emitted solvers provide the motions of the contact and of masses. A run-time `System` also provides those of
+/// combinations. The largest value of a force is in units of P, for base motion of k₁Y.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Of {
@@ -42,7 +42,7 @@ pub trait Steady {
     /// The scalar type of the scene.
     type Scalar: Float;
 
-    /// Returns the largest |x̄| and its phase by one search. The result also contains the work of that search.
+    /// Returns the largest |x̄| and its phase from one search, with the work of that search.
     fn largest(&self) -> Largest<Self::Scalar>;
     /// Returns the exact maximum of |x̄|.
     fn amplitude(&self) -> Self::Scalar;

@@ -4,7 +4,7 @@ use crate::OutOfDomain;
 use frictiongen_kernel::Float;
 use frictiongen_kernel::stepper::{ContactNow, MassNow, Stepped, Work};
 
-/// A scene that also gives a stepper: its motion in steps of one length, under any input.
+/// A scene that also provides a stepper: its motion in time steps of one length, under any input.
 ///
 /// ```
 /// use frictiongen::{OutOfDomain, StepLoad, Stepping, Steps, friction_system};
@@ -49,10 +49,10 @@ pub trait Steps {
     where
         Self: 'a;
 
-    /// Returns a stepper that starts from rest under no load. `dt` is the length of every step in seconds.
+    /// Returns a stepper that starts from rest without load. `dt` is the length of every step in seconds.
     ///
     /// # Errors
-    /// [`OutOfDomain`] for a step that is not positive and finite, or in which the fastest oscillator turns by more
+    /// [`OutOfDomain`] for a step that is not positive and finite, or in which the fastest oscillator advances by more
     /// than [`MAX_PARTS`](frictiongen_kernel::stepper::MAX_PARTS) radians.
     fn stepper(&self, dt: Self::Scalar) -> Result<Self::Stepper<'_>, OutOfDomain>;
 }
@@ -62,10 +62,10 @@ pub trait Steps {
 pub struct StepLoad<'l, S> {
     /// Displacement and velocity of the base. Both are 0 for a base that does not move.
     pub base: [S; 2],
-    /// Forces on masses. Each entry is the index of a mass in the description and the force. Forces on the same mass
+    /// Forces on masses. Each entry has the index of a mass in the description, and the force. Forces on the same mass
     /// add up. A mass without an entry carries no force.
     pub forces: &'l [(usize, S)],
-    /// Kinetic friction force F at vanishing speed, not negative.
+    /// Kinetic friction force F at zero speed, not negative.
     pub friction: S,
 }
 
@@ -80,7 +80,7 @@ impl<S: Float> StepLoad<'_, S> {
         }
     }
 
-    /// Writes the forces to `to`, one entry for each mass of `masses`.
+    /// Writes the forces into `to`, which has one entry for each mass in `masses`.
     ///
     /// # Errors
     /// [`OutOfDomain`] for a force on a mass that `masses` does not list. [`OutOfDomain`] also for motion of a base
@@ -101,29 +101,29 @@ impl<S: Float> StepLoad<'_, S> {
     }
 }
 
-/// A motion in steps of one length, under an input that the caller sets at every step.
+/// A motion in time steps of one length. The caller sets the input at every step.
 pub trait Stepping {
     /// The scalar type of the scene.
     type Scalar: Float;
 
-    /// Sets the input at the start of the first step. Without this call the input there is 0.
+    /// Sets the input at the start of the first step. Without this call that input is 0.
     ///
     /// # Errors
     /// Same errors as [`step`](Self::step). A call after the first step returns [`OutOfDomain`].
     fn begin_with(&mut self, load: &StepLoad<'_, Self::Scalar>) -> Result<(), OutOfDomain>;
-    /// Takes a step at whose end the input is `load`. With `input: linear` the forces change linearly during the step,
-    /// and the base follows a cubic. With `input: hold` the load acts over the whole step.
+    /// Takes a step. `load` is the input at the end of the step. With `input: linear` the forces change linearly during
+    /// the step, and the base follows a cubic. With `input: hold` the load acts over the whole step.
     ///
     /// # Errors
     /// [`OutOfDomain`] for values that are NaN or infinite, and for friction below zero. [`OutOfDomain`] also for a
-    /// force on a mass that the scene does not allow to be loaded, and for motion of a base at rest. The stepper then
-    /// stays unchanged.
+    /// force on a mass for which the scene accepts no force, and for motion of a base at rest. The stepper then stays
+    /// unchanged.
     fn step(
         &mut self,
         load: &StepLoad<'_, Self::Scalar>,
     ) -> Result<Stepped<Self::Scalar>, OutOfDomain>;
-    /// Returns the present displacement and velocity of a mass. `index` is its position in the description. The result
-    /// is rest if there is no such mass.
+    /// Returns the present displacement and velocity of a mass. `index` is the index in the description. If there is no
+    /// such mass, both are 0.
     fn mass(&self, index: usize) -> MassNow<Self::Scalar>;
     /// Returns the present state of the contact, with its relative motion and friction force.
     fn contact(&self) -> ContactNow<Self::Scalar>;

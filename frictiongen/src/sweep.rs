@@ -1,5 +1,5 @@
-//! Sweeps over the frequency ratio r and the friction ratio β, for emitted and run-time systems alike. They are
-//! serial, do not allocate, and write into the caller's slices.
+//! Sweeps over the frequency ratio r and the friction ratio β, for emitted and run-time systems. They are serial, do
+//! not allocate, and write into the caller's slices.
 //!
 //! ```
 //! use frictiongen::sweep::{self, LimitsPoint};
@@ -41,7 +41,7 @@ use frictiongen_kernel::contact::regime;
 pub struct LimitsPoint<S> {
     /// Frequency ratio r of this point.
     pub r: S,
-    /// The limit of continuous motion β_lim, exact.
+    /// The exact limit of continuous motion β_lim.
     pub continuous: S,
     /// The limit of sliding β*_lim.
     pub sliding: S,
@@ -51,13 +51,13 @@ pub struct LimitsPoint<S> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum SweepError {
-    /// A value of r or β is out of the domain. The results before that value are filled in.
+    /// A value of r or β is out of the domain. The results before this value are written.
     OutOfDomain(OutOfDomain),
     /// The slice for the results does not have one entry for each point.
     Length {
         /// Number of points, for each of which there is one result.
         points: usize,
-        /// Number of results that the slice can take.
+        /// Number of results for which the slice has space.
         room: usize,
     },
 }
@@ -95,7 +95,7 @@ fn check_length(points: usize, room: usize) -> Result<(), SweepError> {
 /// Writes the limits β_lim and β*_lim at every frequency ratio into a slice.
 ///
 /// # Errors
-/// [`SweepError`] if an r is out of the domain, or if the slices have different lengths.
+/// [`SweepError`] if a frequency ratio is out of the domain, or if the slices have different lengths.
 pub fn limits<F: FrictionSystem>(
     system: &F,
     ratios: &[F::Scalar],
@@ -113,8 +113,8 @@ pub fn limits<F: FrictionSystem>(
     Ok(())
 }
 
-/// Writes the regime at every pair of frequency ratio and friction ratio into a slice: first all β of the first r. The
-/// limits are computed once for each r.
+/// Writes the regime at every pair of frequency ratio and friction ratio into a slice. All β of the first r come first.
+/// The limits are computed once for each r.
 ///
 /// # Errors
 /// [`SweepError`] if an r or β is out of the domain, or if the slice does not have one entry for each pair.
@@ -134,8 +134,8 @@ pub fn regimes<F: FrictionSystem>(
     Ok(())
 }
 
-/// Writes the exact amplitude at every pair of frequency ratio and friction ratio into a slice: first all β of the
-/// first r. An entry is `None` outside the continuous regime, on an unbounded resonance, and for a motion that the
+/// Writes the exact amplitude at every pair of frequency ratio and friction ratio into a slice. All β of the first r
+/// come first. An entry is `None` outside the continuous regime, on an unbounded resonance, and for a motion that the
 /// scene does not provide.
 ///
 /// # Errors

@@ -1,4 +1,5 @@
-//! Traits that emitted solvers and the run-time `System` have in common. A sweep, a map or a fit is then written once.
+//! Traits that emitted solvers and the run-time `System` have in common. A sweep, a map or a fit therefore needs to be
+//! written only once.
 
 pub use crate::steady::{Of, Steady};
 use crate::targets::{HeldStill, InParts, Limited, Moved};
@@ -7,7 +8,7 @@ use core::ops::Deref;
 use frictiongen_kernel::Float;
 use frictiongen_kernel::contact::regime::{Limits, limits_into};
 
-/// A scene with its contact, excitation and damping, which can be evaluated at any frequency ratio.
+/// A scene (chain, contact, excitation and damping) that can be evaluated at any frequency ratio.
 ///
 /// ```
 /// use frictiongen::{FrictionSystem, LimitsAt, friction_system};
@@ -49,13 +50,13 @@ pub trait FrictionSystem {
     /// Evaluates the scene at the frequency ratio r = ω√(m₁/k₁).
     ///
     /// # Errors
-    /// [`OutOfDomain`] for NaN and negative r. At r = 0 and r = ∞ the system returns limit values.
+    /// [`OutOfDomain`] for NaN and negative r. At r = 0 and r = ∞ the system returns the limiting values.
     fn at(&self, r: Self::Scalar) -> Result<Self::At<'_>, OutOfDomain>;
-    /// Returns β_lim and β*_lim at r without a search over time. This is the fastest call if nothing else is needed at
-    /// r.
+    /// Returns β_lim and β*_lim at r without a search over time. This is the fastest call if no other result is needed
+    /// at this r.
     ///
     /// # Errors
-    /// [`OutOfDomain`] for NaN and negative r. At r = 0 and r = ∞ the result is a limit value.
+    /// [`OutOfDomain`] for NaN and negative r. At r = 0 and r = ∞ the results are the limiting values.
     fn limits_without_search(&self, r: Self::Scalar) -> Result<Limits<Self::Scalar>, OutOfDomain> {
         let at = self.at(r)?;
         Ok(Limits {
@@ -63,11 +64,11 @@ pub trait FrictionSystem {
             sliding: at.sliding_limit(),
         })
     }
-    /// Writes [both limits without search](Self::limits_without_search) over a slice of frequency ratios into slices of
-    /// the same length.
+    /// Computes [both limits without search](Self::limits_without_search) at each frequency ratio of a slice. Writes
+    /// them into two slices of the same length.
     ///
-    /// The results are bit for bit those of the single calls. They take less time where all modes are undamped or all
-    /// lightly damped, because several frequencies are then computed side by side.
+    /// The results are bit for bit those of the single calls. They take less time if all modes are undamped or all are
+    /// lightly damped, because the call then computes several frequencies at once.
     ///
     /// ```
     /// use frictiongen::{FrictionSystem, friction_system};
@@ -90,7 +91,7 @@ pub trait FrictionSystem {
     ///
     /// # Errors
     /// [`OutOfDomain`] for a slice of another length, which leaves both slices unchanged. [`OutOfDomain`] also at the
-    /// first NaN or negative r. The results before that r are filled in.
+    /// first NaN or negative r. The results before this r are written.
     fn limits_without_search_into(
         &self,
         rs: &[Self::Scalar],
@@ -146,22 +147,21 @@ macro_rules! emitted_system {
     };
 }
 
-/// The boundaries of the regimes at one frequency ratio.
+/// The limits of the regimes at one frequency ratio.
 pub trait LimitsAt {
     /// The scalar type of the scene.
     type Scalar: Float;
 
-    /// Returns β_lim, the exact boundary of continuous motion (5.65, 5.80, 5.96, 7.49).
+    /// Returns the exact limit of continuous motion β_lim (5.65, 5.80, 5.96, 7.49).
     fn continuous_limit(&self) -> Self::Scalar;
-    /// Returns β_lim with S, the velocity constraint on the friction ratio, replaced by the limit of S for τ → 0
-    /// (5.64).
+    /// Returns an upper bound on β_lim. It replaces the velocity constraint S by its limit for τ → 0 (5.64).
     fn continuous_limit_without_search(&self) -> Self::Scalar;
     /// Returns a lower bound on β_lim, as the thesis prints it (5.55, 7.37). The velocity constraint S is the maximum
     /// over time of a sum over the modes. The bound replaces S by the sum of each mode's own maximum.
     fn continuous_limit_per_mode(&self) -> Self::Scalar;
     /// Returns the limit of sliding β*_lim. A stuck state exists for β ≥ β*_lim (6.11, 6.27, 6.33).
     fn sliding_limit(&self) -> Self::Scalar;
-    /// Returns β_lim and β*_lim by one search. Queries of the returned [`Limits`] need no further search.
+    /// Returns β_lim and β*_lim from one search. The methods of the returned [`Limits`] need no further search.
     fn limits(&self) -> Limits<Self::Scalar> {
         Limits {
             continuous: self.continuous_limit(),
@@ -209,7 +209,7 @@ impl<A: Deref<Target: Limited>> LimitsAt for A {
     }
 }
 
-/// A scene at one frequency ratio that also gives the exact continuous motion.
+/// A scene at one frequency ratio that also provides the exact continuous motion.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` gives no motion",
     label = "add `motion` to the scene's `provide: [...]`"
@@ -236,14 +236,14 @@ where
     }
 }
 
-/// A scene at one frequency ratio that also gives the response while the contact is stuck.
+/// A scene at one frequency ratio that also provides the response while the contact is stuck.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` gives no response of a stuck contact",
     label = "add `stuck` to the scene's `provide: [...]`"
 )]
 pub trait StuckAt: LimitsAt {
-    /// Returns x̄* = V_k − H_kV/H, the complex amplitude of mass k while the contact is stuck. `index` is the position
-    /// of the mass in the description. Returns `None` if there is no such mass.
+    /// Returns x̄* = V_k − H_kV/H, the complex amplitude of mass k while the contact is stuck. `index` is the index of
+    /// the mass in the description. Returns `None` if there is no such mass.
     ///
     /// # Errors
     /// [`StuckResonance`] on an undamped resonance of the chain with its contact stuck.

@@ -1,8 +1,8 @@
-//! Internal traits of the kernel's types: a scene at one frequency ratio, by the exact formulas or by tables, and the
-//! scene's motion.
+//! Internal traits of the kernel's types. They describe a scene at one frequency ratio, computed by the exact formulas
+//! or from tables, and the motion of the scene.
 //!
 //! The types of emitted scenes and of a `System` deref to one of the kernel's types. One implementation of each public
-//! trait then serves all types.
+//! trait therefore serves all types.
 
 use crate::steady::{Of, Steady};
 use crate::{Complex, NoOrbit, NotContinuous, OutOfDomain, Regime, StuckResonance};
@@ -13,7 +13,7 @@ use frictiongen_kernel::orbit::ProvidesOrbit;
 use frictiongen_kernel::response::{At, Continuous, ProvidesMotion, ProvidesStuck, Scene, Stuck};
 use frictiongen_kernel::table::{Compiled, Moving, Sticking, Tabled, TabledMotion, TabledStuck};
 
-/// A scene of the kernel at one frequency ratio, which gives the limits and the regime.
+/// A scene of the kernel at one frequency ratio that provides the limits and the regime.
 pub trait Limited {
     type Scalar: Float;
 
@@ -59,7 +59,7 @@ macro_rules! limited {
 limited!(At of Scene);
 limited!(Compiled of Tabled);
 
-/// A scene of the kernel at one frequency ratio that gives exact continuous motions.
+/// A scene of the kernel at one frequency ratio that provides exact continuous motions.
 pub trait Moved: Limited {
     type Motion;
 
@@ -82,7 +82,7 @@ impl<T: TabledMotion> Moved for Compiled<T> {
     }
 }
 
-/// A motion of the kernel that gives the separate motions of the contact and of each mass.
+/// A motion of the kernel that provides the separate motions of the contact and of each mass.
 pub trait InParts {
     type Scalar: Float;
 
@@ -116,7 +116,7 @@ macro_rules! in_parts {
 in_parts!(Continuous of ProvidesMotion);
 in_parts!(Moving of TabledMotion);
 
-/// A scene of the kernel at one frequency ratio that gives the response while the contact is stuck.
+/// A scene of the kernel at one frequency ratio that provides the response while the contact is stuck.
 pub trait HeldStill: Limited {
     fn stuck_mass(&self, index: usize) -> Result<Option<Complex<Self::Scalar>>, StuckResonance>;
 }
@@ -139,7 +139,7 @@ where
     }
 }
 
-/// A scene of the kernel at one frequency ratio that gives steady states in any regime.
+/// A scene of the kernel at one frequency ratio that provides steady states in any regime.
 pub trait Settles: Limited {
     type Orbit;
 

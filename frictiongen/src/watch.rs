@@ -1,9 +1,10 @@
-//! Follows one frequency sample by sample in a fixed amount of memory. A device can thus watch its own friction.
+//! Follows one frequency of a signal, sample by sample, in a fixed amount of memory. A device can so monitor its own
+//! friction.
 //!
-//! A [`Watch`] is a sliding Goertzel filter. It computes the Fourier sum of its last N samples at a frequency with
-//! whole cycles in N samples. Two filters, one for the base and one for a mass, give the displacement
-//! transmissibility. [`friction_ratio`] computes the friction ratio from the transmissibility. Nothing allocates,
-//! nothing panics, and rounding errors do not accumulate.
+//! A [`Watch`] is a sliding Goertzel filter. It computes the Fourier sum of its last N samples at one frequency, which
+//! must have whole cycles in N samples. Two filters, one for the base and one for a mass, give the displacement
+//! transmissibility. [`friction_ratio`] computes the friction ratio from the transmissibility. The code neither
+//! allocates nor panics, and rounding errors do not accumulate.
 
 use crate::Complex;
 use frictiongen_kernel::Float;
@@ -31,8 +32,8 @@ pub struct Watch<S, const N: usize> {
     full: bool,
     /// Fourier sum Σ x e^{−iωt} of the last N samples, before normalisation.
     sum: Complex<S>,
-    /// Fourier sum of the samples since the buffer was last written from its start. Every N samples `fresh` replaces
-    /// `sum`, so that older rounding errors disappear.
+    /// Fourier sum of the samples since the buffer was last written from its start. Every N samples it replaces `sum`,
+    /// so that older rounding errors disappear.
     fresh: Complex<S>,
     /// `turn` is the factor e^{−iωt} of the next sample. `step` is the factor from one sample's `turn` to the next
     /// one's.
@@ -41,8 +42,8 @@ pub struct Watch<S, const N: usize> {
 }
 
 impl<S: Float, const N: usize> Watch<S, N> {
-    /// Creates a filter for the frequency that has `cycles` whole cycles in N samples. The sampling rate is N/cycles
-    /// times that frequency. Returns `None` for zero cycles, and for N below 2·cycles + 1.
+    /// Creates a filter for the frequency with `cycles` whole cycles in N samples. This frequency is cycles/N times the
+    /// sampling rate. Returns `None` for zero cycles, and for N below 2·cycles + 1.
     #[must_use]
     pub fn new(cycles: u16) -> Option<Self> {
         let zero = S::constant(0.0);
@@ -97,7 +98,7 @@ impl<S: Float, const N: usize> Watch<S, N> {
     }
 
     /// Returns the complex amplitude X of the fundamental x = Re X e^{iωt} over the last N samples. t = 0 is the first
-    /// sample ever added. Returns `None` before N samples have been added.
+    /// sample that was ever added. Returns `None` until N samples have been added.
     #[must_use]
     pub fn fundamental(&self) -> Option<Complex<S>> {
         #[allow(clippy::cast_precision_loss, reason = "a count of samples")]
@@ -108,7 +109,7 @@ impl<S: Float, const N: usize> Watch<S, N> {
 }
 
 /// Returns the transmissibility X/Y of a mass: its complex amplitude X over the complex amplitude Y of the base.
-/// Returns `None` where Y is 0.
+/// Returns `None` if Y is 0.
 #[must_use]
 pub fn transmissibility<S: Float>(mass: Complex<S>, base: Complex<S>) -> Option<Complex<S>> {
     let size = base.re * base.re + base.im * base.im;
@@ -121,13 +122,14 @@ pub fn transmissibility<S: Float>(mass: Complex<S>, base: Complex<S>) -> Option<
 
 /// Returns the friction ratio β from a mass's measured transmissibility, for a contact that slides all the time.
 ///
-/// Without stops the fundamental is X = V − (4iβ/π)e^{−iφ}H, so that |X − V| = 4β|H|/π (thesis 4.5, 6.4.2). V is the
-/// fundamental without friction, H the response to a harmonic force in the contact. Friction therefore shifts the
-/// fundamental by a distance proportional to β, and the scene's response at one other β gives the scale.
+/// If the contact slides all the time, the fundamental is X = V − (4iβ/π)e^{−iφ}H, so that |X − V| = 4β|H|/π (thesis
+/// 4.5, 6.4.2). V is the fundamental without friction, and H the response to a harmonic force in the contact. Friction
+/// therefore shifts the fundamental by a distance proportional to β. The scene's response at one known β gives the
+/// factor.
 ///
-/// `measured` is the measured fundamental and `still` the scene's fundamental without friction. `known` is the scene's
-/// fundamental at the friction ratio `beta`. Beyond β_lim the contact stops and the result is too small.
-/// `continuous_limit` returns β_lim. Returns `None` where friction does not shift the fundamental.
+/// `measured` is the measured fundamental, and `still` the scene's fundamental without friction. `known` is the scene's
+/// fundamental at the friction ratio `beta`. Above β_lim, which `continuous_limit` returns, the contact stops and the
+/// result is too small. Returns `None` if friction does not shift the fundamental.
 ///
 /// ```
 /// use frictiongen::watch::friction_ratio;

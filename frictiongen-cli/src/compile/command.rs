@@ -1,10 +1,10 @@
-//! Writes the command as it can be repeated, for the head of an emitted file.
+//! Writes the command, as a user can repeat it, into the head of an emitted file.
 
 use crate::args::{CompileArguments, FileArgument, TableFormat};
 use std::path::Path;
 
-/// Returns the command with its options. Files have their names without folders, so that the same description gives
-/// the same text everywhere.
+/// Returns the command with its options. File names have no folders, so that the same description gives the same text
+/// everywhere.
 pub(super) fn written(arguments: &CompileArguments) -> String {
     let mut words = vec!["frictiongen".to_owned(), "compile".to_owned()];
     words.push(description(&arguments.file));
@@ -46,7 +46,7 @@ fn name(path: &Path) -> String {
     quoted(&name.to_string_lossy())
 }
 
-/// Returns a word as a shell reads it.
+/// Returns a word, quoted if a shell would otherwise split or change it.
 fn quoted(word: &str) -> String {
     let plain = |letter: char| letter.is_alphanumeric() || "-_.:,+=".contains(letter);
     if !word.is_empty() && word.chars().all(plain) {

@@ -7,7 +7,7 @@ use frictiongen_codegen::known::{Known, KnownMotion, Outcome};
 use frictiongen_codegen::standalone::{NOTICE, Source, UnitConstants, known_answers, scene_hash};
 use serde_json::{Value, json};
 
-/// Writes the tables as JSON. Where they come from stands first.
+/// Writes the tables as JSON. The first fields say which description and which command made them.
 pub(super) fn written<S: frictiongen::scalar::Float>(source: &Source<'_, S>) -> String {
     let Source {
         scene,
@@ -27,7 +27,7 @@ pub(super) fn written<S: frictiongen::scalar::Float>(source: &Source<'_, S>) -> 
     format!("{{\"generated\":{generated},\"units\":{units},\"known_answers\":{known},{tables}")
 }
 
-/// Converts the constants that connect ratios with units.
+/// Converts to JSON the constants that connect ratios with units.
 fn units<S: frictiongen::scalar::Float>(scene: &Scene) -> Value {
     let units = UnitConstants::of::<S>(scene);
     json!({
@@ -39,7 +39,7 @@ fn units<S: frictiongen::scalar::Float>(scene: &Scene) -> Value {
     })
 }
 
-/// Converts the known answers.
+/// Converts the known answers to JSON.
 fn known<S: frictiongen::scalar::Float>(source: &Source<'_, S>) -> Value {
     let (tolerance, all) = known_answers(source);
     let motion = |motion: &KnownMotion| {

@@ -1,4 +1,5 @@
-//! `frictiongen compile`: builds tables of a declared accuracy, and prints their figures, code or data.
+//! `frictiongen compile`: builds tables of a declared accuracy. Prints a summary of the tables, or writes them as code
+//! or data.
 
 pub mod command;
 mod data;
@@ -19,13 +20,13 @@ use frictiongen_codegen::{Limits, SceneTables};
 use std::io::Write;
 use std::path::Path;
 
-/// Limits of the macro on a description, but without tables. The command builds those itself, with its options.
+/// Limits of the macro on a description, except for tables. The command builds tables itself, with its options.
 const LIMITS: Limits = Limits {
     tables: false,
     ..Limits::MACRO
 };
 
-/// Message for tables without an accuracy.
+/// Error message if the accuracy of the tables is missing.
 const NO_ACCURACY: &str = "the accuracy of the tables is missing; give --accuracy 1e-4 or --budget 4096, or declare one of the two in the description";
 
 /// Runs the command.
@@ -90,7 +91,7 @@ fn c_prefix(scene: &Scene, arguments: &CompileArguments) -> Result<String, Failu
     Ok(name.clone())
 }
 
-/// Reports on standard error the items of `provide` that are not written.
+/// Lists on standard error the items of `provide` that the files leave out.
 fn say_what_is_left_out(scene: &Scene) {
     let word = |item: &Provide| match item {
         Provide::Motion(Some(masses)) if !masses.is_empty() => {
@@ -101,7 +102,7 @@ fn say_what_is_left_out(scene: &Scene) {
         Provide::Orbit => Some("orbit".to_owned()),
         Provide::Simulation => Some("simulation".to_owned()),
         Provide::Stepper => Some("stepper".to_owned()),
-        // The files always check themselves.
+        // The files always contain a self-check.
         Provide::Limits | Provide::Motion(_) | Provide::Stuck | Provide::SelfCheck => None,
     };
     let left_out: Vec<String> = scene.provide.iter().filter_map(word).collect();
@@ -113,10 +114,10 @@ fn say_what_is_left_out(scene: &Scene) {
     }
 }
 
-/// Replaces the declarations of the description by those of the options.
+/// Replaces the accuracy, range and side in the description by those of the options.
 fn declare(scene: &mut Scene, arguments: &CompileArguments) -> Result<(), Failure> {
     let declared = &mut scene.declared;
-    // The option --prove decides, not the proof that the description requests from the macro.
+    // The option --prove decides whether there is a proof, not the proof that the description requests from the macro.
     declared.proof = Proving::Quick;
     if let Some(accuracy) = &arguments.accuracy {
         declared.accuracy = Accuracy::Relative(number(accuracy, "--accuracy")?);
@@ -133,7 +134,7 @@ fn declare(scene: &mut Scene, arguments: &CompileArguments) -> Result<(), Failur
         scene.declared.range = Some(Range { r, beta });
     }
     if scene.declared.accuracy == Accuracy::Exact && scene.declared.budget.is_none() {
-        // A range without an accuracy is an error of a description, whose words would not fit the options.
+        // A range without an accuracy is also an error of a description, but that message would not fit the options.
         return Err(Failure::new(NO_ACCURACY));
     }
     if arguments.safe {
@@ -178,8 +179,8 @@ fn range(scene: &Scene, arguments: &CompileArguments) -> Result<Option<(f64, f64
     if unit == FrequencyUnit::Ratio {
         return Ok(Some((low, high)));
     }
-    // The description may declare an accuracy without a range, which is an error here. The conversion to r needs only
-    // the chain.
+    // A description may declare an accuracy without a range, which would be an error here. The conversion to r needs
+    // only the chain.
     let chain = Scene {
         declared: Declared::default(),
         ..scene.clone()
@@ -243,7 +244,7 @@ fn write<S: frictiongen::scalar::Float>(
     }
 }
 
-/// Returns the sentence about the accuracy between the points of the check.
+/// Returns the sentence about the accuracy of the tables between the points that were checked.
 fn told<S: frictiongen::scalar::Float>(tables: &Tables<S>, proof: &Proof, proves: bool) -> String {
     if proves || proof.evidence != Evidence::Checked {
         return proof.told();
@@ -257,7 +258,7 @@ fn told<S: frictiongen::scalar::Float>(tables: &Tables<S>, proof: &Proof, proves
     format!("Checked at {points} points, not proven: between them an error may be larger{remedy}.")
 }
 
-/// Returns the figures, one per line. `proves` is true if a proof was requested.
+/// Returns the summary of the tables, one number in each line. `proves` is true if a proof was requested.
 fn figures<S: frictiongen::scalar::Float>(
     scene: &Scene,
     tables: &Tables<S>,

@@ -6,9 +6,10 @@ use frictiongen::study::units::{Load, hertz};
 
 /// Number of frequencies at which answers are compared.
 pub const FREQUENCIES: u32 = 400;
-/// Lowest frequency, over the lowest natural frequency, and highest, over the highest one.
+/// Bounds of the compared frequencies: the lowest relative to the lowest natural frequency, the highest relative to the
+/// highest one.
 const BAND: (f64, f64) = (0.2, 1.5);
-/// Friction of the compared motions, over the smaller limit of the old scene.
+/// Friction of the compared motions, relative to the smaller limit of the old scene.
 const FRICTION: f64 = 0.5;
 
 /// Words for the frequencies at which both limits are finite.
@@ -25,15 +26,15 @@ pub struct Difference {
     pub unit: &'static str,
     /// Frequency of the largest difference, Hz.
     pub hertz: f64,
-    /// Values there, old and new.
+    /// Old and new value at this frequency.
     pub values: (f64, f64),
-    /// Difference there, over the larger of both values.
+    /// Difference of the two values at this frequency, over the larger value.
     pub relative: f64,
     /// Median of the relative differences.
     pub median: f64,
-    /// Number of frequencies at which both scenes answer.
+    /// Number of frequencies at which both scenes have an answer.
     pub compared: usize,
-    /// Words for these frequencies, where they are not all.
+    /// Words for the compared frequencies, if they are not all frequencies of the band.
     pub where_both: &'static str,
 }
 
@@ -45,15 +46,15 @@ pub type Modes = Vec<(Option<f64>, Option<f64>)>;
 pub struct Answers {
     /// Natural frequencies.
     pub modes: Modes,
-    /// Compared frequencies, lowest and highest, Hz.
+    /// Lowest and highest compared frequency, Hz.
     pub band: Option<(f64, f64)>,
-    /// Differences, answer by answer.
+    /// Largest differences, one for each answer.
     pub differences: Vec<Difference>,
     /// Reasons why answers could not be compared.
     pub left_out: Vec<String>,
 }
 
-/// Compares two scenes.
+/// Compares the answers of two scenes.
 pub fn compare(old: &System, new: &System) -> Answers {
     let frequencies = |system: &System| -> Vec<f64> {
         system
@@ -181,7 +182,7 @@ impl Series {
 
 fn differences(old: &System, new: &System, band: &[f64]) -> Vec<Difference> {
     let on_base = old.scene().excitation == Excitation::Base;
-    // With a load of 1, limits are those over the load's amplitude, and so are displacements.
+    // With a load of 1, limits and displacements are those divided by the amplitude of the load.
     let load = if on_base {
         Load::Base(1.0)
     } else {

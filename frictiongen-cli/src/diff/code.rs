@@ -4,25 +4,26 @@ use crate::emitted::functions;
 use frictiongen_codegen::{Description, Limits, SceneTables, parse_text, pretty};
 use similar::{ChangeTag, TextDiff};
 
-/// Sizes of the emitted code, old and new, and its differences.
+/// Sizes of the emitted code of two descriptions (old, new), and its differences.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Code {
     /// Lines of source.
     pub lines: (usize, usize),
-    /// Lines of the old source that are absent from the new one, and the reverse.
+    /// Number of lines that only the old source contains, and of lines that only the new source contains.
     pub differing: (usize, usize),
     /// Bytes of source.
     pub bytes: (usize, usize),
     /// Bytes of tables with a declared accuracy.
     pub tables: (usize, usize),
-    /// Functions with other operations: name, old and new operations. A side without the function has none.
+    /// Functions whose numbers of operations differ: name, old operations and new operations. `None` if a source lacks
+    /// the function.
     pub functions: Vec<(String, Option<String>, Option<String>)>,
 }
 
 /// Compares the emitted code of two descriptions.
 ///
 /// # Errors
-/// Returns the reason why there is no code for one of them.
+/// Returns the reason if one of the descriptions gives no code.
 pub fn compare(old: &str, new: &str) -> Result<Code, String> {
     let (old, new) = (emitted(old, "old")?, emitted(new, "new")?);
     let difference = TextDiff::from_lines(&old.0, &new.0);

@@ -1,4 +1,4 @@
-//! `frictiongen diff`: says what changed between two descriptions, and what that changes in answers and emitted code.
+//! `frictiongen diff`: compares two descriptions, their answers and their emitted code.
 
 mod answers;
 mod code;
@@ -44,7 +44,7 @@ pub fn run(arguments: &DiffArguments, out: &mut dyn Write) -> Result<(), Failure
     let found = match found {
         Ok(found) => found,
         Err(failure) => {
-            // A description that cannot be read is still a text.
+            // If a description cannot be read, the command compares the texts.
             unified(&files, &texts, out)?;
             return Err(failure);
         }
@@ -57,7 +57,7 @@ pub fn run(arguments: &DiffArguments, out: &mut dyn Write) -> Result<(), Failure
     Ok(out.flush()?)
 }
 
-/// Compares two descriptions. A description with errors gives these errors.
+/// Compares two descriptions. If one has errors, returns these errors.
 fn compare(names: [String; 2], texts: &[String; 2]) -> Result<Differences, Failure> {
     let mut errors = Vec::new();
     let mut systems = Vec::new();
@@ -89,7 +89,8 @@ fn compare(names: [String; 2], texts: &[String; 2]) -> Result<Differences, Failu
     })
 }
 
-/// Says how the answers of the emitted code differ from those of the exact formulas in double precision.
+/// Returns a sentence about the difference between the answers of the emitted code and those of the exact formulas in
+/// double precision.
 fn note(which: &str, scene: &Scene) -> Option<String> {
     let tables = match (scene.declared.accuracy, scene.declared.budget) {
         (Accuracy::Relative(accuracy), _) => Some(format!(
@@ -116,7 +117,7 @@ fn unified(
         .unified_diff()
         .header(&name(0), &name(1))
         .to_string();
-    // The errors that follow begin a new line.
+    // Without this line break, the errors would begin in the last line of the text.
     if !text.is_empty() && !text.ends_with('\n') {
         text.push('\n');
     }
@@ -124,7 +125,7 @@ fn unified(
     Ok(out.flush()?)
 }
 
-/// Largest relative difference that roundings of both scenes may make.
+/// Largest relative difference that roundings in both scenes can cause.
 const ROUNDINGS: f64 = 1e-12;
 
 /// Formats a relative change in per cent, with its sign.

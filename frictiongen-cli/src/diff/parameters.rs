@@ -1,11 +1,11 @@
-//! Parameters of two descriptions, field by field.
+//! Compares the parameters of two descriptions, field by field.
 
 use frictiongen::study::scene::{
     Accuracy, Beyond, Damping, DampingFrom, Excitation, FrictionLaw, Precision, Provide, Scene,
     Side, StepInput,
 };
 
-/// A field of a description as text, with its number if it has one.
+/// A field of a description as text, and as a number if it is one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Field {
     /// Name of the field, with the name of its mass or spring.
@@ -16,7 +16,7 @@ pub struct Field {
     pub number: Option<f64>,
 }
 
-/// A field that two descriptions do not have alike. A missing side has no such field.
+/// A field in which two descriptions differ. A description without this field has the value `None`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Change {
     /// Name of the field.
@@ -28,15 +28,16 @@ pub struct Change {
 }
 
 impl Change {
-    /// Returns the change relative to the old number, where both are numbers.
+    /// Returns the change relative to the old number. `None` unless both values are numbers.
     pub fn relative(&self) -> Option<f64> {
         let (old, new) = (self.old.as_ref()?.number?, self.new.as_ref()?.number?);
         (old != 0.0).then(|| (new - old) / old)
     }
 }
 
-/// Returns the old scene with the new names of its masses, and a change for each new name. A mass counts as renamed if
-/// both scenes have the same number of masses, and neither has the other's name for it.
+/// Returns the old scene with the new names of its masses, and a change for each new name. A mass counts as renamed
+/// under two conditions. Both scenes have the same number of masses, and neither scene has the other scene's name of
+/// this mass.
 pub fn renamed(old: &Scene, new: &Scene) -> (Scene, Vec<Change>) {
     let (mut scene, mut changes) = (old.clone(), Vec::new());
     if old.masses.len() != new.masses.len() {
@@ -80,7 +81,7 @@ pub fn changes(old: &Scene, new: &Scene) -> Vec<Change> {
         .collect()
 }
 
-/// Returns every field of a scene that differs from its default or has none.
+/// Returns every field of a scene that differs from its default value or has no default.
 fn fields(scene: &Scene) -> Vec<Field> {
     let mut fields = vec![word("name", scene.name.clone())];
     for mass in &scene.masses {

@@ -12,14 +12,14 @@ use frictiongen_plot::desk::{Drawn, Reading, Scales, keys_of, panel};
 use frictiongen_plot::{Colour, Figure, Label, Marker, Markers};
 use std::io::Write;
 
-/// The features that a picture marks. Each has a name, a marker and its words in the legend.
+/// The features that a picture marks. Each has a name, a marker and a legend entry.
 const MARKS: [(&str, Marker, &str); 3] = [
     ("invariant point", Marker::Circle, "invariant point"),
     ("same amplitude", Marker::Square, "same amplitude"),
     ("peak", Marker::Triangle, "peak"),
 ];
 
-/// Returns the features that are marked among the amplitudes of a motion.
+/// Returns the marks of the features on the amplitude curve of a motion.
 pub fn marks(
     lines: &[FeatureLine],
     part: &Part,
@@ -28,13 +28,13 @@ pub fn marks(
 ) -> Vec<Markers> {
     let mut marks = Vec::new();
     for (feature, marker, name) in MARKS {
-        // The picture shows amplitudes. Points of the fundamental component would not lie on those curves.
+        // The picture shows amplitudes. Points of the fundamental component do not lie on these curves.
         let marked = lines.iter().filter(|line| {
             line.feature == feature
                 && line.of == part.name
                 && !line.detail.starts_with("fundamental")
         });
-        // The amplitude of a line is already in m, while the scales count in mm.
+        // The amplitude of a line is already in m, but the axes are in mm.
         let points: Vec<_> = marked
             .filter_map(|line| {
                 let height = measure.length_ratio(line.amplitude?);
@@ -49,7 +49,7 @@ pub fn marks(
     marks
 }
 
-/// Draws every motion in a panel of its own. Without a friction it draws the motion without friction.
+/// Draws each motion in a separate panel. Without a given friction it draws the motion without friction.
 pub fn draw(
     report: &FeaturesReport<'_>,
     parts: &[Part],

@@ -1,4 +1,5 @@
-//! Writes steady states: a table line for each moving part, and a CSV line and a JSON object for each point.
+//! Writes steady states. A table has a line for each moving contact or mass. CSV has a line, and JSON an object, for
+//! each point.
 
 use crate::failure::Failure;
 use crate::grids::Grids;
@@ -44,7 +45,7 @@ impl Table for OrbitReport {
                         .states(&at, frequency, friction)
                         .map_err(Failure::new)?;
                 }
-                // If there is no steady state, the line contains the reason.
+                // Without a steady state, the line contains the reason.
                 if rows.is_empty() {
                     let row = table.row(&at, frequency, friction);
                     rows.push(row.map_err(Failure::new)?);

@@ -13,11 +13,11 @@ use frictiongen_plot::{
 };
 use std::io::Write;
 
-/// Largest value on an axis, divided by the largest drawn value.
+/// Ratio of the end of an axis to the largest drawn value.
 const ROOM: f64 = 1.15;
 
-/// Draws residuals, divided by their standard deviations, against frequency: real parts, imaginary parts, and lines at
-/// ±2.
+/// Draws residuals over frequency, divided by their standard deviations. The picture has real parts, imaginary parts,
+/// and lines at ±2.
 pub fn residuals(
     system: &System,
     observations: &[Observation],
@@ -110,7 +110,7 @@ pub fn driven(
 /// Index, name and values over time of a motion.
 type Track<'d> = (usize, &'d Part, Vec<(f64, f64)>);
 
-/// Returns the upper end of an axis that contains all values of some tracks, on both sides of 0.
+/// Returns the upper end of an axis that contains all values of some motions and their negatives.
 fn edge<'t>(tracks: impl Iterator<Item = &'t [(f64, f64)]>) -> f64 {
     let values = tracks.flatten().map(|(_, value)| value.abs());
     let most = values.fold(0.0, f64::max);

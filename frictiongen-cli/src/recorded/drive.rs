@@ -31,7 +31,7 @@ pub fn run(arguments: &DriveArguments, out: &mut dyn Write) -> Result<(), Failur
     without_rates(&parts)?;
     let drawn = matches!(form, Form::Svg | Form::Png);
     if drawn && arguments.of.is_empty() && system.scene().excitation == Excitation::Base {
-        // Under a recorded acceleration the base drifts by metres, which hides all relative motion.
+        // With a recorded acceleration the base may drift by metres, which would hide all relative motion.
         for part in &mut parts {
             if let Of::Mass(index) = part.of {
                 part.of = Of::FromBase(index);

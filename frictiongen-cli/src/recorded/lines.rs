@@ -1,4 +1,4 @@
-//! Writes results as lines: a quantity, its value with an interval, and its unit.
+//! Writes results as lines. Each line has a quantity, its value with an interval, and its unit.
 
 use crate::failure::Failure;
 use crate::output::{Table, Visitor};

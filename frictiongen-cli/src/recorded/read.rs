@@ -64,7 +64,7 @@ impl RecordingArguments {
         self.recordings.iter().map(read).collect()
     }
 
-    /// Reads the only recording, which drives a scene.
+    /// Reads the recording that drives a scene. There must be exactly one.
     pub fn inputs(&self) -> Result<Recording, Failure> {
         let [path] = self.recordings.as_slice() else {
             return Err(Failure::new("give only one recording to drive a scene"));

@@ -1,4 +1,4 @@
-//! Chooses the content of the page: the options of the user, and defaults for everything else.
+//! Collects the content of the page from the user's options, and from defaults for everything else.
 
 use super::words::Words;
 use crate::args::ReportArguments;
@@ -20,7 +20,7 @@ const ALL_SHOWN: usize = 4;
 const RANGE: [f64; 2] = [0.3, 1.5];
 /// Default frictions, relative to the median of β*_lim over the range.
 const FRACTIONS: [f64; 3] = [0.1, 0.3, 0.7];
-/// Number of frequencies for this median, and for the largest motion with the contact stuck.
+/// Number of frequencies for the median of β*_lim, and for the largest motion with the contact stuck.
 const PLACES: usize = 401;
 
 /// Content of the page.
@@ -35,12 +35,12 @@ pub struct Asked {
     pub parts: Vec<Part>,
     /// Friction ratios β, if frictions are given.
     pub frictions: Option<Vec<f64>>,
-    /// Sentences about the choices that the user did not make, with the rules behind them.
+    /// Sentences about the choices that the command made, with their rules.
     pub chosen: Vec<String>,
 }
 
 impl Asked {
-    /// Reads the options, and chooses what they leave open.
+    /// Reads the options, and chooses everything that they do not set.
     pub fn of(arguments: &ReportArguments, system: System) -> Result<Self, Failure> {
         let measure = measure::of(&arguments.load, &system)?;
         let mut chosen = Vec::new();
@@ -120,8 +120,8 @@ impl Asked {
         limits
     }
 
-    /// Returns the frictions of the curves, ascending. They are those that the user gave, or the default fractions and
-    /// the best friction.
+    /// Returns the frictions of the curves, in ascending order. They are the frictions that the user gave, or the
+    /// default fractions and the best friction.
     pub fn levels(&mut self, best: Option<f64>) -> Vec<f64> {
         if let Some(given) = &self.frictions {
             return given.clone();
@@ -143,7 +143,7 @@ impl Asked {
             if best.is_some() { ", and the best friction" } else { "" },
         ));
         if let Some(best) = best.filter(|best| 0.0 < *best && best.is_finite()) {
-            // A curve too close to the best one would be hard to distinguish, so it is left out.
+            // A curve too close to the best one would be hard to distinguish. Its friction is left out.
             levels.retain(|level| 0.05 * best < (level - best).abs());
             levels.push(best);
         }
@@ -200,8 +200,8 @@ fn automatic(system: &System, in_hertz: bool) -> Band {
     )
 }
 
-/// Returns the contact and masses that the page shows: all, or the most important ones of a long chain. If the contact
-/// is with a wall, only its mass is listed, because both move alike.
+/// Returns the contact and masses that the page shows: all of them, or the most important ones of a long chain. If the
+/// contact is with a wall, only its mass is listed, because both have the same motion.
 fn shown(system: &System, band: &Band, chosen: &mut Vec<String>) -> Result<Vec<Part>, Failure> {
     let mut all = asked::parts(system, &[])?;
     let scene = system.scene();

@@ -13,14 +13,14 @@ use frictiongen::study::{
 use maud::{Markup, html};
 use serde_json::{Value as Json, json};
 
-/// Largest number of masses of a chain for which the page has best frictions.
+/// Largest number of masses in a chain for which the page shows best frictions.
 const MOST_MASSES: usize = 16;
 /// Bound on the work of one search, in units of about 10 µs. The bound is lower than in `frictiongen optimum`,
 /// because a page should be ready within seconds.
 const WORK: usize = 150_000;
 /// Largest number of motions that are searched in a chain of at most [`ALL_MOTIONS`] masses.
 const MOST_MOTIONS: usize = 4;
-/// Largest number of masses of a short chain. In a longer one [`MOST_OF_LONG`] motions are searched.
+/// Largest number of masses in a short chain. In a longer chain, [`MOST_OF_LONG`] motions are searched.
 const ALL_MOTIONS: usize = 4;
 /// Largest number of motions that are searched in a longer chain.
 const MOST_OF_LONG: usize = 2;
@@ -33,7 +33,7 @@ pub struct Best {
     pub found: Result<Optimum, String>,
 }
 
-/// Searches the best frictions. Returns the reason if it does not search.
+/// Searches for the best frictions. Returns the reason if no search is made.
 pub fn search(asked: &Asked) -> Result<Vec<Best>, String> {
     let masses = asked.system.scene().masses.len();
     if MOST_MASSES < masses {
@@ -46,7 +46,7 @@ pub fn search(asked: &Asked) -> Result<Vec<Best>, String> {
     let parts = asked.parts.iter();
     let parts = parts.filter(|part| only_contact || part.of != Of::Contact);
     let mut parts: Vec<Part> = parts.cloned().collect();
-    // The search keeps the motions that too much friction enlarges most.
+    // The search keeps the motions that are largest with the contact stuck.
     let farthest = asked.farthest_if_stuck();
     let rank = |part: &Part| match part.of {
         Of::Mass(mass) => farthest.iter().position(|other| *other == mass),
@@ -75,7 +75,7 @@ pub fn search(asked: &Asked) -> Result<Vec<Best>, String> {
     Ok(at_once(parts, best))
 }
 
-/// Returns the friction up to which the contact sticks nowhere in the range, and the friction from which on a stuck
+/// Returns two friction ratios. Up to the first the contact sticks nowhere in the range. From the second on a stuck
 /// state exists in the whole range.
 pub fn limits(best: &Result<Vec<Best>, String>) -> Option<(f64, f64)> {
     let mut all = best.iter().flatten();
@@ -93,12 +93,12 @@ pub fn within(optimum: &Optimum) -> Option<(f64, f64)> {
 pub fn worst(best: &Result<Vec<Best>, String>) -> Option<(&Best, &Optimum)> {
     let all = best.as_ref().ok()?.iter();
     let found = all.filter_map(|best| Some((best, best.found.as_ref().ok()?)));
-    // A mass that is at rest while the contact sticks needs no choice of friction.
+    // A mass that is at rest while the contact sticks is left out, because friction can stop it completely.
     let found = found.filter(|(_, answer)| 0.0 < answer.amplitude);
     found.max_by(|a, b| a.1.amplitude.total_cmp(&b.1.amplitude))
 }
 
-/// Returns the words for what limits the amplitude at the best friction.
+/// Returns the words for the reason why the amplitude cannot be lower.
 pub fn kind(optimum: &Optimum) -> &'static str {
     match (optimum.kind, optimum.end) {
         (_, OptimumEnd::WorkSpent) => {
@@ -152,7 +152,7 @@ pub fn html(best: &Result<Vec<Best>, String>, asked: &Asked) -> Markup {
     }
 }
 
-/// Formats an amplitude, also if it is zero or unbounded.
+/// Formats an amplitude, which may be zero or unbounded.
 pub fn bound(words: &Words, ratio: f64) -> String {
     match ratio {
         0.0 => "at rest".to_owned(),

@@ -1,4 +1,5 @@
-//! Determines cost and accuracy of the emitted code, by counts in the code and by measurement.
+//! Determines cost and accuracy of the emitted code. It counts operations in the code, and compares answers with
+//! double-double.
 
 use super::asked::Asked;
 use super::words::{digits, number};
@@ -12,7 +13,7 @@ use serde_json::{Value as Json, json};
 
 /// Largest number of masses for which answers are compared with double-double.
 const MOST_COMPARED: usize = 16;
-/// Number of frequencies at which answers are compared.
+/// Number of frequencies at which answers are compared with double-double.
 const PLACES: usize = 101;
 /// Largest number of masses for which tables are built.
 const MOST_TABLED: usize = 4;
@@ -22,7 +23,7 @@ const DECLARED: f64 = 1e-4;
 /// Number of steps in a period of the highest resonance.
 const STEPS_OF_A_PERIOD: f64 = 20.0;
 
-/// Largest differences between the answers and those in double-double.
+/// Largest differences between the answers and the answers in double-double.
 struct Measured {
     precision: &'static str,
     continuous: f64,
@@ -42,8 +43,7 @@ struct Tabled {
     operations: usize,
 }
 
-/// Upper bounds on evaluations, memory and operations of the solvers. They follow from the numbers of masses and modes
-/// of the scene.
+/// Upper bounds on evaluations, memory and operations of the solvers. They follow from the numbers of masses and modes.
 struct Bounds {
     /// Largest number of evaluations of the modal sum in a search for β_lim.
     limit: u32,
@@ -51,8 +51,8 @@ struct Bounds {
     amplitude: u32,
     /// Size of a steady state with stops, in bytes.
     orbit: usize,
-    /// Length of a step of the stepper in seconds, then the operations of two kinds of steps: a step that uses only the
-    /// constant tables, and a step with one event. `None` if the scene gives no step.
+    /// Length of a step of the stepper in seconds, and the operations of two kinds of steps: a step that uses only the
+    /// constant tables, and a step with one event. `None` if the scene declares no step.
     step: Option<(f64, u64, u64)>,
 }
 
@@ -273,7 +273,7 @@ fn compared<S: Float>(
         compared: (0, 0),
     };
     for r in asked.even(PLACES) {
-        // Both systems get exactly the same r.
+        // Both systems get the same number r, without a rounding between them.
         let own = S::constant(r);
         let (Ok(at), Ok(exact)) = (system.at(own), reference.at(Dd::from(own.to_f64()))) else {
             continue;

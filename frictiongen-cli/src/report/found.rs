@@ -1,4 +1,4 @@
-//! Computes the motion at one frequency and one friction, and answers questions in parallel.
+//! Computes the motion at one frequency and one friction, and runs several questions in parallel.
 
 use super::asked::Asked;
 use frictiongen::study::{
@@ -7,7 +7,7 @@ use frictiongen::study::{
 };
 use frictiongen::{Error, Of, Regime};
 
-/// Friction ratio at which nothing slides except near a resonance of the chain with its contact stuck.
+/// Friction ratio so large that the contact slides only near a resonance of the chain with its contact stuck.
 pub const STUCK: f64 = 1e9;
 
 /// Regime, amplitude and phase, or the reason why there are none.
@@ -28,7 +28,7 @@ pub fn found(asked: &Asked, r: f64, beta: f64, of: Of) -> Found {
                     phase: (0.0 < amplitude).then_some(phase),
                 }
             }),
-            // The page has no other motions than those of the contact and of masses.
+            // The page only has motions of the contact and of masses.
             _ => rest,
         };
         return Ok((Regime::Stuck, swing));
@@ -45,7 +45,7 @@ pub fn found(asked: &Asked, r: f64, beta: f64, of: Of) -> Found {
     Ok((response.regime(), swing))
 }
 
-/// Answers questions in parallel, each in a thread of its own. There are only a few questions, and each takes seconds.
+/// Answers questions in parallel, each in a separate thread. There are only a few questions, and each takes seconds.
 pub fn at_once<Q: Send, A: Send>(questions: Vec<Q>, answer: impl Fn(Q) -> A + Sync) -> Vec<A> {
     let answer = &answer;
     std::thread::scope(|scope| {
@@ -55,7 +55,7 @@ pub fn at_once<Q: Send, A: Send>(questions: Vec<Q>, answer: impl Fn(Q) -> A + Sy
         let threads: Vec<_> = threads.collect();
         let answers = threads.into_iter().map(|thread| match thread.join() {
             Ok(answer) => answer,
-            // A panic in the thread continues here, as if this thread had computed the answer.
+            // A panic in a thread continues here, as if this thread had computed the answer.
             Err(panic) => std::panic::resume_unwind(panic),
         });
         answers.collect()

@@ -26,7 +26,7 @@ const ROWS: usize = 31;
 /// Contents of the section about regimes.
 pub struct Regimes {
     lines: LimitLines,
-    /// The map; `None` for a long chain, whose steady states take too long.
+    /// The map. `None` for a long chain, whose steady states take too long.
     map: Option<Map>,
     top: f64,
     rows: Vec<LimitsRow>,
@@ -39,7 +39,7 @@ pub struct Regimes {
 pub struct Spread {
     /// Largest β up to which the contact sticks at no frequency of the range.
     pub continuous_to: f64,
-    /// Smallest β from which on the contact is stuck at every frequency of the range.
+    /// Smallest β above which the contact is stuck at every frequency of the range.
     pub stuck_from: f64,
 }
 
@@ -54,7 +54,7 @@ fn cells(masses: usize) -> Option<(usize, usize)> {
 
 impl Regimes {
     /// Computes the map over the range, up to a friction above all `levels`. `known` contains the extreme values of
-    /// both limits, if they are known.
+    /// both limits, if a search has found them.
     pub fn of(asked: &Asked, levels: &[f64], known: Option<(f64, f64)>) -> Result<Self, Failure> {
         let system = &asked.system;
         let (from, to) = (asked.band.from, asked.band.to);
@@ -65,7 +65,8 @@ impl Regimes {
                 (low.min(limit), high.max(limit))
             })
         };
-        // The values from the search for the best friction are more accurate. A drawn line only passes through points.
+        // The values from the search for the best friction are more accurate than those of a drawn line, which only
+        // passes through points.
         let (continuous_to, stuck_from) = known.unwrap_or_else(|| {
             (
                 ends(|limits| limits.continuous.min(limits.sliding)).0,
@@ -91,7 +92,7 @@ impl Regimes {
             Some((columns, count)) => {
                 let step = (to - from) / columns as f64;
                 let rise = top / count as f64;
-                // The points are the middles of cells that fill the range.
+                // The points of the map are the middles of cells that fill the range.
                 let request = MapRequest {
                     r: (0..columns)
                         .map(|i| from + step * (i as f64 + 0.5))
@@ -293,7 +294,7 @@ fn table(asked: &Asked) -> LimitsTable<'_> {
     }
 }
 
-/// Returns words for the motion of the contact with this pattern.
+/// Returns the words for what the contact does with this pattern of motion.
 fn does(pattern: Pattern) -> String {
     use frictiongen::Regime;
     match (pattern.regime, pattern.period, pattern.stops) {

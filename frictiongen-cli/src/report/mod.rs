@@ -1,4 +1,4 @@
-//! `frictiongen report`: writes everything about a description on one HTML page that needs no network.
+//! `frictiongen report`: writes the answers about a description on one HTML page that needs no network.
 
 mod asked;
 mod best;
@@ -24,7 +24,7 @@ use page::Page;
 use std::io::Write;
 use std::path::Path;
 
-/// Returns an error unless the name of the file is that of a web page. A browser would show the text of any other.
+/// Returns an error unless the file has the name of a web page. A browser would show any other file as text.
 fn check_name(path: &Path) -> Result<(), Failure> {
     let shown = path.display();
     let ending = path
@@ -46,7 +46,8 @@ fn check_name(path: &Path) -> Result<(), Failure> {
 pub fn run(arguments: &ReportArguments, out: &mut dyn Write) -> Result<(), Failure> {
     if let Some(path) = arguments.output.as_deref() {
         check_name(path)?;
-        // A file that cannot be written is reported before a long computation, not after it.
+        // The check comes before the computation, so that an error about the file is reported before a long
+        // computation.
         file::check(path, arguments.file.path())?;
     }
     let name = arguments.file.name();

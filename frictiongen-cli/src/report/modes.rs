@@ -13,7 +13,7 @@ use serde_json::{Value as Json, json};
 const MOST_DRAWN: usize = 5;
 /// Largest number of modes in the table. The data contain all modes.
 const MOST_LISTED: usize = 16;
-/// A mode whose participation, relative to the largest, is below this value counts as not participating.
+/// Participation of a mode, relative to the largest, below which the mode counts as not participating.
 const NONE: f64 = 1e-12;
 
 /// A mode.

@@ -12,14 +12,14 @@ use crate::measure;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use serde_json::{Value as Json, json};
 
-/// Version of the data's format. It grows when a field is renamed or changes its meaning.
+/// Version of the data's format. It increases when a field is renamed or changes its meaning.
 const VERSION: u32 = 1;
 
 /// Style sheet of the page.
 const STYLE: &str = include_str!("style.css");
 /// Script of the page.
 const SCRIPT: &str = include_str!("read.js");
-/// Hash of the page's script. The page allows no other script to run. A test compares hash and script.
+/// Hash of the page's script. The page allows no other script to run. A test compares the hash with the script.
 const SCRIPT_HASH: &str = include_str!("read.js.sha256");
 
 /// Contents of the page.
@@ -84,7 +84,7 @@ impl Page<'_> {
                     meta name="viewport" content="width=device-width, initial-scale=1";
                     meta name="color-scheme" content="light dark";
                     title { (name) ": friction report" }
-                    // Both texts belong to this crate and contain no name of the user.
+                    // Both texts belong to this crate and contain no text of the user.
                     style { (PreEscaped(STYLE)) }
                 }
                 body {
@@ -113,7 +113,7 @@ impl Page<'_> {
         page.into_string()
     }
 
-    /// Returns the section about the choices that the command made, and about the units.
+    /// Returns the section about the choices of the command and about the units.
     fn chosen(&self) -> Markup {
         let words = &self.asked.words;
         let option = measure::option(&words.measure);

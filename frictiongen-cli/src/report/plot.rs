@@ -1,23 +1,23 @@
-//! Builds a picture whose values can be read on the page and in the data.
+//! Builds a picture with the data from which the page shows values under the pointer.
 
 use super::words::rounded;
 use frictiongen_plot::{Colour, Figure, Label, Layer, Page, PanelFrame, Scale, Stroke};
 use maud::{Markup, PreEscaped, html};
 use serde_json::{Value as Json, json};
 
-/// Largest distance between the curve and straight lines through the data. It is the sum of two terms: the first number
-/// times the value, and the second number times the largest value.
+/// Largest distance between the curve and straight lines through its data. It is a sum: the first number times the
+/// value, plus the second number times the largest value.
 const STRAYS: [f64; 2] = [5e-4, 2e-5];
 
 /// A curve of a panel as it was drawn, in the units of the axes.
 pub struct Series {
     name: String,
     colour: Colour,
-    /// Pieces of the curve, each with its regime or without a regime.
+    /// Pieces of the curve. Each has a regime, or none.
     runs: Vec<(Option<&'static str>, Pieces)>,
 }
 
-/// Points of each piece. Points of a piece are joined by lines.
+/// Points of each piece. Lines join the points of one piece.
 type Pieces = Vec<Vec<(f64, f64)>>;
 
 impl Series {
@@ -65,8 +65,8 @@ impl Series {
     }
 }
 
-/// Removes points of a piece without which straight lines still stay close to the curve. A curve that was followed into
-/// a pole or an edge has many more points than needed.
+/// Removes points of a piece without which straight lines still stay close to the curve. A curve that ends at a pole or
+/// an edge has many more points than a picture needs.
 fn thinned(piece: &[(f64, f64)], most: f64) -> Vec<(f64, f64)> {
     let [relative, absolute] = STRAYS;
     let mut kept = vec![false; piece.len()];
@@ -181,7 +181,7 @@ impl Plot {
     pub fn html(&self) -> Markup {
         html! {
             figure.plot data-plot=(self.id) aria-label=(self.title) {
-                // frictiongen-plot made this text and escapes every word in it.
+                // This text comes from frictiongen-plot, which escapes every word in it.
                 div.paper { (PreEscaped(&self.svg)) }
             }
         }

@@ -25,7 +25,7 @@ const ROWS: usize = 31;
 const MOST_STRETCHES: usize = 6;
 /// Bound on the work of one curve, in units of about 10 µs. A page has up to eight curves.
 const WORK: usize = 60_000;
-/// Smallest amplitude on an axis, relative to the largest. The axis shows four decades.
+/// Smallest amplitude on an axis, relative to the largest. The axis therefore shows four decades.
 const DECADES: f64 = 1e-4;
 
 /// A curve at one friction, with its name.
@@ -99,7 +99,8 @@ impl Responses {
         Ok(Self { levels, rows })
     }
 
-    /// Returns the regimes along a curve, each with its range of frequencies. `None` if there are too many ranges.
+    /// Returns the regimes along a curve, each with its range of frequencies. `None` if there are too many ranges to
+    /// list.
     pub fn stretches(&self, beta: f64) -> Option<Vec<(&'static str, f64, f64)>> {
         let level = self.levels.iter().find(|level| level.beta == beta)?;
         let mut found: Vec<(&'static str, f64, f64)> = Vec::new();
@@ -205,8 +206,8 @@ impl Responses {
         )
     }
 
-    /// Returns the bounds of the amplitude axis. They include all values. If a value is unbounded, the upper bound is a
-    /// multiple of the values on an even grid.
+    /// Returns the bounds of the amplitude axis. They include all values. If an amplitude is unbounded, the upper bound
+    /// is a multiple of the values on an even grid.
     fn ends(&self, part: usize, words: &Words) -> (f64, f64) {
         let sizes = |level: &Level| -> Vec<f64> {
             let points = level.curve.pieces.iter().flat_map(|piece| &piece.points);
@@ -378,7 +379,7 @@ impl Responses {
     }
 }
 
-/// Returns the accuracy of a curve, as relative distance of straight lines from it. With more masses it is coarser,
+/// Returns the accuracy of a curve: the largest relative deviation of straight lines. It is coarser for more masses,
 /// because their steady states take longer.
 fn accuracy(masses: usize) -> f64 {
     match masses {
@@ -388,7 +389,7 @@ fn accuracy(masses: usize) -> f64 {
     }
 }
 
-/// Returns the end points of a phase axis.
+/// Returns the two end points of a phase axis.
 fn turns(layers: &[Layer]) -> (f64, f64) {
     let lines = layers.iter().filter_map(|layer| match layer {
         Layer::Line(line) => Some(line.pieces.iter().flatten()),

@@ -92,7 +92,7 @@ pub fn html(asked: &Asked) -> Markup {
         section #scene {
             h2 { "The chain" }
             @match drawing(asked) {
-                // frictiongen-plot made this text and escapes every word in it.
+                // This text comes from frictiongen-plot, which escapes every word in it.
                 Some(svg) => div.scroll.paper.sketch tabindex="0" role="region" aria-label="Drawing of the chain" { (PreEscaped(svg)) },
                 None => p { "A chain of " (scene.masses.len()) " masses is not drawn; its values are in the tables." },
             }

@@ -1,4 +1,4 @@
-//! Formats the numbers of the page for people, with four digits and the unit.
+//! Formats the numbers of the page with four digits and the unit.
 
 use crate::measure::{Dimension, Measure};
 use crate::number::Exact as _;
@@ -109,7 +109,7 @@ impl Words {
 
     /// Formats a phase, given in rad, in degrees.
     pub fn angle(radians: f64) -> String {
-        // A tenth of a degree is the finest resolution that a reader uses.
+        // Readers need no finer resolution than a tenth of a degree.
         format!("{:.1}°", radians.to_degrees() + 0.0).replace('-', "−")
     }
 

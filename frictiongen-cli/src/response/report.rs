@@ -1,4 +1,5 @@
-//! Writes responses: a table line for each moving part, and a CSV line and a JSON object for each point.
+//! Writes responses. A table has a line for each moving contact or mass. CSV has a line, and JSON an object, for each
+//! point.
 
 use crate::failure::Failure;
 use crate::grids::Grids;

@@ -53,7 +53,7 @@ impl Asked {
 /// Displacements and velocities of all masses, as non-dimensional groups.
 pub type Start = (Vec<f64>, Vec<f64>);
 
-/// Parses the state of `--from`. It is in the units of the load, if there is one.
+/// Parses the state of `--from`. The state is in the units of the load, if a load is given.
 pub fn start(text: &str, system: &System, course: &Course<'_>) -> Result<Start, Failure> {
     let refuse = |why: &str| Failure::new(format_args!("--from `{text}`: {why}"));
     let halves: Vec<&str> = text.split(';').collect();

@@ -1,4 +1,4 @@
-//! A motion over time in non-dimensional groups, with the units in which it is written.
+//! A motion over time in non-dimensional groups, with the units for the output.
 
 use super::asked::{Asked, Start};
 use super::course::Course;
@@ -128,7 +128,7 @@ impl<'a> Motion<'a> {
     }
 }
 
-/// Returns the failure for an error, whose message names the options.
+/// Returns the message for an error in terms of the command's options.
 fn told(error: HistoryError) -> Failure {
     match error {
         HistoryError::TooManySamples => {

@@ -13,8 +13,8 @@ use frictiongen::{Of, Regime};
 /// The quantity of a motion that a curve shows: amplitude, phase, or one harmonic.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reading {
-    /// The amplitude of the motion.  Where the contact is stuck, it is the centred amplitude: the place at which the
-    /// contact came to rest is one of many.
+    /// The amplitude of the motion. If the contact is stuck, it is the centred amplitude, because the contact may have
+    /// come to rest at many positions.
     Amplitude,
     /// The phase of the motion in degrees.
     Phase,
@@ -40,7 +40,7 @@ pub struct Drawn<'a> {
 /// Largest difference of phase, in radians, between neighbouring points that are joined by a line.
 const TURN: f64 = 0.6;
 /// Smallest amplitude at which the plot shows a phase, relative to the median amplitude over the range of the piece.
-/// Below it the phase is mostly rounding error, because an amplitude has an error of some 1e-13 of the largest term of
+/// Below it the phase is mostly rounding error. The amplitude itself has an error of about 1e-13 of the largest term of
 /// its sum.
 const VANISHING: f64 = 1e-10;
 
@@ -177,8 +177,8 @@ fn phases(piece: &Piece, part: usize, reading: Reading, scales: &Scales) -> Vec<
 
 const FULL: f64 = std::f64::consts::TAU;
 
-/// Returns the lines of one motion of a curve, one for each regime. All have the name for the legend, which shows the
-/// colour alone if their strokes differ.
+/// Returns the lines of one motion of a curve, one for each regime. All lines have the same legend name. If their
+/// strokes differ, the legend shows the colour alone.
 #[must_use]
 pub fn lines(
     drawn: &Drawn<'_>,
@@ -240,7 +240,7 @@ pub fn panel(
     let (low, high) = ends.fold((f64::INFINITY, 0.0_f64), |(low, high), r| {
         (low.min(r), high.max(r))
     });
-    // An axis whose least value is just above 0 begins at 0.
+    // An axis begins at 0 if its smallest value is just above 0.
     let low = if low < 0.25 * high { 0.0 } else { low };
     let x = Axis::new(scales.frequency_label(), low, high);
     let y = if reading.is_phase() {
@@ -383,8 +383,8 @@ mod tests {
         Ok(())
     }
 
-    /// Phases of a long chain, which lag by several turns, lie in (−180, 180] too. The legend lists the regimes that
-    /// occur.
+    /// Checks the phases of a long chain, which lag by several turns. They must lie in (−180, 180] too. The legend must
+    /// list the regimes that occur.
     #[test]
     fn pictures_have_one_turn_and_their_own_regimes() -> Result<(), Box<dyn std::error::Error>> {
         let chain: System = "struct Chain {

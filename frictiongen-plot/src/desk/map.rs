@@ -168,7 +168,7 @@ fn values(places: &SampledPlaces<'_>, read: impl Fn(&MapPoint) -> f64) -> Vec<f6
 }
 
 /// Returns the upper end of the colour scale, and the largest value. The end is at most twice the value that nine
-/// tenths of the cells do not exceed. Otherwise a pole would leave all other cells in one colour.
+/// tenths of the cells do not exceed. Without this bound, a pole would leave all other cells in one colour.
 fn upper(cells: &[f64]) -> (f64, f64) {
     let mut finite: Vec<f64> = cells
         .iter()
@@ -178,7 +178,7 @@ fn upper(cells: &[f64]) -> (f64, f64) {
     finite.sort_by(f64::total_cmp);
     let most = finite.last().copied().unwrap_or(1.0);
     let usual = finite.get(finite.len() * 9 / 10).copied().unwrap_or(1.0);
-    // If nine tenths of the cells are at rest, the values of the remaining tenth alone set the scale.
+    // If nine tenths of the cells are at rest, the values of the other cells alone set the scale.
     let end = if 0.0 < usual {
         most.min(2.0 * usual)
     } else {
@@ -253,7 +253,7 @@ fn stops(places: &SampledPlaces<'_>) -> Cells {
     }
 }
 
-/// Returns the legend name of a motion's class. Motions with rare numbers of stops share a class.
+/// Returns the legend name for the class of a motion. Motions with rare numbers of stops share one class.
 fn class(pattern: Pattern) -> String {
     match (pattern.regime, pattern.period, pattern.stops) {
         (Regime::Continuous, ..) => "continuous".to_owned(),

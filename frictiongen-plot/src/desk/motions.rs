@@ -9,7 +9,7 @@ use std::f64::consts::PI;
 const FLOOR: f64 = 1e-5;
 
 /// Returns a figure of displacements and friction force over time, with phase portraits. If `turned` is true, the
-/// contact's motion has the opposite sign.
+/// contact's motion is drawn with the opposite sign.
 #[must_use]
 pub fn history_figure(
     title: impl Into<Label>,

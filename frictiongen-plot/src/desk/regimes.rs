@@ -4,7 +4,7 @@ use super::scales::Scales;
 use crate::{Axis, Colour, Fill, Label, Line, Panel, Point, Region, Stroke};
 use frictiongen::study::map::LimitLines;
 
-/// Name of the regime above β*_lim and below β_lim, where the initial state decides.
+/// Name of the regime above β*_lim and below β_lim, in which the initial state decides about the motion.
 const BISTABLE: &str = "sliding or stuck, by the start";
 /// Smallest height of an area that is drawn, relative to the height of the axis.
 const SEEN: f64 = 1e-3;
@@ -68,12 +68,12 @@ pub fn regimes(title: impl Into<Label>, lines: &LimitLines, top: f64, scales: &S
                 )
             })
             .collect();
-        // With μ = 1 only rounding can make the limits cross.
+        // With μ = 1 the limits can cross only by rounding.
         if name == BISTABLE && places.iter().all(|(_, low, high)| high - low < SEEN * top) {
             continue;
         }
         let mut region = Region::between(name, Fill::Class(fill), &drawn);
-        // A bistable area is a narrow wedge without space for its long name.
+        // A bistable area is a narrow wedge. It has no space for its long name.
         let room = (name != BISTABLE).then(|| roomiest(&places, top)).flatten();
         if let Some((r, beta)) = room {
             region = region.named_at((scales.frequency(r), scales.friction(beta)));
@@ -107,7 +107,7 @@ impl AreaEdge {
     }
 }
 
-/// Returns the position with the most space for an area's name: the middle of the highest interval around which the
+/// Returns the position with the most space for an area's name. It is the middle of the highest interval in which the
 /// area stays high. `None` if there is not enough space.
 fn roomiest(places: &[(f64, f64, f64)], top: f64) -> Option<(f64, f64)> {
     let first = places.first()?.0;
@@ -120,7 +120,7 @@ fn roomiest(places: &[(f64, f64, f64)], top: f64) -> Option<(f64, f64)> {
             (low.max(place.1), high.min(place.2))
         });
         let height = high - low;
-        // Among positions with nearly the same space, the one nearest to the middle of the area is preferred.
+        // Several positions may have nearly the same space. The one nearest to the middle of the area is preferred.
         let aside = (2.0 * (at - first) / width - 1.0).abs();
         let room = height * (1.0 - 0.7 * aside);
         if 0.06 * top < height && best.is_none_or(|best| best.2 < room) {

@@ -8,8 +8,8 @@ use crate::study::scene::Excitation;
 /// The inputs of a stepper at every sample of a recording: base motion or forces, and the friction force.
 ///
 /// The base is recorded as displacement, velocity or acceleration. Between samples a displacement follows a cubic
-/// spline, a velocity or an acceleration changes linearly. The base starts at rest, and displacements count from the
-/// first sample. Forces and a recorded friction force change linearly between samples.
+/// spline, and a velocity or an acceleration changes linearly. The base starts at rest, and displacements are relative
+/// to the first sample. Forces and a recorded friction force change linearly between samples.
 ///
 /// ```
 /// use frictiongen::System;
@@ -62,9 +62,9 @@ enum DriveFriction<'r> {
 }
 
 impl<'r> Inputs<'r> {
-    /// Collects the inputs of a scene from the channels of a recording. The channel `base` is the base motion, `force`
-    /// the force on the excited mass, and other channels the forces on masses by name. The kinetic friction force is
-    /// `friction`, in N, or the channel `friction`.
+    /// Collects the inputs of a scene from the channels of a recording. The channel `base` is the base motion, and
+    /// `force` the force on the excited mass. Other channels are forces on the masses of the same name. The kinetic
+    /// friction force is `friction`, in N, or the channel `friction`.
     ///
     /// # Errors
     /// [`MeasureError`] for channels with other names, for units that do not fit, and if the excitation is not
@@ -130,7 +130,7 @@ impl<'r> Inputs<'r> {
         self.len
     }
 
-    /// Returns true if there are no samples, which is never the case.
+    /// Returns true if the recording has no samples, which is never the case.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.len == 0

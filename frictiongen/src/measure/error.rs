@@ -23,24 +23,24 @@ pub enum MeasureError {
         /// Description of the mistake, as text for the message.
         what: String,
     },
-    /// A channel has no unit.
+    /// A channel has no unit. The field has the name of the channel.
     NoUnit(String),
-    /// The unit with this name is unknown.
+    /// A unit with this name is unknown.
     UnknownUnit(String),
-    /// Two channels have the same name.
+    /// Two channels have this name.
     Twice(String),
     /// The sampling rate is not known.
     NoRate,
     /// The samples are not evenly spaced in time.
     MixedRates {
-        /// The position at which the time step changes: a line of the file, or a channel.
+        /// The position at which the time step changes. It is a line of the file, or a channel.
         place: String,
         /// The time step before this position, s.
         before: f64,
         /// The other time step, s.
         after: f64,
     },
-    /// Channels have different numbers of samples.
+    /// Channels have different numbers of samples. The field has the name of a channel.
     Lengths(String),
     /// The recording is too short for the frequency to be found.
     TooShort {
@@ -56,9 +56,9 @@ pub enum MeasureError {
         /// Index of the sample, from 0.
         sample: usize,
     },
-    /// All samples of a channel are equal.
+    /// All samples of this channel are equal.
     Constant(String),
-    /// A channel stays at its largest or smallest value although it moves fast just before.
+    /// A channel stays at its largest or smallest value, although it moves fast just before (clipping).
     Clipped {
         /// Name of the channel.
         channel: String,
@@ -74,7 +74,7 @@ pub enum MeasureError {
         /// The names that are possible in this scene.
         known: Vec<String>,
     },
-    /// The excitation was not recorded.
+    /// The excitation was not recorded. The field has the name of its channel.
     NoDrive(&'static str),
     /// The friction force was neither given nor recorded.
     NoFriction,
@@ -89,7 +89,7 @@ pub enum MeasureError {
         /// Unit of the channel.
         unit: &'static str,
     },
-    /// The excitation does not exceed its noise.
+    /// The excitation does not exceed its noise. The field has the name of its channel.
     Silent(String),
     /// The frequency of the excitation is not constant.
     Drifts {
@@ -100,7 +100,7 @@ pub enum MeasureError {
     },
     /// The amplitude of the excitation is not constant. The number is the relative change.
     Swells(f64),
-    /// The motion in a channel is never steady.
+    /// The motion in this channel is never steady.
     NotSteady(String),
     /// The sampling rate is too low for the driving frequency: a cycle has too few samples.
     TooSlow {
@@ -109,10 +109,10 @@ pub enum MeasureError {
         /// The driving frequency, Hz.
         hertz: f64,
     },
-    /// No observation concerns the requested quantities.
+    /// No observation contains the requested quantities.
     NoObservation,
-    /// The measured amplitude is wrong by a power of 1000 compared with every amplitude that the scene can have, so a
-    /// unit is wrong.
+    /// The measured amplitude differs by a power of 1000 from every amplitude that the scene can have. A unit is
+    /// therefore wrong.
     WrongUnit {
         /// The measured amplitude over the nearest amplitude that the scene can have, rounded to a power of 1000.
         factor: f64,
@@ -148,9 +148,9 @@ pub enum MeasureError {
     NoFit,
     /// The request does not apply to this scene, or an argument is out of range.
     Asked(&'static str),
-    /// A free decay has too few peaks. The number is the number of peaks found.
+    /// A free decay has too few peaks. The number is the number of peaks that were found.
     FewPeaks(usize),
-    /// The peaks of a free decay do not fall.
+    /// The peaks of a free decay do not decrease.
     NoDecay,
     /// A row of a sweep cannot be used.
     Sweep {

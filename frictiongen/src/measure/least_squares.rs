@@ -8,15 +8,15 @@ use nalgebra::{DMatrix, DVector};
 
 /// Largest number of steps of a fit. Rejected steps count too.
 const MOST_STEPS: usize = 200;
-/// Bound at which the fit ends. It ends when the last step changes every parameter by less than this fraction. It also
-/// ends when the last step changes all residuals together by less than this fraction of a standard deviation.
+/// Relative bound at which the fit ends. It ends when the last step changes every parameter by less than this fraction.
+/// It also ends when the last step changes the residuals together by less than this fraction of a standard deviation.
 const SMALL: f64 = 1e-10;
 /// Factor by which the damping grows after a rejected step and shrinks after an accepted one (Marquardt's choice).
 const GROWTH: f64 = 10.0;
-/// Ratio to the largest singular value below which a direction in parameter space counts as undetermined.
+/// Ratio of a singular value to the largest one, below which its direction in parameter space counts as undetermined.
 const RANK: f64 = 1e-12;
-/// Relative change of a parameter along an undetermined direction of length 1, below which the parameter still counts
-/// as determined.
+/// Relative change of a parameter along an undetermined direction of length 1. Below this change the parameter still
+/// counts as determined.
 const APART: f64 = 1e-6;
 
 /// Residuals of a fit, and their derivatives with respect to the parameters: one column of the Jacobian for each
@@ -34,8 +34,8 @@ pub(super) struct Fit {
     pub(super) settled: bool,
     /// The sum of squares of the residuals.
     pub(super) squares: f64,
-    /// Number of independent directions in parameter space that the data determine. If the data determine every
-    /// parameter, it equals the number of parameters.
+    /// Number of independent directions in parameter space that the data determine. It equals the number of parameters
+    /// if the data determine all of them.
     pub(super) rank: usize,
     /// Condition number of the fit: the largest singular value of the Jacobian over the smallest one of a determined
     /// direction. Each parameter is divided by its scale.
@@ -48,9 +48,8 @@ pub(super) struct Fit {
 }
 
 impl Fit {
-    /// Returns the variance of a quantity for residuals of standard deviation 1. `gradient` contains the derivatives
-    /// of the quantity with respect to the parameters. The variance is infinite where the data do not determine the
-    /// quantity.
+    /// Returns the variance of a quantity for residuals of standard deviation 1. `gradient` contains the derivatives of
+    /// the quantity with respect to the parameters. The variance is infinite if the data do not determine the quantity.
     pub(super) fn variance(&self, gradient: &DVector<f64>) -> f64 {
         if self.directions.is_empty() {
             return f64::INFINITY;
@@ -103,7 +102,7 @@ fn sizes(parameters: &[f64], jacobian: &DMatrix<f64>) -> Vec<f64> {
 
 /// Minimises the sum of squared residuals over the parameters, from a starting point.
 ///
-/// `residuals` returns the residuals at given parameters, or `None` where they are undefined. `linearise` returns the
+/// `residuals` returns the residuals at given parameters, or `None` if they are undefined. `linearise` returns the
 /// residuals with their derivatives. The parameters stay within `bounds`. The result is `None` if the starting point
 /// cannot be evaluated.
 pub(super) fn minimise(
@@ -142,8 +141,8 @@ pub(super) fn minimise(
             .iter()
             .zip(&at)
             .all(|(new, old)| (new - old).abs() <= SMALL * old.abs().max(SMALL));
-        // A parameter that tends to 0 never changes by a small fraction of itself. The change of the residuals then
-        // decides.
+        // A parameter that tends to 0 never changes by a small fraction of itself. In this case the change of the
+        // residuals decides.
         let small = small || (&lines.jacobian * &step).norm() <= SMALL;
         let new = residuals(&moved).map(|values| values.norm_squared());
         if let Some(new) = new.filter(|new| *new <= squares) {

@@ -82,8 +82,8 @@ impl Measured {
     ///
     /// # Errors
     /// [`MeasureError`] for a channel that does not belong to the scene or has an impossible unit. [`MeasureError`]
-    /// also if excitation or masses are missing, for an excitation that is silent or drifts, for too few cycles, and
-    /// for a motion that is never steady.
+    /// also if excitation or masses are missing, for an excitation without motion or with a drift, for too few cycles,
+    /// and for a motion that is never steady.
     pub fn of(recording: &Recording, scene: &Scene) -> Result<Self, MeasureError> {
         let places = places(recording, scene)?;
         let rate = recording.rate();

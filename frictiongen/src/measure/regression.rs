@@ -13,9 +13,9 @@ use super::statistics::student;
 use super::{MeasureError, Recording};
 use nalgebra::{DMatrix, DVector};
 
-/// Fraction of the largest speed, below which the direction of sliding counts as uncertain.
+/// Fraction of the largest speed below which the direction of sliding counts as uncertain.
 const SLOW: f64 = 0.02;
-/// Smallest number of windows that determine the four unknowns and their scatter.
+/// Smallest number of windows that determines the four unknowns and their scatter.
 const FEWEST: usize = 12;
 
 /// Mass, viscous friction, Coulomb friction and constant force of an axis, found by regression.
@@ -90,7 +90,7 @@ impl Recording {
         solve(&kept)
     }
 
-    /// The channel of a name, whose quantity must be the given one.
+    /// Returns the channel with a name. Fails unless the channel measures the given quantity.
     fn channel_of(&self, name: &str, dimension: Dimension) -> Result<&Channel, MeasureError> {
         let known = || self.channels().iter().map(|channel| channel.name.clone());
         let found = self
@@ -110,8 +110,8 @@ impl Recording {
     }
 }
 
-/// Weights of the samples of a window: the bump function φ = (1 − s²)⁵ over s from −1 to 1, φ̇ and φ̈, times the step.
-/// The bump function is so flat at both ends that sums are as accurate as integrals.
+/// Returns the weights of the samples of a window: the bump function φ = (1 − s²)⁵ over s from −1 to 1, φ̇ and φ̈,
+/// times the step. The bump function is so flat at both ends that sums are as accurate as integrals.
 fn bump(length: usize, step: f64) -> Vec<[f64; 3]> {
     let half = 0.5 * length as f64 * step;
     let places = (0..length).map(|i| (2.0 * i as f64 + 1.0) / length as f64 - 1.0);
@@ -131,7 +131,7 @@ fn bump(length: usize, step: f64) -> Vec<[f64; 3]> {
 
 /// The equation of motion of the axis, integrated over one window.
 struct Window {
-    /// The four integrals over the window by which M, F_v, F_c and the offset are multiplied in the equation.
+    /// The four integrals over the window that are multiplied by M, F_v, F_c and the offset in the equation.
     columns: [f64; 4],
     force: f64,
     /// Smallest distance between the mean positions of two neighbouring quarters of the window. It is 0 if the axis
@@ -140,7 +140,7 @@ struct Window {
 }
 
 impl Window {
-    /// Integrates the equation over the samples of position and force, each with the factor to its SI unit.
+    /// Integrates the equation over the samples of position and force. Each comes with its factor to the SI unit.
     fn of(
         (motion, metres): (&[f64], f64),
         (push, newtons): (&[f64], f64),

@@ -9,8 +9,8 @@ pub(super) const CHI: f64 = NORMAL * NORMAL;
 const RARE: f64 = 3.090_232_306_167_813;
 
 /// Returns a bound on the sum of squared residuals over the degrees of freedom, for noise of known deviations. Chance
-/// exceeds the bound in one of 1000 recordings. It is the χ² quantile by Wilson and Hilferty's cube (Abramowitz and
-/// Stegun, 26.4.17), 3 % above the exact quantile for one degree of freedom and 0.6 % for ten.
+/// exceeds the bound in one of 1000 recordings. The bound is the χ² quantile by Wilson and Hilferty's approximation
+/// (Abramowitz and Stegun, 26.4.17). It is 3 % above the exact quantile for one degree of freedom and 0.6 % for ten.
 fn most_by_chance(freedom: usize) -> f64 {
     let spread = 2.0 / (9.0 * freedom.max(1) as f64);
     (1.0 - spread + RARE * spread.sqrt()).powi(3)
@@ -22,8 +22,8 @@ pub(super) fn is_chance(misfit: Option<f64>, freedom: usize) -> bool {
     misfit.is_none_or(|misfit| misfit <= most_by_chance(freedom))
 }
 
-/// Returns the factor by which the variances of a fit are multiplied. The factor is the misfit if noise does not
-/// explain the misfit. Otherwise it is 1, because the deviations are known.
+/// Returns the factor by which the variances of a fit are multiplied. If noise does not explain the misfit, it is the
+/// misfit. Otherwise it is 1, because the deviations are known.
 pub(super) fn excess(misfit: Option<f64>, freedom: usize) -> f64 {
     let unexplained = misfit.filter(|misfit| !is_chance(Some(*misfit), freedom));
     unexplained.unwrap_or(1.0)
@@ -74,7 +74,7 @@ fn within(t: f64, freedom: usize) -> f64 {
 mod tests {
     use super::{most_by_chance, student};
 
-    /// Compares with a textbook table of the χ² that is exceeded with probability 0.001.
+    /// Compares the bound with a textbook table of χ² values that are exceeded with probability 0.001.
     #[test]
     fn rare_sums_of_squares() {
         for (freedom, expected, apart) in [
@@ -89,7 +89,7 @@ mod tests {
         }
     }
 
-    /// Compares with a textbook table of Student's distribution.
+    /// Compares the quantiles with a textbook table of Student's distribution.
     #[test]
     fn quantiles() {
         for (freedom, expected) in [

@@ -11,8 +11,8 @@ const BLOCK: f64 = 2.0;
 const MOST_BLOCKS: usize = 40;
 /// Smallest number of blocks from which the motion is judged steady.
 const FEWEST_BLOCKS: usize = 4;
-/// Largest deviation, rad, of the excitation's phase from that of a constant frequency. At this deviation the
-/// frequency varies by 1/30 of the width of a spectral line.
+/// Largest phase deviation, in rad, of the excitation from a constant frequency. At this deviation the frequency varies
+/// by 1/30 of the width of a spectral line.
 const STRAY: f64 = 0.05;
 /// Largest relative change of the excitation's amplitude that counts as steady.
 const SWELL: f64 = 0.05;
@@ -52,7 +52,7 @@ fn mean(values: &[Complex<f64>]) -> Complex<f64> {
     values.iter().sum::<Complex<f64>>() / values.len().max(1) as f64
 }
 
-/// Returns the index of the first sample from which on all channels are steady. The excitation is the first of
+/// Returns the index of the first sample after which all channels are steady. The excitation is the first of
 /// `channels`.
 pub(super) fn start(
     channels: &[(&str, &[f64])],
@@ -116,8 +116,8 @@ fn steady_drive(name: &str, blocks: &Blocks, hertz: f64, seconds: f64) -> Result
     Ok(())
 }
 
-/// Returns the slope over the first half of the phases, the slope over the second half, and the largest distance from
-/// one straight line.
+/// Returns three numbers: the slope over the first half of the phases, the slope over the second half, and the largest
+/// distance from a straight line.
 fn bend(phases: &[f64]) -> (f64, f64, f64) {
     let line = |part: &[f64]| {
         let n = part.len().max(1) as f64;
@@ -139,14 +139,14 @@ fn bend(phases: &[f64]) -> (f64, f64, f64) {
     (line(early).0, line(late).0, away.fold(0.0, f64::max))
 }
 
-/// Returns the index of the first block from which on a channel keeps its fundamental.
+/// Returns the index of the first block after which the fundamental of a channel stays constant.
 fn settled(name: &str, blocks: &Blocks) -> Result<usize, MeasureError> {
     let values = &blocks.values;
     let last = values
         .get(values.len() - values.len().div_ceil(3)..)
         .unwrap_or(&[]);
     let middle = mean(last);
-    // The scatter is taken from the differences of neighbouring blocks about their mean, so that a trend does not
+    // The scatter is computed from the differences of neighbouring blocks, about their mean. A trend therefore does not
     // count.
     let pairs = last
         .windows(2)

@@ -1,8 +1,8 @@
 //! Finds one frequency in samples, and the amplitudes of its harmonics with their uncertainty.
 //!
-//! Thesis 4.3.3 takes the peak of a spectrum under a Hann window with zero padding. This file uses the same window
-//! without the two errors of that method. It solves the window's sums for the mean and all harmonics at once, so that
-//! no harmonic leaks into another. Its frequency is not limited to the grid of a spectrum.
+//! Thesis 4.3.3 takes the peak of a spectrum under a Hann window with zero padding. This file uses the same window, but
+//! avoids two errors of that method. It solves the window's sums for the mean and all harmonics at once, so that no
+//! harmonic leaks into another. Its frequency is not limited to the grid of a spectrum.
 
 use crate::Complex;
 use nalgebra::{DMatrix, DVector};
@@ -17,7 +17,7 @@ const BESIDE: f64 = 0.45;
 /// Distance from a harmonic, in bins of a Hann window, within which a bin belongs to the harmonic and not to the
 /// noise.
 const LINE: f64 = 3.0;
-/// Number of bins from which the noise is known to less than a tenth. If the band has fewer bins, the bins between the
+/// Number of bins with which the noise is known to less than a tenth. If the band has fewer bins, the bins between the
 /// harmonics are used too.
 const ENOUGH_BINS: usize = 64;
 /// Smallest number of bins from which the noise is estimated.
@@ -217,11 +217,11 @@ fn normal(sums: &[Complex<f64>], harmonics: usize) -> DMatrix<f64> {
 
 /// Factor by which added zeros lengthen the samples before the spectrum is computed.
 const PADDING: usize = 4;
-/// Number of samples from which on no zeros are added.
+/// Number of samples above which no zeros are added.
 const LONG: usize = 1 << 20;
 /// Number of steps that refine a frequency by the phases of the first and second half of the samples.
 const STEPS: usize = 4;
-/// Least number of cycles from which a frequency is determined.
+/// Smallest number of cycles with which a frequency can be determined.
 pub(super) const FEWEST_CYCLES: f64 = 4.0;
 
 /// Returns the dominant frequency of samples in cycles per sample. `None` if the samples have fewer than

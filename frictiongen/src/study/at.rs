@@ -119,7 +119,7 @@ impl<S: Float> Scene for &System<S> {
     }
 }
 
-/// Returns a function that writes its successive arguments to successive elements of the slice `room`.
+/// Returns a function that writes each of its arguments to the next element of the slice `room`.
 fn into<T>(room: &mut [T]) -> impl FnMut(T) {
     let mut places = room.iter_mut();
     move |value| {
@@ -158,10 +158,10 @@ impl<'a, S: Plain> ProvidesOrbit for &'a System<S> {
 }
 
 impl<S: Float> System<S> {
-    /// Returns β_lim and β*_lim without search, and the real part of the receptance H times r²E. The chain is damped
-    /// or has many modes.
+    /// Returns β_lim and β*_lim without search, and the real part of the receptance H of the contact, times r²E. E is
+    /// the scale of the modal sums. The function serves damped chains, and chains with many modes.
     ///
-    /// This function is not inlined, because the shorter path of an undamped chain with one mass is then faster.
+    /// This function is not inlined, because that makes the shorter code for an undamped chain with one mass faster.
     #[inline(never)]
     fn limits_of_sums(&self, inverse_r: S) -> (Limits<S>, S) {
         limits_of_sums(&self, inverse_r)
@@ -170,8 +170,8 @@ impl<S: Float> System<S> {
     /// Returns the system evaluated at the frequency ratio r.
     ///
     /// # Errors [`OutOfDomain`] for NaN and negative r. At r = 0 and r = ∞ the result contains limit values.
-    /// [`OutOfDomain`] also for `friction: stribeck`, because the exact continuous response needs a kinetic friction
-    /// force that is constant in speed.
+    /// [`OutOfDomain`] also for `friction: stribeck`. The exact continuous response needs a kinetic friction force that
+    /// does not depend on the speed.
     pub fn at(&self, r: S) -> Result<SystemAt<'_, S>, OutOfDomain> {
         self.constant_level()?;
         At::new(self, r).map(SystemAt::from)

@@ -9,7 +9,7 @@ use frictiongen_model::scene::{
 };
 use frictiongen_model::validate::{Checks, validate_known};
 
-/// Builds a scene in code. A node is named as in a description: the name of a mass, `base` or `wall`.
+/// Builds a scene in code. A node is named as in a description: by the name of a mass, `base` or `wall`.
 ///
 /// ```
 /// use frictiongen::study::{System, scene::Damping};
@@ -109,8 +109,8 @@ impl Builder {
         self
     }
 
-    /// Sets the velocities on which the damping acts where the base moves: absolute ones, which is the default, or those
-    /// relative to the base.
+    /// Selects the velocities on which the damping acts if the base moves. They are absolute velocities by default, or
+    /// velocities relative to the base.
     pub fn damping_from(mut self, damping_from: DampingFrom) -> Self {
         self.damping_from = damping_from;
         self
@@ -122,16 +122,17 @@ impl Builder {
         self
     }
 
-    /// Sets the stiffness of an elastic contact (Jenkins element), a spring in series with the slider, in N/m. Without
-    /// this call the contact is rigid. An elastic contact never slides all the time, so that `at` returns an error. Ask
-    /// [`steady_state`](System::steady_state) and [`simulation`](System::simulation).
+    /// Sets the stiffness of an elastic contact (Jenkins element) in N/m. It is the stiffness of a spring in series
+    /// with the slider. Without this call the contact is rigid. An elastic contact never slides all the time, so that
+    /// `at` returns an error. Call [`steady_state`](System::steady_state) or [`simulation`](System::simulation)
+    /// instead.
     pub fn stiffness(mut self, stiffness: f64) -> Self {
         self.stiffness = Some(stiffness);
         self
     }
 
     /// Sets the friction law. The default is Coulomb's law. With any other law `at` returns an error, and only the
-    /// stepper and `simulation_under` compute a motion.
+    /// stepper and `simulation_under` compute motions.
     ///
     /// ```
     /// use frictiongen::study::System;
@@ -155,7 +156,7 @@ impl Builder {
         self
     }
 
-    /// Sets the length of the stepper's step, in s. Only code that is emitted from the scene uses this length.
+    /// Sets the length of the stepper's time step, in s. Only code that is emitted from the scene uses this length.
     pub fn step(mut self, step: f64) -> Self {
         self.step = Some(step);
         self
@@ -167,7 +168,7 @@ impl Builder {
         self
     }
 
-    /// Adds a mass on which an emitted stepper accepts a force, in addition to the excitation. A run-time stepper
+    /// Adds a mass on which an emitted stepper accepts a force, in addition to the excited mass. A run-time stepper
     /// accepts forces on every mass.
     pub fn force(mut self, mass: &str) -> Self {
         self.forces.push(mass.to_owned());
@@ -204,8 +205,8 @@ impl Builder {
                 }
             }
         };
-        // A spring or contact with an unknown name is left out of the further checks, so that they can still report
-        // other faults.
+        // A spring or contact with an unknown name is left out of the further checks. The checks can then report other
+        // faults.
         let mut springs = Vec::with_capacity(self.springs.len());
         for (from, to, stiffness) in &self.springs {
             let place = || format!("the spring `{from} - {to}`");

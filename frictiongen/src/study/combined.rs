@@ -1,6 +1,7 @@
 //! Motions that combine masses and base: relative displacements, spring forces and the base shear.
 //!
-//! A spring force over P is the elongation x̄ times k/k₁, so that every answer for a displacement also serves forces.
+//! A spring force over P is the spring's elongation x̄ times k/k₁. Every method for displacements therefore also
+//! returns forces.
 
 use super::held::{SystemHeld, static_share};
 use super::motion::{SystemMotion, SystemSteady, SystemStuck};
@@ -14,32 +15,32 @@ use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::{Float, Scalar};
 use frictiongen_model::scene::{Excitation, Node, Spring};
 
-/// A sum of displacements of masses and of the moving base, each with its coefficient.
+/// A weighted sum of the displacements of masses and of the moving base.
 #[derive(Clone, Debug)]
 struct Terms {
     masses: Vec<(usize, Dd)>,
     base: Dd,
 }
 
-/// A combination with its components in the modes.
+/// A weighted sum of displacements of masses and base, with its component in each mode.
 #[derive(Clone, Debug)]
 pub(super) struct Combined<S> {
     shape: Vec<S>,
     base: S,
 }
 
-/// A motion of a steady state, with the data that it needs.
+/// A motion of a steady state (contact, mass, or a combination of masses and base), with the data that it needs.
 #[derive(Clone, Debug)]
 pub(super) enum InOrbit<S> {
     Contact,
-    /// The contact with the opposite sign.
+    /// The contact's relative motion with the opposite sign.
     Reversed,
     Mass(usize),
     Combined(Combined<S>),
 }
 
 impl<S: Float> InOrbit<S> {
-    /// Returns the motion in a steady state. A mass is known to exist.
+    /// Returns a motion of a steady state. The caller has checked that the mass exists.
     pub(super) fn motion<'o, 'a>(
         &'o self,
         orbit: &'o SystemOrbit<'a, S>,
@@ -79,8 +80,8 @@ impl Terms {
         }
     }
 
-    /// Returns Σ c_k x_k + b y for several numbers at once. `base` has the numbers y of the base, and `mass` returns the
-    /// numbers x_k of a mass. `None` if a mass has none.
+    /// Returns Σ c_k x_k + b y for `N` numbers at once. `base` has the numbers y of the base, and `mass` returns the
+    /// numbers x_k of a mass. Returns `None` if `mass` returns `None` for one of the masses.
     fn sum<S: Float, const N: usize>(
         &self,
         base: [S; N],
@@ -128,7 +129,8 @@ impl<S: Float> System<S> {
         }
     }
 
-    /// Returns the motion that has the same displacement and is known best: the contact or a mass, if it is one.
+    /// Returns the simplest motion with the same displacement: the contact's or a mass's motion, if the given
+    /// combination equals one of these.
     pub(super) fn simplest(&self, of: Of) -> Of {
         let contact = self.scene.contact;
         let sides = [contact.from, contact.to];
@@ -153,8 +155,8 @@ impl<S: Float> System<S> {
         }
     }
 
-    /// Returns true if a motion is the contact's with the opposite sign: that of the earlier mass relative to the later
-    /// one.
+    /// Returns true if a motion is the contact's relative motion with the opposite sign. It is then the motion of the
+    /// earlier mass relative to the later mass.
     fn is_reversed_contact(&self, of: Of) -> bool {
         matches!(of, Of::Relative(of, to) if self.simplest(Of::Relative(to, of)) == Of::Contact)
     }
@@ -204,15 +206,16 @@ impl<S: Float> System<S> {
         Dd::constant(spring.stiffness) / Dd::constant(self.scene.first_stiffness())
     }
 
-    /// Returns a combination in the modes of the closed forms.
+    /// Returns a combination of masses and base in the modes of the closed forms.
     fn in_sliding_modes(&self, of: Of) -> Combined<S> {
         let reduced = &self.reduced;
         let (own, modes) = (&reduced.shapes, reduced.modes.len());
         self.combined(&self.terms(of), own, modes, || self.exact_shapes())
     }
 
-    /// Returns a combination in modes of which `own` has the components of all masses, mass after mass. `exact` returns
-    /// them to about 30 digits, so that a difference of two masses that move almost alike keeps its digits.
+    /// Returns a combination of masses and base, with its component in each mode. `own` has the components of all
+    /// masses, mass after mass. `exact` returns them to about 30 digits, so that the difference of two masses that move
+    /// almost alike keeps its digits.
     fn combined<'e>(
         &self,
         terms: &Terms,
@@ -270,10 +273,11 @@ impl<'a, S: Float> SystemOrbit<'a, S> {
         known.then(|| match system.simplest(of) {
             Of::Contact => InOrbit::Contact,
             Of::Mass(index) => InOrbit::Mass(index),
-            // The lag of a stop is that of its beginning, which only the contact knows.
+            // If the contact stops, its lag is the lag at the beginning of the stop. Only the motion of the contact
+            // itself has this lag.
             of if system.is_reversed_contact(of) => InOrbit::Reversed,
             of => {
-                // Only the state's own components have its derivatives.
+                // Only the components of the steady state itself carry its derivatives.
                 let (own, modes) = self.orbit.shapes();
                 let terms = system.terms(of);
                 InOrbit::Combined(
@@ -285,7 +289,7 @@ impl<'a, S: Float> SystemOrbit<'a, S> {
 }
 
 impl<S: Float> SystemStuck<'_, S> {
-    /// Returns a motion as its complex amplitude and its constant displacement, for a contact that sticks at `offset`.
+    /// Returns a motion as a complex amplitude and a constant displacement, for a contact that sticks at `offset`.
     /// `None` if the scene has no such motion.
     pub(super) fn motion_at(&self, of: Of, offset: S) -> Option<(Complex<S>, S)> {
         let (system, zero) = (*self.at().scene(), S::constant(0.0));
@@ -309,8 +313,8 @@ impl<S: Float> SystemStuck<'_, S> {
 }
 
 impl SystemHeld<'_> {
-    /// Returns a motion as its complex amplitude and its constant displacement, which the offset of the contact causes.
-    /// `None` if the scene has no such motion.
+    /// Returns a motion as a complex amplitude and a constant displacement. The offset of the contact causes the
+    /// constant displacement. `None` if the scene has no such motion.
     #[must_use]
     pub fn motion_of(&self, of: Of) -> Option<(Complex<f64>, f64)> {
         self.stuck.motion_at(of, self.offset)
@@ -318,8 +322,8 @@ impl SystemHeld<'_> {
 }
 
 impl SystemStepper<'_> {
-    /// Returns displacement and velocity of a motion now, or a force and its derivative in time, in the scene's units.
-    /// `None` if the scene has no such motion.
+    /// Returns the present displacement and velocity of a motion, or the present force and its derivative in time, in
+    /// the scene's units. `None` if the scene has no such motion.
     #[must_use]
     pub fn motion_of(&self, of: Of) -> Option<(f64, f64)> {
         let system = self.system;
@@ -348,7 +352,7 @@ impl SystemStepper<'_> {
 }
 
 impl SystemSimulation<'_> {
-    /// Returns displacement and velocity of a motion now. `None` if the scene has no such motion.
+    /// Returns the present displacement and velocity of a motion. `None` if the scene has no such motion.
     #[must_use]
     pub fn motion_of(&self, of: Of) -> Option<(f64, f64)> {
         let system = self.system;

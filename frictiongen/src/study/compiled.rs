@@ -1,4 +1,4 @@
-//! A run-time system with tables like those that the macro emits for the field `accuracy` of a description.
+//! A run-time system with tables like the tables that the macro emits for the field `accuracy` of a description.
 
 pub use super::compiled_stuck::CompiledStuck;
 use super::error::UnknownMass;
@@ -31,8 +31,8 @@ enum TablePieces<S> {
 
 /// A system with tables of its limits and of its contact's motion, to a declared accuracy over a range of r.
 ///
-/// Within the range a `CompiledSystem` gives the same kinds of results as the system. The exact formulas give
-/// everything that the tables do not contain, such as the motions of masses while the contact slides.
+/// Within this range a `CompiledSystem` has the same methods as the system. The exact formulas compute the results that
+/// the tables do not contain, such as the motions of masses while the contact slides.
 ///
 /// ```
 /// use frictiongen::{FrictionSystem, LimitsAt, System};
@@ -61,10 +61,10 @@ pub struct CompiledSystem<'s, S: Float = f64> {
 
 impl<S: Float> System<S> {
     /// Builds tables of β_lim, of the contact's motion and of the stuck responses over a range of r. `accuracy` is the
-    /// largest relative error of a tabulated number. For a phase it is the largest error in radians.
+    /// largest relative error of a number in a table. For a phase it is the largest error in radians.
     ///
     /// # Errors
-    /// [`TableError`] for an invalid range or accuracy, and where no table meets the accuracy.
+    /// [`TableError`] for an invalid range or accuracy, and if no table reaches the accuracy.
     pub fn compile(
         &self,
         range: Range<f64>,
@@ -79,7 +79,7 @@ impl<S: Float> System<S> {
         })
     }
 
-    /// Builds the tables with all choices of a [`Request`], such as range, accuracy and side.
+    /// Builds tables for a [`Request`], which has all options such as range, accuracy and side.
     ///
     /// # Errors
     /// Same errors as [`compile`](Self::compile).
@@ -132,8 +132,7 @@ impl<'s, S: Float> CompiledSystem<'s, S> {
         self.system
     }
 
-    /// Returns the tables, with the request that they were built for and with their comparison with the exact
-    /// functions.
+    /// Returns the tables. They contain the request, and the comparison with the exact functions.
     #[must_use]
     pub fn tables(&self) -> &Tables<S> {
         &self.tables
@@ -148,11 +147,11 @@ impl<'s, S: Float> CompiledSystem<'s, S> {
         self
     }
 
-    /// Returns the proof for β_lim. If `proven` did not run, which needs the feature `proof`, the
-    /// tables are only checked at points.
+    /// Returns the proof for β_lim. Without a call of `proven`, which needs the feature `proof`, the tables are only
+    /// checked at points.
     ///
-    /// `tables().motion_proof` is the proof for the contact's motion. `tables().sliding_proof` is the proof for
-    /// β*_lim, which takes no work.
+    /// `tables().motion_proof` is the proof for the contact's motion. `tables().sliding_proof` is the proof for β*_lim,
+    /// which needs no evaluations.
     #[must_use]
     pub fn proof(&self) -> &Proof {
         &self.tables.proof

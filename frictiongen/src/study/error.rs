@@ -70,7 +70,7 @@ pub enum LoadError {
     DrivenByForce(String),
     /// The amplitude is not above 0 and finite.
     Amplitude,
-    /// P/k₁ or k₁Y is too small or too large for the scalar.
+    /// The units of force P and length P/k₁, or k₁Y, are too small or too large for the number type.
     OutOfRange,
     /// The request needs a rigid contact, but the contact is elastic.
     ElasticContact,

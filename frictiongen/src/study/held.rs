@@ -28,8 +28,8 @@ impl<'a> SystemHeld<'a> {
         self.offset_range
     }
 
-    /// Returns the constant part of the friction force, which keeps the contact at its offset, over P, for base motion
-    /// over k₁Y. A positive force acts against positive sliding.
+    /// Returns the constant part of the friction force, over P, for base motion over k₁Y. This part keeps the contact
+    /// at its offset. A positive force acts against positive sliding.
     #[must_use]
     pub fn constant_force(&self) -> f64 {
         -(self.offset / receptance(self.stuck.at().scene()))

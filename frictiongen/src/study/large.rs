@@ -1,8 +1,9 @@
 //! Modal analysis of large scenes: nalgebra's symmetric eigensolver, then one-sided Jacobi sweeps.
 //!
 //! Let G be the matrix whose singular values are the frequency ratios √λ, and V the eigenvectors of Γ^−½K̄Γ^−½. The
-//! columns of G·V are orthogonal, except for digits lost in forming K̄. A small frequency among large ones loses most
-//! digits. One or two sweeps of one-sided Jacobi rotations on these columns, in double precision, restore the digits.
+//! columns of G·V are orthogonal, except for digits lost in forming K̄. A low frequency loses most digits if other
+//! frequencies are high. One or two sweeps of one-sided Jacobi rotations on these columns, in double precision, restore
+//! the digits.
 
 use frictiongen_model::modal::Modal;
 use frictiongen_model::scene::Scene;
@@ -10,9 +11,9 @@ use nalgebra::DMatrix;
 
 /// Largest number of masses for which the modal analysis is in double-double arithmetic.
 pub(super) const LARGEST_EXACT: usize = 64;
-/// A residue below this fraction of its largest possible size counts as rounding.
+/// Fraction of its largest possible size below which a residue counts as rounding.
 const NOISE: f64 = 1e-13;
-/// Cosine of the angle between two columns below which the columns count as orthogonal.
+/// Cosine of the angle between two columns below which they count as orthogonal.
 const ORTHOGONAL: f64 = 1e-15;
 /// Largest number of sweeps of rotations.
 const MAX_SWEEPS: usize = 12;
@@ -55,7 +56,7 @@ fn singular(g: &[Vec<f64>]) -> (Vec<f64>, Vec<Vec<f64>>) {
     pairs.into_iter().unzip()
 }
 
-/// Rotates every pair of columns once so that the pair is orthogonal. Returns false if all pairs were orthogonal
+/// Rotates each pair of columns once, so that the pair becomes orthogonal. Returns false if all pairs were orthogonal
 /// already.
 fn sweep(turned: &mut [Vec<f64>], vectors: &mut [Vec<f64>]) -> bool {
     let mut squares: Vec<f64> = turned.iter().map(|column| dot(column, column)).collect();

@@ -1,4 +1,4 @@
-//! The continuous and stuck motions of a run-time system. They add access to masses by name to the kernel's motions.
+//! The continuous and stuck motions of a run-time system. They extend the kernel's motions by access to masses by name.
 
 use super::error::UnknownMass;
 use super::system::System;
@@ -18,7 +18,7 @@ pub struct SystemMotion<'a, S: Float = f64> {
 pub type SystemSteady<'a, S = f64> = MotionOf<&'a System<S>>;
 
 impl<'a, S: Float> SystemMotion<'a, S> {
-    /// Records whether motion from rest ends in this continuous motion.
+    /// Stores whether motion from rest ends in this continuous motion.
     pub(super) fn with_start(mut self, from_rest: bool) -> Self {
         self.from_rest = from_rest;
         self

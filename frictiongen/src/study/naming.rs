@@ -15,7 +15,7 @@ pub enum UnknownMotion {
     Mass(UnknownMass),
     /// A mass relative to itself does not move.
     Itself(String),
-    /// The base is named first, but is the reference: `roof-base`, not `base-roof`.
+    /// The base is named first. It can only be the reference: `roof-base`, not `base-roof`.
     BaseFirst(String),
     /// No spring connects the two nodes. The second field lists the springs of the scene.
     Spring(String, Vec<String>),
@@ -25,7 +25,7 @@ pub enum UnknownMotion {
     Function(String),
     /// A force has neither a velocity nor an acceleration.
     Rate(String),
-    /// Only a contact slips.
+    /// `slip(…)` needs the name of a contact, because only a contact slips.
     Slip(String),
     /// The closing bracket is missing, or text follows it.
     Brackets(String),
@@ -151,9 +151,9 @@ impl<S: Float> System<S> {
         Ok(Of::Relative(mass, reference))
     }
 
-    /// Returns the motion with this name, and the size that the name asks for: `vel(roof)` is the velocity and
-    /// `accel(roof)` the acceleration of the motion `roof`, and `slip(contact)` is the displacement in the contact. Any
-    /// other name asks for a displacement or a force.
+    /// Returns the motion with this name, and the quantity (displacement, velocity or acceleration). `vel(roof)` is the
+    /// velocity and `accel(roof)` the acceleration of the motion `roof`. `slip(contact)` is the relative displacement
+    /// in the contact. Any other name means a displacement or a force.
     ///
     /// ```
     /// use frictiongen::study::response::Size;
@@ -201,8 +201,8 @@ impl<S: Float> System<S> {
         Ok((self.motion_named(name)?, Size::Displacement))
     }
 
-    /// Returns the name of a motion, as [`motion_named`](Self::motion_named) reads it. Names of masses and springs that
-    /// the scene does not have are replaced by a question mark.
+    /// Returns the name of a motion in the form that [`motion_named`](Self::motion_named) reads. A question mark
+    /// replaces names of masses and springs that the scene does not have.
     #[must_use]
     pub fn name_of_motion(&self, of: Of) -> String {
         let mass = |index: usize| self.scene.node_name(Node::Mass(index));

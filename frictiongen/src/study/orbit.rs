@@ -1,4 +1,5 @@
-//! Steady states of a run-time system in any regime. They add access to masses by name to the kernel's steady states.
+//! Steady states of a run-time system in any regime. They extend the kernel's steady states by access to masses by
+//! name.
 
 use super::error::UnknownMass;
 use super::system::System;
@@ -37,7 +38,7 @@ pub type SystemOrbitMotion<'o, 'a, S = f64> =
 /// # }
 /// ```
 ///
-/// Where the motion from rest does not settle, `orbit_or_last_cycles` returns the last 64 cycles of that motion:
+/// If the motion from rest does not settle, `orbit_or_last_cycles` returns the last 64 cycles of that motion:
 ///
 /// ```
 /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -75,12 +76,12 @@ impl<'a, S: Float> SystemOrbit<'a, S> {
         Ok(self.orbit.mass(self.system.mass_index(name)?))
     }
 
-    /// Returns the phase of the contact's motion with the opposite sign, in (−π, π]. This is the phase that the
-    /// description means if [`contact_is_reversed`](System::contact_is_reversed) is true.
+    /// Returns the phase of the contact's relative motion with the opposite sign, in (−π, π]. The description means
+    /// this phase if [`contact_is_reversed`](System::contact_is_reversed) is true.
     #[must_use]
     pub fn reversed_contact_phase(&self) -> S {
         let phase = self.orbit.contact().phase();
-        // The phase of a contact that never slides has no opposite.
+        // A contact that never slides has no reversed phase.
         if self.orbit.never_slides() {
             phase
         } else {
@@ -90,8 +91,8 @@ impl<'a, S: Float> SystemOrbit<'a, S> {
 }
 
 impl<S> SystemOrbit<'_, S> {
-    /// Returns true if motion from the requested start ends in this state. False means that the motion did not settle,
-    /// and that this is another steady state.
+    /// Returns true if motion from the requested start ends in this state. If false, that motion did not settle, and
+    /// this is another steady state.
     #[must_use]
     pub fn is_from_rest(&self) -> bool {
         self.from_rest

@@ -30,7 +30,8 @@ pub struct ParameterSensitivity {
     /// Largest displacement and its derivative with respect to p, in m. For a non-dimensional operating point the unit
     /// is P/k₁, for base motion Y.
     pub amplitude: Slope,
-    /// Lag of the largest displacement and its derivative with respect to p, rad. `None` where nothing moves.
+    /// Lag of the largest displacement and its derivative with respect to p, rad. `None` if the contact or mass does
+    /// not move.
     pub phase: Option<Slope>,
     /// The limit of continuous motion β_lim and its derivative with respect to p. The unit is N under a load. For a
     /// non-dimensional operating point the limit is a friction ratio. `None` where the limit or its derivative is not
@@ -72,9 +73,9 @@ impl System {
     /// Returns the exact derivatives of amplitude and phase of a motion, and of the limits β_lim and β*_lim, with
     /// respect to every parameter. The response may be in any regime.
     ///
-    /// Where the contact slides all the time, the derivatives come from the closed form. Where the contact stops and
-    /// slides, they come from the steady state from rest. Where the contact never slides, they come from the stuck
-    /// response.
+    /// If the contact slides all the time, the derivatives come from the closed form. If the contact stops and slides,
+    /// they come from the steady state in which motion from rest ends. If the contact never slides, they come from the
+    /// stuck response.
     ///
     /// In physical units no derivative depends on the order of masses and springs. The phase of the contact has the
     /// sign of the contact in the description ([`contact_is_reversed`](Self::contact_is_reversed)). A change of m₁ or
@@ -114,9 +115,9 @@ impl System {
     /// ```
     ///
     /// # Errors
-    /// [`StudyError`] for an operating point outside the domain, and for a load that does not fit the scene.
-    /// [`StudyError`] also for a motion that does not exist, and where there is no steady motion. [`NoDerivative`]
-    /// where the response has no derivative.
+    /// [`StudyError`] for an operating point outside the domain, for a load that does not fit the scene, and for a
+    /// motion that does not exist. [`StudyError`] also if no steady motion exists. [`NoDerivative`] if the response has
+    /// no derivative.
     pub fn response_sensitivities(
         &self,
         point: OperatingPoint,
@@ -201,8 +202,8 @@ impl System {
     }
 }
 
-/// Returns amplitude and phase of a known response with their derivatives. The phase is `None` where nothing moves. If
-/// `turned` is true, the result is that of the contact's motion with the opposite sign.
+/// Returns amplitude and phase of a known response with their derivatives. The phase is `None` if the contact or mass
+/// does not move. If `turned` is true, the result belongs to the contact's relative motion with the opposite sign.
 pub(super) fn swing(
     varied: &Varied,
     response: &SystemResponse<'_>,
@@ -234,8 +235,8 @@ pub(super) fn swing(
 
 /// Returns amplitude and phase of a motion with their derivatives, for a response in which the contact never slides.
 ///
-/// The offset of a contact that has never slid is 0, or −Y on a moving base. The offset of a contact that has slid
-/// depends on every slip, so it has no derivative here.
+/// The offset of a contact that has never slid is 0, or −Y on a moving base. After a slip the offset depends on every
+/// earlier slip, and has no derivative here.
 fn stuck_swing(
     varied: &Varied,
     held: &SystemHeld<'_>,
@@ -313,8 +314,8 @@ fn groups(
     }
 }
 
-/// Share of X, or of 1 if X is larger, below which the change p·dX/dp counts as 0. With 30 digits rounding leaves such
-/// a remainder.
+/// Fraction of X, or of 1 if X is larger, below which the change p·dX/dp counts as 0. In numbers with 30 digits,
+/// rounding leaves a remainder of this size.
 const NOTHING: f64 = 1e-24;
 
 /// Returns a number and its derivative with respect to one parameter. `parameter` is the value of that parameter.

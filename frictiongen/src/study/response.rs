@@ -42,8 +42,8 @@ use frictiongen_kernel::response::Scene as _;
 pub enum SystemResponse<'a> {
     /// The continuous response in closed form: the contact slides all the time.
     Continuous(SystemMotion<'a>),
-    /// Any other steady state, computed from event to event. Where the motion does not settle, the response is its
-    /// last 64 cycles.
+    /// Any other steady state, computed from event to event. If the motion does not settle, the response is its last 64
+    /// cycles.
     StickSlip(Box<SystemOrbit<'a>>),
     /// The stuck response: the contact never slides.
     Stuck(SystemHeld<'a>),
@@ -54,7 +54,8 @@ pub enum SystemResponse<'a> {
 pub struct Swing {
     /// The largest |x̄| of the period, over P/k₁, for base motion over Y.
     pub amplitude: f64,
-    /// Lag of this largest |x̄| behind the maximum of the excitation, rad, in (−π, π]. `None` where nothing moves.
+    /// Lag of this largest |x̄| behind the maximum of the excitation, rad, in (−π, π]. `None` if the contact or mass
+    /// does not move.
     pub phase: Option<f64>,
 }
 
@@ -66,8 +67,8 @@ impl Swing {
     };
 }
 
-/// Selects a quantity of a motion: displacement, velocity or acceleration. The largest value of the quantity is in
-/// units of P/k₁, for base motion of Y.
+/// Selects a quantity of a motion: displacement, velocity or acceleration. The largest value is in units of P/k₁, for
+/// base motion of Y.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Size {
     /// The largest displacement |x̄|.
@@ -90,8 +91,8 @@ impl SystemResponse<'_> {
         }
     }
 
-    /// Returns true if the motion repeats. False means that the response is the last 64 cycles of a motion that did
-    /// not settle.
+    /// Returns true if the motion repeats. If false, the response is the last 64 cycles of a motion that did not
+    /// settle.
     #[must_use]
     pub fn is_settled(&self) -> bool {
         match self {
@@ -116,7 +117,7 @@ impl SystemResponse<'_> {
             Self::Stuck(held) => {
                 let (harmonic, offset) = held.motion_of(of)?;
                 let (amplitude, phase) = polar(harmonic);
-                // The largest |x̄| is on the side of the offset, at a turning point of the motion.
+                // The largest |x̄| is at a turning point of the motion, on the side of the offset.
                 Some(Swing {
                     amplitude: amplitude + offset.abs(),
                     phase: (amplitude != 0.0).then_some(phase),
@@ -175,8 +176,8 @@ impl SystemResponse<'_> {
         }
     }
 
-    /// Returns true if motion from rest ends in this response. False means that motion from rest does not settle, and
-    /// that this response is another stable state.
+    /// Returns true if motion from rest ends in this response. If false, motion from rest does not settle, and this
+    /// response is another stable state.
     #[must_use]
     pub fn is_from_rest(&self) -> bool {
         match self {
@@ -186,8 +187,8 @@ impl SystemResponse<'_> {
         }
     }
 
-    /// Returns the phase of the contact's motion with the opposite sign. This is the phase that the description means
-    /// if [`contact_is_reversed`](System::contact_is_reversed) is true. `None` for a contact that does not move.
+    /// Returns the phase of the contact's relative motion with the opposite sign. The description means this phase if
+    /// [`contact_is_reversed`](System::contact_is_reversed) is true. `None` for a contact that does not move.
     #[must_use]
     pub fn reversed_contact_phase(&self) -> Option<f64> {
         match self {
@@ -209,21 +210,21 @@ impl SystemResponse<'_> {
     /// Returns the largest displacement, velocity or acceleration of the contact or of a mass. `None` if the scene has
     /// no such mass.
     ///
-    /// An acceleration jumps where the friction force jumps. The result takes both sides of a jump into account.
+    /// An acceleration jumps where the friction force jumps. The values on both sides of a jump count.
     #[must_use]
     pub fn largest(&self, of: Of, size: Size) -> Option<f64> {
         if size == Size::Displacement {
             return Some(self.swing(of)?.amplitude);
         }
         match self {
-            // The closed form gives no largest velocity or acceleration. The orbit describes the same motion by
-            // segments, which give both.
+            // The closed form has no formula for the largest velocity or acceleration. The orbit describes the same
+            // motion by segments, which have both.
             Self::Continuous(motion) => {
                 fastest(&motion.at().orbit(motion.friction().beta).ok()?, of, size)
             }
             Self::StickSlip(orbit) => fastest(orbit, of, size),
-            // The motion of a stuck chain has one harmonic. Without the offset, displacement, velocity and
-            // acceleration then have equal amplitudes.
+            // The motion of a chain with its contact stuck has one harmonic. Without the offset, x̄, dx̄/dτ and
+            // d²x̄/dτ² then have equal amplitudes.
             Self::Stuck(_) => self.centred_amplitude(of),
         }
     }
@@ -246,9 +247,9 @@ impl SystemResponse<'_> {
         }
     }
 
-    /// Returns the largest friction force of the period over the load amplitude P. The ratio is β where the contact
-    /// slides without a stop, and μβ where the contact stops and breaks away. A contact that never slides needs
-    /// μβ*_lim plus the constant force of its offset.
+    /// Returns the largest friction force of the period over the load amplitude P. It is β if the contact slides
+    /// without a stop, and μβ if the contact stops and breaks away. If the contact never slides, it is μβ*_lim plus the
+    /// constant force due to its offset.
     #[must_use]
     pub fn contact_force(&self) -> f64 {
         match self {

@@ -20,14 +20,14 @@ pub use frictiongen_model::sensitivity::Quantity;
 use frictiongen_model::transient::Transient;
 use std::sync::OnceLock;
 
-/// A number with its derivative, each with about 30 digits, as a [`Varied`] system uses it. Close to a resonance the
-/// derivative then keeps enough digits.
+/// A number with its derivative, each with about 30 digits. A [`Varied`] system uses such numbers, so that derivatives
+/// keep enough digits close to a resonance.
 pub type Sensitive = Dual<Dd>;
 
-/// A system whose results carry the derivatives with respect to one quantity of the description.
+/// A system whose results have derivatives with respect to one quantity of the description.
 ///
 /// For derivatives with respect to r or β, pass `Dual::variable` to an [`unvaried`](System::unvaried) system.
-/// Derivatives are taken at constant r and β. If the angular frequency is constant instead, take r from
+/// Derivatives are taken at constant r and β. For derivatives at a constant angular frequency, pass r from
 /// [`frequency_ratio`](Self::frequency_ratio), which varies with the first mass and the first spring.
 ///
 /// ```
@@ -54,13 +54,13 @@ pub type Sensitive = Dual<Dd>;
 /// # }
 /// ```
 ///
-/// Steady states with stops carry derivatives too ([`orbit`](Self::orbit)). Simulations in time do not.
+/// Steady states with stops also have derivatives ([`orbit`](Self::orbit)). Simulations in time do not.
 #[derive(Clone, Debug)]
 pub struct Varied {
     system: System<Sensitive>,
     data: Modal<Sensitive>,
-    /// The system without derivatives (`plain`), and the data for motion in time with derivatives (`transient`). The
-    /// first use computes each of them.
+    /// The system without derivatives (`plain`), and the data for motion in time with derivatives (`transient`). Each
+    /// of them is computed when it is first used.
     plain: OnceLock<System>,
     transient: OnceLock<Option<Transient<Sensitive>>>,
 }
@@ -83,12 +83,12 @@ impl Varied {
     /// Returns the steady state from rest at r and β in any regime. Every result of the steady state has a derivative.
     ///
     /// The results are amplitudes, phases, harmonics, displacements at an instant, and the times and durations of
-    /// stops. The steady state is found without derivatives. The derivatives follow from one more pass over the period
-    /// with dual numbers. The Floquet multipliers are left out.
+    /// stops. The search finds the steady state without derivatives. One more pass over the period with dual numbers
+    /// then gives the derivatives. The Floquet multipliers have no derivatives.
     ///
-    /// An amplitude and a phase have a derivative wherever the steady state has a derivative. A contact may stop at
-    /// its largest displacement. The phase of the contact is then that end of the stop which is nearest to the
-    /// excitation's maximum, or 0 if the maximum falls within the stop.
+    /// An amplitude and a phase have a derivative wherever the steady state has a derivative. A contact may stop at its
+    /// largest displacement. The phase of the contact is then the end of the stop that is nearer to the excitation's
+    /// maximum. It is 0 if the maximum falls within the stop.
     ///
     /// ```
     /// use frictiongen::study::{System, sensitivity::{Quantity, Sensitive}};
@@ -116,8 +116,8 @@ impl Varied {
     /// ```
     ///
     /// # Errors
-    /// [`NoDerivative`] where there is no steady state, and where the motion does not repeat. [`NoDerivative`] also
-    /// for a member of a continuum of steady states, and where a stop or reversal is about to appear or disappear.
+    /// [`NoDerivative`] if no steady state exists, or if the motion does not repeat. [`NoDerivative`] also for a member
+    /// of a continuum of steady states, and if a stop or reversal is about to appear or disappear.
     pub fn orbit(
         &self,
         r: Sensitive,
@@ -163,8 +163,8 @@ impl Varied {
         })
     }
 
-    /// Returns the data for motion in time, with derivatives. `None` where modes have the same frequency and the
-    /// varied quantity separates their frequencies.
+    /// Returns the data for motion in time, with derivatives. `None` if modes have the same frequency and the varied
+    /// quantity separates their frequencies.
     pub(super) fn transient(&self) -> Option<&Transient<Sensitive>> {
         let transient = self
             .transient

@@ -47,15 +47,13 @@ impl<'a> SystemAt<'a> {
     /// 1/2n, where the closed form belongs to a continuum of steady states. With μ > 1, other states may exist in
     /// addition to the closed form and to the stuck state. The motion is then computed from event to event.
     ///
-    /// Where motion from rest does not settle, the call returns another stable steady state, if one is found. The
-    /// search starts from the closed form, a neighbouring friction ratio or the stuck state.
-    /// [`SystemOrbit::is_from_rest`] is then false. If no such state is found, the call returns the last 64 cycles of
-    /// the motion from rest.
+    /// If motion from rest does not settle, the call returns another stable steady state, if it finds one. The search
+    /// starts from the closed form, a neighbouring friction ratio or the stuck state. [`SystemOrbit::is_from_rest`] is
+    /// then false. If no such state is found, the call returns the last 64 cycles of the motion from rest.
     ///
     /// # Errors
     /// [`NotContinuous::Unbounded`] and [`StuckResonance`](crate::StuckResonance) on an undamped resonance.
-    /// [`NoOrbit`](crate::NoOrbit) where there is no steady state to follow. [`OutOfDomain`] for NaN, negative and
-    /// infinite β.
+    /// [`NoOrbit`](crate::NoOrbit) if no steady state exists. [`OutOfDomain`] for NaN, negative and infinite β.
     pub fn response(&self, beta: f64) -> Result<SystemResponse<'a>, Error> {
         let motion = self.motion(beta);
         match motion {
@@ -66,7 +64,7 @@ impl<'a> SystemAt<'a> {
             Err(NotContinuous::Unbounded) if beta < self.sliding_limit() => {
                 Err(NotContinuous::Unbounded.into())
             }
-            // At r = 0 and r = ∞ there is no cycle to follow.
+            // At r = 0 and r = ∞ the excitation has no cycle that a search could follow.
             Ok(motion) if !self.has_cycles() => Ok(SystemResponse::Continuous(motion)),
             Err(NotContinuous::Stuck) if !self.has_cycles() => {
                 Ok(SystemResponse::Stuck(self.held(0.0, 0.0)?))
@@ -96,7 +94,7 @@ impl<'a> SystemAt<'a> {
         let orbit = match start {
             None => self.orbit_or_last_cycles(beta)?,
             Some(carried) => {
-                // The velocity in time continues at the new frequency. It is r times dx̄/dτ.
+                // The velocity in time, r times dx̄/dτ, is the same at the new frequency.
                 let factor = carried.r / r;
                 let velocities: Vec<f64> = carried.velocities.iter().map(|v| v * factor).collect();
                 self.orbit_or_last_cycles_from(beta, (&carried.displacements, &velocities))?
@@ -106,11 +104,11 @@ impl<'a> SystemAt<'a> {
         Ok((self.told(orbit, motion)?, carried))
     }
 
-    /// Returns the regime of a steady state at this frequency ratio. Other steady states at the same β have no
-    /// influence on the result. A motion that does not settle counts as stick-slip.
+    /// Returns the regime of a steady state at this frequency ratio. Other steady states at the same β do not influence
+    /// the result. A motion that does not settle counts as stick-slip.
     #[must_use]
     pub fn regime_of(&self, orbit: &SystemOrbit<'_>) -> Regime {
-        // Just below β*_lim rounding can hide a small motion, so β is compared with β*_lim too.
+        // Just below β*_lim rounding can hide a small motion. The code therefore also compares β with β*_lim.
         let holds = !(orbit.beta() < self.sliding_limit());
         let frictionless = orbit.beta() == 0.0;
         if holds && orbit.is_settled() && orbit.never_slides() {
@@ -122,7 +120,7 @@ impl<'a> SystemAt<'a> {
         }
     }
 
-    /// Wraps a steady state as the response of its regime: continuous, stick-slip or stuck.
+    /// Returns the steady state as a response of its regime: continuous, stick-slip or stuck.
     fn told(
         &self,
         orbit: SystemOrbit<'a>,
@@ -140,14 +138,14 @@ impl<'a> SystemAt<'a> {
                 let motion = motion.with_start(orbit.is_from_rest());
                 Ok(SystemResponse::Continuous(motion))
             }
-            // The orbit is another state of the closed form's continuum.
+            // The orbit is another member of the continuum of steady states that contains the closed form.
             Some(_) if slides => Ok(SystemResponse::StickSlip(Box::new(orbit.sliding()))),
             _ => Ok(SystemResponse::StickSlip(Box::new(orbit))),
         }
     }
 
-    /// Returns the response with so much friction that the contact never moves from its initial position. A contact on
-    /// a moving base stays at the relative displacement −Y. Any other contact stays at its centre.
+    /// Returns the response with so much friction that the contact never leaves its initial position. A contact on a
+    /// moving base stays at the relative displacement −Y. Any other contact stays at its centre.
     pub(super) fn locked(&self) -> Result<SystemResponse<'a>, Error> {
         let offset = -share_of_base(self.scene());
         Ok(SystemResponse::Stuck(self.held(offset, f64::INFINITY)?))
@@ -208,9 +206,9 @@ mod tests {
     use super::Carried;
     use crate::study::System;
 
-    /// Checks that a state carries over from one frequency to another with unchanged displacements and velocities in
-    /// time, where dx̄/dτ = (dx̄/dt)/ω. A contact that sticks at once keeps its offset, which depends on the initial
-    /// position and velocity.
+    /// Checks the start of a motion from a state at another frequency. Displacements and velocities in time stay
+    /// unchanged, where dx̄/dτ = (dx̄/dt)/ω. A contact that sticks at once keeps its offset, which depends on the
+    /// initial position and velocity.
     #[test]
     fn a_state_goes_over_to_another_frequency() {
         let text = "struct Block { masses: { block: 1 }, springs: { base - block: 1 }, contact: block - wall,
@@ -226,7 +224,7 @@ mod tests {
         );
         let to = system.at(0.6).expect("in the domain");
         let (stuck, _) = to.response_from(1.5, Some(&carried)).expect("a response");
-        // ω halves, so dx̄/dτ doubles.
+        // ω is halved, so that dx̄/dτ is doubled.
         let twice: Vec<f64> = carried
             .velocities
             .iter()

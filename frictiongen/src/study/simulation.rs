@@ -39,8 +39,8 @@ impl<S: Plain> System<S> {
         Ok(self.transient().dynamics())
     }
 
-    /// Returns one empty entry for each mode of the chain while its contact slides, and one for each mode while it
-    /// sticks.
+    /// Returns one empty oscillator for each mode of the chain, and one for each mode of the chain with its contact
+    /// stuck.
     pub(super) fn parts(&self) -> Vec<Part<S>> {
         let dynamics = self.dynamics();
         vec![Part::empty(); dynamics.oscillators()]
@@ -68,9 +68,11 @@ impl<S: Plain> System<S> {
     /// ```
     ///
     /// # Errors
-    /// [`OutOfDomain`] unless r is positive and finite, and β is finite and not negative. [`Unsupported::FrictionLaw`](crate::Unsupported::FrictionLaw)
-    /// for `friction: stribeck`, which needs [`simulation_under`](Self::simulation_under). [`Unsupported::CriticalDamping`](crate::Unsupported::CriticalDamping)
-    /// where too many modes are at or beyond critical damping, so that less than half of the digits would remain.
+    /// [`OutOfDomain`] unless r is positive and finite, and β is finite and not negative.
+    /// [`Unsupported::FrictionLaw`](crate::Unsupported::FrictionLaw) for `friction: stribeck`, which needs
+    /// [`simulation_under`](Self::simulation_under).
+    /// [`Unsupported::CriticalDamping`](crate::Unsupported::CriticalDamping) if too many modes are at or beyond
+    /// critical damping. Less than half of the digits would then remain.
     pub fn simulation(&self, r: S, beta: S) -> Result<SystemSimulation<'_, S>, OutOfDomain> {
         self.constant_force()?;
         self.started(r, beta, Lines::none(), None)
@@ -95,8 +97,8 @@ impl<S: Plain> System<S> {
     /// Starts the exact motion in time from rest under a load of the given amplitude in the scene's units: P for a
     /// force, Y for a base motion.
     ///
-    /// The speeds of `friction: stribeck` need the amplitude. Where the kinetic friction force is constant, nothing
-    /// depends on the amplitude. β is the kinetic friction force at vanishing speed over P, for base motion over k₁Y.
+    /// The speeds of `friction: stribeck` need the amplitude. With a constant kinetic friction force, nothing depends
+    /// on the amplitude. β is the kinetic friction force at zero speed over P, for base motion over k₁Y.
     ///
     /// ```
     /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -122,8 +124,8 @@ impl<S: Plain> System<S> {
     ///
     /// # Errors
     /// Same errors as [`simulation`](Self::simulation), except for `friction: stribeck`. [`OutOfDomain::LoadAmplitude`]
-    /// for an amplitude that is not positive and finite, or with which the law's speeds leave the scalar's range.
-    /// [`OutOfDomain::Steepness`] for a law that changes the motion more than
+    /// for an amplitude that is not positive and finite, or that takes the law's speeds out of the scalar's range.
+    /// [`OutOfDomain::Steepness`] for a law that is too steep: it changes the motion more than
     /// [`MAX_STEEPNESS`](frictiongen_kernel::simulation::MAX_STEEPNESS) times as fast as the fastest mode does.
     pub fn simulation_under(
         &self,
@@ -193,13 +195,14 @@ impl<'a, S: Float> SystemSimulation<'a, S> {
         Ok(self.run.mass(self.system.mass_index(name)?))
     }
 
-    /// Returns the kernel's simulation, which gives phase, cycles, relative motion and friction force.
+    /// Returns the kernel's simulation, which has the phase, the number of cycles, the relative motion and the friction
+    /// force.
     #[must_use]
     pub fn run(&self) -> &KernelSimulation<'a, S> {
         &self.run
     }
 
-    /// Advances to the next event, but at most by `reach` in the phase τ = ωt. A reach of 0 changes nothing.
+    /// Advances to the next event, or by at most `reach` in the phase τ = ωt. A reach of 0 changes nothing.
     ///
     /// # Errors
     /// [`OutOfDomain`] for a reach that is negative, infinite or NaN. The simulation is then unchanged.

@@ -8,14 +8,14 @@ use frictiongen_kernel::motion::{AnyContact, Part, Setting};
 use frictiongen_kernel::number::complex;
 use frictiongen_kernel::orbit::{self, Orbit, OrbitQuestion, Start};
 
-/// A setting with either contact, and its oscillators.
+/// Data of the scene at one r and β for a rigid or an elastic contact, with the oscillators of its modes.
 type StuckSetting<'a, S> = (Setting<'a, S, AnyContact<S>>, Vec<Part<S>>);
 
 impl<S: Plain> System<S> {
     /// Returns the steady state at r and β = F/P in which motion from rest ends. The contact may be rigid or elastic.
     ///
     /// An elastic contact starts without force. It sticks after each reversal, so that its regime is stick-slip or
-    /// stuck. A steady state in which it never slides is marginal: its slider may rest at other places.
+    /// stuck. A steady state in which it never slides is marginal, because its slider may rest at other positions.
     ///
     /// ```
     /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -44,9 +44,9 @@ impl<S: Plain> System<S> {
         self.steady_state_of(r, beta, Start::Rest)
     }
 
-    /// Returns the steady state that is reached from a state at a maximum of the excitation, as
-    /// [`steady_state`](Self::steady_state) does from rest. `state` contains x̄ and dx̄/dτ of every mass. An elastic
-    /// contact starts without force.
+    /// Returns the steady state that a motion from a given state reaches, as [`steady_state`](Self::steady_state) does
+    /// from rest. `state` contains x̄ and dx̄/dτ of every mass at a maximum of the excitation. An elastic contact
+    /// starts without force.
     ///
     /// # Errors
     /// Same errors as [`steady_state`](Self::steady_state). [`OutOfDomain`] also for a state that is not finite or not
@@ -68,7 +68,7 @@ impl<S: Plain> System<S> {
     ) -> Result<SystemOrbit<'_, S>, NoOrbit> {
         self.constant_force()?;
         let (setting, parts) = self.stuck_setting(r)?;
-        // On an undamped resonance of the stuck chain no friction force holds the contact.
+        // On an undamped resonance of the chain with its contact stuck, no friction force keeps the contact stuck.
         let limit = setting
             .stuck_force(&parts)
             .map_or(S::constant(f64::INFINITY), |force| self.limit_of(force));
@@ -78,12 +78,12 @@ impl<S: Plain> System<S> {
     /// Returns β*_lim = |f|/μ, the smallest β = F/P at which the contact need not slide, with the force f of the stuck
     /// contact over P. The contact may be rigid or elastic.
     ///
-    /// An elastic contact that starts without force never slides from this β on. Its slider may rest at another place
-    /// after a motion that slides, and then carries a constant force in addition.
+    /// An elastic contact that starts without force never slides from this β on. After a motion with slides, its slider
+    /// may rest at another position. The contact then has a constant force in addition.
     ///
     /// # Errors
-    /// [`StuckResonance`] on an undamped resonance of the stuck chain. [`OutOfDomain`] for r that is not positive and
-    /// finite.
+    /// [`StuckResonance`] on an undamped resonance of the chain with its contact stuck. [`OutOfDomain`] for r that is
+    /// not positive and finite.
     pub fn stuck_limit(&self, r: S) -> Result<S, Error> {
         let (setting, parts) = self.stuck_setting(r)?;
         let force = setting.stuck_force(&parts).ok_or(StuckResonance)?;
@@ -108,7 +108,7 @@ impl<S: Plain> System<S> {
         complex::modulus(force, true) / self.reduced.chain.stiction
     }
 
-    /// Returns the setting at r without friction, and its oscillators.
+    /// Returns the data of the scene at r and β = 0, and the oscillators of its modes.
     fn stuck_setting(&self, r: S) -> Result<StuckSetting<'_, S>, OutOfDomain> {
         let mut parts = self.parts();
         let dynamics = self.dynamics_in_time()?;
@@ -116,8 +116,8 @@ impl<S: Plain> System<S> {
         Ok((setting, parts))
     }
 
-    /// Returns the steady state that is reached from `start`. The last arguments are β*_lim, and true for the last
-    /// cycles of a motion that does not settle.
+    /// Returns the steady state that a motion from `start` reaches. The last arguments are β*_lim and a flag. If the
+    /// flag is true, a motion that does not settle returns its last cycles.
     pub(super) fn settled_from(
         &self,
         r: S,

@@ -13,7 +13,7 @@ use std::ops::{Deref, DerefMut};
 /// Number of polynomial coefficients that describe the input over one step. It suffices for each kind of input.
 const COEFFICIENTS: usize = 4;
 
-/// The constants of steps of one length, as vectors: the propagation of each mode while the contact slides and while it
+/// Constant tables for steps of one length, as vectors. They advance each mode while the contact slides and while it
 /// sticks.
 #[doc(hidden)]
 #[derive(Clone, Debug)]
@@ -127,12 +127,11 @@ pub type SystemStepSaved<S = f64> = Saved<S, SystemStepStore<S>>;
 pub struct SystemStepper<'a, S = f64> {
     pub(super) system: &'a System<S>,
     stepper: KernelStepper<'a, S>,
-    /// One force for each mass, because every mass of a run-time system can carry a load. The excited mass comes
-    /// first.
+    /// One force for each mass, because a run-time system accepts a load on every mass. The excited mass comes first.
     forces: Vec<S>,
 }
 
-/// The loads on a system at an instant, in the scene's units.
+/// The loads on a system at one instant, in the scene's units.
 ///
 /// ```
 /// use frictiongen::study::SystemInput;
@@ -181,7 +180,7 @@ impl<'n, S: Float> SystemInput<'n, S> {
         self
     }
 
-    /// Sets the kinetic friction force F at vanishing speed, which is not negative. The default is 0.
+    /// Sets the kinetic friction force F at zero speed, which must not be negative. The default is 0.
     pub fn friction(mut self, friction: S) -> Self {
         self.friction = friction;
         self
@@ -189,9 +188,9 @@ impl<'n, S: Float> SystemInput<'n, S> {
 }
 
 impl<S: Plain> System<S> {
-    /// Returns a stepper with steps of `dt` seconds, from rest under no load.
+    /// Returns a stepper with time steps of `dt` seconds, from rest without load.
     ///
-    /// A load can act on every mass. The scene defines the friction law and the input between samples.
+    /// A load can act on every mass. The scene defines the friction law and how the input varies between samples.
     ///
     /// ```
     /// use frictiongen::study::SystemInput;
@@ -220,9 +219,10 @@ impl<S: Plain> System<S> {
     /// ```
     ///
     /// # Errors
-    /// [`OutOfDomain`] for a step that is not positive and finite, or in which the fastest oscillator turns by more
-    /// than [`MAX_PARTS`](frictiongen_kernel::stepper::MAX_PARTS) radians. [`Unsupported::CriticalDamping`](crate::Unsupported::CriticalDamping) where too many
-    /// modes are at or beyond critical damping, so that less than half of the digits would remain.
+    /// [`OutOfDomain`] for a step that is not positive and finite, or in which the fastest oscillator advances by more
+    /// than [`MAX_PARTS`](frictiongen_kernel::stepper::MAX_PARTS) radians.
+    /// [`Unsupported::CriticalDamping`](crate::Unsupported::CriticalDamping) if too many modes are at or beyond
+    /// critical damping. Less than half of the digits would then remain.
     pub fn stepper(&self, dt: S) -> Result<SystemStepper<'_, S>, OutOfDomain> {
         self.stepping(dt, None)
     }
@@ -272,8 +272,8 @@ impl<'a, S: Plain> SystemStepper<'a, S> {
         })?)
     }
 
-    /// Takes one step, at whose end the input is `input`. By default the input changes linearly during the step. With
-    /// `input: hold` the new input acts over the whole step.
+    /// Takes one step. `input` is the input at the end of the step. By default the input changes linearly during the
+    /// step. With `input: hold` the new input acts over the whole step.
     ///
     /// # Errors
     /// [`OutOfDomain`] for a number that is NaN or infinite, and for friction below zero. [`OutOfDomain`] also for a

@@ -1,4 +1,4 @@
-//! The run-time system. It evaluates the closed forms over vectors instead of arrays.
+//! The run-time system. It evaluates the closed forms with vectors instead of arrays.
 
 use super::error::{InvalidScene, UnknownMass};
 use super::large;
@@ -45,7 +45,7 @@ pub struct System<S = f64> {
     pub(super) reference: S,
     /// The smallest and the largest 1/r at which the closed forms are evaluated.
     pub(super) range: (S, S),
-    /// True if the load acts on the mass in the contact and μ = 1. In that case β*_lim is 1 at every frequency.
+    /// True if the load acts on the mass in the contact and μ = 1. β*_lim is then 1 at every frequency.
     pub(super) sliding_limit_is_one: bool,
     /// Modal data of an undamped chain for limits without search. `None` for a damped chain and for a chain with many
     /// modes.
@@ -81,11 +81,11 @@ impl<S: Float> TryFrom<Scene> for System<S> {
 pub(super) fn rounded<S: Float>(value: Dd) -> S {
     let plain = S::constant(value.hi);
     if plain.to_f64() == value.hi {
-        // A scalar wider than f64 also takes the low part, which the conversion of the high part omits.
+        // A number type wider than f64 also needs the low part, which the conversion of the high part omits.
         return plain + S::constant(value.lo);
     }
-    // The f64 may lie halfway between two narrower numbers. Its neighbour on the side of the low part then rounds
-    // correctly.
+    // The f64 may lie halfway between two numbers of a narrower type. Its neighbour on the side of the low part is then
+    // rounded correctly.
     S::constant(match value.lo.partial_cmp(&0.0) {
         Some(std::cmp::Ordering::Greater) => value.hi.next_up(),
         Some(std::cmp::Ordering::Less) => value.hi.next_down(),
@@ -110,7 +110,7 @@ impl<S: Float> System<S> {
         let all = |values: Vec<T>| values.into_iter().map(&to).collect();
         let reduced = data.reduced(&to);
         let range = (&reduced).inverse_ratio_range();
-        // A scalar with derivatives may differentiate with respect to μ. β*_lim is then not the constant 1.
+        // A number type with derivatives may differentiate with respect to μ. β*_lim is then not the constant 1.
         let chain = &reduced.chain;
         let in_phase = reduced.quadratures.is_empty();
         let sliding_limit_is_one =
@@ -163,8 +163,8 @@ impl<S: Float> System<S> {
             .get_or_init(|| self.modal.reduced(|value| value).shapes)
     }
 
-    /// Returns the components as [`exact_shapes`](Self::exact_shapes) does, in the modes of the motion in time. Those have
-    /// another order.
+    /// Returns the components as [`exact_shapes`](Self::exact_shapes) does, in the modes of the motion in time. These
+    /// modes have another order.
     pub(super) fn exact_shapes_in_time(&self) -> &[Dd] {
         self.exact_shapes_in_time
             .get_or_init(|| Transient::of(&self.scene, &self.modal, |value| value).shapes)
@@ -229,21 +229,21 @@ impl<S: Float> System<S> {
         friction / load
     }
 
-    /// Returns an upper bound on β_lim, and β*_lim exactly (6.11, 6.27, 6.33), without a search over time. The bound
-    /// on β_lim replaces the velocity constraint S by the limit of S for τ → 0 (5.64). This is the fastest call where
-    /// r needs no other result.
+    /// Returns an upper bound on β_lim, and the exact β*_lim (6.11, 6.27, 6.33), without a search over time. The bound
+    /// on β_lim replaces the velocity constraint S by its limit for τ → 0 (5.64). This is the fastest call if no other
+    /// result is needed at this r.
     ///
     /// # Errors [`OutOfDomain`] for NaN and negative r. At r = 0 and r = ∞ the call returns the limit values.
-    /// [`OutOfDomain`] also for `friction: stribeck`, because the exact continuous response needs a kinetic friction
-    /// force that is constant in speed.
+    /// [`OutOfDomain`] also for `friction: stribeck`. The exact continuous response needs a kinetic friction force that
+    /// does not depend on the speed.
     pub fn limits_without_search(&self, r: S) -> Result<Limits<S>, OutOfDomain> {
         self.constant_level()?;
         At::limits_without_search(&self, r)
     }
 
-    /// Returns the threshold β_n,i of every resonance: below this friction ratio the undamped resonance i is unbounded
-    /// (6.2, 6.26). `None` for a mode that the contact does not drive. As in every closed form, F is a constant
-    /// kinetic friction force.
+    /// Returns the threshold β_n,i of every resonance (6.2, 6.26). Below this friction ratio the amplitude at the
+    /// undamped resonance i is unbounded. `None` for a mode that the contact does not drive. As in every closed form, F
+    /// is a constant kinetic friction force.
     #[must_use]
     pub fn resonance_thresholds(&self) -> Vec<Option<S>> {
         // An elastic contact dissipates less than a rigid one in each cycle, but the same for large amplitudes, so that
@@ -255,7 +255,7 @@ impl<S: Float> System<S> {
             .collect()
     }
 
-    /// Returns the displacement x̄ of every mass for r → 0 at the friction ratio β (6.5). `None` where the contact is
+    /// Returns the displacement x̄ of every mass for r → 0 at the friction ratio β (6.5). `None` if the contact is
     /// stuck at r = 0, and for an elastic contact.
     ///
     /// ```
@@ -305,8 +305,7 @@ impl<S: Float> System<S> {
         (ends.continuous_at_infinity, ends.sliding_at_infinity)
     }
 
-    /// Fails unless the contact is rigid and the kinetic friction force is constant in speed. The closed forms need
-    /// both.
+    /// Fails unless the contact is rigid and the kinetic friction force is constant. The closed forms need both.
     pub(super) fn constant_level(&self) -> Result<(), OutOfDomain> {
         self.rigid()?;
         self.constant_force()
@@ -320,7 +319,7 @@ impl<S: Float> System<S> {
         }
     }
 
-    /// Fails unless the kinetic friction force is constant in speed, as the motion from event to event needs it.
+    /// Fails if the kinetic friction force depends on the speed. The motion from event to event needs a constant force.
     pub(super) fn constant_force(&self) -> Result<(), OutOfDomain> {
         match self.scene.friction {
             FrictionLaw::Coulomb => Ok(()),

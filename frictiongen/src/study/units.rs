@@ -228,11 +228,12 @@ impl<S: Float> System<S> {
         hertz(self.angular_frequency(r))
     }
 
-    /// Returns true if all results give the contact's relative motion with the opposite sign of the description.
+    /// Returns true if all results have the contact's relative motion with the opposite sign of the description.
     ///
-    /// A contact `a - b` in a description is the motion of b relative to a. The results give the motion of the mass
-    /// listed later relative to the mass listed earlier. If the two differ, the phases differ by half a turn
-    /// ([`reversed_phase`]). A contact of one mass is never reversed, because the mass's own motion counts.
+    /// A contact `a - b` in a description is the motion of b relative to a. The results contain the motion of the mass
+    /// listed later relative to the mass listed earlier. If these two motions differ in sign, their phases differ by
+    /// half a turn ([`reversed_phase`]). A contact of one mass with a support is never reversed, because the results
+    /// contain the motion of the mass.
     ///
     /// ```
     /// # fn main() -> Result<(), Box<dyn std::error::Error>> {

@@ -18,7 +18,7 @@ use frictiongen_kernel::simulation::{Contact, Event};
 #[cfg(feature = "desk")]
 use std::borrow::Cow;
 
-/// Writes that the scene lacks a motion.
+/// Writes the message that the scene has no such motion.
 pub(crate) fn no_such_motion(f: &mut std::fmt::Formatter<'_>, of: Of) -> std::fmt::Result {
     match of {
         Of::Mass(index) | Of::FromBase(index) => {
@@ -46,7 +46,7 @@ pub fn regime(regime: Regime) -> &'static str {
     }
 }
 
-/// Returns the word for the regime where there is no response.
+/// Returns the word that replaces the regime if there is no response.
 #[must_use]
 pub fn regime_without(error: Error) -> &'static str {
     match error {
@@ -55,7 +55,7 @@ pub fn regime_without(error: Error) -> &'static str {
     }
 }
 
-/// Returns the word for the regime where there is no steady state.
+/// Returns the word that replaces the regime if there is no steady state.
 ///
 /// # Errors
 /// [`OutOfDomain`] for a friction ratio that is negative or NaN.
@@ -64,19 +64,20 @@ pub fn regime_without_orbit(at: &SystemAt<'_>, beta: f64) -> Result<&'static str
         Ok(_) => regime(Regime::Continuous),
         Err(NotContinuous::StickSlip) => regime(Regime::StickSlip),
         Err(NotContinuous::Stuck) if at.stuck().is_ok() => regime(Regime::Stuck),
-        // This is an undamped resonance of the chain, or of the chain with its contact stuck.
+        // The excitation is on an undamped resonance of the chain, free or with its contact stuck.
         Err(NotContinuous::Stuck | NotContinuous::Unbounded) => "unbounded",
         Err(_) => return Err(OutOfDomain::FrictionRatio(Given::of(beta))),
     })
 }
 
-/// Returns the word for the symmetry of a periodic motion: whether its second half is the first with the opposite sign.
+/// Returns the word for the symmetry of a periodic motion. A symmetric motion repeats with the opposite sign after half
+/// a period.
 #[must_use]
 pub fn symmetry(symmetric: bool) -> &'static str {
     if symmetric { "symmetric" } else { "asymmetric" }
 }
 
-/// Returns the reason why there is no response.
+/// Returns the words for the reason why there is no response.
 #[must_use]
 pub fn no_answer(error: Error) -> &'static str {
     match error {
@@ -86,7 +87,7 @@ pub fn no_answer(error: Error) -> &'static str {
     }
 }
 
-/// Returns the reason why there is no steady state.
+/// Returns the words for the reason why there is no steady state.
 #[must_use]
 pub fn reason(error: NoOrbit) -> &'static str {
     match error {
@@ -111,7 +112,7 @@ pub fn answer(response: &SystemResponse<'_>) -> &'static str {
     }
 }
 
-/// Returns the word for a steady state that was computed from event to event.
+/// Returns the words for a steady state that was computed from event to event, such as stable, marginal or subharmonic.
 #[must_use]
 pub fn found(orbit: &SystemOrbit<'_>) -> &'static str {
     match (orbit.is_marginal(), orbit.is_stable()) {
@@ -181,7 +182,7 @@ pub fn region(found: Result<Pattern, Error>) -> Cow<'static, str> {
     }
 }
 
-/// Returns the word for the state of the contact.
+/// Returns the word for the state of the contact: stuck, or its direction of sliding.
 #[must_use]
 pub fn contact(contact: Contact) -> &'static str {
     match contact {
@@ -191,7 +192,7 @@ pub fn contact(contact: Contact) -> &'static str {
     }
 }
 
-/// Returns the word for an event.
+/// Returns the word for an event of the contact: stop, break-away or reversal.
 #[must_use]
 pub fn event(event: Event) -> &'static str {
     match event {

@@ -1,5 +1,5 @@
-//! The amount of work that a response costs. It is counted, not measured as time, so that a bound on work stops a
-//! search at the same point on every machine.
+//! Counts the work that a response costs. The work is not measured as time. A bound on work therefore stops a search at
+//! the same point on every machine.
 //!
 //! One unit of work is about 10 µs. The constants are rounded means over random frames of one to six masses.
 
@@ -8,8 +8,8 @@ use super::system::System;
 use crate::study::scene::Damping;
 use crate::{Error, NoOrbit};
 
-/// Work of a motion from rest that was followed to its last cycle without settling. The number is multiplied by the
-/// number of masses plus two.
+/// Work of a motion from rest that did not settle within its last cycle. The number is multiplied by the number of
+/// masses plus two.
 const UNSETTLED: usize = 400;
 /// Work of a response whose motion from rest did not settle, if another steady state was found instead.
 const ANOTHER: usize = 1000;
@@ -30,7 +30,7 @@ pub(in crate::study) fn work(
     let masses = scene.masses.len();
     let fastest = system.resonances().last().copied().unwrap_or(0.0);
     let vibrations = fastest / (VIBRATIONS * r);
-    // The conversion to an integer saturates, and gives 0 for NaN.
+    // The conversion to an integer saturates. NaN becomes 0.
     let unsettled = |work: usize| (work as f64 * (1.0 + vibrations)) as usize;
     let spent = unsettled(UNSETTLED * (masses + 2));
     let followed = if scene.damping == Damping::None {
@@ -41,7 +41,7 @@ pub(in crate::study) fn work(
     match found {
         Ok(response) if !response.is_settled() => spent,
         Ok(response) if !response.is_from_rest() => unsettled(ANOTHER),
-        // With μ = 1 no other state can exist in addition to the closed form, and no motion is followed.
+        // With μ = 1 no state other than the closed form can exist, so that no motion is followed.
         Ok(SystemResponse::Continuous(_)) if scene.stiction <= 1.0 => 1,
         Ok(SystemResponse::Continuous(_) | SystemResponse::StickSlip(_)) => followed,
         Ok(SystemResponse::Stuck(_)) => followed.div_ceil(4),

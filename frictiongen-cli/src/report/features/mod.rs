@@ -1,4 +1,4 @@
-//! Lists the features of the response. They are those of `frictiongen features`, in the words of the page.
+//! Lists the features of the response. They are the features of `frictiongen features`, in the words of the page.
 
 mod tables;
 
@@ -13,7 +13,7 @@ use serde_json::{Value as Json, json};
 /// Largest number of masses for which features are searched. Each feature has derivatives with respect to all masses
 /// and springs, which take time.
 const MOST_MASSES: usize = 16;
-/// Largest number of masses for which true peaks are searched, and features at every given friction.
+/// Largest number of masses for which the page has true peaks, and features at every given friction.
 const ALL_FRICTIONS: usize = 4;
 /// Largest number of rows of a table. The data contain all rows.
 const MOST_ROWS: usize = 24;
@@ -34,7 +34,7 @@ struct Table {
 }
 
 impl Features {
-    /// Finds the features at the given frictions, or at the best one. For a long chain the result is empty.
+    /// Finds the features at the given frictions, or at the best friction. For a long chain the result is empty.
     pub fn of(asked: &Asked, levels: &[f64], best: Option<f64>) -> Self {
         let masses = asked.system.scene().masses.len();
         if MOST_MASSES < masses {
@@ -88,7 +88,8 @@ impl Features {
         lines.filter(move |line| line.feature == feature)
     }
 
-    /// Returns the lines of the command. Each has the parameter to which its first number is most sensitive.
+    /// Returns the features as the command prints them, each with the parameter to which its first number is most
+    /// sensitive.
     fn report<'a>(&self, asked: &'a Asked) -> FeaturesReport<'a> {
         FeaturesReport {
             system: &asked.system,
@@ -124,8 +125,8 @@ impl Features {
         }
     }
 
-    /// Returns the section as JSON data: the lines of `frictiongen features --json`, with one derivative instead of
-    /// all.
+    /// Returns the section as JSON data. It has the lines of `frictiongen features --json`, but only one derivative in
+    /// each line.
     pub fn data(&self, asked: &Asked) -> Json {
         if let Err(reason) = &self.lines {
             return json!({ "none": reason });

@@ -185,7 +185,7 @@ impl Features {
                 does(&line.detail).to_owned(),
             ]
         });
-        // A mass that the stuck contact holds at rest has no peak.
+        // A mass that the stuck contact keeps at rest has no peak.
         let moving = |line: &&FeatureLine| line.amplitude != Some(0.0);
         let peaks = self.named("peak").filter(moving).map(|line| {
             let (mode, regime) = line.detail.split_once(": ").unwrap_or((&line.detail, ""));
@@ -255,7 +255,7 @@ impl Features {
             },
         ];
         if let [_] = self.frictions.as_slice() {
-            // If there is only one friction, the title contains it, so its column is removed.
+            // If there is only one friction, the title contains it. Its column is then removed.
             for table in &mut tables {
                 table.leave_out("friction");
             }
@@ -308,7 +308,7 @@ fn measured(detail: &str) -> &'static str {
     }
 }
 
-/// Returns words for the motion of the contact in a regime.
+/// Returns the words for what the contact does in a regime.
 fn does(regime: &str) -> &str {
     match regime {
         "continuous" => "slides all the time",

@@ -10,7 +10,7 @@ use frictiongen_kernel::simulation::Contact;
 pub struct Driven {
     /// Times of the samples, s.
     pub time: Vec<f64>,
-    /// Displacements in m and velocities in m/s: one pair of lists for each requested mass or contact.
+    /// Displacements in m and velocities in m/s, as a pair of lists for each requested mass or contact.
     pub motions: Vec<[Vec<f64>; 2]>,
     /// Friction force at every sample, N.
     pub force: Vec<f64>,
@@ -37,8 +37,9 @@ impl Driven {
         }
     }
 
-    /// Adds the present state of a stepper. `parts` are the masses and the contact of the table. `events` is the number
-    /// of events since the previous sample. `turned` reverses the signs of the contact's motion and force.
+    /// Adds the present state of a stepper to the table. `parts` are the masses and the contact of the table. `events`
+    /// is the number of events since the previous sample. If `turned` is true, the signs of the contact's motion and
+    /// force are reversed.
     pub fn push(&mut self, stepper: &SystemStepper<'_>, parts: &[Part], turned: bool, events: u32) {
         let signed = |value: f64| if turned { 0.0 - value } else { value };
         let contact = stepper.contact();

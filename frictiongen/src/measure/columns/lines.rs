@@ -20,7 +20,7 @@ pub struct QuantityLine {
     pub label: String,
     /// The value.
     pub value: Cell<'static>,
-    /// Bounds of the 95 % interval.
+    /// Lower and upper bound of the 95 % interval.
     pub interval: Option<(f64, f64)>,
     /// Unit of the value.
     pub unit: &'static str,
@@ -28,7 +28,7 @@ pub struct QuantityLine {
 
 impl Row for QuantityLine {}
 
-/// A list of lines that is being built.
+/// A list of lines, to which functions add lines.
 #[derive(Default)]
 struct QuantityLines {
     recording: Option<usize>,
@@ -113,7 +113,7 @@ pub fn fit_lines(system: &System, found: &SweepFit, points: usize) -> Vec<Quanti
     let mut lines = QuantityLines::default();
     let scene = system.scene();
     lines.estimate("reference_Hz", "sqrt(k1/m1)", found.reference, "Hz");
-    // The following lines give the factors from f in Hz to r, and from ω in rad/s to r.
+    // The following lines have the factors from f in Hz to r, and from ω in rad/s to r.
     let inverse = Estimate {
         value: 1.0 / found.reference.value,
         from: 1.0 / found.reference.to,
@@ -153,7 +153,7 @@ fn natural_frequency(lines: &mut QuantityLines, mode: usize, found: Estimate) {
     lines.estimate(&key, &format!("natural frequency {mode}"), found, "Hz");
 }
 
-/// Adds the numbers of the fitted description. Its first mass keeps its value.
+/// Adds the numbers of the fitted description. The first mass keeps its value.
 fn described(lines: &mut QuantityLines, system: &System) {
     let scene = system.scene();
     for mass in &scene.masses {

@@ -1,5 +1,5 @@
-//! Tables of measurements, with rows and columns as in [`study::columns`](crate::study::columns), and single values by
-//! key. All values have SI units.
+//! Tables of measurements, with rows and columns as in [`study::columns`](crate::study::columns), and single values
+//! with their keys. All values have SI units.
 
 mod driven;
 mod lines;

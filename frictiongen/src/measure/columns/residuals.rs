@@ -1,4 +1,4 @@
-//! Tables of measured values beside computed values.
+//! Tables that compare measured values with computed values.
 
 use super::drive_amplitude;
 use crate::Complex;
@@ -18,7 +18,7 @@ pub enum MotionKnown {
     Phase,
 }
 
-/// Row of the table: one measured motion of an observation, beside the motion that the scene computes.
+/// Row of the table: a measured motion of one observation, and the motion that the scene computes.
 #[derive(Clone, Copy, Debug)]
 pub struct ResidualRow<'o> {
     recording: usize,
@@ -31,7 +31,7 @@ pub struct ResidualRow<'o> {
     known: MotionKnown,
 }
 
-/// Row of the table: one point of a sweep, beside the amplitude of the fitted scene.
+/// Row of the table: one point of a sweep, and the amplitude of the fitted scene.
 #[derive(Clone, Copy, Debug)]
 pub struct FittedRow<'o> {
     point: &'o SweepPoint,
@@ -64,7 +64,7 @@ impl ResidualRow<'_> {
         apart / self.datum.deviation
     }
 
-    /// Returns a residual over its standard deviation. Returns `None` unless amplitude and phase were both measured.
+    /// Returns a residual over its standard deviation. Returns `None` unless both amplitude and phase were measured.
     fn whole(&self, residual: f64) -> Option<f64> {
         (self.known == MotionKnown::Both).then(|| residual / self.datum.deviation)
     }

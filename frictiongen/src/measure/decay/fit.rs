@@ -1,4 +1,4 @@
-//! The fit of a decaying vibration to all samples between the first and the last extreme.
+//! Fits a decaying vibration to all samples between the first and the last extreme.
 
 use super::swings::Swings;
 use crate::measure::MeasureError;
@@ -9,15 +9,15 @@ use std::f64::consts::PI;
 
 /// Step of a finite difference, relative to the scale of the parameter.
 const DIFFERENCE: f64 = 1e-6;
-/// Index of the half cycle in [`Shape`].
+/// Index of the number of samples in a half cycle in [`Shape`].
 const HALF: usize = 3;
 /// Index of the decrement of a half cycle in [`Shape`].
 const DECREMENT: usize = 4;
 /// Index of F/k in [`Shape`].
 const LENGTH: usize = 5;
 
-/// Parameters of the decay, in samples and m: position and value of the first extreme, middle, half cycle, its
-/// decrement, F/k.
+/// Parameters of the decay, in samples and m. They are the position and value of the first extreme, the middle, the
+/// half cycle, the decrement of a half cycle, and F/k.
 type Shape = [f64; 6];
 
 /// Returns the displacement at each sample from the first extreme to the last.
@@ -45,7 +45,7 @@ fn wave(shape: &[f64], from: usize, count: usize) -> Option<Vec<f64>> {
 
 /// A recorded decay, a first guess of its parameters, and the parameters to fit.
 pub(super) struct DecayFit<'s> {
-    /// Index of the first extreme.
+    /// Index of the sample at the first extreme.
     from: usize,
     /// The samples from the first extreme to the last.
     window: &'s [f64],
@@ -56,20 +56,20 @@ pub(super) struct DecayFit<'s> {
     free: Vec<usize>,
 }
 
-/// Fitted parameters, each as its value and the half width of its interval.
+/// Fitted parameters, each with its value and the half width of its interval.
 pub(super) struct DecayParameters {
-    /// Samples of a half cycle.
+    /// Number of samples in a half cycle.
     pub(super) half: (f64, f64),
-    /// Decrement of a half cycle.
+    /// Decrement of a half cycle, due to viscous damping.
     pub(super) decrement: (f64, f64),
-    /// F/k, m.
+    /// F/k in m, with the friction force F and the stiffness k.
     pub(super) length: (f64, f64),
     /// Standard deviation of the residuals, m.
     pub(super) deviation: f64,
 }
 
 impl<'s> DecayFit<'s> {
-    /// Derives the first guess from the extremes. `damping` is ζ if it is known.
+    /// Computes a first guess of the parameters from the extremes. `damping` is ζ if it is known.
     pub(super) fn new(
         samples: &'s [f64],
         swings: &Swings,
@@ -99,7 +99,7 @@ impl<'s> DecayFit<'s> {
         })
     }
 
-    /// Fits the parameters.
+    /// Fits the parameters to the samples.
     pub(super) fn solved(&self) -> Result<DecayParameters, MeasureError> {
         let bounds: Vec<(f64, f64)> = self.free.iter().map(|part| self.bounds(*part)).collect();
         let free: Vec<f64> = self
@@ -132,7 +132,7 @@ impl<'s> DecayFit<'s> {
         })
     }
 
-    /// Lower and upper bound of a parameter.
+    /// Returns the lower and the upper bound of a parameter.
     fn bounds(&self, part: usize) -> (f64, f64) {
         let [_, _, _, half, _, size] = self.scales;
         match part {
@@ -143,7 +143,7 @@ impl<'s> DecayFit<'s> {
         }
     }
 
-    /// All parameters, from those to fit.
+    /// Returns all parameters, given the values of those to fit.
     fn shape(&self, free: &[f64]) -> Option<Shape> {
         let mut shape = self.start;
         for (part, value) in self.free.iter().zip(free) {
@@ -152,7 +152,7 @@ impl<'s> DecayFit<'s> {
         Some(shape)
     }
 
-    /// Computed less recorded displacements.
+    /// Returns the computed minus the recorded displacements.
     fn residuals(&self, free: &[f64]) -> Option<DVector<f64>> {
         let count = self.window.len();
         let values = wave(&self.shape(free)?, self.from, count)?;
@@ -160,7 +160,7 @@ impl<'s> DecayFit<'s> {
         Some(DVector::from_iterator(count, pairs.map(|(a, b)| a - b)))
     }
 
-    /// The residuals with their derivatives, by central differences.
+    /// Returns the residuals with their derivatives, by central differences.
     fn linearised(&self, free: &[f64]) -> Option<Linearised> {
         let residuals = self.residuals(free)?;
         let mut jacobian = DMatrix::zeros(self.window.len(), free.len());

@@ -1,9 +1,10 @@
 //! Finds friction and damping from a free vibration of one mass (thesis 4.3.2).
 //!
-//! After its release, a mass swings about one point going up and about another going down, 2F/k apart. Its extremes
-//! fall by 4F/k per cycle (4.2). With viscous damping each half cycle also multiplies the distance from that point by
-//! e^{−πζ/√(1−ζ²)} (Feeny and Liang, J. Sound Vib. 195 (1996) 149). The extremes give a first guess. All samples
-//! between the first and the last extreme are then fitted, because single peaks of a noisy signal come out too high.
+//! After its release, a mass oscillates about one point while it moves up, and about another point while it moves down.
+//! The two points are 2F/k apart. The extremes decrease by 4F/k in a cycle (4.2). With viscous damping each half cycle
+//! also multiplies the distance from the point by e^{−πζ/√(1−ζ²)} (Feeny and Liang, J. Sound Vib. 195 (1996) 149). The
+//! extremes give a first guess. All samples between the first and the last extreme are then fitted, because single
+//! peaks of a noisy signal appear too high.
 
 mod fit;
 mod swings;
@@ -17,7 +18,7 @@ use fit::DecayFit;
 use std::f64::consts::PI;
 use swings::{Swings, noise};
 
-/// A decrease in a half cycle below this fraction of a swing counts as rounding error.
+/// Fraction of a swing below which its decrease in a half cycle counts as rounding error.
 const ROUNDING: f64 = 1e-9;
 
 /// Friction, damping and natural frequency found in a free vibration.
@@ -25,7 +26,7 @@ const ROUNDING: f64 = 1e-9;
 pub struct FreeDecay {
     /// Friction force F, N.
     pub friction: Estimate,
-    /// F/k, m: half the distance between the two points about which the mass swings.
+    /// F/k in m, half the distance between the two points about which the mass oscillates.
     pub length: Estimate,
     /// Damping ratio ζ. Its interval is a single point if ζ was given.
     pub damping: Estimate,
@@ -33,7 +34,7 @@ pub struct FreeDecay {
     pub hertz: Estimate,
     /// F/k by the linear decrement, m: the mean of (x⁽¹⁾ − x⁽²⁾)/4 over the extremes (4.2).
     pub linear_decrement: f64,
-    /// Extremes that were used, as pairs: time from the first sample in s, and displacement in m.
+    /// The extremes that were used. Each is a pair: time from the first sample in s, and displacement in m.
     pub extremes: Vec<(f64, f64)>,
     /// Standard deviation of the residuals, divided by the standard deviation of the noise. If it is far above 1, the
     /// mass does not move as the model says.
@@ -62,7 +63,7 @@ impl System {
 
     /// Finds friction, damping and natural frequency from a free vibration of a scene with one mass.
     ///
-    /// `damping` is ζ if it is known; otherwise ζ is fitted with the other unknowns.
+    /// `damping` is ζ if it is known. With `None`, ζ is fitted together with the other unknowns.
     ///
     /// ```
     /// use frictiongen::measure::{Channel, Recording, Unit};
@@ -88,8 +89,8 @@ impl System {
     /// ```
     ///
     /// # Errors
-    /// [`MeasureError`] for more than one mass, a channel that is not the displacement of the mass, too few extremes
-    /// above the noise, and extremes that do not fall.
+    /// [`MeasureError`] for more than one mass, and for a channel that is not the displacement of the mass.
+    /// [`MeasureError`] also for too few extremes above the noise, and for extremes that do not decrease.
     pub fn free_decay(
         &self,
         recording: &Recording,
@@ -125,7 +126,7 @@ fn of(
     let noise = noise(samples);
     let swings = Swings::of(samples, noise)?;
     let fit = DecayFit::new(samples, &swings, damping)?.solved()?;
-    // Sampled extremes may seem to fall although the motion between the samples does not.
+    // Sampled extremes may seem to decrease although the motion between the samples does not.
     if !(ROUNDING < fit.length.0 / swings.largest + fit.decrement.0) {
         return Err(MeasureError::NoDecay);
     }
@@ -146,8 +147,8 @@ fn of(
     })
 }
 
-/// Estimate of a monotone function of a fitted parameter, which is given as its value and the half width of its
-/// interval.
+/// Returns the estimate of a monotone function of a fitted parameter. The parameter is given as its value and the half
+/// width of its interval.
 fn between((value, reach): (f64, f64), of: &dyn Fn(f64) -> f64) -> Estimate {
     let (a, b) = if reach.is_finite() {
         (of(value - reach), of(value + reach))

@@ -3,11 +3,12 @@
 use super::ROUNDING;
 use crate::measure::MeasureError;
 
-/// Least number of extremes: one more than the unknowns of their decrease.
+/// Smallest number of extremes. It is one more than the number of unknowns in their decrease.
 const FEWEST: usize = 4;
-/// Least turning back that ends a swing, in standard deviations of the noise. [`PART`] bounds it too.
+/// Smallest motion in the opposite direction that ends a swing, in standard deviations of the noise. [`PART`] is
+/// another lower bound.
 const TURN: f64 = 8.0;
-/// Least turning back that ends a swing, as a fraction of the whole range.
+/// Smallest motion in the opposite direction that ends a swing, as a fraction of the whole range.
 const PART: f64 = 0.02;
 
 /// The swings of a free vibration from extreme to extreme.
@@ -23,10 +24,10 @@ pub(super) struct Swings {
 }
 
 impl Swings {
-    /// Finds the swings.
+    /// Finds the swings (motions from extreme to extreme) in the samples.
     ///
     /// # Errors
-    /// [`MeasureError`] for too few extremes above the noise, and for extremes that do not fall.
+    /// [`MeasureError`] for too few extremes above the noise, and for extremes that do not decrease.
     pub(super) fn of(samples: &[f64], noise: f64) -> Result<Self, MeasureError> {
         let range = samples
             .iter()
@@ -71,8 +72,8 @@ pub(super) fn noise(samples: &[f64]) -> f64 {
     (thirds.sum::<f64>() / (20.0 * count)).sqrt()
 }
 
-/// Returns the index and the value of each sample where the motion turns. The start of the record and turns within the
-/// noise are left out.
+/// Returns the index and the value of each sample at which the motion reverses. The start of the record and reversals
+/// within the noise are left out.
 fn extremes(samples: &[f64], turn: f64) -> Vec<(usize, f64)> {
     let mut found = Vec::new();
     let Some(first) = samples.first() else {
@@ -112,9 +113,9 @@ mod tests {
     use rand_distr::{Distribution, StandardNormal};
     use std::f64::consts::TAU;
 
-    /// White noise of deviation 1 is estimated as 1, also on a motion a hundred times as large. From 40,000 samples the
-    /// estimate has a standard deviation of 0.54 %; the tolerance is five of these. The motion's own third differences
-    /// are 100 (2π/2000)³, about 3e-6.
+    /// Checks the estimated noise of white noise with the deviation 1, also on a motion a hundred times as large. From
+    /// 40,000 samples the estimate has a standard deviation of 0.54 %, and the tolerance is five of these. The motion's
+    /// own third differences are 100 (2π/2000)³, about 3e-6.
     #[test]
     fn white_noise_has_its_deviation() {
         let mut random = ChaCha8Rng::seed_from_u64(1);

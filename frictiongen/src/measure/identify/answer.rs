@@ -13,36 +13,36 @@ pub struct Estimate {
     pub value: f64,
     /// Lower bound of the interval.
     pub from: f64,
-    /// Upper bound of the interval; infinite where every larger value fits as well.
+    /// Upper bound of the interval. It is infinite if every larger value fits as well.
     pub to: f64,
 }
 
 impl Estimate {
-    /// Returns whether a number lies within the interval.
+    /// Returns true if a number lies within the interval.
     #[must_use]
     pub fn holds(&self, value: f64) -> bool {
         self.from <= value && value <= self.to
     }
 }
 
-/// Conclusion that a measurement allows about the friction force.
+/// Conclusion about the friction force that a measurement allows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Verdict {
-    /// The description does not explain the measurement: the residuals exceed those that noise of the given deviations
-    /// produces once in 1000 recordings. Force and interval are those of the best fit and may be far from the force of
-    /// the rig.
+    /// The description does not explain the measurement. Noise of the given deviations causes such residuals in fewer
+    /// than one of 1000 recordings. Force and interval are those of the best fit, and may be far from the force of the
+    /// rig.
     NotExplained,
     /// The measurement determines one friction force.
     Determined,
     /// Several friction forces give this response; [`Identified::levels`] lists them.
     SeveralLevels,
-    /// The contact is stuck. Any force from the lower bound of the interval on gives this response.
+    /// The contact is stuck. Any force above the lower bound of the interval gives this response.
     Stuck,
-    /// The measurement does not determine the friction force. The response hardly changes with friction there, as at an
-    /// invariant point, or friction is too small to exceed the noise.
+    /// The measurement does not determine the friction force. Either the response hardly changes with friction at this
+    /// frequency, as at an invariant point, or friction is too small to exceed the noise.
     NotDetermined,
-    /// From amplitudes without phases: either friction almost sticks the contact, or a unit is wrong by 1000 or a
-    /// million, because a motion that many times as large is explained as well.
+    /// Amplitudes without phases allow two conclusions: the contact almost sticks, or a unit is wrong by 1000 or a
+    /// million. A motion that is larger by this factor would agree with the description as well.
     AlmostStuck,
 }
 
@@ -96,7 +96,7 @@ pub struct Explained {
     pub r: f64,
     /// Regime of the contact.
     pub regime: Regime,
-    /// Computed motions, in the order of the observation's motions.
+    /// Computed motions, in the same order as in the observation.
     pub model: Vec<Complex<f64>>,
 }
 
@@ -110,17 +110,16 @@ pub struct Identified {
     pub levels: Vec<Estimate>,
     /// The conclusion about the friction force.
     pub verdict: Verdict,
-    /// The other unknowns, in the order of the request. [`Identified::undetermined`] lists those with an infinite
-    /// interval.
+    /// The other unknowns with their estimates, in the order of the request. [`Identified::undetermined`] lists those
+    /// with an infinite interval.
     pub unknowns: Vec<(Unknown, Estimate)>,
-    /// Sum of the squared residuals over their variances, divided by the degrees of freedom; `None` without degrees of
+    /// Sum of the squared residuals over their variances, divided by the degrees of freedom. `None` without degrees of
     /// freedom. If it exceeds 1 by more than chance, the verdict is [`Verdict::NotExplained`], and the intervals are
     /// wider by its square root.
     pub misfit: Option<f64>,
-    /// Degrees of freedom: number of data less the number of unknowns that they determine.
+    /// Degrees of freedom: number of data minus the number of unknowns that the data determine.
     pub freedom: usize,
-    /// Condition number of the fit: largest ratio of the relative error of a fitted value to the relative error of the
-    /// data that causes it.
+    /// Condition number of the fit: the largest factor by which a relative error of the data grows in a fitted value.
     pub condition: f64,
     /// Each observation with the response of the scene.
     pub explained: Vec<Explained>,
@@ -129,15 +128,15 @@ pub struct Identified {
 }
 
 impl Identified {
-    /// Returns whether noise explains the residuals. Without degrees of freedom they cannot be judged, and the result
-    /// is true.
+    /// Returns true if noise explains the residuals. Without degrees of freedom the residuals cannot be judged, and the
+    /// result is true.
     #[must_use]
     pub fn is_explained(&self) -> bool {
         is_chance(self.misfit, self.freedom)
     }
 
     /// Returns the unknowns that the measurements do not determine. Either the response does not change with them, or
-    /// two of them change it alike. The other estimates are valid for any value of these unknowns.
+    /// two of them change it in the same way. The other estimates are valid for any value of these unknowns.
     #[must_use]
     pub fn undetermined(&self) -> Vec<Unknown> {
         let all = self.unknowns.iter();

@@ -6,7 +6,7 @@ use crate::study::units::Load;
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::PI;
 
-/// Largest standard deviation, in rad, with which a phase is used. Less certain phases are left out.
+/// Largest standard deviation of a phase that the fit uses, in rad. Phases with a larger deviation are left out.
 const VAGUE: f64 = 0.3;
 
 /// The quantities of one observation that the fit compares, with the covariance of their errors.
@@ -23,12 +23,12 @@ fn inner(a: Complex<f64>, b: Complex<f64>) -> f64 {
     a.re * b.re + a.im * b.im
 }
 
-/// Returns i·x.
+/// Returns the complex number i·x.
 fn turned(x: Complex<f64>) -> Complex<f64> {
     Complex::new(-x.im, x.re)
 }
 
-/// Returns the change of the compared quantities for a small change of a complex motion.
+/// Returns the change of the compared quantities that a small change of a complex motion causes.
 fn seen_change(using: Using, value: Complex<f64>, change: Complex<f64>) -> Vec<f64> {
     let size = value.norm().max(f64::MIN_POSITIVE);
     match using {
@@ -39,9 +39,9 @@ fn seen_change(using: Using, value: Complex<f64>, change: Complex<f64>) -> Vec<f
 }
 
 impl<'o> Weighed<'o> {
-    /// Builds the covariance from the errors of each channel and those of the load, which all motions share. A relative
-    /// error ε of the load's amplitude changes x/Y by −x/Y·ε. Through β = F/(k₁Y) it also changes the computed motion
-    /// by −β·dx/dβ·ε. `friction` contains the derivative β·dx/dβ, which equals F·dx/dF.
+    /// Builds the covariance from the errors of each channel and of the load. All motions share the error of the load.
+    /// A relative error ε of the load's amplitude changes x/Y by −x/Y·ε. Through β = F/(k₁Y) it also changes the
+    /// computed motion by −β·dx/dβ·ε. `friction` contains the derivative β·dx/dβ, which equals F·dx/dF.
     pub(super) fn new(
         seen: &'o Observation,
         using: Using,

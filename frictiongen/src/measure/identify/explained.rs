@@ -1,4 +1,4 @@
-//! Decides whether a scene explains a measurement at all, and pairs each observation with the scene's response.
+//! Decides whether a scene can explain a measurement, and pairs each observation with the scene's response.
 
 use super::answer::Explained;
 use super::friction::{IdentifyProblem, PLACES};
@@ -9,21 +9,21 @@ use crate::study::System;
 use crate::study::units::polar;
 use std::f64::consts::PI;
 
-/// Root mean square of the unexplained motion over that of the measured motion, at or above which a measurement counts
-/// as not explained.
+/// Ratio of two root mean squares, of the unexplained and of the measured motion. At or above this ratio a measurement
+/// counts as not explained.
 const GROSS: f64 = 0.5;
-/// Root mean square of the unexplained motion over that of the measured motion, below which a measurement with a
+/// Ratio of two root mean squares, of the unexplained and of the measured motion. Below this ratio a measurement with a
 /// corrected unit counts as explained.
 const MENDED: f64 = 0.2;
-/// Fraction of the scene's largest motion over all friction forces, below which a measured motion may have a wrong
-/// unit.
+/// Fraction of the scene's largest motion over all friction forces. A measured motion below this fraction may have a
+/// wrong unit.
 const TINY: f64 = 0.01;
-/// Root mean square of the phase differences, in rad, at or above which phases count as not explained: 15°.
+/// Root mean square of the phase differences, in rad (15°). At or above this value phases count as not explained.
 const TURNED: f64 = PI / 12.0;
 
 impl IdentifyProblem<'_> {
-    /// Returns the unexplained fraction of the motion at this friction force. Also returns the mass and the motion with
-    /// the largest unexplained amount.
+    /// Returns the unexplained fraction of the motion at this friction force. Also returns the mass with the largest
+    /// unexplained motion, and the two amplitudes of this mass.
     fn unexplained(&self, friction: f64, factor: f64) -> Option<(f64, usize, f64, f64)> {
         let (mut left, mut all) = (0.0, 0.0);
         let mut worst = (0.0, 0, 0.0, 0.0);
@@ -58,7 +58,7 @@ impl IdentifyProblem<'_> {
         if self.using == Using::PhaseAlone {
             return self.turns_alike(friction);
         }
-        // If only phases are compared, the amplitude needs to be plausible and not right.
+        // If only phases are compared, the amplitude only needs to be plausible.
         let gross = if self.using == Using::Phase {
             0.9
         } else {
@@ -98,8 +98,9 @@ impl IdentifyProblem<'_> {
         parts.fold(f64::INFINITY, f64::min) < MENDED
     }
 
-    /// Returns true if the unit of measured amplitudes without phases is in doubt. Two conditions must be true. The
-    /// amplitudes are as small as with an almost stuck contact. Amplitudes larger by a power of 1000 are explained too.
+    /// Returns true if the unit of measured amplitudes without phases is in doubt. Two conditions must hold: the
+    /// amplitudes are as small as with an almost stuck contact, and amplitudes larger by a power of 1000 are explained
+    /// too.
     pub(super) fn doubts_unit(&self) -> bool {
         if self.using != Using::Amplitude {
             return false;

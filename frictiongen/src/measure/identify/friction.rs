@@ -1,4 +1,4 @@
-//! Finds the friction force alone. The sum of squares is scanned over the whole range of forces.
+//! Finds the friction force alone, by a scan of the sum of squares over the whole range of forces.
 
 use super::answer::{Estimate, Explained, Identified, Verdict};
 use super::data::Weighed;
@@ -17,7 +17,7 @@ pub(super) const PLACES: u32 = 96;
 const SECTIONS: usize = 44;
 /// Number of steps of a bisection. They narrow an interval to 1e-12 of its width.
 const HALVINGS: usize = 40;
-/// Largest width of an interval, over the force, at which the measurement still determines the force.
+/// Largest width of an interval, relative to the force, at which the measurement still determines the force.
 const WIDE: f64 = 1.0;
 
 /// Measurements and the scene that is compared with them.
@@ -106,8 +106,8 @@ impl<'a> IdentifyProblem<'a> {
             .ok_or(MeasureError::NoFit)
     }
 
-    /// Returns the factors by which the scene's derivatives are scaled to the measured values. A factor is 1 if the
-    /// amplitude was measured. Otherwise it is the measured value's modulus over the scene's amplitude.
+    /// Returns the factors that scale the scene's derivatives to the measured values. A factor is 1 if the amplitude
+    /// was measured. Otherwise it is the measured value's modulus over the scene's amplitude.
     fn sizes(&self, system: &System, seen: &Observation, friction: f64) -> Option<Vec<f64>> {
         if self.using != Using::PhaseAlone {
             return Some(vec![1.0; seen.motions.len()]);
@@ -122,7 +122,7 @@ impl<'a> IdentifyProblem<'a> {
         )
     }
 
-    /// Returns the sum of squared residuals, or infinity where there is no response.
+    /// Returns the sum of squared residuals, or infinity if there is no response.
     fn squares(&self, weighed: &[Weighed<'_>], friction: f64) -> f64 {
         let sums = self
             .observations
@@ -151,7 +151,7 @@ impl<'a> IdentifyProblem<'a> {
             .map(|i| (place(i), self.squares(&weighed, place(i))))
             .collect();
         let best = self.lowest(&weighed, &scanned)?;
-        // The second pass uses the errors of the load at the force that the first pass has found.
+        // The second pass uses the errors of the load, computed with the force that the first pass has found.
         let weighed = self.weighed(self.system, Some(best))?;
         let scanned: Vec<(f64, f64)> = scanned
             .iter()
@@ -236,8 +236,8 @@ impl<'a> IdentifyProblem<'a> {
         if left.1 <= right.1 { left } else { right }
     }
 
-    /// Returns the force at which the sum of squares rises above `most`, on the side of the minimum that `side` gives
-    /// by its sign.
+    /// Returns the force at which the sum of squares exceeds `most`, on one side of the minimum. The sign of `side`
+    /// selects the side.
     fn edge(&self, weighed: &[Weighed<'_>], force: f64, most: f64, side: f64) -> f64 {
         let end = if side < 0.0 {
             self.range.0
@@ -305,7 +305,7 @@ impl Alone {
             verdict = Verdict::AlmostStuck;
         }
         if verdict == Verdict::Stuck {
-            // Every force from the lower bound on fits equally well. The lower bound is then the answer.
+            // Every force above the lower bound fits equally well. The lower bound is then the answer.
             friction.value = friction.from;
         }
         if !is_chance(self.misfit, self.freedom) {
@@ -341,7 +341,8 @@ pub(super) fn verdict(friction: &Estimate, levels: usize, explained: &[Explained
     }
 }
 
-/// Returns the condition: relative change of the friction force over the relative change of the motion that causes it.
+/// Returns the condition number: the relative change of the friction force over the relative change of the motion that
+/// causes it.
 fn condition(problem: &IdentifyProblem<'_>, friction: &Estimate, explained: &[Explained]) -> f64 {
     let Some(along) = Along::new(problem.system, Direction::Friction) else {
         return f64::INFINITY;

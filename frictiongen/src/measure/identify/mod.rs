@@ -16,14 +16,14 @@ pub use observation::{Datum, Observation, Using};
 pub use request::{IdentifyRequest, Unknown};
 
 impl System {
-    /// Finds the friction force that explains measurements, in any regime, with its interval.
+    /// Finds the friction force that explains the measurements in any regime, with its 95 % interval.
     ///
     /// For the friction force alone, the sum of squares is scanned over the whole range. The interval contains the
-    /// forces at which the sum exceeds its minimum by less than χ² allows. This finds two forces with the same
+    /// forces at which the sum exceeds its minimum by less than χ² allows. The scan finds two forces with the same
     /// response, and shows where the response is flat. With more unknowns, damped Gauss–Newton steps with exact
-    /// sensitivities follow, and the intervals are those of its covariance.
+    /// sensitivities follow. The intervals are then those of the covariance.
     ///
-    /// Where the contact slides all the time, the fundamental of one mass gives β directly: |X₁ − V| = 4β|H|/π. The
+    /// If the contact slides all the time, the fundamental of one mass gives β directly: |X₁ − V| = 4β|H|/π. The
     /// two-amplitude method at resonance (Liang and Feeny, J. Vib. Acoust. 126 (2004) 118) corresponds to observations
     /// at two loads with [`Unknown::Damping`].
     ///
@@ -52,8 +52,9 @@ impl System {
     /// ```
     ///
     /// # Errors
-    /// [`MeasureError`] for no observation, a load that does not fit, fewer data than unknowns, a motion that no
-    /// friction explains or that is 1000 times too large, and a fit that does not converge.
+    /// [`MeasureError`] for no observation, a load that does not fit, and fewer data than unknowns. [`MeasureError`]
+    /// also for a motion that no friction explains or that is 1000 times too large, and for a fit that does not
+    /// converge.
     pub fn identify(
         &self,
         observations: &[Observation],

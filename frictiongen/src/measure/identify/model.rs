@@ -62,12 +62,12 @@ pub(super) fn answer(
     })
 }
 
-/// Upper bound of the scan, as a multiple of the greatest limit at other frequencies. At an antiresonance of the
-/// contact no finite force makes it stick, so that the scan needs a bound.
+/// Upper bound of the scan, as a multiple of the largest limit at other frequencies. At an antiresonance of the contact
+/// no finite force makes it stick, so that the scan needs a bound.
 const FAR: f64 = 20.0;
 
 /// Returns two forces in N: the smallest force at which the contact is stuck, and the upper bound of the scan. The
-/// upper bound is the smaller one only if the first force is above [`FAR`] times the limits at other frequencies.
+/// bound is the smaller of the two only if the first force exceeds [`FAR`] times the limits at other frequencies.
 pub(super) fn sticks_from(system: &System, seen: &Observation) -> Option<(f64, f64)> {
     let r = system.frequency_ratio_at_hertz(seen.hertz);
     let limit = system.at(r).ok()?.sliding_limit();
@@ -163,7 +163,7 @@ pub(super) enum Direction {
     Quantity(Quantity),
 }
 
-/// A scene whose answers have the derivative with respect to one variable.
+/// A scene whose results have the derivative with respect to one variable.
 pub(super) struct Along<'s> {
     system: &'s System,
     direction: Direction,
@@ -183,7 +183,7 @@ impl<'s> Along<'s> {
         })
     }
 
-    /// Returns the derivatives of the values of [`answer`], or `None` where there is no derivative.
+    /// Returns the derivatives of the values of [`answer`], or `None` if no derivative exists.
     pub(super) fn slopes(&self, seen: &Observation, friction: f64) -> Option<Vec<Complex<f64>>> {
         let number = |value: f64, own: bool| -> Sensitive {
             let value = Dd::from(value);

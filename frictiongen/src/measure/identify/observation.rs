@@ -1,4 +1,4 @@
-//! Measured motions at one frequency, and the quantities of them that are compared.
+//! Measured motions at one frequency, and the quantities of these motions that a fit compares.
 
 use crate::Complex;
 use crate::measure::Measured;
@@ -32,8 +32,8 @@ pub struct Datum {
 }
 
 impl Observation {
-    /// Takes the observation from the steady interval of a recording: the fundamental of each mass, and the odd
-    /// harmonics up to `harmonics`.
+    /// Creates the observation from the steady interval of a recording. It has the fundamental of each mass, and the
+    /// odd harmonics up to `harmonics`.
     #[must_use]
     pub fn of(measured: &Measured, system: &System, harmonics: u32) -> Self {
         let amplitude = measured.drive_amplitude();
@@ -69,14 +69,14 @@ pub enum Using {
     Complex,
     /// The amplitude alone.
     Amplitude,
-    /// The phase alone, of motions whose amplitude is plausible.
+    /// The phase alone. The amplitude only needs to be plausible.
     Phase,
-    /// The phase alone, of motions whose amplitude was not measured. Only the direction of [`Datum::value`] counts.
+    /// The phase alone, for motions whose amplitude was not measured. Only the argument of [`Datum::value`] matters.
     PhaseAlone,
 }
 
 impl Using {
-    /// Returns whether only phases are compared.
+    /// Returns true if only phases are compared.
     pub(super) fn is_phase(self) -> bool {
         matches!(self, Self::Phase | Self::PhaseAlone)
     }

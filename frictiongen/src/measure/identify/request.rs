@@ -40,6 +40,7 @@ pub struct IdentifyRequest {
     pub using: Using,
     /// The unknowns that are fitted together with the friction force.
     pub unknowns: Vec<Unknown>,
-    /// Range of the friction forces to scan, N. With `None` it ends where the contact is stuck at every frequency.
+    /// Range of the friction forces to scan, N. With `None` the range ends at the force at which the contact is stuck
+    /// at every frequency.
     pub range: Option<(f64, f64)>,
 }

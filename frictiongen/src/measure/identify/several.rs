@@ -12,7 +12,7 @@ use crate::measure::statistics::{NORMAL, excess, is_chance};
 use crate::study::{System, sensitivity::Quantity};
 use nalgebra::{DMatrix, DVector};
 
-/// Step of a finite difference, relative to the value. It is used where there is no exact derivative.
+/// Step of a finite difference, relative to the value. It is used if no exact derivative exists.
 const DIFFERENCE: f64 = 1e-6;
 /// Starting value of the damping ratio if the scene has no damping.
 const SOME_DAMPING: f64 = 0.01;
@@ -29,7 +29,7 @@ fn bounds(unknown: Unknown, start: f64) -> (f64, f64) {
     }
 }
 
-/// Returns the directions whose derivatives add up to the derivative with respect to an unknown.
+/// Returns the variables whose derivatives add up to the derivative with respect to an unknown.
 fn directions(unknown: Unknown, masses: usize) -> Vec<Direction> {
     match unknown {
         Unknown::Stiction => vec![Direction::Quantity(Quantity::Stiction)],
@@ -88,7 +88,8 @@ impl SeveralFit<'_, '_> {
             Some(place) => directions(*self.unknowns.get(place)?, masses),
         };
         // `Along` differentiates with respect to a factor on the frequencies whose value is 1. The unknown is the whole
-        // factor, which the changed scene already contains. By the chain rule the derivative is divided by this factor.
+        // factor, which the changed scene already contains. By the chain rule the derivative is therefore divided by
+        // this factor.
         let factor = match index
             .checked_sub(1)
             .and_then(|place| self.unknowns.get(place))
@@ -114,8 +115,8 @@ impl SeveralFit<'_, '_> {
         Some(DVector::from_vec(all))
     }
 
-    /// Returns the derivatives of the residuals by finite differences. They serve where dual numbers give none, because
-    /// an event is about to appear or vanish.
+    /// Returns the derivatives of the residuals by finite differences. They replace dual numbers where an event is
+    /// about to appear or vanish.
     fn difference(&self, parameters: &[f64], index: usize) -> Option<DVector<f64>> {
         let value = *parameters.get(index)?;
         let step = DIFFERENCE * value.abs().max(DIFFERENCE);
@@ -124,7 +125,7 @@ impl SeveralFit<'_, '_> {
             *moved.get_mut(index)? += by;
             self.residuals(&moved)
         };
-        // The step goes towards larger values, because the value may lie on its lower bound.
+        // The step goes towards larger values, because the value may be at its lower bound.
         Some((moved(step)? - moved(0.0)?) / step)
     }
 }

@@ -11,13 +11,13 @@ const FEWEST: usize = 16;
 const FLAT: usize = 4;
 /// Number of flat intervals that count as clipping. Fewer may be chance.
 const PLACES: i32 = 2;
-/// Distance before a flat interval over which the slope of the signal is taken, in cycles.
+/// Time before a flat interval over which the slope of the signal is taken, in cycles.
 const BEFORE: f64 = 0.02;
 /// Smallest slope before a flat interval at which clipping is possible, as a fraction of the largest slope in a cycle.
 const STEEP: f64 = 0.1;
-/// Smallest ratio of two slopes that indicates clipping: the slope just before a flat interval, over the slope taken
-/// over twice that distance. Before a stop the ratio is a half, because the motion reaches a stop along a parabola.
-/// Before clipping the ratio is nearly 1. For a sinusoid clipped at 0.99 of its amplitude it is 0.75.
+/// Smallest ratio of two slopes that indicates clipping. It is the slope just before a flat interval, divided by the
+/// slope over twice that distance. Before a stop the ratio is a half, because the motion reaches a stop along a
+/// parabola. Before clipping the ratio is nearly 1. For a sinusoid clipped at 0.99 of its amplitude it is 0.75.
 const STRAIGHT: f64 = 0.7;
 /// Largest acceleration next to a flat interval of rounded samples, as a multiple of ω²A. With an acceleration a, the
 /// slope of the parabola next to the interval is √(2ag/A), where g is the distance to the next rounded value.
@@ -94,13 +94,14 @@ fn samples(channel: &Channel) -> Result<(), MeasureError> {
 
 /// Returns the fraction of the samples that are clipped at the value `extreme`. `None` if the channel is not clipped.
 ///
-/// Rounded samples and a contact that stops are flat at an extreme too, but they approach the extreme slowly.
+/// A signal is also flat at an extreme if its samples are rounded or if the contact stops. In these cases the signal
+/// approaches the extreme slowly.
 fn clipped(values: &[f64], extreme: f64, middle: f64) -> Option<f64> {
     let crossings = values
         .windows(2)
         .filter(|pair| matches!(pair, [a, b] if (*a < middle) != (*b < middle)))
         .count();
-    // A cycle has two crossings of the mean. Noise adds crossings, so that the cycle looks shorter and the test becomes
+    // A cycle has two crossings of the mean. Noise adds crossings, so that the cycle seems shorter and the test becomes
     // milder.
     let cycle = 2.0 * values.len() as f64 / crossings.max(1) as f64;
     let reach = ((BEFORE * cycle).ceil() as usize).max(2);

@@ -7,12 +7,12 @@ use super::unit::{Dimension, Unit};
 use crate::measure::MeasureError;
 use std::fmt::Write as _;
 
-/// Information for reading a CSV that the file itself does not contain, such as the sampling rate.
+/// Information about a CSV file that the file itself does not contain, such as the sampling rate.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct CsvRequest {
     /// Sampling rate, samples per second. It is needed if no column contains the time.
     pub rate: Option<f64>,
-    /// The columns to read, with their meaning. With an empty list, every column is read under its own name.
+    /// The columns to read, with their meaning. If the list is empty, every column is read under its own name.
     pub columns: Vec<Column>,
 }
 
@@ -23,7 +23,7 @@ pub struct Column {
     pub name: String,
     /// Name of the column in the file, or its number from 1.
     pub column: String,
-    /// Unit of the column. With `None` the name of the column in the file gives the unit.
+    /// Unit of the column. With `None` the column's name in the file must contain the unit.
     pub unit: Option<Unit>,
 }
 
@@ -147,8 +147,8 @@ impl CsvTable {
     }
 }
 
-/// Returns the signal that a column name refers to: the name without unit and without `.displacement` or a similar
-/// ending.
+/// Returns the signal that a column name refers to. It is the name without its unit and without an ending such as
+/// `.displacement`.
 fn subject(name: &str) -> &str {
     let kinds = [".displacement", ".velocity", ".acceleration", ".amplitude"];
     let stripped = kinds.iter().find_map(|kind| name.strip_suffix(kind));

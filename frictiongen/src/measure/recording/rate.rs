@@ -19,7 +19,7 @@ pub(super) fn even_rate(
         });
     };
     let steps = time.len().saturating_sub(1).max(1) as f64;
-    // The first step shows a change of the step that a mean would hide.
+    // The first time step reveals a change of the step that a mean would hide.
     let usual = time.get(1).map_or(0.0, |second| second - first);
     let mean = (last - first) / steps;
     let apart = |step: f64, other: f64| !((step - other).abs() <= EVEN * other.abs());

@@ -97,7 +97,7 @@ impl Recording {
             .map_or(0, |channel| channel.samples.len())
     }
 
-    /// Returns true if there are no samples, which is never the case.
+    /// Returns true if the recording has no samples, which is never the case.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.len() == 0

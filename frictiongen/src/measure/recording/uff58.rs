@@ -67,8 +67,8 @@ fn number<T: std::str::FromStr>(
 impl Recording {
     /// Reads a recording from the functions of time in a universal file: the data sets 58 in text form.
     ///
-    /// A channel is named by the response entity of its data set, or by the first line of the data set if there is no
-    /// entity. The unit is the label of the ordinate, or the unit that `request` gives for the column of that name.
+    /// The response entity of a data set is the name of its channel. Without an entity, it is the first line of the
+    /// data set. The unit is the label of the ordinate, or the unit that `request` gives for the column of this name.
     /// Type codes alone do not count as a unit.
     ///
     /// # Errors
@@ -192,7 +192,7 @@ fn exponential(value: f64, digits: usize) -> String {
     format!("{mantissa}E{sign}{size:0>2}")
 }
 
-/// Reads the data set 58 that follows. Returns `None` if its function is not a function of time, or is not requested.
+/// Reads the next data set 58. Returns `None` if its function is not a function of time, or is not requested.
 fn set(lines: &mut FileLines<'_>, request: &CsvRequest) -> Result<Option<Set>, MeasureError> {
     let line = lines.last;
     let title = lines.next()?.trim().to_owned();
@@ -202,7 +202,7 @@ fn set(lines: &mut FileLines<'_>, request: &CsvRequest) -> Result<Option<Set>, M
     let record = lines.next()?;
     let function: i64 = number(lines, field(record, 0, 5), "a function type")?;
     let entity = field(record, 31, 41);
-    // The entity field has room for ten characters only, so that a longer name is taken from the title.
+    // The entity field has room for only ten characters. A longer name is therefore taken from the title.
     let name = match entity {
         "" | "NONE" => title.as_str(),
         entity if title.starts_with(entity) => title.as_str(),

@@ -20,13 +20,13 @@ pub struct SweepFit {
     pub natural: Vec<Estimate>,
     /// Sum of squared residuals over the degrees of freedom. `None` if the points have no deviations.
     pub misfit: Option<f64>,
-    /// Degrees of freedom: number of points less the number of parameters that the points determine.
+    /// Degrees of freedom: number of points minus the number of parameters that the points determine.
     pub freedom: usize,
     /// Root mean square of the relative residuals of the amplitudes.
     pub scatter: f64,
     /// Condition number of the fit. A large number means that the points hardly separate the parameters.
     pub condition: f64,
-    /// Measured less computed amplitude of each point, in the order of the points.
+    /// Measured minus computed amplitude of each point, in the order of the points.
     pub residuals: Vec<f64>,
     /// The scene with the fitted parameters. The first mass keeps its value in the description.
     pub system: System,

@@ -17,8 +17,8 @@ const STARTS: usize = 6;
 /// Misfit below which a fit from the scene's own parameters is accepted: sum of squared residuals over the degrees of
 /// freedom.
 const GOOD: f64 = 2.0;
-/// Factors by which each parameter of the best fit is multiplied for further starting points. This repeats at most
-/// [`ROUNDS`] times, as long as it improves the fit.
+/// Factors by which each parameter of the best fit is multiplied for further starting points. The fit repeats this at
+/// most [`ROUNDS`] times, as long as the result improves.
 const HOPS: [f64; 4] = [0.97, 0.99, 1.01, 1.03];
 const ROUNDS: usize = 4;
 const BETTER: f64 = 0.999;
@@ -55,7 +55,7 @@ impl Sweep<'_> {
             .collect();
         let mut judged = Vec::new();
         for ratios in tried {
-            // One modal analysis serves all frequency factors, because they only scale r.
+            // All frequency factors use the same modal analysis, because they only scale r.
             let Some(system) = self.at(&ratios) else {
                 continue;
             };
@@ -101,8 +101,8 @@ impl Sweep<'_> {
                 |at| self.linearise(at, form),
             )
         };
-        // Amplitudes have poles, near which the slope of the sum of squares leads nowhere. The slope of their
-        // logarithms does lead to the minimum.
+        // Amplitudes have poles. Near a pole the slope of the sum of squares does not lead to the minimum, but the
+        // slope of the logarithms does.
         let from = |start: &[f64]| {
             let rough = run(start, AmplitudeScale::Log)?;
             run(&rough.parameters, AmplitudeScale::Plain).filter(|fit| fit.settled)
@@ -119,8 +119,8 @@ impl Sweep<'_> {
         let best = fits
             .min_by(|a, b| a.squares.total_cmp(&b.squares))
             .ok_or(MeasureError::NoFit)?;
-        // An amplitude has no sign. A resonance on the wrong side of a data point is therefore a separate minimum next
-        // to the right one.
+        // Amplitudes have no sign. A resonance on the wrong side of a data point therefore gives a separate minimum
+        // next to the right one.
         let mut best = best;
         for _ in 0..ROUNDS {
             let places = 0..best.parameters.len();

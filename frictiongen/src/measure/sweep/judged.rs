@@ -10,7 +10,7 @@ use crate::measure::{MeasureError, SweepPoint};
 use crate::study::units::hertz;
 use nalgebra::DVector;
 
-/// Fraction of the amplitudes above which an unexplained remainder makes the fit count as failed.
+/// Fraction of the amplitudes. If a larger fraction remains unexplained, the fit counts as failed.
 const GROSS: f64 = 0.5;
 /// Step of a finite difference, relative to the parameter that it changes.
 const DIFFERENCE: f64 = 1e-6;

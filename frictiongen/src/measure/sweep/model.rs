@@ -12,8 +12,7 @@ use frictiongen_kernel::{Float, Scalar};
 use frictiongen_model::modal::Modal;
 use nalgebra::{DMatrix, DVector};
 
-/// Bound on the difference of the logarithms of two amplitudes. A larger difference counts as if it were equal to the
-/// bound.
+/// Bound on the difference of the logarithms of two amplitudes. A larger difference counts as equal to the bound.
 const FAR: f64 = 3.0;
 /// Starting value of the damping ratio if the scene has no damping.
 const SOME_DAMPING: f64 = 0.005;
@@ -90,7 +89,7 @@ impl<'a> Sweep<'a> {
     }
 
     /// Returns the quantities of the description that a parameter changes, each with its factor. The first parameter
-    /// changes r instead, so its list is empty.
+    /// changes r instead, so that its list is empty.
     fn directions(&self, index: usize, system: &System) -> Vec<(Quantity, f64)> {
         let masses = self.masses();
         let scene = system.scene();
@@ -118,7 +117,7 @@ impl<'a> Sweep<'a> {
         values.collect()
     }
 
-    /// Returns the number by which the residual of a point is divided: its standard deviation if it is known, otherwise
+    /// Returns the divisor of the residual of a point. It is the standard deviation of the point if known, otherwise
     /// its amplitude.
     fn weight(point: &SweepPoint) -> f64 {
         point.deviation.unwrap_or(point.amplitude)
@@ -132,7 +131,7 @@ impl<'a> Sweep<'a> {
         Some(self.compared(&self.values(&self.at(parameters)?, 1.0)?, form))
     }
 
-    /// Returns the residuals of the points: measured less computed amplitudes, in the given form.
+    /// Returns the residuals of the points, measured minus computed amplitudes, in the given form.
     pub(super) fn compared(&self, values: &[Complex<f64>], form: AmplitudeScale) -> DVector<f64> {
         let residuals = self
             .points
@@ -162,7 +161,7 @@ impl<'a> Sweep<'a> {
             };
             for (row, (point, value)) in self.points.iter().zip(&values).enumerate() {
                 let r = ratio(&system, point);
-                // Higher frequencies of the scene make the frequency ratio r lower.
+                // If the scene's frequencies increase, the frequency ratio r decreases.
                 let slope = if index == 0 { -r / parameter } else { 0.0 };
                 let r = Dual { value: r, slope };
                 let far = residuals

@@ -29,7 +29,7 @@ impl<'a, R: Row + 'a> Columns<'a, R> {
         }
     }
 
-    /// Returns the units of the columns.
+    /// Returns the system of units in which the columns print their numbers.
     #[must_use]
     pub fn measure(&self) -> &Measure {
         &self.measure
@@ -62,7 +62,8 @@ impl<'a, R: Row + 'a> Columns<'a, R> {
         self.axis = axis;
     }
 
-    /// Adds a column of numbers. `read` returns each number as a non-dimensional group, and the column converts it.
+    /// Adds a column of numbers. `read` returns each number as a non-dimensional group, and the column converts it to
+    /// its unit.
     pub fn number(&mut self, head: impl Into<Head>, read: impl Fn(&R) -> Option<f64> + 'a) {
         let (head, measure) = (head.into(), self.measure);
         let dimension = head.dimension;
@@ -73,8 +74,9 @@ impl<'a, R: Row + 'a> Columns<'a, R> {
         self.push(head, Kind::Number, Box::new(move |row| convert(row).into()));
     }
 
-    /// Adds numbers that are known to lie within an interval, whose width `width` gives. `read` and `width` give groups.
-    /// Without a width, or with the width 0, all digits hold.
+    /// Adds a column of numbers that are only known to lie within an interval. `width` returns the width of the
+    /// interval. `read` and `width` return non-dimensional groups. Without a width, or with the width 0, all digits are
+    /// valid.
     pub fn number_within(
         &mut self,
         head: impl Into<Head>,
@@ -99,12 +101,12 @@ impl<'a, R: Row + 'a> Columns<'a, R> {
         );
     }
 
-    /// Adds numbers that have their unit already.
+    /// Adds a column of numbers that already have their unit.
     pub fn converted(&mut self, head: impl Into<Head>, read: impl Fn(&R) -> Option<f64> + 'a) {
         self.given(head, &[], read);
     }
 
-    /// Adds a column of numbers that the user gave, in the column's own unit. `grid` contains all of them.
+    /// Adds a column of numbers that the user gave, in the unit of the column. `grid` contains all these numbers.
     pub fn given(
         &mut self,
         head: impl Into<Head>,
@@ -172,14 +174,16 @@ impl<'a, R: Row + 'a> Columns<'a, R> {
         self.moves_before(0, of);
     }
 
-    /// Sets the function that returns the derivatives of an earlier column. `before` counts the columns after it.
+    /// Sets the function that returns the derivatives of an earlier column's values. `before` is the number of columns
+    /// after that column.
     pub fn moves_before(&mut self, before: usize, of: impl Fn(&R) -> Option<&Sensed> + 'a) {
         if let Some(column) = self.all.iter_mut().rev().nth(before) {
             column.moves = Some(Box::new(of));
         }
     }
 
-    /// Sets the condition under which an answer printed as lines contains a line for the last column.
+    /// Sets the condition for a line of the last column. An answer printed as lines has this line only if the condition
+    /// is true.
     pub fn say_if(&mut self, says: impl Fn(&R) -> bool + 'a) {
         if let Some(last) = self.all.last_mut() {
             last.says = Some(Box::new(says));

@@ -10,8 +10,8 @@ use std::borrow::Cow;
 pub enum Kind<'a> {
     /// Numbers.
     Number,
-    /// Numbers that the user gave. The slice contains all of them, from which a printed table takes the number of
-    /// decimals.
+    /// Numbers that the user gave. The slice contains all of them. A printed table takes the number of decimals from
+    /// the slice.
     Given(&'a [f64]),
     /// Counts.
     Count,
@@ -43,7 +43,7 @@ pub enum Shown {
     Everywhere,
     /// Every output except printed tables.
     Files,
-    /// JSON and Python, for values that do not fit into a cell.
+    /// JSON files and Python, for values that do not fit into a cell of a printed table.
     Objects,
     /// JSON alone.
     Json,
@@ -85,7 +85,7 @@ impl Head {
         }
     }
 
-    /// Sets another name, which the column has under a load.
+    /// Sets the name that the column has under a load.
     #[must_use]
     pub fn under_load(self, name: &'static str) -> Self {
         Self {
@@ -94,7 +94,7 @@ impl Head {
         }
     }
 
-    /// Sets another name for Python, for a name that is a reserved word in Python.
+    /// Sets the name that the column has in Python. It is needed for a name that is a reserved word in Python.
     #[must_use]
     pub fn attribute(self, name: &'static str) -> Self {
         Self {
@@ -147,7 +147,7 @@ pub struct Column<'a, Row> {
     pub shown: Shown,
     pub(super) name: String,
     pub(super) attribute: Option<&'static str>,
-    /// Unit of the numbers. For a displacement without a load it is the reference, `P/k1` or `Y`.
+    /// Unit of the numbers. A displacement without a load has the reference length `P/k1` or `Y` instead.
     pub(super) of_what: &'static str,
     pub(super) read: ReadCell<'a, Row>,
     pub(super) says: Option<Says<'a, Row>>,
@@ -160,7 +160,8 @@ impl<Row> Column<'_, Row> {
         (self.read)(row)
     }
 
-    /// Returns true if an answer printed as lines contains a line for this value, for example a bound that was reached.
+    /// Returns true if an answer printed as lines contains a line for this value. A line may be omitted, for example
+    /// for a bound that was not reached.
     pub fn says(&self, row: &Row) -> bool {
         self.says.as_ref().is_none_or(|says| says(row))
     }
@@ -176,19 +177,21 @@ impl<Row> Column<'_, Row> {
         self.moves.as_ref()?(row)
     }
 
-    /// Returns the unit of the numbers. For a displacement without a load it is the reference: `m`, `P/k1`.
+    /// Returns the unit of the numbers, for example `m`. A displacement without a load has the reference length `P/k1`
+    /// or `Y` instead.
     #[must_use]
     pub fn of_what(&self) -> &'static str {
         self.of_what
     }
 
-    /// Returns the name without contact or mass and without harmonic: `amplitude_m`.
+    /// Returns the name without contact or mass and without harmonic, for example `amplitude_m`.
     #[must_use]
     pub fn name(&self) -> &str {
         &self.name
     }
 
-    /// Returns the name with its harmonic, but without contact or mass: `X3.amplitude_m` for the third harmonic.
+    /// Returns the name with its harmonic, but without contact or mass. `X3.amplitude_m` is the name for the third
+    /// harmonic.
     #[must_use]
     pub fn name_in_part(&self) -> String {
         match self.order {
@@ -197,7 +200,7 @@ impl<Row> Column<'_, Row> {
         }
     }
 
-    /// Returns the name of the column in CSV and JSON: `upper.X3.amplitude_m`.
+    /// Returns the name of the column in CSV and JSON, for example `upper.X3.amplitude_m`.
     #[must_use]
     pub fn key(&self) -> String {
         match &self.part {
@@ -206,7 +209,7 @@ impl<Row> Column<'_, Row> {
         }
     }
 
-    /// Returns the name of the column in Python, which is its key unless that is a reserved word.
+    /// Returns the name of the column in Python. It is the key, unless the key is a reserved word in Python.
     #[must_use]
     pub fn attribute(&self) -> String {
         self.attribute.map_or_else(|| self.key(), str::to_owned)

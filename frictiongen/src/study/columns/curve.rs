@@ -11,16 +11,16 @@ use crate::study::{
     words,
 };
 
-/// A row of the table: a point of a curve, or an end point of a gap in it.
+/// A row of the table: a point of a curve, or an end point of a gap in the curve.
 #[derive(Clone, Debug)]
 pub struct CurveRow {
-    /// The frequency of the point.
+    /// The friction of the curve, as ratio β and, under a load, as force in N.
     pub friction: Friction,
     /// The start of the motions of the curve.
     pub start: CurveStart,
     /// Frequency of the excitation, as ratio r, in Hz and in rad/s.
     pub frequency: Frequency,
-    /// Number of the piece, counted from 1 along the frequency. `None` in a gap.
+    /// Number of the curve's piece, counted from 1 with ascending frequency. `None` in a gap.
     pub piece: Option<usize>,
     /// The response at the point, or the reason for the gap.
     pub found: Result<CurvePoint, Error>,

@@ -101,7 +101,7 @@ impl SpectrumRow<'_> {
 }
 
 impl<'a> HistoryTable<'a> {
-    /// Returns a value of the contact's or a mass's motion, with the sign of the table's units.
+    /// Returns a value of the contact's or a mass's motion, with the sign that the table's units define.
     #[must_use]
     pub fn signed(&self, of: Of, value: f64) -> f64 {
         // The subtraction avoids −0.
@@ -249,7 +249,8 @@ impl<'a> HistoryTable<'a> {
     }
 }
 
-/// Returns the name of a part's value at an instant.
+/// Returns the word for the value of a motion at an instant: `force` for a spring or the base shear, otherwise
+/// `displacement`.
 fn word(part: &Part) -> &'static str {
     if part.of.is_force() {
         "force"

@@ -6,14 +6,15 @@ use super::measure::Dimension;
 use super::setting::{AtFrequency, Frequency, Setting};
 use crate::OutOfDomain;
 
-/// The choice of limits that the table contains.
+/// The limits that the table contains.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LimitsAsked {
     /// The exact limits β_lim and β*_lim.
     Exact,
     /// The exact limits, and the estimates of β_lim in addition.
     All,
-    /// The limit β*_lim, and an upper bound on β_lim with the velocity constraint S at its start value τ → 0.
+    /// The limit β*_lim, and an upper bound on β_lim. The bound replaces the velocity constraint S by its limit for τ →
+    /// 0.
     WithoutSearch,
 }
 
@@ -24,9 +25,9 @@ pub struct LimitsRow {
     pub frequency: Frequency,
     /// Limit of continuous motion β_lim.
     pub continuous: Option<f64>,
-    /// Upper bound on β_lim, with the velocity constraint S at its start value τ → 0.
+    /// Upper bound on β_lim, which replaces the velocity constraint S by its limit for τ → 0.
     pub without_search: Option<f64>,
-    /// Estimate of β_lim, with the velocity constraint S taken for each mode separately.
+    /// Lower bound on β_lim, which replaces the velocity constraint S by the sum of the modes' own maxima.
     pub per_mode: Option<f64>,
     /// Limit of sliding β*_lim.
     pub sliding: f64,

@@ -90,7 +90,7 @@ impl MapRow<'_> {
         self.found.as_ref().ok()
     }
 
-    /// Returns the point if its motion repeats. Motions that do not repeat have no numbers of stops and reversals.
+    /// Returns the point if its motion repeats. Otherwise the numbers of stops and reversals are undefined.
     fn counted(&self) -> Option<&MapPoint> {
         self.point().filter(|point| 0 < point.pattern.period)
     }
@@ -217,7 +217,7 @@ impl<'a> MapTable<'a> {
     pub fn boundary_columns(&self) -> Vec<Column<'a, BoundaryRow>> {
         let mut columns = Columns::new(&self.setting.measure);
         self.setting.frequency(&mut columns);
-        // The frictions of the boundaries were computed, not given.
+        // The frictions of the boundaries were computed, not given by the user.
         let setting = Setting {
             frictions: &[],
             ..self.setting

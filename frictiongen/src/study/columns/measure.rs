@@ -11,7 +11,7 @@ use std::f64::consts::TAU;
 /// The physical quantity of a number, from which its unit follows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Dimension {
-    /// A ratio, or a number whose unit another column contains.
+    /// A ratio, or a number whose unit is in another column.
     One,
     /// A displacement, in m under a load. Without a load the unit is P/k₁, for base motion Y.
     Length,
@@ -19,11 +19,11 @@ pub enum Dimension {
     Velocity,
     /// An acceleration, in m/s² under a load, otherwise d²x̄/dτ².
     Acceleration,
-    /// A phase, in degrees under a load, otherwise in rad.
+    /// A phase, in degrees under a load and otherwise in rad.
     Angle,
     /// A force, in N under a load. Without a load the unit is P, for base motion k₁Y.
     Force,
-    /// Mean power in W under a load. Without a load, the work of a cycle in units of P²/k₁, for base motion k₁Y².
+    /// Mean power in W under a load. Without a load, the work in a cycle in units of P²/k₁, for base motion k₁Y².
     Power,
     /// A frequency, in Hz.
     Hertz,
@@ -94,7 +94,7 @@ impl Measure {
     }
 
     /// Returns true if these units reverse the sign of the contact's motion. The sign then agrees with the description,
-    /// whatever the order of its masses.
+    /// whatever the order of the masses.
     #[must_use]
     pub fn turns_contact(&self) -> bool {
         self.reversed && self.scale.is_some()
@@ -155,7 +155,7 @@ impl Measure {
             .map_or(rate, |scale| scale.velocity(rate, omega) * omega)
     }
 
-    /// Converts the work of a cycle over P²/k₁ to these units: mean power in W under a load.
+    /// Converts the work in a cycle, over P²/k₁, to these units. Under a load the result is a mean power in W.
     #[must_use]
     pub fn power(&self, work: f64, omega: f64) -> f64 {
         self.scale.map_or(work, |scale| {
@@ -169,13 +169,13 @@ impl Measure {
         self.scale.map_or(ratio, |scale| scale.friction(ratio))
     }
 
-    /// Converts a phase in rad to these units: degrees under a load.
+    /// Converts a phase in rad to these units, which are degrees under a load and otherwise rad.
     #[must_use]
     pub fn angle(&self, radians: f64) -> f64 {
         self.scale.map_or(radians, |_| radians.to_degrees())
     }
 
-    /// Returns the name of a column, under a load with its unit: `amplitude_m`, otherwise `amplitude`.
+    /// Returns the name of a column. Under a load it contains the unit: `amplitude_m`, otherwise `amplitude`.
     #[must_use]
     pub fn name(&self, name: &str, dimension: Dimension) -> String {
         let (suffix, always) = match dimension {
@@ -216,7 +216,8 @@ impl Measure {
         }
     }
 
-    /// Returns the reference of a group for a heading: `Y`, `P/k1`. It is empty under a load.
+    /// Returns the reference of a non-dimensional group for a heading, for example `Y` or `P/k1`. The text is empty
+    /// under a load.
     #[must_use]
     pub fn reference(&self, dimension: Dimension) -> &'static str {
         match (dimension, self.scale, self.base_motion) {

@@ -1,6 +1,6 @@
-//! The table of each question of a design study: its rows and its columns with their units.
+//! Tables of the answers of a design study. Each answer has a table with rows, and columns with units.
 //!
-//! The command prints text, CSV and JSON from these tables. The report reads them, and Python's arrays are their
+//! The command prints text, CSV and JSON from these tables. The report reads the tables, and Python's arrays are their
 //! columns. One line of code adds a column to a table.
 //!
 //! ```

@@ -8,7 +8,7 @@ use crate::Complex;
 use crate::study::response::{Size, Swing};
 use crate::study::units::polar;
 
-/// The motion of the contact or of a mass, in non-dimensional groups. `None` means that a quantity is missing.
+/// The motion of the contact or of a mass, in non-dimensional groups. A quantity is `None` if the answer lacks it.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct PartMotion<'r> {
     /// Largest displacement over P/k₁ or Y (amplitude), and its phase in rad.
@@ -97,7 +97,7 @@ pub fn motions<'a, R: Moving + 'a>(columns: &mut Columns<'a, R>, parts: &[Part],
     }
 }
 
-/// Adds the columns of a harmonic: amplitude and lag, and for JSON also real and imaginary part.
+/// Adds the columns of a harmonic: amplitude and lag. JSON files also get the real and imaginary part.
 fn harmonic<'a, R: Moving + 'a>(
     columns: &mut Columns<'a, R>,
     (part, place): (usize, usize),

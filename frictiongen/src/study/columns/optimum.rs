@@ -69,7 +69,7 @@ impl<'a> OptimumTable<'a> {
         peaks.collect()
     }
 
-    /// Returns the rows of the sensitivities. Without a load there are none.
+    /// Returns the rows of the sensitivities. Without a load the list is empty.
     #[must_use]
     pub fn sensitivities(&self, optimum: &Optimum) -> Vec<OptimumSensitivityRow> {
         let Some(point) = self.point() else {
@@ -85,7 +85,8 @@ impl<'a> OptimumTable<'a> {
         rows.collect()
     }
 
-    /// Returns an operating point at which the parameters get their names and units. Its numbers do not matter.
+    /// Returns an operating point from which the parameters get their names and units. The numbers of this point do not
+    /// matter.
     fn point(&self) -> Option<OperatingPoint> {
         Some(OperatingPoint::Physical {
             hertz: 1.0,
@@ -103,13 +104,14 @@ impl<'a> OptimumTable<'a> {
         columns
     }
 
-    /// Returns the dimension of the amplitude.
+    /// Returns the physical dimension of the amplitude: length or force.
     fn size(&self) -> Dimension {
         let part = self.setting.parts.first();
         part.map_or(Dimension::Length, Part::dimension)
     }
 
-    /// Returns the columns of the best friction. The first line of a heading is the label of a line.
+    /// Returns the columns of the best friction. The first line of a heading is the label of its line in the printed
+    /// answer.
     fn best(&self) -> Vec<Column<'a, Optimum>> {
         use Dimension::Force;
         let mut columns = Columns::new(&self.setting.measure);
@@ -202,7 +204,7 @@ impl<'a> OptimumTable<'a> {
         columns.done()
     }
 
-    /// Returns the columns of the sensitivities. Without a load there are none.
+    /// Returns the columns of the sensitivities. Without a load the list is empty.
     #[must_use]
     pub fn sensitivity_columns(&self) -> Vec<Column<'a, OptimumSensitivityRow>> {
         let mut columns = Columns::new(&self.setting.measure);

@@ -10,7 +10,7 @@ use crate::study::{
     words,
 };
 
-/// Symbol in the row that contains the answers instead of their derivatives.
+/// Symbol in the row that has the answers themselves instead of their derivatives.
 const ITSELF: &str = "the answer";
 
 /// A row: the derivatives of the answers with respect to one parameter at one operating point.
@@ -32,7 +32,7 @@ struct FoundSlope {
     symbol: String,
     unit: &'static str,
     sensitivity: ParameterSensitivity,
-    /// True for the row that contains the answers instead of their derivatives.
+    /// True for the row that has the answers themselves instead of their derivatives.
     itself: bool,
 }
 
@@ -95,7 +95,7 @@ impl AtFriction for SensitivityRow {
 }
 
 impl SensitivityRow {
-    /// Returns the row that contains the answers instead of their derivatives, if there are answers.
+    /// Returns the row that has the answers themselves instead of their derivatives. `None` if there are no answers.
     #[must_use]
     pub fn itself(&self) -> Option<Self> {
         let mut row = self.clone();
@@ -105,7 +105,7 @@ impl SensitivityRow {
         Some(row)
     }
 
-    /// Returns the parameter. `None` for the row that contains the answers.
+    /// Returns the parameter of the row. `None` for the row that has the answers themselves.
     fn parameter(&self) -> Option<&FoundSlope> {
         self.found.as_ref().filter(|found| !found.itself)
     }
@@ -133,11 +133,11 @@ impl<'a> SensitivityTable<'a> {
         }
     }
 
-    /// Returns the rows at an operating point: one for each parameter. If there are no derivatives, one row contains
-    /// the reason.
+    /// Returns the rows at an operating point, one for each parameter. If no derivatives exist, a single row has the
+    /// reason.
     ///
     /// # Errors
-    /// An error for which the table has no word.
+    /// An error that the table cannot express by a word.
     pub fn rows(
         &self,
         frequency: Frequency,

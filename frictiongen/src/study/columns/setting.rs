@@ -10,7 +10,7 @@ use crate::study::{
     units::{self, LoadScale},
 };
 
-/// Name of the contact, which no mass can have.
+/// Name of the contact. No mass can have this name.
 pub const CONTACT: &str = "contact";
 
 /// A moving part: the contact, a mass, or a combination of masses and base.
@@ -18,14 +18,14 @@ pub const CONTACT: &str = "contact";
 pub struct Part {
     /// Selects the contact or the mass.
     pub of: Of,
-    /// The requested size of the motion: its displacement, velocity or acceleration.
+    /// The requested quantity of the motion: displacement, velocity or acceleration.
     pub size: Size,
-    /// Name of the part.
+    /// Name of the contact, mass or combination.
     pub name: String,
 }
 
 impl Part {
-    /// Returns the part with this name, as [`System::quantity_named`] reads it.
+    /// Returns the contact, mass or combination with this name, as [`System::quantity_named`] reads it.
     ///
     /// # Errors
     /// Same errors as [`System::quantity_named`].
@@ -68,7 +68,7 @@ impl Part {
 pub enum FrequencyUnit {
     /// Frequency ratios r.
     Ratio,
-    /// Frequency ratios r, next to which tables print Hz, because a load is known.
+    /// Frequency ratios r. Tables also print Hz, because a load is given.
     RatioUnderLoad,
     /// Frequencies in Hz.
     Hertz,
@@ -98,7 +98,7 @@ impl FrequencyUnit {
         self != Self::Ratio
     }
 
-    /// Returns the frequency of the number `given` in this unit.
+    /// Returns the frequency for the number `given` in this unit.
     #[must_use]
     pub fn given(self, system: &System, given: f64) -> Frequency {
         match self {
@@ -185,7 +185,7 @@ pub struct Setting<'a> {
     pub system: &'a System,
     /// Units of the answers: SI units under a load, otherwise non-dimensional groups.
     pub measure: Measure,
-    /// The unit of the frequencies.
+    /// The unit in which the user gave the frequencies.
     pub frequency: FrequencyUnit,
     /// The frequencies as the user gave them. The slice is empty for a band of frequencies.
     pub frequencies: &'a [f64],

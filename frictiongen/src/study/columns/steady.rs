@@ -16,7 +16,7 @@ use crate::study::{
 };
 use crate::{Of, Regime};
 
-/// The motion of the contact or of a mass, in non-dimensional groups. `None` means that a quantity is missing.
+/// The motion of the contact or of a mass, in non-dimensional groups. A quantity is `None` if the answer lacks it.
 #[derive(Clone, Debug, Default)]
 struct MotionGroups {
     swing: Option<Swing>,
@@ -28,7 +28,7 @@ struct MotionGroups {
 }
 
 impl MotionGroups {
-    /// Takes the motion of a response in any regime.
+    /// Reads the motion from a response in any regime.
     fn of_response(response: &SystemResponse<'_>, part: &Part, orders: &[u32]) -> Self {
         let of = part.of;
         let rates = || {
@@ -74,7 +74,7 @@ impl MotionGroups {
         }
     }
 
-    /// Sets displacements to zero at r = ∞, where they vanish. The formulas are evaluated at a large, finite r instead.
+    /// Sets displacements to zero at r = ∞, where they vanish. The formulas use a large, finite r instead of ∞.
     fn settle(&mut self) {
         let settled = |value: f64| if value.abs() < 1e-100 { 0.0 } else { value };
         if let Some(swing) = &mut self.swing {
@@ -87,15 +87,15 @@ impl MotionGroups {
         }
     }
 
-    /// Removes the phase of a motion whose amplitude is 0, because it has none.
+    /// Removes the phase of a motion whose amplitude is 0, because its phase is undefined.
     fn leave_out_phase(&mut self) {
         if let Some(swing) = &mut self.swing {
             swing.phase = swing.phase.filter(|_| swing.amplitude != 0.0);
         }
     }
 
-    /// Removes quantities without information while the contact is stuck: the contact's own motion, and the harmonics,
-    /// because a stuck response has only one.
+    /// Removes quantities without information while the contact is stuck. These are the contact's own motion and the
+    /// harmonics, because a stuck response has only one harmonic.
     fn leave_out_stuck(&mut self, of: Of) {
         match of {
             Of::Contact => *self = Self::default(),

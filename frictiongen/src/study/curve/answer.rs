@@ -11,15 +11,16 @@ pub struct Curve {
     pub beta: f64,
     /// The start of the motion at each point.
     pub start: CurveStart,
-    /// The pieces of the curve, with ascending r. Points of one piece may be joined.
+    /// The pieces of the curve, in ascending order of r. A line may join the points of one piece.
     pub pieces: Vec<Piece>,
     /// The ranges without a response.
     pub gaps: Vec<Gap>,
-    /// True if straight lines are within the requested accuracy. False means that the bound on work was reached first.
+    /// True if straight lines between the points are within the requested accuracy. False if the curve reached its
+    /// bound on work first.
     pub refined: bool,
 }
 
-/// An interval of a curve in one regime, whose points may be joined.
+/// An interval of a curve in one regime. A line may join its points.
 #[derive(Clone, Debug)]
 pub struct Piece {
     /// Regime at all points of the piece.
@@ -32,7 +33,7 @@ pub struct Piece {
     pub end: End,
 }
 
-/// The reason why a piece of a curve ends.
+/// The reason why a piece of a curve ends at one of its points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum End {
@@ -42,9 +43,9 @@ pub enum End {
     Boundary,
     /// The amplitude grows without bound.
     Pole,
-    /// The amplitude jumps, because another motion begins.
+    /// The amplitude jumps, because another steady state begins.
     Jump,
-    /// There is no response beyond.
+    /// No response exists beyond this point.
     NoAnswer,
 }
 

@@ -1,8 +1,8 @@
-//! Responses along frequency in every regime. Points are dense where a curve bends.
+//! Responses along frequency in every regime. Their points are close together where a curve bends.
 //!
-//! A curve consists of pieces. It is cut where the regime changes, at poles, at jumps and where there is no response.
-//! Between the cuts it is refined. Cuts are located to rounding, so that a picture never joins points on two sides of a
-//! cut.
+//! A curve consists of pieces. It is cut where the regime changes, at poles, at jumps and where no response exists.
+//! Between two cuts, points are added until straight lines are accurate enough. Cuts are located to rounding, so that a
+//! picture never joins points on two sides of a cut.
 
 mod answer;
 mod pieces;
@@ -22,8 +22,8 @@ use rayon::prelude::*;
 use refine::Refine;
 
 impl System {
-    /// Returns the response along frequency at one friction ratio. The points come from the closed form where the
-    /// contact slides all the time, from steady states with stops, and from the stuck response.
+    /// Returns the response along frequency at one friction ratio. Where the contact slides all the time, the points
+    /// come from the closed form. Elsewhere they come from steady states with stops, or from the stuck response.
     ///
     /// ```
     /// use frictiongen::study::curve::CurveRequest;
@@ -48,9 +48,9 @@ impl System {
     /// ```
     ///
     /// With [`CurveStart::Up`] and [`CurveStart::Down`] the motion at each point starts from the steady state of the
-    /// last point, as in a laboratory sweep. Displacements and velocities of the masses carry over unchanged when the
-    /// frequency changes. A curve is cut with [`End::Jump`] where its state ceases to exist and the motion settles to
-    /// another one.
+    /// last point, as in a laboratory sweep. When the frequency changes, displacements and velocities of the masses
+    /// stay unchanged. A curve is cut with [`End::Jump`] where its steady state ceases to exist and the motion settles
+    /// in another state.
     ///
     /// ```
     /// use frictiongen::study::curve::{CurveRequest, CurveStart};
@@ -77,13 +77,13 @@ impl System {
     /// ```
     ///
     /// # Errors
-    /// [`CurveError`] for an invalid request. Where there is no response, a [`Gap`] gives the reason.
+    /// [`CurveError`] for an invalid request. Where no response exists, a [`Gap`] gives the reason.
     pub fn curve(&self, request: &CurveRequest, beta: f64) -> Result<Curve, CurveError> {
         self.curve_from(request, beta, request.start)
     }
 
-    /// Returns several curves, computed in parallel. Each pair of friction ratio and start replaces those of the
-    /// request.
+    /// Returns several curves, computed in parallel. Each curve has its own friction ratio and start, which replace
+    /// those of the request.
     ///
     /// # Errors
     /// Same errors as [`curve`](Self::curve).

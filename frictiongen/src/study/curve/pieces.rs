@@ -1,4 +1,4 @@
-//! Joins the nodes of a curve to pieces and gaps.
+//! Joins the points of a curve to pieces, and the ranges without a response to gaps.
 
 use super::answer::{Curve, End, Gap, Piece};
 use super::point::CurvePoint;
@@ -15,7 +15,7 @@ pub(super) struct CurveNode {
     pub work: usize,
 }
 
-/// Returns the curve of nodes in ascending order.
+/// Returns the curve through nodes in ascending order. A node is a frequency ratio with its response.
 pub(super) fn curve(
     (beta, start): (f64, CurveStart),
     nodes: impl Iterator<Item = CurveNode>,
@@ -41,7 +41,7 @@ pub(super) fn curve(
     }
 }
 
-/// Collects nodes in ascending order into pieces and gaps.
+/// Collects nodes (frequency ratios with their responses) in ascending order into pieces and gaps.
 #[derive(Default)]
 struct PieceBuilder {
     pieces: Vec<Piece>,
@@ -54,7 +54,7 @@ struct PieceBuilder {
 impl PieceBuilder {
     fn point(&mut self, point: CurvePoint) {
         self.in_gap = false;
-        // On a boundary, rounding may put a point into the regime beyond.
+        // On a boundary between two regimes, rounding may put a point into the other regime.
         if self
             .open
             .last()

@@ -1,4 +1,5 @@
-//! Selects the places of a curve: frequency ratios at which the curve is cut, or between which its refinement starts.
+//! Selects the first frequency ratios of a curve, called *places*. The curve is cut at some of them, and refined
+//! between them.
 
 use super::answer::End;
 use super::request::CurveRequest;
@@ -7,7 +8,7 @@ use crate::{Of, Regime};
 
 /// Number of intervals of the first grid.
 const INTERVALS: usize = 160;
-/// Largest number of odd sub-harmonics of a resonance that become places.
+/// Largest number of odd sub-harmonics of a resonance at which a curve is computed.
 const MOST_SUBHARMONICS: usize = 25;
 /// Relative distance from a pole to the nearest points of the curve.
 const NEAR_POLE: f64 = 1e-5;
@@ -20,10 +21,10 @@ const STEPS: usize = 60;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct CurvePlace {
     pub r: f64,
-    /// The reason for a cut between this place and the next, if there is one.
+    /// The reason for a cut between this frequency ratio and the next, if there is one.
     pub cut: Option<End>,
-    /// True for a sub-harmonic of a resonance that is not next to a cut. A curve leaves it out when the work runs
-    /// short.
+    /// True for a sub-harmonic of a resonance that is not next to a cut. The curve omits it if the bound on work is
+    /// reached.
     pub spare: bool,
 }
 
@@ -44,8 +45,8 @@ impl CurvePlace {
     }
 }
 
-/// Returns the places of a curve in ascending order: both ends of the range, resonances, their sub-harmonics, a grid,
-/// and both sides of every cut.
+/// Returns the first frequency ratios of a curve in ascending order. They are both ends of the range, resonances, their
+/// sub-harmonics, a grid, and both sides of every cut.
 pub(super) fn places(system: &System, request: &CurveRequest, beta: f64) -> Vec<CurvePlace> {
     let search = PlaceSearch { system, beta };
     let (mut poles, mut subharmonics) = (Vec::new(), Vec::new());
@@ -61,7 +62,7 @@ pub(super) fn places(system: &System, request: &CurveRequest, beta: f64) -> Vec<
     }
     grid.extend(&subharmonics);
     let sides = |pole: &f64| [pole * (1.0 - NEAR_POLE), pole * (1.0 + NEAR_POLE)];
-    // No place is nearer to a pole than the two sides of the pole.
+    // No other frequency ratio is nearer to a pole than the two sides of the pole.
     let beside = |r: &f64| poles.iter().any(|pole| (r / pole - 1.0).abs() <= NEAR_POLE);
     grid.retain(|r| request.from <= *r && *r <= request.to && !beside(r));
     let sides = poles.iter().flat_map(sides);
@@ -80,11 +81,12 @@ pub(super) fn places(system: &System, request: &CurveRequest, beta: f64) -> Vec<
     places
 }
 
-/// Returns a grid of evenly spaced frequency ratios with both ends, and geometrically spaced ones at low r.
+/// Returns a grid of evenly spaced frequency ratios with both ends of the range, and geometrically spaced ones at low
+/// r.
 fn grid(request: &CurveRequest) -> Vec<f64> {
     let width = request.to - request.from;
     let wanted = request.widest.map_or(0.0, |widest| (width / widest).ceil());
-    // The command refuses a grid that is too fine for memory. Other callers get this bound.
+    // The command refuses a grid that is too fine for the memory. This bound is for other callers.
     let count = wanted.max(INTERVALS as f64).min(1e7) as usize;
     let inner = (1..count).map(|i| request.from + width * i as f64 / count as f64);
     let mut grid: Vec<f64> = inner.collect();
@@ -128,8 +130,8 @@ impl PlaceSearch<'_> {
         }
     }
 
-    /// Returns ln(β/β_lim) and ln(β/β*_lim). The closed form exists where the first is negative. A stuck state exists
-    /// where the second is not negative.
+    /// Returns ln(β/β_lim) and ln(β/β*_lim). The closed form exists where the first number is negative. A stuck state
+    /// exists where the second number is not negative.
     fn margins(&self, r: f64) -> (f64, f64) {
         match self.system.at(r) {
             Ok(at) => {
@@ -145,7 +147,7 @@ impl PlaceSearch<'_> {
         self.system.at(r).ok()?.limits().regime(self.beta).ok()
     }
 
-    /// Returns the places, with both sides of every regime boundary and pole.
+    /// Returns the first frequency ratios of a curve, with both sides of every regime boundary and pole added.
     fn cut(&self, grid: &[f64], is_pole: impl Fn(f64, f64) -> bool) -> Vec<CurvePlace> {
         let mut all = grid.to_vec();
         all.extend(self.hidden(grid));
@@ -167,7 +169,7 @@ impl PlaceSearch<'_> {
         places
     }
 
-    /// Adds the first of two places, and both sides of every boundary between the two.
+    /// Adds the first of two frequency ratios, and both sides of every regime boundary between the two.
     fn change(
         &self,
         left: f64,
@@ -191,7 +193,7 @@ impl PlaceSearch<'_> {
         }
     }
 
-    /// Returns the neighbouring numbers between which the regime at `low` ends.
+    /// Returns the two neighbouring floating-point numbers between which the regime at `low` ends.
     fn boundary(&self, mut low: f64, mut high: f64, regime: Option<Regime>) -> (f64, f64) {
         loop {
             let middle = 0.5 * (low + high);
@@ -206,7 +208,7 @@ impl PlaceSearch<'_> {
         }
     }
 
-    /// Returns places of another regime that lie between three neighbouring places of one regime.
+    /// Returns frequency ratios of another regime that lie between three neighbouring ones of the same regime.
     fn hidden(&self, grid: &[f64]) -> Vec<f64> {
         let margins: Vec<_> = grid.iter().map(|r| self.margins(*r)).collect();
         let mut found = Vec::new();
@@ -221,7 +223,7 @@ impl PlaceSearch<'_> {
                 (sliding, -1.0),
             ] {
                 let [a, b, c] = [a, b, c].map(|margins| sign * read(margins));
-                // All three are on one side of the limit, and the middle one is nearest to the limit.
+                // All three numbers are on one side of the limit, and the middle one is nearest to the limit.
                 if a < 0.0 && b < 0.0 && c < 0.0 && a <= b && c <= b {
                     found.extend(self.beyond(left, right, read, sign));
                 }
@@ -230,7 +232,8 @@ impl PlaceSearch<'_> {
         found
     }
 
-    /// Returns a place between `low` and `high` at which a margin has the opposite sign, if a search finds one.
+    /// Returns a frequency ratio between `low` and `high` at which a margin has the opposite sign, if a search finds
+    /// one.
     fn beyond(&self, mut low: f64, mut high: f64, read: MarginOf, sign: f64) -> Option<f64> {
         let value = |r: f64| sign * read(self.margins(r));
         let golden = 0.618_033_988_749_894_8;

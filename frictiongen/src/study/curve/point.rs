@@ -23,9 +23,9 @@ pub struct CurvePoint {
     /// True if motion from rest ends in this state. False means that motion from rest does not settle and this is
     /// another state.
     pub from_rest: bool,
-    /// The offset of the contact's motion, over P/k₁, for base motion over Y.
+    /// The offset of the contact's relative motion from its centre, over P/k₁, for base motion over Y.
     pub offset: f64,
-    /// The motions that were requested, in the order of the request.
+    /// The requested motions, in the order of the request.
     pub movements: Vec<Movement>,
     /// The largest friction force over P, for base motion over k₁Y.
     pub contact_force: f64,
@@ -40,7 +40,8 @@ pub struct Movement {
     pub swing: Swing,
     /// Centred amplitude, half the distance between the least and the largest x̄, over P/k₁, for base motion over Y.
     pub centred: f64,
-    /// Lag of the fundamental component behind the excitation, rad, in (−π, π]. `None` where nothing moves.
+    /// Lag of the fundamental component behind the excitation, rad, in (−π, π]. `None` if the contact or mass does not
+    /// move.
     pub fundamental_phase: Option<f64>,
     /// The largest |dx̄/dτ| and the largest |d²x̄/dτ²|, if they were requested.
     pub rates: Option<(f64, f64)>,
@@ -103,7 +104,7 @@ impl Movement {
         })
     }
 
-    /// Returns the contact's motion with the opposite sign.
+    /// Returns the response with the contact's relative motion reversed in sign.
     fn turned(mut self, response: &SystemResponse<'_>) -> Self {
         self.swing.phase = response.reversed_contact_phase();
         self.fundamental_phase = self.fundamental_phase.map(reversed_phase);

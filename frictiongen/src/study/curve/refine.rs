@@ -1,7 +1,7 @@
-//! Adds points where a curve bends, between its places. A place is a frequency ratio of the first grid.
+//! Adds points to a curve where it bends. The first frequency ratios of the curve are called *places*.
 //!
-//! All open intervals are halved in turn, wide ones before narrow ones, so that a bound on the work leaves the whole
-//! range equally fine.
+//! All open intervals are halved in turn, wide ones before narrow ones. If the bound on work ends the refinement, the
+//! whole range is equally fine.
 
 use super::answer::{Curve, End};
 use super::pieces::{self, CurveNode};
@@ -15,23 +15,23 @@ use crate::study::work::work;
 use crate::{Error, OutOfDomain, Regime};
 use rayon::prelude::*;
 
-/// If two points within this relative distance still differ, they are on two sides of a jump.
+/// Relative distance of two points at which a remaining difference counts as a jump.
 pub(super) const NARROW: f64 = 1e-7;
-/// Relative distance in place of `NARROW` where amplitudes scatter. Motions that do not settle scatter. So does motion
-/// from rest that ends in one or another of several steady states, however close its neighbours are.
+/// Relative distance that replaces `NARROW` where amplitudes scatter. They scatter where motions do not settle. They
+/// also scatter where motion from rest ends in different steady states at neighbouring points.
 pub(super) const NARROW_SCATTERED: f64 = 1e-3;
-/// Largest number of intervals between two places of the first grid that may still be open. With more open intervals
-/// the motion counts as scattered.
+/// Largest number of intervals that may still be open between two frequency ratios of the first grid. With more open
+/// intervals the motion counts as scattered.
 const MOST_BENT: usize = 32;
-/// Relative width down to which a change of the contact's pattern of stops is located.
+/// Relative width of an interval at which the search stops locating a change in the contact's pattern of stops.
 pub(super) const NARROW_PATTERN: f64 = 1e-4;
-/// Relative width down to which the end of a gap is located.
+/// Relative width of an interval at which the search stops locating the end of a gap.
 const NARROW_GAP: f64 = 1e-7;
-/// A bend in an amplitude below this share of the median amplitude of the first grid is not followed.
+/// Fraction of the median amplitude of the first grid below which bends of an amplitude are ignored.
 const SMALL: f64 = 1e-3;
-/// Number of spare places that are answered between two checks of the work.
+/// Number of less important frequency ratios that are computed between two checks of the work.
 const AT_ONCE: usize = 16;
-/// A motion below this share of another motion counts as rounding.
+/// Fraction of another motion's amplitude below which a motion counts as rounding.
 const ROUNDING: f64 = 1e-6;
 
 /// An interval between two nodes that may have to be halved.
@@ -39,7 +39,7 @@ const ROUNDING: f64 = 1e-6;
 struct NodeInterval {
     left: usize,
     right: usize,
-    /// True if the parent interval was straight. A bend may escape one test, as its middle may be on the line by
+    /// True if the parent interval was straight. One test may miss a bend, because the middle may be on the line by
     /// chance.
     was_straight: bool,
     /// Index of the interval of the first grid that contains this one.
@@ -54,7 +54,7 @@ pub(super) struct Refine<'a> {
     pub straight: Straight,
 }
 
-/// Returns true if the offset of a stuck contact depends on every earlier slip. This is so with μ > 1 or without
+/// Returns true if the offset of a stuck contact depends on every earlier slip. This is the case with μ > 1 or without
 /// damping.
 fn offsets_jump(system: &System) -> bool {
     let scene = system.scene();
@@ -75,7 +75,7 @@ impl<'a> Refine<'a> {
         }
     }
 
-    /// Returns the response at a place.
+    /// Returns the response at one frequency ratio of the curve.
     pub(super) fn node(&self, place: &CurvePlace) -> CurveNode {
         let (answer, work) = self.answer(place.r);
         CurveNode {
@@ -96,26 +96,27 @@ impl<'a> Refine<'a> {
         (point, work)
     }
 
-    /// Returns for each motion the smallest amplitude at which the curve is refined. It is a fraction of the median
-    /// over the first nodes. A pole does not change the median.
+    /// Returns, for each motion, the smallest amplitude at which the curve is refined. It is a fraction of the median
+    /// amplitude over the first points. The median hardly changes with a pole.
     pub(super) fn scales(&self, nodes: &[CurveNode]) -> Vec<f64> {
         let median = |index: usize| {
             let points = nodes.iter().filter_map(|node| node.answer.as_ref().ok());
             let sizes =
                 points.filter_map(|point| Some(point.movements.get(index)?.swing.amplitude));
-            // Points without motion give no scale for the motion's size.
+            // Points at which nothing moves are left out, because they say nothing about the size of the motion.
             let mut sizes: Vec<f64> = sizes.filter(|size| 0.0 < *size).collect();
             sizes.sort_by(f64::total_cmp);
             SMALL * sizes.get(sizes.len() / 2).copied().unwrap_or(0.0)
         };
         let scales: Vec<f64> = (0..self.request.of.len()).map(median).collect();
-        // A motion that a stuck contact isolates consists of rounding, and its bends must not be followed.
+        // If a stuck contact isolates a mass from the load, its computed motion is rounding. Its bends must not be
+        // followed.
         let least = ROUNDING * scales.iter().copied().fold(0.0, f64::max);
         scales.into_iter().map(|scale| scale.max(least)).collect()
     }
 
-    /// Returns the nodes of the first grid, and whether the requested work sufficed for all of them. Spare places come
-    /// last.
+    /// Returns the points of the first grid. The flag is true if the work sufficed for all of them. Less important
+    /// points come last.
     fn grid(&self, places: &[CurvePlace]) -> (Vec<CurveNode>, bool) {
         let (spare, needed): (Vec<CurvePlace>, Vec<CurvePlace>) =
             places.iter().partition(|place| place.spare);
@@ -132,7 +133,7 @@ impl<'a> Refine<'a> {
         (found, true)
     }
 
-    /// Returns the curve through the places of the first grid and as many points between as it needs.
+    /// Returns the curve through the frequency ratios of the first grid, with points added between them.
     pub(super) fn refined(mut self, places: &[CurvePlace]) -> Curve {
         let (mut nodes, mut refined) = self.grid(places);
         let mut left = self.request.work.saturating_sub(spent(&nodes));
@@ -168,7 +169,7 @@ impl<'a> Refine<'a> {
         pieces::curve((self.beta, self.request.start), nodes.into_iter(), refined)
     }
 
-    /// Returns the open intervals that are not yet narrow, with their middles. Cuts narrow intervals whose two points
+    /// Returns the middles of all open intervals that are not yet narrow. Cuts each narrow interval whose two points
     /// are on different curves.
     fn worth_halving(
         &self,
@@ -192,7 +193,7 @@ impl<'a> Refine<'a> {
                     NARROW
                 }
                 (Ok(_), Ok(_)) => NARROW_SCATTERED,
-                // Points between two equal errors give no new information.
+                // If both ends have the same error, points between them give no new information.
                 (Err(a), Err(b)) if a == b => continue,
                 _ => NARROW_GAP,
             };
@@ -207,14 +208,14 @@ impl<'a> Refine<'a> {
         halved
     }
 
-    /// Returns true if two settled points do not scatter, however steep the curve is. They belong to the closed form,
-    /// or no other state exists with μ ≤ 1.
+    /// Returns true if two settled points do not scatter, however steep the curve is. Either both belong to the closed
+    /// form, or μ ≤ 1 and no other state exists.
     fn is_one_state(&self, a: &CurvePoint, b: &CurvePoint) -> bool {
         let slides = |point: &CurvePoint| point.regime == Regime::Continuous;
         self.system.scene().stiction <= 1.0 || (slides(a) && slides(b))
     }
 
-    /// Cuts the curve within intervals whose two points are not on one curve.
+    /// Cuts the curve within intervals whose two points are on different curves.
     fn cut_apart(&self, intervals: &[(NodeInterval, f64)], nodes: &mut [CurveNode]) {
         for (interval, _) in intervals {
             let ends = [interval.left, interval.right].map(|end| nodes.get(end));
@@ -228,7 +229,7 @@ impl<'a> Refine<'a> {
         }
     }
 
-    /// Stores the middle of an interval and returns both halves. Returns none where the interval and its parent are
+    /// Stores the middle of an interval and returns both halves. Returns no halves if the interval and its parent are
     /// straight.
     fn halves(
         &self,
@@ -268,8 +269,8 @@ pub(super) fn spent(nodes: &[CurveNode]) -> usize {
     nodes.iter().map(|node| node.work).sum()
 }
 
-/// Returns the number of intervals, in their order, for which the remaining work suffices. The middle of an interval is
-/// estimated to take as much work as the more expensive of its two points.
+/// Returns how many of the intervals, in their order, the remaining work suffices for. The middle of an interval is
+/// assumed to take as much work as the more expensive of its two points.
 fn affordable(intervals: &[(NodeInterval, f64)], nodes: &[CurveNode], left: usize) -> usize {
     let work = |end: usize| nodes.get(end).map_or(0, |node| node.work);
     let mut sum = 0_usize;

@@ -1,4 +1,4 @@
-//! Decides whether points of a curve may be joined by straight lines.
+//! Decides whether straight lines may join the points of a curve.
 
 use super::point::CurvePoint;
 use crate::Regime;
@@ -10,10 +10,10 @@ use std::f64::consts::PI;
 pub(super) struct Straight {
     /// The largest deviation of a straight line, relative to the curve.
     pub accuracy: f64,
-    /// The smallest amplitude that counts, for each motion.
+    /// The smallest amplitude that matters, for each motion.
     pub scales: Vec<f64>,
-    /// True with μ > 1 or without damping. The offset of a stuck contact then jumps from place to place, as it depends
-    /// on every slip. More points do not help, so the centred amplitude counts instead.
+    /// True with μ > 1 or without damping. The offset of a stuck contact then depends on every slip, and jumps from
+    /// point to point. More points do not help, so that the centred amplitude is compared instead.
     pub offsets_jump: bool,
 }
 
@@ -43,7 +43,7 @@ impl Straight {
         })
     }
 
-    /// Returns, for each motion, its swings at several points and the smallest amplitude that counts.
+    /// Returns, for each motion, its amplitude and phase at several points, and the smallest amplitude that matters.
     fn swings<'p, const N: usize>(
         &'p self,
         points: [&'p CurvePoint; N],

@@ -1,5 +1,5 @@
 //! Curves whose points start from the steady state of the last point, as in a laboratory sweep. A place is a frequency
-//! ratio that the sweep reaches in any case.
+//! ratio at which the sweep computes a point in any case.
 
 use super::answer::{Curve, End};
 use super::pieces;
@@ -13,7 +13,8 @@ use crate::study::settled::Carried;
 use crate::study::work::work;
 use crate::{Error, OutOfDomain};
 
-/// Largest number of jumps that are each located between two places. With more jumps the motion counts as scattered.
+/// Largest number of jumps that the sweep locates between two frequency ratios of its first grid. With more jumps the
+/// motion counts as scattered.
 const MOST_JUMPS: u32 = 4;
 
 /// A point of a sweep, with the state from which the next point starts.
@@ -23,10 +24,10 @@ struct Step {
 }
 
 impl Refine<'_> {
-    /// Returns the curve through the places, swept in the requested direction.
+    /// Returns the curve through the given frequency ratios, swept in the requested direction.
     pub(super) fn swept(mut self, places: &[CurvePlace]) -> Curve {
         let down = self.request.start == CurveStart::Down;
-        // A sweep follows every motion twice, so it leaves out spare places.
+        // A sweep follows every motion twice. It therefore leaves out the less important frequency ratios.
         let places = places.iter().filter(|place| !place.spare);
         let mut places: Vec<CurvePlace> = places.copied().collect();
         if down {
@@ -64,7 +65,7 @@ impl Refine<'_> {
         pieces::curve(asked, nodes.into_iter(), left.is_some())
     }
 
-    /// Returns the nodes at the places alone. Their amplitudes give the scale of each motion.
+    /// Returns the points at the first frequency ratios alone. Their amplitudes give the scale of each motion.
     fn coarse(&self, places: &[CurvePlace]) -> Vec<CurveNode> {
         let mut carried = None;
         let nodes = places.iter().map(|place| {
@@ -98,10 +99,11 @@ impl Refine<'_> {
         }
     }
 
-    /// Continues the sweep from the last step to r, in steps that are small where the curve bends.
+    /// Continues the sweep from the last step to r. The steps are small where the curve bends.
     ///
-    /// A step that ends in another state is halved until the jump is located, so that a large step alone never causes a
-    /// jump. `left` is the remaining work. Without remaining work each step goes directly to the next place.
+    /// A step that ends in another steady state is halved until the jump is located. A jump therefore never results
+    /// from the size of the step alone. `left` is the remaining work. If no work remains, each step goes directly to
+    /// the next frequency ratio of the first grid.
     fn reach(&self, r: f64, pole: bool, steps: &mut Vec<Step>, left: &mut Option<usize>) {
         let mut targets = vec![r];
         let mut jumps = 0;

@@ -1,8 +1,8 @@
-//! The functions of frequency whose zeros are features, over y = 1/r. They consist of V (motion without friction), H
-//! (response to a harmonic force in the contact) and U (response to a square wave of friction).
+//! The functions of y = 1/r whose zeros are features. They consist of V (motion without friction), H (response to a
+//! harmonic force in the contact) and U (response to a square wave of friction).
 //!
-//! Every sum here is the thesis's sum over y² = 1/r², a factor of all its terms. With d = x² − 1 + 2iζx and x = √λ y,
-//! V = y² Σ wp/d. H has the form of V. Without damping U = y² Σ w² tan(πx/2)/x.
+//! Every sum here is the thesis's sum divided by y² = 1/r², a factor of all its terms. With d = x² − 1 + 2iζx and x =
+//! √λ y, V = y² Σ wp/d. H has the same form with w² instead of wp. Without damping U = y² Σ w² tan(πx/2)/x.
 
 use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
@@ -20,8 +20,8 @@ pub(super) struct ModeNumbers<T> {
     pub contact: T,
     /// Component φ of the requested mass, or φᵀw for the contact.
     pub shape: T,
-    /// Load in quadrature with the motion of the base, as the kernel takes it: 2ζλΓ and the share of the wall. Both are
-    /// 0 unless damping acts on velocities relative to the moving base.
+    /// Two numbers for the load in quadrature (90° out of phase) with the motion of the base: 2ζλΓ, and the
+    /// contribution of springs to the wall. Both are 0 unless damping acts on velocities relative to the moving base.
     pub quadrature: [T; 2],
 }
 
@@ -88,7 +88,7 @@ pub(super) enum Target<T> {
     FreeContact,
     /// H_k, the response of mass k to a harmonic force in the contact.
     Receptance,
-    /// U_k, the slope at the reversal of mass k's response to a square wave of friction (6.9).
+    /// U_k, the slope of mass k's response to a square wave of friction, at the reversal (6.9).
     Quadrature,
     /// V U_k − 2 V_k U, which is zero where friction does not change the estimated amplitude (6.10).
     Estimate,
@@ -102,7 +102,8 @@ pub(super) enum Target<T> {
     Continuous(T),
 }
 
-/// A pole p in y of one or more modes. `members` lists each such mode with its odd integer x = √λ y at the pole.
+/// A pole p of one or more modes on the axis y = 1/r. `members` lists each such mode with its odd integer x = √λ y at
+/// the pole.
 #[derive(Clone, Debug)]
 pub(super) struct ModalPole {
     pub y: f64,
@@ -113,7 +114,7 @@ pub(super) struct ModalPole {
 /// are finite.
 pub(super) struct Near<T> {
     gap: T,
-    /// For each mode with this pole, 1/d and tan(πx/2)/x, both times the distance y − p. `None` for modes without this
+    /// For each mode with this pole: 1/d and tan(πx/2)/x, both times the distance y − p. `None` for modes without this
     /// pole.
     own: Vec<Option<[T; 2]>>,
 }
@@ -170,8 +171,7 @@ impl<T: Number> ChainNumbers<T> {
                 sum = [sum[0] + term[0] * outside, sum[1] + term[1] * outside];
                 continue;
             }
-            // Next to the static motion the sum contains v − 1 = (1 − 2iζx)/d instead of v, so that nothing cancels
-            // for large r.
+            // On a moving base the sum contains v − 1 = (1 − 2iζx)/d instead of v, so that nothing cancels for large r.
             let [re, im] = match (which, self.on_base.is_some()) {
                 (ModalSum::V, true) => {
                     let turn = two * mode.zeta * x;

@@ -56,7 +56,7 @@ pub struct InvariantPoint {
     pub simple: bool,
 }
 
-/// The reason why a range in which friction enlarges a motion has a bound at a frequency.
+/// The reason why a range in which friction enlarges a motion begins or ends at a frequency.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Edge {
     /// The bound of the requested range.
@@ -65,7 +65,7 @@ pub enum Edge {
     Invariant,
     /// A pole of the response without friction, or of the response to a square wave of friction.
     Pole,
-    /// V = 0: without friction the contact does not move, and any friction stops the contact.
+    /// V = 0: the contact does not move without friction, and any friction stops the contact.
     Still,
 }
 
@@ -92,8 +92,8 @@ pub struct Antiresonance {
     pub frequency: Sensed,
 }
 
-/// Value of β_lim below which no friction lets the contact slide, because V, the contact's motion without friction, is
-/// 0 to rounding.
+/// Value of β_lim below which the contact counts as unable to slide with any friction. V, the contact's motion without
+/// friction, is then 0 to rounding.
 const STILL: f64 = 1e-10;
 /// Relative distance within which points of two conditions count as one point.
 const SAME: f64 = 1e-13;
@@ -132,13 +132,13 @@ impl Features<'_> {
         Ok(zeros.into_iter().map(of).collect())
     }
 
-    /// Returns all invariant points of a motion in the range, ascending. At an invariant point `measured` does not
-    /// depend on friction, as long as the contact slides all the time. The list is empty for a motion that friction
-    /// does not influence.
+    /// Returns all invariant points of a motion in the range, ascending. At an invariant point the quantity `measured`
+    /// does not depend on friction, as long as the contact slides all the time. The list is empty for a motion that
+    /// friction does not influence.
     ///
     /// # Errors
-    /// [`FeatureError::Damped`]. For a damped chain see the [`crossings`](Self::crossings) of two friction ratios.
-    /// [`FeatureError::Range`], [`FeatureError::UnknownMass`], [`FeatureError::Crowded`].
+    /// [`FeatureError::Damped`] for a damped chain. For such a chain, call [`crossings`](Self::crossings) with two
+    /// friction ratios. [`FeatureError::Range`], [`FeatureError::UnknownMass`], [`FeatureError::Crowded`].
     pub fn invariant_points(
         &self,
         of: Of,
@@ -161,7 +161,8 @@ impl Features<'_> {
                     frequency: self.variations.of_zero(&function, &zero, None),
                     condition: *condition,
                     phase_too: mass.is_none() && measured == Measured::Amplitude,
-                    // The sums of this function leave out the factor 1/r², so the amplitude is divided by r².
+                    // The sums of this function leave out the factor 1/r², so that the code divides the amplitude by
+                    // r².
                     amplitude: self.variations.length(free.at(r).abs() / (r * r)),
                     continuous_limit: self.variations.friction(limit),
                     simple: zero.crosses,
@@ -180,8 +181,8 @@ impl Features<'_> {
         Ok(points)
     }
 
-    /// Returns all ranges of r in which more friction enlarges `measured`, ascending, for a contact that slides all
-    /// the time.
+    /// Returns all ranges of r, ascending, in which more friction enlarges the quantity `measured`. The contact slides
+    /// all the time in these ranges.
     ///
     /// A range may contain single frequencies at which no friction lets the contact slide all the time. These
     /// frequencies are poles of U, where β_lim = 0.
@@ -218,7 +219,7 @@ impl Features<'_> {
         let [from, to] = range;
         edges.retain(|(r, _)| from < *r && *r < to);
         edges.extend([(from, Edge::Range), (to, Edge::Range)]);
-        // If two bounds coincide, the bound that prevents the motion takes precedence.
+        // If two bounds coincide, the bound at which the motion is impossible takes precedence.
         let rank = |edge: &Edge| match edge {
             Edge::Still => 0,
             Edge::Pole => 1,
@@ -261,7 +262,7 @@ impl Features<'_> {
                 continue;
             }
             match found.last_mut() {
-                // The motion grows with friction on both sides of the bound, so two ranges join.
+                // The motion grows with friction on both sides of the bound, so that both ranges become one.
                 Some(last) if last.to == from => {
                     (last.to, last.to_edge) = (to, to_edge);
                 }
@@ -276,7 +277,7 @@ impl Features<'_> {
         Ok(found)
     }
 
-    /// Returns the target function for a motion. Fails for an invalid range and for a damped chain.
+    /// Returns the function whose zeros are wanted for a motion. Fails for an invalid range and for a damped chain.
     fn function(
         &self,
         of: Of,

@@ -1,10 +1,11 @@
 //! Finds all zeros of a function between two frequencies by interval arithmetic. No zero is missed, and no pole is
 //! mistaken for a zero.
 //!
-//! The search covers intervals of y = 1/r. It discards an interval if the enclosure of the function excludes 0. An
-//! interval without a pole has at most one zero if the enclosure of the slope excludes 0. The signs at both bounds then
-//! show whether it has one. With one pole p, the search encloses the function times y − p, which is finite. An
-//! undecided interval is cut in two. Every zero therefore lies in an interval that was kept.
+//! The search covers intervals of y = 1/r. An enclosure is an interval that contains all values of a function. The
+//! search discards an interval if the enclosure of the function excludes 0. Without a pole, the interval has at most
+//! one zero if the enclosure of the slope excludes 0. The signs at both bounds then show whether it has one. With one
+//! pole p, the search encloses the function times y − p, which is finite. It cuts an undecided interval in two. Every
+//! zero therefore lies in an interval that the search has not discarded.
 
 use super::functions::{ChainNumbers, ModalPole, Target};
 use frictiongen_kernel::number::dd::Dd;
@@ -12,19 +13,19 @@ use frictiongen_kernel::number::dual::Dual;
 use frictiongen_model::interval::{Interval, Jet};
 use frictiongen_model::modal::Modal;
 
-/// Largest number of poles in a range. The search keeps at most twenty times as many intervals.
+/// Largest number of poles in a range. The search stores at most twenty times as many intervals.
 pub(super) const MOST_POLES: usize = 20_000;
-/// Largest number of intervals that the search keeps.
+/// Largest number of intervals that the search stores.
 const MOST_INTERVALS: usize = 20 * MOST_POLES;
 /// Relative distance between a zero and a pole of the function below which the two cancel. The search then finds
 /// neither.
 const CANCELLED: f64 = 1e-13;
-/// Distance within which two zeros count as one zero at which the function touches 0. The distance is relative to y,
+/// Distance within which two zeros count as one point at which the function touches 0. The distance is relative to y,
 /// or to the distance from a pole.
 const TOUCH: f64 = 1e-9;
 /// Relative distance within which zeros at which the function touches 0 count as one zero.
 const ONE_TOUCH: f64 = 1e-6;
-/// Fraction of an interval's width at which the interval is cut. It is not ½, because the middle is often a special
+/// Fraction of an interval's width at which the interval is cut. The middle is avoided, because it is often a special
 /// point of a symmetric scene.
 const CUT: f64 = 0.487_3;
 /// Relative width to which a bracket is halved before Newton's method takes over.
@@ -78,7 +79,7 @@ fn converted<T>(target: Target<Dd>, to: impl Fn(Dd) -> T) -> Target<T> {
 }
 
 fn enclosed(value: Dd) -> Interval {
-    // An exact 0 stays exact, so that the slope is exactly 0 too.
+    // An exact 0 is converted to a constant, so that its slope is exactly 0 too.
     if value.is_zero() {
         Interval::point(0.0)
     } else {
@@ -104,7 +105,7 @@ impl<'m> MotionFunction<'m> {
         self.target.vanishes(&self.exact)
     }
 
-    /// Returns the function at a frequency ratio r, without the common power of 1/r of its sums.
+    /// Returns the function at a frequency ratio r. The common power of 1/r of its sums is left out.
     pub fn at(&self, r: f64) -> f64 {
         let target = converted(self.target, |beta| beta.to_f64());
         self.plain.value(target, 1.0 / r, None)
@@ -170,7 +171,7 @@ impl<'m> MotionFunction<'m> {
             last = y;
         }
         zeros.sort_by(|a, b| b.y.to_f64().total_cmp(&a.y.to_f64()));
-        // The search finds a zero on the border of two intervals from both sides.
+        // A zero at the common end of two intervals is found from both intervals.
         zeros.dedup_by(|a, b| {
             a.crosses && b.crosses && (a.y - b.y).abs() <= b.y * Dd::from(CANCELLED)
         });
@@ -202,7 +203,7 @@ impl<'m> MotionFunction<'m> {
         self.zero(place, true)
     }
 
-    /// Returns the zero between two values of y, between which the function only rises or only falls.
+    /// Returns the zero between two values of y. The function is monotonic between them.
     fn refined(&self, [low, high]: [f64; 2], rising: bool) -> FunctionZero {
         let target = converted(self.target, |beta| beta.to_f64());
         let above = |y: f64| (0.0 < self.plain.value(target, y, None)) == rising;
@@ -255,7 +256,7 @@ impl<'m> MotionFunction<'m> {
         let numbers = ChainNumbers::of(along, self.mass, |value| value);
         let target = match self.target {
             Target::Sliding(value) => {
-                // The friction ratio keeps the sign that it has in the target function.
+                // The friction ratio gets the sign that it has in the target function.
                 let sign = if value < Dd::ZERO { -Dd::ONE } else { Dd::ONE };
                 Target::Sliding(beta * Dual::fixed(sign))
             }
@@ -331,7 +332,7 @@ impl ZeroSearch<'_, '_> {
         if rises != 0 {
             let at = |y: f64| self.function.over(Interval::point(y)).sign();
             match (at(low), at(high)) {
-                // The zero equals this bound of the interval to rounding.
+                // The zero equals this end of the interval to rounding.
                 (0, _) => self.zeros.push(self.function.polished(low)),
                 (_, 0) => self.zeros.push(self.function.polished(high)),
                 (first, last) if first != last => {

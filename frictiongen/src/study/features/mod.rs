@@ -32,11 +32,11 @@ pub enum Certainty {
     /// The list contains every feature in the range, found by a closed form or by interval arithmetic. Two features
     /// with a relative distance below 1e-9 may count as one. A feature within 1e-13 of a pole does not appear.
     Proven,
-    /// The search samples the range in `steps` equal steps over 1/r, and refines what it finds. The search finds every
-    /// interval longer than one step.
+    /// The search samples the range in `steps` equal steps over 1/r, and refines each change that it finds. It finds
+    /// every interval longer than one step.
     ///
-    /// It finds a shorter interval only in two cases. The sampled function comes near its level at the middle one of
-    /// three samples, or the interval is next to a resonance or an odd sub-harmonic of a resonance.
+    /// It finds a shorter interval only in two cases: if the sampled function comes near its level at the middle one of
+    /// three samples, or if the interval is next to a resonance or an odd sub-harmonic of one.
     Sampled {
         /// Number of equal steps of the range.
         steps: u32,
@@ -102,15 +102,15 @@ impl From<isolate::Crowded> for FeatureError {
 
 /// The features of a system's response, in non-dimensional form or under a load: see [`System::features`].
 ///
-/// The methods take frequencies as r and frictions as β. Every result has r, and a [`Sensed`] number in its unit with
-/// derivatives. Under a load the units are Hz, N and m, and the derivatives are at constant forces and lengths.
-/// Otherwise the units are r, β and P/k₁ (for base motion Y), and the derivatives are at constant groups.
+/// The methods take frequencies as r and frictions as β. Every result has r, and a [`Sensed`] number: a value in its
+/// unit, with derivatives. Under a load the units are Hz, N and m, and the derivatives are at constant forces and
+/// lengths. Otherwise the units are r, β and P/k₁ (for base motion Y), and the derivatives are at constant groups.
 pub struct Features<'s> {
     system: &'s System,
     variations: Variations,
 }
 
-/// A resonance of the chain, with its frequency, its damping and the friction below which it is unbounded.
+/// A resonance of the chain, with its frequency, its damping, and the friction below which its amplitude is unbounded.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Resonance {
     /// Frequency ratio r = √λ_i of the resonance.
@@ -119,7 +119,8 @@ pub struct Resonance {
     pub frequency: Sensed,
     /// Modal damping ratio ζ_i of the mode at the resonance.
     pub damping_ratio: f64,
-    /// Threshold β_n,i (6.2, 6.26) of the chain without its damping. `None` for a mode that the contact does not drive.
+    /// Threshold β_n,i (6.2, 6.26): without damping, the amplitude is unbounded for smaller friction. `None` for a mode
+    /// that the contact does not drive.
     pub threshold: Option<Sensed>,
     /// Limit of continuous motion β_lim at the resonance, in N under a load. Without damping β_lim equals the
     /// threshold. With damping, (7.62) is an estimate of β_lim.
@@ -135,7 +136,7 @@ pub struct LimitsAtEnd {
     pub sliding: Sensed,
 }
 
-/// Lower bound of the default range, as a factor on the lowest resonance. The range does not begin below `FAR_BELOW`
+/// Lower bound of the default range, as a factor on the lowest resonance. The range begins at no less than `FAR_BELOW`
 /// times the highest resonance, and ends at `ABOVE` times the highest resonance.
 const BELOW: f64 = 0.55;
 /// Upper bound of the default range, as a factor on the highest resonance.

@@ -42,7 +42,7 @@ pub struct ResonantPeak {
     pub peak: Option<TruePeak>,
 }
 
-/// A frequency at which the exact amplitudes of two frictions are equal.
+/// A frequency at which a motion has the same exact amplitude with two frictions.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Crossing {
     /// Frequency ratio r of the crossing.
@@ -54,8 +54,8 @@ pub struct Crossing {
     pub amplitude: f64,
 }
 
-/// Number of samples over each range in which the contact slides all the time with both frictions. The equal steps of
-/// the whole range are added to the samples.
+/// Number of samples in each range in which the contact slides all the time with both frictions. The equal steps of the
+/// whole range are sampled too.
 const SAMPLES: usize = 128;
 /// Step of a finite difference next to a peak, relative to r.
 const BESIDE: f64 = 1e-6;
@@ -68,8 +68,8 @@ impl Features<'_> {
     /// the largest amplitude over all regimes.
     ///
     /// The true peaks are sampled and refined. The samples are close together near the resonances of the chain, free
-    /// and with its contact stuck, and near sub-harmonics of both. Further samples are evenly spaced in 96 steps. A
-    /// steady amplitude takes much work where the contact stops, so no resolution is promised.
+    /// and with its contact stuck, and near sub-harmonics of both. Further samples are in 96 even steps. A steady
+    /// amplitude with stops takes much work, so that no resolution is guaranteed.
     ///
     /// # Errors
     /// [`FeatureError::Friction`], [`FeatureError::UnknownMass`].
@@ -79,7 +79,7 @@ impl Features<'_> {
         let modal = self.system.modal();
         let estimated = match of {
             Of::Mass(mass) => Some(mass),
-            // Against a support at rest, the contact's motion is the motion of its mass.
+            // If the support is at rest, the contact's motion is the motion of its mass.
             Of::Contact if modal.on_moving_base => None,
             Of::Contact => modal.rubbing().or(mass),
             _ => None,
@@ -130,7 +130,7 @@ impl Features<'_> {
             slopes: Vec::new(),
         };
         if best.value.is_infinite() {
-            // An infinite peak stays on its resonance.
+            // The frequency of an unbounded peak is exactly its resonance.
             let frequency = self
                 .variations
                 .of_frequency(best.r, Some(beta), |variation| {
@@ -166,8 +166,8 @@ impl Features<'_> {
                 amplitude,
                 regime,
             },
-            // A kink occurs where the regime changes. A peak on a kink follows the boundary of the regime, so it has
-            // no derivatives.
+            // A kink occurs where the regime changes. A peak at a kink moves with the boundary of the regime, so that
+            // it has no derivatives.
             None => TruePeak {
                 r,
                 frequency: self.variations.of_frequency(r, Some(beta), |_| None),
@@ -203,7 +203,8 @@ impl Features<'_> {
             return None;
         }
         let bend = (above - below) / (2.0 * step);
-        // The flat amplitude determines the peak to half of the digits only. The zero of the slope gives more digits.
+        // Near a peak the amplitude is flat, and determines the peak to half of the digits only. The zero of the slope
+        // gives more digits.
         let r = r - along(r)? / bend;
         let scale = self.variations.scale;
         let frequency = self.variations.of_frequency(r, Some(beta), |variation| {

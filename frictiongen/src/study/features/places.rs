@@ -1,9 +1,9 @@
-//! Sign changes of a function that can only be sampled. The search is refined where the function comes near 0.
+//! Finds sign changes of a function that can only be sampled. The search is refined where the function comes near 0.
 
 use super::Certainty;
 
-/// Number of steps of a search for two hidden sign changes between samples. Each step keeps 0.62 of an interval. Three
-/// samples of one sign may hide two changes if the middle sample is nearest to 0.
+/// Number of steps of a search for two hidden sign changes between samples. Three samples of one sign may hide two
+/// changes if the middle sample is nearest to 0. Each step keeps 0.62 of an interval.
 const STEPS: usize = 60;
 /// Larger of the two fractions into which a golden section divides an interval.
 const GOLDEN: f64 = 0.618_033_988_749_894_8;
@@ -31,7 +31,7 @@ pub(super) fn samples([from, to]: [f64; 2], count: usize, marks: &[f64]) -> Vec<
     places
 }
 
-/// Returns the inner bounds of equal steps of a range of r over 1/r, because sub-harmonics are evenly spaced over 1/r.
+/// Returns the inner bounds of equal steps over 1/r, for a range of r. Sub-harmonics are evenly spaced over 1/r.
 pub(super) fn steps([from, to]: [f64; 2]) -> Vec<f64> {
     let count = Certainty::STEPS;
     let (first, last) = (1.0 / from, 1.0 / to);
@@ -50,8 +50,8 @@ pub(super) fn merge(places: &mut Vec<f64>, steps: &[f64]) {
     places.dedup();
 }
 
-/// Returns the sign changes of a function between sample points, ascending. A sample where the function is NaN has no
-/// sign.
+/// Returns the sign changes of a function between sample points, ascending. Samples at which the function is NaN are
+/// ignored.
 pub(super) fn changes(places: &[f64], f: impl Fn(f64) -> f64) -> Vec<f64> {
     let values: Vec<f64> = places.iter().map(|r| f(*r)).collect();
     let mut all: Vec<(f64, f64)> = places.iter().copied().zip(values).collect();

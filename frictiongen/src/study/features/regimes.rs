@@ -32,22 +32,21 @@ pub struct RegimeRange {
     pub end: RegimeEnd,
 }
 
-/// Number of samples over each interval in which β_lim may exceed β. The equal steps of the whole range are added to
-/// the samples.
+/// Number of samples in each interval in which β_lim may exceed β. The equal steps of the whole range are sampled too.
 const SAMPLES: usize = 128;
-/// Largest number of odd sub-harmonics of a resonance that get additional samples near them.
+/// Largest number of odd sub-harmonics of a resonance near which the search takes additional samples.
 const SUBHARMONICS: usize = 12;
 
 impl Features<'_> {
     /// Returns the regimes along r at the friction ratio β, ascending, and how complete the list is.
     ///
-    /// The frequencies with β*_lim = β are found by interval arithmetic. β_lim depends on a search over the half
-    /// period. Without damping β_lim has a closed form for r ≥ √λ_N/2, and this closed form is an upper bound on β_lim
-    /// at every r.
+    /// Interval arithmetic finds the frequencies with β*_lim = β. β_lim depends on a search over the half period.
+    /// Without damping β_lim has a closed form for r ≥ √λ_N/2, and this closed form is an upper bound on β_lim at every
+    /// r.
     ///
-    /// A range above √λ_N/2 is therefore proven without damping. Otherwise the intervals in which the closed form
-    /// exceeds β are sampled. An island of a regime may be missed there if it is narrower than one of
-    /// [`Certainty::STEPS`] equal steps of the range over 1/r.
+    /// Without damping, the list is therefore proven for a range above √λ_N/2. Otherwise the intervals in which the
+    /// closed form exceeds β are sampled. The search may miss a regime there if its range is narrower than one of
+    /// [`Certainty::STEPS`] equal steps over 1/r.
     ///
     /// # Errors
     /// [`FeatureError::Friction`], [`FeatureError::Range`], [`FeatureError::Crowded`].
@@ -110,7 +109,7 @@ impl Features<'_> {
         let fastest = modal.resonances.last().map_or(0.0, |last| last.to_f64());
         let closed = if modal.is_damped() { to } else { 0.5 * fastest };
         let mut bounds = Vec::new();
-        // Above the frequency ratio `closed`, β_lim equals β_lim without search.
+        // Above the frequency ratio `closed`, β_lim equals its closed form without search.
         let function = MotionFunction::new(modal, None, Target::Continuous(exact(beta)));
         let mut edges = vec![from];
         let mut marks = Vec::new();

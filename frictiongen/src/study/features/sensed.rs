@@ -1,5 +1,5 @@
-//! Derivatives of a feature with respect to every parameter, from zeros by implicit differentiation and from closed
-//! forms.
+//! Derivatives of a feature with respect to every parameter. They come from zeros by implicit differentiation, and from
+//! closed forms.
 
 use super::isolate::{FunctionZero, MotionFunction};
 use crate::study::parameter::{OperatingPoint, Parameter, parameters_of};
@@ -54,7 +54,8 @@ impl Sensed {
     }
 }
 
-/// Share of X below which the change p·dX/dp counts as 0. With 30 digits rounding leaves such a remainder.
+/// Fraction of X below which the change p·dX/dp counts as 0. In numbers with 30 digits, rounding leaves a remainder of
+/// this size.
 const NOTHING: f64 = 1e-18;
 
 /// The scene and its units, with derivatives with respect to one parameter.
@@ -74,7 +75,7 @@ pub(super) struct Variation {
 pub(super) struct Variations {
     pub scale: Option<LoadScale>,
     pub all: Vec<Variation>,
-    /// The scene without a varied quantity, for derivatives with respect to the frequency ratio r.
+    /// The scene with no parameter varied, for derivatives with respect to the frequency ratio r.
     pub unvaried: Varied,
 }
 
@@ -120,8 +121,8 @@ impl Variations {
         })
     }
 
-    /// Returns the number `value` with its derivative with respect to each parameter. `of` computes the derivative
-    /// from the scene varied by that parameter. A parameter without a finite derivative is left out.
+    /// Returns the number `value` with its derivative with respect to each parameter. `of` computes the derivative from
+    /// the scene in which this parameter varies. A parameter without a finite derivative is left out.
     pub fn sensed(
         &self,
         value: f64,

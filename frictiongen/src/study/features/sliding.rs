@@ -15,8 +15,8 @@ pub struct HeldResonance {
     pub frequency: Sensed,
     /// Damping ratio of the mode.
     pub damping_ratio: f64,
-    /// True if the stuck contact changes the mode. False for a mode of the chain with a free contact that the contact
-    /// does not touch.
+    /// True if the stuck contact changes the mode. False for a mode that the contact does not drive, because it is the
+    /// same with a free contact.
     pub new: bool,
     /// Limit of sliding β*_lim at the resonance, in N under a load. The limit is infinite where the contact slides
     /// with any friction.
@@ -49,7 +49,7 @@ pub(super) struct Bound {
 impl Features<'_> {
     /// Returns the resonances of the chain with its contact stuck, ascending. One resonance lies between every two
     /// neighbouring resonances of modes that the contact drives. The other resonances belong to modes that the contact
-    /// does not touch.
+    /// does not drive.
     #[must_use]
     pub fn held_resonances(&self) -> Vec<HeldResonance> {
         let dynamics = self.system.dynamics();
@@ -93,8 +93,7 @@ impl Features<'_> {
     }
 
     /// Returns β*_lim on a resonance of the chain with its contact stuck. Without damping the receptance H is only
-    /// rounding there. The limit then counts as infinite if it grows towards the resonance in inverse proportion to
-    /// the distance.
+    /// rounding there. The limit then counts as infinite if it grows as the inverse of the distance from the resonance.
     fn held_limit(&self, held: &HeldResonance) -> f64 {
         let limit = self.sliding_limit(held.r);
         if held.damping_ratio > 0.0 || !held.new {
@@ -132,7 +131,7 @@ impl Features<'_> {
                 });
             }
         }
-        // V and H have poles on an undamped resonance, where β*_lim = β is possible without a zero of V − βμH.
+        // V and H have poles on an undamped resonance. β*_lim = β is possible there without a zero of V − βμH.
         let resonances = modal.resonances.iter().zip(&modal.damping_ratios);
         for (resonance, zeta) in resonances {
             let r = resonance.to_f64();
@@ -177,7 +176,7 @@ impl Features<'_> {
                 continue;
             }
             match found.last_mut() {
-                // The limit only touches β at the common bound, so two ranges join.
+                // The limit only touches β at the common bound, so that both ranges become one.
                 Some(last) if last.to == *from => {
                     (last.to, last.to_frequency) = (*to, after.clone());
                 }

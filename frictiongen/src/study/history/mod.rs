@@ -1,7 +1,7 @@
 //! Motions over time: displacements, velocities and the friction force at evenly spaced instants, and every event.
 //!
 //! Samples are values of the closed form, and events are exact. A history is a run from rest or from a state, or one
-//! period of a steady state. Displacement over velocity at the same samples is the phase portrait.
+//! period of a steady state. Displacement plotted over velocity gives the phase portrait.
 
 mod run;
 mod spectrum;
@@ -66,7 +66,7 @@ pub enum HistoryError {
     TooManySamples,
     /// The request skips more than [`MOST_SAMPLES`] cycles.
     TooManySkipped,
-    /// The run has more than a million events, or too many free vibrations in a cycle to be followed.
+    /// The run has more than a million events, or a cycle has too many free vibrations.
     TooManyEvents,
     /// The scene lacks the mass or the spring of this motion.
     NoSuchMotion(Of),
@@ -115,7 +115,7 @@ impl From<OutOfDomain> for HistoryError {
 
 /// A motion over time, at evenly spaced instants.
 ///
-/// The first sample and the last one are each at a maximum of the excitation. They are a whole number of cycles apart.
+/// The first and the last sample are each at a maximum of the excitation, a whole number of cycles apart.
 #[derive(Clone, Debug, PartialEq)]
 pub struct History {
     /// Number of cycles before the first sample. It is 0 for a steady state.
@@ -126,8 +126,9 @@ pub struct History {
     pub samples: u32,
     /// The requested motions, in the order of the request.
     pub tracks: Vec<Track>,
-    /// The friction force over P at each sample, for base motion over k₁Y. It is the kinetic force while the contact
-    /// slides, and the holding force while the contact sticks. A positive force acts against positive sliding.
+    /// The friction force over P at each sample, for base motion over k₁Y. While the contact slides it is the kinetic
+    /// friction force. While the contact sticks it is the force that keeps the contact at rest. A positive force acts
+    /// against positive sliding.
     pub friction: Vec<f64>,
     /// State of the contact at each sample: stuck, or sliding forward or backward.
     pub contact: Vec<Contact>,
@@ -184,13 +185,13 @@ impl History {
         self.friction.push(contact.1);
     }
 
-    /// Returns the number of instants: the samples of all cycles, and the end of the last cycle.
+    /// Returns the number of samples: those of all cycles, and one at the end of the last cycle.
     #[must_use]
     pub fn len(&self) -> usize {
         self.contact.len()
     }
 
-    /// Returns true if there are no instants, which never happens.
+    /// Returns true if the history has no samples, which never happens.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.contact.is_empty()
@@ -222,7 +223,7 @@ impl Track {
         }
     }
 
-    /// Returns the displacements of whole cycles, without the end of the last cycle.
+    /// Returns the displacements in whole cycles, without the sample at the end of the last cycle.
     fn whole(&self) -> &[f64] {
         self.displacement.split_last().map_or(&[], |(_, rest)| rest)
     }
@@ -248,7 +249,7 @@ fn phase(index: u64, samples: u64) -> f64 {
     TAU * (index as f64) / (samples as f64)
 }
 
-/// Fails unless this number of cycles and samples of the motions is allowed and the system has all motions.
+/// Fails if the request has an invalid number of cycles or samples, or a motion that the system does not have.
 fn check(system: &System, of: &[Of], cycles: u32, samples: u32) -> Result<(), HistoryError> {
     if cycles == 0 {
         return Err(HistoryError::NoCycle);

@@ -1,4 +1,4 @@
-//! A run from rest or from a state that stops at every sample.
+//! A run in time from rest or from a given state. It stops at every sample.
 
 use super::{
     History, HistoryError, HistoryEvent, HistoryRequest, MOST_EVENTS, MOST_SAMPLES, check,
@@ -91,7 +91,7 @@ impl System {
     }
 }
 
-/// A run with the motions that are recorded from it.
+/// A run in time, with the motions that it records.
 struct Follower<'a, 'o> {
     run: SystemSimulation<'a>,
     of: &'o [Of],
@@ -107,7 +107,7 @@ impl Follower<'_, '_> {
         mut note: impl FnMut(&Self, Event) -> Result<(), HistoryError>,
     ) -> Result<(), HistoryError> {
         for _ in 0..MOST_EVENTS {
-            // Each step counts from the run's own clock, so that roundings do not add up.
+            // Each step is measured from the run's own clock, so that roundings do not accumulate.
             let whole = cycle as f64 - self.run.cycles() as f64;
             let left = whole * TAU + (TAU * part - self.run.phase());
             if !(NEAR < left) {
@@ -121,7 +121,7 @@ impl Follower<'_, '_> {
         Err(HistoryError::TooManyEvents)
     }
 
-    /// Returns displacement and velocity of a motion that is known to exist.
+    /// Returns displacement and velocity of a motion. The caller has checked that the motion exists.
     fn motion(&self, of: Of) -> (f64, f64) {
         self.run.motion_of(of).unwrap_or_default()
     }

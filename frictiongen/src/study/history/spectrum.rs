@@ -43,12 +43,13 @@ impl SpectralLine {
 impl History {
     /// Returns the spectrum of a motion from its samples. `None` if the motion was not requested.
     ///
-    /// A fast Fourier transform over whole cycles computes it, so it needs no window. Orders are multiples of 1 over
-    /// the number of cycles, up to half the samples of a cycle. τ counts from the first sample.
+    /// A fast Fourier transform over whole cycles computes the spectrum, so that it needs no window. Orders are
+    /// multiples of 1 over the number of cycles, up to half the number of samples in a cycle. τ counts from the first
+    /// sample.
     ///
-    /// Faster vibrations are folded back (aliasing). Where friction reverses, harmonics fall with the third power of
-    /// their order. The error of a harmonic therefore falls with the third power of the number of samples. For a steady
-    /// state, [`SystemResponse::spectrum`] is exact.
+    /// Vibrations above half the sampling rate appear at lower orders (aliasing). At friction reversals, harmonics
+    /// decrease with the third power of their order. The error of a harmonic therefore decreases with the third power
+    /// of the number of samples. For a steady state, [`SystemResponse::spectrum`] is exact.
     ///
     /// ```
     /// use frictiongen::study::history::HistoryRequest;
@@ -84,7 +85,7 @@ impl History {
             .plan_fft_forward(count)
             .process(&mut values);
         let one_sided = |(index, value): (usize, &Complex<f64>)| {
-            // The mean and the last line have no counterpart of negative order.
+            // The mean and the last component have no counterpart of negative order.
             let sides = if index == 0 || index == count / 2 {
                 1.0
             } else {
@@ -118,8 +119,8 @@ impl SystemResponse<'_> {
         }
     }
 
-    /// Returns the exact spectrum of the contact or of a mass up to an order. `None` if there is no such mass. Where
-    /// the motion does not settle, the spectrum is that of its last 64 cycles, as if they repeated.
+    /// Returns the exact spectrum of the contact or of a mass up to an order. `None` if there is no such mass. If the
+    /// motion does not settle, the spectrum is that of its last 64 cycles, as if these repeated.
     #[must_use]
     pub fn spectrum(&self, of: Of, highest: u32) -> Option<Spectrum> {
         let period = self.period();

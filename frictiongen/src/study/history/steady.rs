@@ -20,7 +20,7 @@ impl SystemResponse<'_> {
     }
 
     /// Returns one sampled period of the steady state, with every event. τ counts from a maximum of the excitation. If
-    /// the period has several cycles, τ counts from the maximum that [`subharmonic`](Self::subharmonic) uses.
+    /// the period has several cycles, τ counts from the same maximum as in [`subharmonic`](Self::subharmonic).
     ///
     /// ```
     /// use frictiongen::{Of, System};
@@ -45,12 +45,12 @@ impl SystemResponse<'_> {
     /// ```
     ///
     /// # Errors
-    /// [`HistoryError`] for an invalid request, and for r = 0 and r = ∞, where there is no cycle. [`HistoryError`] also
-    /// where the motion does not settle. A run from rest shows that motion.
+    /// [`HistoryError`] for an invalid request, and for r = 0 and r = ∞, where the excitation has no cycle.
+    /// [`HistoryError`] also if the motion does not settle. A run from rest shows such a motion.
     pub fn history(&self, of: &[Of], samples: u32) -> Result<History, HistoryError> {
         let (system, r) = match self {
             Self::Continuous(motion) => (*motion.at().scene(), motion.at().frequency_ratio()),
-            // An orbit exists only where r is neither 0 nor infinite, so any valid r serves.
+            // An orbit exists only if r is neither 0 nor infinite. Any valid r therefore passes the check.
             Self::StickSlip(orbit) => (orbit.system, 1.0),
             Self::Stuck(stuck) => (*stuck.at().scene(), stuck.at().frequency_ratio()),
         };

@@ -1,4 +1,5 @@
-//! Friction ratios between two points of a map at which the pattern of the contact changes.
+//! Friction ratios between two points of a map at which the pattern of the contact's motion (regime, stops, reversals
+//! and period) changes.
 
 use super::{Map, Pattern};
 use crate::study::at::SystemAt;
@@ -6,14 +7,14 @@ use crate::study::system::System;
 use crate::{Error, Limits, Regime};
 use rayon::prelude::*;
 
-/// A point of a boundary: at r, the pattern of the contact changes at β.
+/// A point of a boundary in a map: at r, the pattern of the contact's motion changes at β.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Boundary {
     /// Frequency ratio r = ω√(m₁/k₁) of the excitation.
     pub r: f64,
     /// Friction ratio β, the middle of the interval that contains the boundary.
     pub beta: f64,
-    /// Width of this interval in β. It is 0 for an exact boundary.
+    /// Width in β of the interval that contains the boundary. It is 0 for an exact boundary.
     pub width: f64,
     /// Pattern below the boundary, or the reason why there is no response.
     pub below: Result<Pattern, Error>,
@@ -24,18 +25,17 @@ pub struct Boundary {
 impl System {
     /// Returns the boundaries in a map, at each of its frequency ratios.
     ///
-    /// A boundary of the continuous or of the stuck regime is the limit itself, exactly. Between the two limits the
-    /// contact stops and slides in turn. There the search also evaluates the middle and the quarters between two
-    /// neighbouring β of the map. It halves every interval whose two ends have different patterns, until the boundary
-    /// is known to `digits` significant digits. If the middle has a third pattern, the search continues in both halves.
+    /// A boundary of the continuous or of the stuck regime is the limit itself, exactly. Between both limits the
+    /// contact alternately stops and slides. The search there also evaluates the middle and the quarters between two
+    /// neighbouring β of the map. It halves every interval whose ends have different patterns, until the boundary is
+    /// known to `digits` significant digits. If the middle has a third pattern, the search continues in both halves.
     ///
-    /// The search finds all boundaries that are separated by a quarter of the map's step, and others that halving
-    /// meets. It can miss two boundaries of one region within a quarter of a step. It can also miss a boundary close to
-    /// a limit, within a 64th of the rest of the step. A finer map has finer quarters. If halving meets a third pattern
-    /// more than six times between two neighbours, as in a cascade of period doublings, only the lowest of the others
-    /// are found.
+    /// The search finds all boundaries that are more than a quarter of the map's step apart. It can miss two boundaries
+    /// of one region within a quarter of a step. It can also miss a boundary close to a limit, within a 64th of the
+    /// rest of the step. A finer map has finer quarters. In a cascade of period doublings, halving may meet a third
+    /// pattern more than six times between two neighbours. Only the lowest of these boundaries are found.
     ///
-    /// Close to a boundary a motion settles slowly, so more digits take much longer.
+    /// Close to a boundary a motion settles slowly, so that more digits take much longer.
     ///
     /// ```
     /// use frictiongen::study::map::MapRequest;
@@ -89,12 +89,12 @@ impl System {
     }
 }
 
-/// Number of times that the search continues in both halves although the two ends of the interval have the same
-/// pattern.
+/// Number of times that the search still continues in both halves of an interval whose ends have the same pattern.
 const LOOKS: u32 = 2;
 /// Largest number of third patterns, between two neighbouring β, at which the search continues in both halves.
 const MOST_BRANCHES: u32 = 6;
-/// Distance from a limit at which the pattern is evaluated, as a share of the step that the limits leave.
+/// Distance from a limit at which the pattern is evaluated, as a fraction of the interval between the limits within the
+/// step.
 const BESIDE: f64 = 1.0 / 64.0;
 
 /// A friction ratio β with the pattern of the contact.
@@ -135,7 +135,7 @@ impl Trace<'_> {
         }
         if let Some(limit) = to {
             if from.is_some_and(|from| limit <= from) {
-                // The limits leave no interval of motions with stops.
+                // Between the limits no interval is left in which the contact stops and slides.
                 return self.exact(limit, below.1, above.1);
             }
             high = self.known(limit - BESIDE * left);

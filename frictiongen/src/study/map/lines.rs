@@ -1,4 +1,4 @@
-//! Both limits over frequency, with points as close as the limits bend.
+//! Both limits over frequency. The points are close together where the limits bend.
 
 use crate::study::system::System;
 use crate::{Limits, OutOfDomain};
@@ -8,7 +8,7 @@ const PLACES: usize = 400;
 /// Largest number of odd sub-harmonics of a resonance that become points. Without damping β_lim is 0 at these
 /// sub-harmonics.
 const MOST_SUBHARMONICS: usize = 25;
-/// An interval below this relative width is not halved.
+/// Relative width below which an interval is not halved.
 const NARROW: f64 = 1e-9;
 
 /// Both limits over frequency.
@@ -72,7 +72,8 @@ impl System {
             accuracy < (m - 0.5 * (a + b)).abs()
         };
         let straight = !strays(|limits| limits.continuous) && !strays(|limits| limits.sliding);
-        // One test may miss a kink, because the middle may be on the straight line by chance.
+        // One test may miss a kink, because the middle may be on the straight line by chance. Two successive tests are
+        // therefore required.
         let done = straight && was_straight;
         if !done {
             self.between(left, middle, accuracy, straight, points)?;

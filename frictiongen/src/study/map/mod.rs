@@ -1,4 +1,5 @@
-//! Maps over frequency and friction: the pattern of the contact at every point, and the boundaries between patterns.
+//! Maps over frequency and friction. Each point has the pattern of the contact's motion (regime, stops, reversals and
+//! period). The boundaries between patterns can be located.
 
 mod boundary;
 mod lines;
@@ -31,7 +32,7 @@ pub struct Pattern {
     pub stops: usize,
     /// Number of changes of the sliding direction without a stop, in a period.
     pub reversals: usize,
-    /// Number of cycles of the excitation after which the motion repeats. It is 0 where the motion does not settle.
+    /// Number of cycles of the excitation after which the motion repeats. It is 0 if the motion does not settle.
     pub period: u32,
 }
 
@@ -42,18 +43,19 @@ pub struct MapPoint {
     pub pattern: Pattern,
     /// Fraction of the period for which the contact sticks.
     pub stuck_fraction: f64,
-    /// True if no small deviation grows.
+    /// True if no small deviation from the steady state grows.
     pub stable: bool,
-    /// True if the state is one of a continuum, or at the end of a continuum.
+    /// True if the state belongs to a continuum of steady states, or lies at its end.
     pub marginal: bool,
     /// True if motion from rest ends in this state. False means that motion from rest does not settle and this is
     /// another state.
     pub from_rest: bool,
-    /// The requested amplitudes, in the order of the request. The unit is P/k₁, for base motion Y.
+    /// The offset of the contact's relative motion from its centre, over P/k₁, for base motion over Y.
     pub offset: f64,
     /// The requested amplitudes, in the order of the request, over P/k₁, for base motion over Y.
     pub amplitudes: Vec<f64>,
-    /// The centred amplitudes, in the same order and unit.
+    /// The centred amplitudes, half the distance between the least and the largest displacement, in the same order and
+    /// unit as `amplitudes`.
     pub centred: Vec<f64>,
 }
 
@@ -131,7 +133,8 @@ impl System {
     /// Returns the response at every pair of a frequency ratio and a friction ratio, computed on all cores.
     ///
     /// Each point has the state in which motion from rest ends, as [`SystemAt::response`](super::SystemAt::response)
-    /// returns it. Neighbouring points have no influence. With μ > 1 other steady states may exist at the same point.
+    /// returns it. A point does not depend on its neighbours. With μ > 1 other steady states may exist at the same
+    /// point.
     ///
     /// ```
     /// use frictiongen::study::map::MapRequest;
@@ -158,7 +161,7 @@ impl System {
     /// ```
     ///
     /// After each column the map calls `go_on` with the number of finished columns, from any thread. If `go_on` returns
-    /// `false`, the remaining columns are left out.
+    /// `false`, the map omits the remaining columns.
     ///
     /// # Errors
     /// [`OutOfDomain`] for a frequency ratio or a friction ratio that is negative, NaN or infinite, and for a mass that
@@ -189,8 +192,8 @@ impl System {
             }
             Ok(column)
         };
-        // The cost of a column varies widely, and neighbouring columns have similar costs. The columns are handed out
-        // one at a time, so that all cores stay busy.
+        // The cost varies widely between columns, but little between neighbouring ones. Each core therefore gets one
+        // column at a time, so that all cores stay busy.
         let columns = request.r.par_iter().with_max_len(1).map(column);
         let columns: Vec<Option<MapColumn>> = columns.collect::<Result<_, OutOfDomain>>()?;
         Ok(Map {
@@ -199,8 +202,8 @@ impl System {
         })
     }
 
-    /// Returns a column, or none if the map was cancelled. Fails if the scene has no answer at this frequency, whatever
-    /// the friction.
+    /// Returns a column, or `None` if the map was cancelled. Fails if the scene has no response at this frequency for
+    /// any friction.
     fn column(
         &self,
         r: f64,

@@ -9,7 +9,7 @@ use crate::study::{response::SystemResponse, sensitivity::Sensitive};
 use crate::{Error, NoOrbit, NotContinuous, Of, Regime};
 use std::cell::Cell;
 
-/// The amount of friction: a friction ratio, or so much that the contact never slides.
+/// The amount of friction: a friction ratio, or so much friction that the contact never slides.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::study) enum FrictionAmount {
     /// A given friction ratio β.
@@ -30,9 +30,9 @@ pub(in crate::study) struct Amplitude<'s> {
     work: Cell<usize>,
     /// Bound on the work of all evaluations, in units of about 10 µs.
     most: Cell<usize>,
-    /// Number of evaluations for which the solvers found no amplitude.
+    /// Number of evaluations without a result, because the solvers found no amplitude.
     pub silent: Cell<usize>,
-    /// True if motion from rest is followed also where the closed form exists.
+    /// True if the search also follows motion from rest where the closed form exists.
     follows: Cell<bool>,
 }
 
@@ -50,8 +50,9 @@ impl<'s> Amplitude<'s> {
         }
     }
 
-    /// Follows motion from rest from now on also where the closed form exists. With μ > 1 that motion may end in
-    /// another state, so that an amplitude may be larger at a frequency where the closed form is not the largest.
+    /// From this call on, the search also follows motion from rest where the closed form exists. With μ > 1 that motion
+    /// may end in another state. The amplitude of this state may be larger at a frequency at which the closed form is
+    /// not largest.
     pub(super) fn follow_from_rest(&self) {
         self.follows.set(true);
     }
@@ -83,7 +84,7 @@ impl<'s> Amplitude<'s> {
     }
 
     /// Returns the amplitude in units of P/k₁, for base motion of Y. The amplitude is infinite on a resonance that
-    /// neither friction nor damping bounds, and NaN where there is no response.
+    /// neither friction nor damping bounds. It is NaN if no response exists.
     ///
     /// Below both limits the result is the amplitude of the closed form. With μ > 1, motion from rest may end in
     /// another state, whose amplitude [`followed`](Self::followed) returns.
@@ -126,8 +127,8 @@ impl<'s> Amplitude<'s> {
         swing.map_or(f64::NAN, |swing| swing.amplitude)
     }
 
-    /// Returns the amplitude on an undamped resonance of the chain with its contact stuck. The amplitude is finite
-    /// where the load does not drive that mode.
+    /// Returns the amplitude on an undamped resonance of the chain with its contact stuck. The amplitude is finite if
+    /// the load does not drive that mode.
     fn beside_resonance(&self, r: f64, friction: FrictionAmount) -> f64 {
         beside(r, |r| {
             let response = self.response(r, friction);
@@ -141,8 +142,7 @@ impl<'s> Amplitude<'s> {
             .map_or(Regime::Stuck, |response| response.regime())
     }
 
-    /// Returns the exact derivatives of the amplitude with respect to r and β. `None` where a derivative does not
-    /// exist.
+    /// Returns the exact derivatives of the amplitude with respect to r and β. `None` if a derivative does not exist.
     pub(super) fn slopes(&self, r: f64, beta: f64) -> Option<[f64; 2]> {
         let response = self.response(r, FrictionAmount::Ratio(beta)).ok()?;
         let (fixed_r, fixed_beta) = (Sensitive::fixed(r.into()), Sensitive::fixed(beta.into()));
@@ -164,8 +164,8 @@ mod tests {
     use crate::Of;
     use crate::study::System;
 
-    /// Checks that missing results are counted. Neither the contact nor damping acts on the second mode, so with stops
-    /// there is no steady state.
+    /// Checks that evaluations without a result are counted. Neither the contact nor damping acts on the second mode,
+    /// so that no steady state with stops exists.
     #[test]
     fn what_has_no_answer_is_counted() {
         let text = "struct Chain { masses: { a: 1, b: 1, c: 1 }, contact: b - wall, excitation: a,

@@ -10,7 +10,7 @@ pub enum OptimumKind {
     EqualPeaks,
     /// One peak is at its own minimum over friction.
     SinglePeak,
-    /// Any friction increases the amplitude.
+    /// Any friction increases the largest amplitude.
     NoFriction,
     /// The smallest amplitude is that of the stuck contact, and more friction changes nothing.
     Stuck,
@@ -23,11 +23,11 @@ pub struct OptimumPeak {
     pub r: f64,
     /// Amplitude at this frequency, in units of P/k₁, for base motion of Y.
     pub amplitude: f64,
-    /// Regime at the frequency of the peak.
+    /// Regime of the contact at the frequency of the peak.
     pub regime: Regime,
     /// True if the frequency is a bound of the band.
     pub at_end: bool,
-    /// Derivative of this peak's amplitude with respect to β. `None` where the contact is stuck or the peak has no
+    /// Derivative of this peak's amplitude with respect to β. `None` if the contact is stuck or the peak has no
     /// derivative.
     pub slope: Option<f64>,
 }
@@ -47,17 +47,17 @@ pub struct Tolerance {
 /// The cause that ended the search for an optimum.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum OptimumEnd {
-    /// The search converged to a minimum. The friction ratio is exact to rounding where two peaks cross. It has half
-    /// of the digits where one peak is at its minimum.
+    /// The search converged to a minimum. At a crossing of two peaks the friction ratio is exact to rounding. At the
+    /// minimum of one peak it has half of the digits.
     Converged,
-    /// The search ended where the amplitude jumps with friction. On one side of the jump the motion reaches another
+    /// The search ended at a friction at which the amplitude jumps. On one side of the jump the motion reaches another
     /// steady state, which has a larger amplitude.
     Jump,
-    /// The search met its bound on work. The result is the best friction found before.
+    /// The search reached its bound on work. The result is the best friction found until then.
     WorkSpent,
 }
 
-/// The best friction: the friction that makes the largest amplitude over a band of frequencies smallest.
+/// The best friction: with it, the largest amplitude over a band of frequencies is smallest.
 #[derive(Clone, Debug)]
 pub struct Optimum {
     /// Best friction ratio β.
@@ -68,11 +68,11 @@ pub struct Optimum {
     pub kind: OptimumKind,
     /// The cause that ended the search.
     pub end: OptimumEnd,
-    /// Interval of β that contains the best friction, as far as the search refined it. Where the search did not refine
+    /// Interval of β that contains the best friction, as narrow as the search has made it. If the search did not refine
     /// between points of its scan, the bounds are the neighbours of the best point.
     pub bracket: [f64; 2],
-    /// Largest amplitude over the band just beyond the jump at which the search ended, as far as the search knows the
-    /// peaks there. `None` if it did not end at a jump.
+    /// Largest amplitude over the band just beyond the jump at which the search ended, from the peaks that the search
+    /// knows. `None` if it did not end at a jump.
     pub beyond_jump: Option<f64>,
     /// Frequencies at which the largest amplitude is reached.
     pub peaks: Vec<OptimumPeak>,
@@ -82,7 +82,7 @@ pub struct Optimum {
     /// Friction ratio up to which the contact never stops anywhere in the band.
     pub free_of_sticking: f64,
     /// Friction ratio from which a stuck state exists over the whole band. It is infinite if no friction keeps the
-    /// contact stuck on a resonance of the chain with a stuck contact.
+    /// contact stuck at some frequency of the band, a resonance of the chain with its contact stuck.
     pub locked: f64,
     /// Largest amplitude over the band without friction. It is infinite on an undamped resonance.
     pub without_friction: f64,
@@ -91,12 +91,11 @@ pub struct Optimum {
     /// Intervals of friction in which the amplitude is at most 1, 5 and 10 per cent above the best amplitude. They
     /// show how flat the optimum is. The list is empty if the bound on work ended the search.
     pub tolerances: Vec<Tolerance>,
-    /// Relative derivatives d ln X/d ln p of the optimum's amplitude X with respect to each parameter p except
-    /// friction and frequency, while friction stays optimal. The list is empty without a load, and where there are no
-    /// derivatives.
+    /// Relative derivatives d ln X/d ln p of the best amplitude X, while friction stays optimal. The list has one for
+    /// each parameter p except friction and frequency. It is empty without a load, and if no derivatives exist.
     pub sensitivities: Vec<(Parameter, f64)>,
     /// Number of amplitudes that the search computed.
     pub evaluations: usize,
-    /// Number of amplitudes without a result, because the motion has too many stops in a cycle or no motion was found.
+    /// Number of amplitudes without a result: the motion has too many stops in a cycle, or no motion was found.
     pub unanswered: usize,
 }

@@ -1,4 +1,5 @@
-//! Finds the frequency ratios of a band at which β_lim or β*_lim equals β, and the extremes of both limits.
+//! Finds the frequency ratios of a band at which β_lim or β*_lim equals β, and the extremes of both limits over the
+//! band.
 
 use super::line;
 use super::look::PLACE;
@@ -9,8 +10,8 @@ use super::places::limits;
 const HALVINGS: usize = 36;
 
 impl AmplitudeBand<'_> {
-    /// Returns the frequency ratios of the band next to those where β_lim or β*_lim equals β: one just below and one
-    /// just above each crossing.
+    /// Returns the frequency ratios of the band next to those at which β_lim or β*_lim equals β. One is just below and
+    /// one just above each crossing.
     pub(super) fn bounds(&self, beta: f64) -> Vec<f64> {
         let system = self.amplitude.system;
         let mut bounds = Vec::new();

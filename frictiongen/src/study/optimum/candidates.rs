@@ -1,16 +1,17 @@
-//! Selects friction ratios that may be the best, and intervals of a scan over friction that may contain better ones.
+//! Selects friction ratios that may be the best. Also selects intervals of a scan over friction that may contain better
+//! ones.
 
 use super::creep::meeting;
 use super::scan::Scanned;
 use std::cmp::Ordering;
 
-/// An interval of the scan is searched if its tangents meet below this factor times the best amplitude.
+/// Factor on the best amplitude. An interval of the scan is searched if the tangents at its ends meet below this value.
 const WORTH: f64 = 1.05;
-/// Largest number of intervals that are searched. Those with the smallest expected amplitude come first.
+/// Largest number of intervals that are searched. Intervals with the smallest expected amplitude come first.
 const MOST_LOOKED_INTO: usize = 6;
-/// Fraction of the smaller amplitude at the ends of an interval. No minimum in the interval is expected to be lower.
+/// Fraction of the smaller amplitude at the ends of an interval. The search expects no lower minimum in the interval.
 const SHARE: f64 = 0.7;
-/// Relative rise of the amplitude above which a closer evaluation of the band has found a higher peak.
+/// Relative increase of the amplitude that shows a higher peak, when the band is evaluated more closely.
 pub(super) const HOLDS: f64 = 1e-9;
 
 /// A friction ratio that may be the best, with its largest amplitude over the band.
@@ -35,7 +36,7 @@ pub(super) fn of_scan(scan: &[Scanned]) -> Vec<FrictionCandidate> {
     complete.map(candidate).collect()
 }
 
-/// Returns the least friction ratio of the scan from which on the amplitude no longer changes, with that amplitude.
+/// Returns the least friction ratio of the scan above which the amplitude no longer changes, and that amplitude.
 pub(super) fn stays(scan: &[Scanned]) -> Option<(f64, f64)> {
     let last = scan.last().filter(|last| last.complete)?;
     let same = |scanned: &&Scanned| {
@@ -47,8 +48,8 @@ pub(super) fn stays(scan: &[Scanned]) -> Option<(f64, f64)> {
     Some((if last.whole { last.beta } else { first.beta }, last.value))
 }
 
-/// Orders candidates by amplitude. Among candidates of equal amplitude, the friction from which on nothing changes
-/// comes first, then the least friction.
+/// Orders candidates by amplitude. Among candidates of equal amplitude, the friction above which nothing changes comes
+/// first, then the least friction.
 pub(super) fn before(
     a: &FrictionCandidate,
     b: &FrictionCandidate,
@@ -71,7 +72,7 @@ pub(super) fn before(
     order.then(a.2.total_cmp(&b.2))
 }
 
-/// Returns pairs of neighbours of the scan between which there is a minimum that may be the least.
+/// Returns pairs of neighbouring points of the scan between which the smallest minimum may lie.
 pub(super) fn between(scan: &[Scanned], best: f64) -> Vec<(Scanned, Scanned)> {
     let pairs = scan.windows(2).filter_map(|pair| match pair {
         [below, above] => Some((below, above)),
@@ -83,11 +84,12 @@ pub(super) fn between(scan: &[Scanned], best: f64) -> Vec<(Scanned, Scanned)> {
                 return None;
             }
             if !below.value.is_finite() {
-                // The resonance is unbounded at the lower friction ratio and bounded at the upper one.
+                // The amplitude at the resonance is unbounded at the lower friction ratio and bounded at the upper one.
                 return Some((0.0, (below.clone(), above.clone())));
             }
             let falls = below.slope < 0.0;
-            // Where the steady state changes to another one, the slope at one point says nothing about the next point.
+            // Where the steady state changes to another one, the slope at one point does not predict the amplitude at
+            // the next point.
             let least = SHARE * below.value.min(above.value);
             // If the tangents do not meet in the interval, the amplitude is not convex over friction. Its tangents then
             // give no bound.

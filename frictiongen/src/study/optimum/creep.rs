@@ -1,5 +1,5 @@
-//! Finds the friction ratio between two others at which the highest peak is smallest. The search follows each peak as
-//! the peak moves.
+//! Finds the friction ratio between two others at which the highest peak is smallest. The search follows each peak
+//! while friction changes.
 
 use super::amplitude::FrictionAmount;
 use super::look::{BandPeak, Look};
@@ -22,13 +22,14 @@ pub(super) fn meeting(below: &Scanned, above: &Scanned) -> Option<(f64, f64)> {
     (below.beta < beta && beta < above.beta).then_some((beta, value))
 }
 
-/// The result of a search that follows the peaks from both sides of a minimum.
+/// Result of a search that follows the peaks from both sides of a minimum.
 pub(super) struct Crept {
     pub best: Scanned,
-    /// The last friction ratio from which the amplitude falls (`below`), and the last one to which it rises (`above`).
+    /// The highest friction ratio at which the amplitude still falls (`below`), and the lowest at which it already
+    /// rises (`above`).
     pub below: Scanned,
     pub above: Scanned,
-    /// True if the best friction ratio is the minimum of these peaks.
+    /// True if the search has reached the minimum of these peaks.
     pub done: bool,
 }
 
@@ -84,7 +85,7 @@ pub(super) fn crept(band: &AmplitudeBand<'_>, below: &Scanned, above: &Scanned) 
             break;
         }
         let falls = here.slope < 0.0 || !here.value.is_finite();
-        // The partner is the peak that grows when the highest peak falls. At the minimum both peaks have the same
+        // The partner is the peak that grows while the highest peak falls. At the minimum both peaks have the same
         // height.
         let other = if falls { &above } else { &below };
         let partner = other.peaks.first().and_then(|known| {

@@ -10,11 +10,11 @@ use super::search::{Least, SearchEnd};
 const STEPS: usize = 40;
 /// Relative tolerance, in β, of a bound of an interval.
 const NEAR: f64 = 1e-8;
-/// Relative tolerance, in β, of a bound where the optimum itself is not known to all digits.
+/// Relative tolerance, in β, of an interval's bound if the optimum itself is not known to all digits.
 const ROUGHLY: f64 = 1e-3;
 /// Number of peaks that are followed from each friction ratio whose peaks are known.
 const MOST_FOLLOWED: usize = 3;
-/// Bound on the work of finding one bound of an interval.
+/// Bound on the work of finding one end of an interval.
 const WORK: usize = 12_000;
 
 /// Returns the interval of friction around the optimum in which the largest amplitude exceeds the best amplitude by at
@@ -22,7 +22,7 @@ const WORK: usize = 12_000;
 pub(super) fn tolerance(band: &AmplitudeBand<'_>, least: &Least, excess: f64) -> Tolerance {
     let level = least.at.value * (1.0 + excess);
     if level == 0.0 {
-        // The best amplitude is 0, so any fraction of it is 0 too.
+        // The best amplitude is 0, so that any excess over it is 0 too.
         let (from, to) = (least.at.beta, f64::INFINITY);
         return Tolerance { excess, from, to };
     }

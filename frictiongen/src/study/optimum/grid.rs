@@ -1,7 +1,7 @@
-//! Searches a fine grid of the band for peaks that no resonance, sub-harmonic or limit announces.
+//! Searches a fine grid of the band for peaks that are not near any resonance, sub-harmonic or limit.
 //!
 //! With μ > 1 motion from rest may end in different steady states at neighbouring frequencies. The amplitude jumps
-//! between these frequencies. Only the motion itself shows where.
+//! between these frequencies. Only the motion itself shows these jumps.
 
 use super::amplitude::FrictionAmount;
 use super::look::{BandPeak, Look, sorted};
@@ -16,7 +16,7 @@ const MOST_INTERVALS: f64 = 1500.0;
 const WORTH: f64 = 0.98;
 /// Largest number of peaks that one search adds.
 const MOST: usize = 3;
-/// Number of grid points on each side of a peak that later first evaluations include, because the peak moves with
+/// Number of grid points on each side of a peak that are added to all later evaluations, because the peak moves with
 /// friction.
 const SIDE: i32 = 4;
 

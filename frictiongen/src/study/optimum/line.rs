@@ -94,7 +94,7 @@ mod tests {
         let roof = |x: f64| -(x - 0.3).abs();
         let (x, _) = largest(roof, [0.0, 1.0], (0.5, roof(0.5)), 1e-12);
         assert!((x - 0.3).abs() < 1e-9, "{x}");
-        // The maximum is at a bound.
+        // The maximum of this function is at the upper bound of the interval.
         let (x, _) = largest(|x| x, [0.0, 1.0], (0.5, 0.5), 1e-12);
         assert!(x > 1.0 - 1e-9, "{x}");
     }

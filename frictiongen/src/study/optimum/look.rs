@@ -1,20 +1,20 @@
-//! Evaluates the amplitude over a band of frequencies at one friction ratio and finds its local maxima. One such
-//! evaluation is called a look.
+//! Evaluates the amplitude over a band of frequencies at one friction ratio, and finds its local maxima. Such an
+//! evaluation is called a *look*.
 //!
-//! The first look at a friction ratio follows motions at some frequencies of the band only. A whole look evaluates all
-//! of them.
+//! The first look at a friction ratio follows motions at some frequencies of the band only. A whole look follows them
+//! at all frequencies of the band.
 
 use super::amplitude::FrictionAmount;
 use super::places::BandPlace;
 
 /// Relative tolerance in r of a refined maximum. The amplitude at the maximum is then exact to rounding.
 pub(super) const PLACE: f64 = 2e-9;
-/// A ratio of two friction ratios, and the factor by which the amplitude is expected to change at most within that
-/// ratio.
+/// Two numbers: a ratio of two friction ratios, and the largest factor by which the amplitude is expected to change
+/// within that ratio.
 const FIRST: [f64; 2] = [1.5, 2.0];
-/// Ratio and factor as in `FIRST`, for an evaluation of the whole band.
+/// Ratio and factor as in `FIRST`, for an evaluation at all frequencies of the band.
 const WHOLE: [f64; 2] = [1.1, 4.0];
-/// Factor by which the expected amplitude is larger if the amplitude is known only at a more distant friction ratio.
+/// Factor on the expected amplitude if the amplitude is known only at a more distant friction ratio.
 const UNKNOWN: f64 = 5.0;
 
 /// A local maximum of the amplitude over the band.
@@ -26,7 +26,7 @@ pub(in crate::study) struct BandPeak {
     pub edge: bool,
 }
 
-/// The precision with which the amplitude over a band is evaluated.
+/// The precision of an evaluation of the amplitude over a band.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Closely {
     /// Precise enough to compare friction ratios: motions are followed at some frequencies only.
@@ -40,8 +40,8 @@ pub(super) enum Closely {
 pub(super) struct Look {
     /// The local maxima that were found, in descending order.
     pub peaks: Vec<BandPeak>,
-    /// True if the evaluation was completed. False if the largest amplitude exceeds the cutoff, or if the work was
-    /// spent.
+    /// True if the evaluation is complete. False if the largest amplitude exceeds the cutoff, or if the bound on work
+    /// was reached.
     pub complete: bool,
 }
 
@@ -81,7 +81,7 @@ pub(super) struct SeenFrequency {
     pub closed: bool,
 }
 
-/// The amplitude over a band at one friction ratio, as far as closed forms give it. No motion has been followed yet.
+/// The amplitude over a band at one friction ratio, as far as closed forms give it. Motions have not been followed yet.
 pub(super) struct OpenBand {
     pub friction: FrictionAmount,
     pub seen: Vec<SeenFrequency>,

@@ -1,4 +1,5 @@
-//! Finds the friction that makes the largest amplitude over a band of frequencies smallest, over all regimes.
+//! Finds the best friction: with it, the largest amplitude over a band of frequencies is smallest. The search covers
+//! all regimes.
 
 mod amplitude;
 mod answer;
@@ -29,23 +30,23 @@ pub use tuned::{Tunable, TunedOptimum, TunedPoint, Tuning, UnknownTunable};
 const WORK: usize = 1_000_000;
 
 impl System {
-    /// Returns the friction that makes the largest amplitude of a motion over a band of frequencies smallest. The
-    /// amplitude is that of the closed form where the contact slides all the time, of the steady state with stops, or
-    /// of the stuck response.
+    /// Returns the friction with which the largest amplitude of a motion over a band of frequencies is smallest. The
+    /// amplitude is that of the closed form if the contact slides all the time. Otherwise it is that of the steady
+    /// state with stops, or of the stuck response.
     ///
-    /// At one friction ratio the search evaluates the amplitude near every resonance of the chain, both with a free
-    /// and with a stuck contact. It also evaluates sub-harmonics, both sides of regime changes and a grid of
-    /// frequencies. A scan over friction, from none to so much that nothing slides, finds the smallest of the largest
-    /// amplitudes. Closed forms are evaluated first. If they exceed the best amplitude so far by a margin, the
-    /// friction ratio is rejected. Motions are followed in time only where their amplitude may be the largest.
+    /// At one friction ratio the search evaluates the amplitude near every resonance of the chain, both with a free and
+    /// with a stuck contact. It also evaluates sub-harmonics, both sides of regime changes and a grid of frequencies. A
+    /// scan over friction, from zero to so much that nothing slides, finds the smallest of the largest amplitudes.
+    /// Closed forms are evaluated first. If they exceed the best amplitude so far by a margin, the friction ratio is
+    /// rejected. Motions are followed in time only where their amplitude may be the largest.
     ///
-    /// The work of a search is bounded and counted, so the result is the same on every machine. Motions that do not
-    /// settle take most of the work. [`Optimum::end`] reports whether the search met the bound, or ended at a jump to
-    /// another steady state. [`Optimum::bracket`] then contains the best friction ratio.
+    /// The work of a search is bounded and counted, so that the result is the same on every machine. Motions that do
+    /// not settle take most of the work. [`Optimum::end`] says whether the search reached the bound, or ended at a jump
+    /// to another steady state. [`Optimum::bracket`] then contains the best friction ratio.
     ///
-    /// With μ > 1 the first comparison of friction ratios takes the closed form where β is below both limits. The search
+    /// With μ > 1 the first comparison of friction ratios uses the closed form where β is below both limits. The search
     /// then follows motion from rest over a fine grid of the band, at the friction ratios that seem best. The amplitude
-    /// of the result is the largest on that grid. A peak narrower than the distance of its points, 0.25 %, may be
+    /// of the result is the largest on that grid. A peak between two grid points, which are 0.25 % apart, may be
     /// higher.
     ///
     /// ```
@@ -72,13 +73,13 @@ impl System {
     /// ```
     ///
     /// # Errors
-    /// [`OptimumError`] for an invalid band, motion, load or quantity, and where no friction bounds the amplitude.
+    /// [`OptimumError`] for an invalid band, motion, load or quantity, and if no friction bounds the amplitude.
     pub fn optimum(&self, request: &OptimumRequest) -> Result<Optimum, OptimumError> {
         self.optimum_within(request, WORK)
     }
 
     /// Searches as [`optimum`](Self::optimum) does, but with a given bound on the work, in units of about 10 µs. A
-    /// search that meets the bound ends with [`OptimumEnd::WorkSpent`].
+    /// search that reaches the bound ends with [`OptimumEnd::WorkSpent`].
     ///
     /// # Errors
     /// Same errors as [`optimum`](Self::optimum).

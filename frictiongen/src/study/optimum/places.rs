@@ -1,5 +1,5 @@
-//! Selects the places of a band: the frequency ratios at which the amplitude is evaluated. A place is closed where the
-//! response has a closed form. At any other place a motion has to be followed in time.
+//! Selects the frequency ratios of a band at which the amplitude is evaluated (*places*). A place is *closed* if the
+//! response has a closed form there. At any other place a motion has to be followed in time.
 //!
 //! The first evaluation of the band at a friction ratio follows motions only at some of the places.
 
@@ -9,7 +9,7 @@ use crate::study::system::System;
 /// Smallest relative distance from a pole at which the test for a pole evaluates a function. The function at this
 /// distance is ten times as large as at ten times the distance.
 const BESIDE: f64 = 1e-9;
-/// Size of the function at the distance `BESIDE` below which the function is only rounding and has no pole.
+/// Size of a function at the distance `BESIDE` below which the function is only rounding and has no pole.
 const DRIVEN: f64 = 1e-3;
 /// Number of intervals of the grid of frequencies.
 const GRID: usize = 96;
@@ -25,7 +25,7 @@ pub(super) struct BandPlace {
     pub r: f64,
     /// The limits β_lim and β*_lim at this frequency ratio.
     pub limits: [f64; 2],
-    /// True if the first evaluation of the band includes this frequency even where a motion has to be followed.
+    /// True if the first evaluation of the band includes this frequency, even if a motion has to be followed there.
     pub first: bool,
 }
 
@@ -35,8 +35,8 @@ impl BandPlace {
         Self { r, limits, first }
     }
 
-    /// Returns true if the response is known without following a motion in time, because the contact slides all the
-    /// time or cannot slide.
+    /// Returns true if the response is known without following a motion in time. The contact then slides all the time,
+    /// or cannot slide.
     pub(super) fn is_closed(&self, friction: FrictionAmount) -> bool {
         let [continuous, sliding] = self.limits;
         match friction {
@@ -63,8 +63,8 @@ pub(super) fn limits(system: &System, r: f64) -> [f64; 2] {
     [continuous, sliding]
 }
 
-/// Returns the limit value of a function towards a resonance on which the function is undefined. The result is
-/// infinite if the function grows towards the resonance.
+/// Returns the limit of a function towards a resonance at which the function is undefined. The result is infinite if
+/// the function grows towards the resonance.
 pub(super) fn beside(r: f64, function: impl Fn(f64) -> f64) -> f64 {
     let at = |distance: f64| function(r * (1.0 + distance));
     let (far, near) = (at(10.0 * BESIDE), at(BESIDE));
@@ -92,7 +92,7 @@ pub(super) fn places(system: &System, from: f64, to: f64) -> Vec<BandPlace> {
     let free = free.map(|(resonance, zeta)| (resonance.to_f64(), zeta.to_f64()));
     let held = system.dynamics().held.iter();
     let held = held.map(|mode| (mode.frequency, mode.zeta));
-    // The system's resonances are used here, because they agree to the last bit with those that its closed forms use.
+    // The system's own resonances are used here, because they agree to the last bit with those in its closed forms.
     places.extend(system.resonances().iter().map(|r| (*r, true)));
     for (resonance, zeta) in free.chain(held) {
         places.push((resonance, true));
@@ -106,15 +106,15 @@ pub(super) fn places(system: &System, from: f64, to: f64) -> Vec<BandPlace> {
                 width *= 2.0;
             }
         }
-        // On a sub-harmonic itself an undamped chain has a continuum of steady states, so the frequencies are next to
-        // the sub-harmonic.
+        // On a sub-harmonic itself an undamped chain has a continuum of steady states. The frequencies are therefore
+        // next to the sub-harmonic.
         for order in 2..=MOST_SUBHARMONICS {
             let place = resonance / f64::from(order);
             places.extend([0.9803, 0.9957, 1.0043, 1.0197].map(|share| (place * share, false)));
         }
     }
     places.retain(|(r, _)| from <= *r && *r <= to);
-    // Equal frequencies are sorted so that the one for the first evaluation remains.
+    // The sort puts an entry for the first evaluation before an equal frequency without it, so that the former remains.
     places.sort_by(|a, b| a.0.total_cmp(&b.0).then(b.1.cmp(&a.1)));
     places.dedup_by(|a, b| a.0 == b.0);
     let mut last = 0.0;

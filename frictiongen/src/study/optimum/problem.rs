@@ -1,4 +1,4 @@
-//! A checked request of an optimum, and the full result for the friction that was found.
+//! A checked request for the best friction, and the full result for the friction that was found.
 
 use super::amplitude::FrictionAmount;
 use super::answer::{Optimum, OptimumEnd, OptimumKind, OptimumPeak};
@@ -16,7 +16,7 @@ use crate::{Of, Regime};
 
 /// Bound on the work of completing the result of an optimum.
 const WORK_OF_A_REPORT: usize = 60_000;
-/// Excesses over the best amplitude, as fractions, for which the result has an interval of friction.
+/// Excesses over the best amplitude, as fractions, for which the result has a friction interval.
 const EXCESSES: [f64; 3] = [0.01, 0.05, 0.1];
 /// Relative difference within which a peak counts as equal to the largest peak.
 const EQUAL: f64 = 1e-9;
@@ -73,8 +73,8 @@ impl<'s> OptimumProblem<'s> {
         AmplitudeBand::new(self.system, self.of, self.ends)
     }
 
-    /// Returns the friction at which the largest amplitude is smallest. The search covers all friction within a bound
-    /// on work.
+    /// Returns the friction with which the largest amplitude is smallest. The search covers all friction, within a
+    /// bound on work.
     pub(super) fn least(band: &AmplitudeBand<'_>, work: usize) -> Result<Least, OptimumError> {
         search::least(band, work).ok_or_else(|| {
             if band.amplitude.is_spent() {
@@ -116,8 +116,7 @@ impl<'s> OptimumProblem<'s> {
         let peaks = equal_peaks(band, (&least.at, least.kind), friction);
         let sensitivities = match least.end {
             SearchEnd::Converged => self.sensitivities(beta, &peaks).unwrap_or_default(),
-            // The derivatives are valid only for a minimum that moves smoothly with a parameter. A minimum at a jump
-            // does not.
+            // Derivatives exist only for a minimum that moves smoothly with a parameter. A minimum at a jump does not.
             SearchEnd::Jump | SearchEnd::Spent => Vec::new(),
         };
         // Friction ratios of an unfinished search are not verified, so an interval of them is not either.
@@ -239,7 +238,8 @@ pub(super) fn equal_peaks(
     (at, kind): (&Scanned, MinimumKind),
     friction: FrictionAmount,
 ) -> Vec<OptimumPeak> {
-    // A stuck contact may move with the base over a whole range, in which the amplitude is the same everywhere.
+    // Over a range of frequencies a stuck contact may move with the base. The amplitude is then the same in the whole
+    // range.
     let most = if kind == MinimumKind::Held { 1 } else { 8 };
     let equal = at.peaks.iter();
     let equal = equal.filter(|peak| at.value * (1.0 - EQUAL) <= peak.value);

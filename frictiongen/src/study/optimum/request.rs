@@ -14,10 +14,10 @@ pub enum FrequencyBand {
     Hertz(f64, f64),
 }
 
-/// The motion, band and load for which the best friction is wanted.
+/// The motion, the band and the load for which the best friction is wanted.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OptimumRequest {
-    /// The motion whose amplitude is kept small.
+    /// The motion whose largest amplitude is minimised.
     pub of: Of,
     /// The band of frequencies, both bounds included, above 0 and finite.
     pub band: FrequencyBand,
@@ -25,7 +25,7 @@ pub struct OptimumRequest {
     pub load: Option<Load>,
 }
 
-/// The reason why no best friction is found.
+/// The reason why the search finds no best friction.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum OptimumError {
@@ -39,15 +39,14 @@ pub enum OptimumError {
     NoSuchMotion(Of),
     /// The load does not fit the scene.
     Load(LoadError),
-    /// The mode with this index, counted from 0, is driven by the load, and neither damping nor the contact acts on
-    /// it.
+    /// The load drives the mode with this index, counted from 0, but neither damping nor the contact acts on it.
     Undamped(usize),
-    /// A resonance within the band is unbounded at every friction.
+    /// The amplitude at a resonance within the band is unbounded at every friction.
     Unbounded,
-    /// The requested motion does not depend on friction and is at rest.
+    /// The requested motion does not depend on friction and is zero.
     AtRest,
-    /// The bound on the work of [`System::optimum`](crate::study::System::optimum) was met before the search found any
-    /// friction that bounds the amplitude.
+    /// [`System::optimum`](crate::study::System::optimum) reached its bound on work before it found any friction that
+    /// bounds the amplitude.
     TooLong,
     /// The interval of a tuned number is invalid: not finite, without width, or with an upper bound below the lower
     /// bound.

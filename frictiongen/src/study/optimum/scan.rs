@@ -1,5 +1,5 @@
-//! Computes the largest amplitude over a band, and its slope over friction, at friction ratios from none to so much
-//! that nothing slides.
+//! Computes the largest amplitude over a band, and its slope over friction. The friction ratios reach from zero to so
+//! much friction that nothing slides.
 
 use super::amplitude::FrictionAmount;
 use super::look::{BandPeak, Closely, Look, OpenBand};
@@ -13,8 +13,8 @@ const SCAN: usize = 40;
 const GEOMETRIC: usize = 24;
 /// Smallest of these friction ratios, relative to the median of β*_lim over the band.
 const LEAST: f64 = 0.02;
-/// Friction ratios of the scan beyond the friction from which a stuck state exists over the whole band, as multiples of
-/// it. With μ > 1 a motion from rest may still slide there.
+/// Additional friction ratios of the scan, as multiples of the friction from which a stuck state exists over the whole
+/// band. With μ > 1 a motion from rest may still slide there.
 const BEYOND: [f64; 6] = [1.05, 1.15, 1.3, 1.6, 2.5, 4.0];
 /// Relative step in β of a finite difference for a peak that moves with friction.
 const DIFFERENCE: f64 = 1e-6;
@@ -23,7 +23,7 @@ const LONGER: usize = 12;
 /// A scan without an upper bound stops when each of its last four amplitudes rises with friction or exceeds the best
 /// amplitude by this factor.
 const FAR_ABOVE: f64 = 2.0;
-/// Additional friction ratios above the friction that bounds all resonances. Each one is higher by this fraction.
+/// Additional friction ratios just above the friction that bounds all resonances, as fractions above it.
 const BOUNDED: [f64; 8] = [1e-3, 0.01, 0.03, 0.06, 0.1, 0.2, 0.35, 0.5];
 /// Largest plausible relative change of the amplitude, in units of the relative change of friction. A larger change is
 /// a jump.
@@ -97,8 +97,8 @@ pub(super) fn scanned(band: &AmplitudeBand<'_>, free_to: f64, locked_from: f64) 
         .filter(|beta| *beta < top);
     add(band, &mut scan, betas);
     if !locked_from.is_finite() {
-        // Next to a resonance of the chain with its contact stuck, no friction stops the contact. The scan ends where
-        // more friction no longer helps.
+        // At a resonance of the chain with its contact stuck, no friction keeps the contact stuck. The scan then ends
+        // where more friction no longer helps.
         for _ in 0..LONGER {
             let more = [1.0, 1.25, 1.5, 1.75].map(|share| top * share);
             add(band, &mut scan, more.into_iter());
@@ -128,7 +128,7 @@ pub(super) fn scanned(band: &AmplitudeBand<'_>, free_to: f64, locked_from: f64) 
 }
 
 /// Adds friction ratios to the scan, in the order of their expected amplitude. Once a low amplitude is known, closed
-/// forms alone reject most other friction ratios.
+/// forms alone reject most of the other friction ratios.
 pub(super) fn add(
     band: &AmplitudeBand<'_>,
     scan: &mut Vec<Scanned>,
@@ -150,8 +150,8 @@ pub(super) fn add(
     scan.dedup_by(|a, b| a.beta == b.beta);
 }
 
-/// Adds friction ratios between neighbours of the scan that may hide a minimum. A minimum is hidden if the amplitude
-/// falls at both neighbours although the second one is higher. The same is true in the opposite direction.
+/// Adds friction ratios between neighbouring points of the scan that may hide a minimum. A minimum is hidden if the
+/// amplitude falls at both points although the second one is higher. The same holds in the opposite direction.
 pub(super) fn closer(band: &AmplitudeBand<'_>, scan: &mut Vec<Scanned>) {
     for _ in 0..CLOSER {
         let best = best(scan);
@@ -177,7 +177,7 @@ pub(super) fn closer(band: &AmplitudeBand<'_>, scan: &mut Vec<Scanned>) {
 }
 
 /// Adds friction ratios around the best one, up to its neighbours on both sides. With μ > 1 the amplitude jumps with
-/// friction, so slopes do not predict amplitudes between points of the scan.
+/// friction, so that slopes do not predict amplitudes between points of the scan.
 pub(super) fn about_best(band: &AmplitudeBand<'_>, scan: &mut Vec<Scanned>) {
     for _ in 0..ABOUT {
         let best = best(scan);
@@ -236,7 +236,7 @@ pub(super) fn slope(band: &AmplitudeBand<'_>, beta: f64, peak: &BandPeak) -> f64
     {
         return along_beta;
     }
-    // The peak is on a jump of the amplitude over frequency, and moves with the jump. A finite difference therefore
+    // The peak lies on a jump of the amplitude over frequency, and moves with the jump. A finite difference therefore
     // follows the peak.
     let h = DIFFERENCE * beta;
     let at = |beta: f64| {

@@ -1,11 +1,11 @@
-//! Finds the friction ratio at which the largest amplitude over a band is smallest.
+//! Finds the friction ratio with which the largest amplitude over a band is smallest.
 //!
 //! The largest amplitude is the maximum of smooth branches, one for each peak. It jumps where the motion reaches
-//! another steady state. A scan over friction gives the amplitude and its slope. Between two points where the slope
-//! changes from falling to rising, there is a minimum.
+//! another steady state. A scan over friction gives the amplitude and its slope. If the slope changes from falling to
+//! rising between two points, a minimum lies between them.
 //!
-//! A minimum is either a crossing of two peaks or one peak's own minimum. Newton's method on the difference of the
-//! peaks' heights finds a crossing. The zero of the slope is a peak's own minimum. Where neither is found, golden
+//! A minimum is either a crossing of two peaks or the minimum of one peak. Newton's method on the difference of the
+//! peaks' heights finds a crossing. The zero of the slope is the minimum of one peak. If neither is found, golden
 //! sections, which need no slopes, narrow the bracket around the best friction ratio.
 
 use super::amplitude::FrictionAmount;
@@ -17,13 +17,13 @@ use super::scan::{Scanned, about_best, add, best, closer, scanned, scanned_at, s
 use super::verified::{raise, verified};
 use crate::Regime;
 
-/// Largest number of attempts at one minimum. A further attempt follows if the previous one finds a higher peak at the
+/// Largest number of attempts at one minimum. Another attempt follows if the previous one finds a higher peak at the
 /// minimum.
 const AGAIN: usize = 4;
-/// Largest number of checks of the best friction ratio over the whole band. A further check follows if a check finds a
+/// Largest number of checks of the best friction ratio over the whole band. Another check follows if a check finds a
 /// higher peak.
 const CHECKS: usize = 6;
-/// Largest number of golden-section steps, down to the relative width `NARROW` of a bracket.
+/// Largest number of golden-section steps, which end at the relative width `NARROW` of the bracket.
 const SECTIONS: usize = 40;
 /// Relative width of a bracket of friction at which golden sections end.
 const NARROW: f64 = 1e-7;
@@ -34,7 +34,7 @@ const GOLDEN: f64 = 0.381_966_011_250_105_1;
 const STATIONARY: f64 = 1e-4;
 /// Bound on the work of one of the many searches of a tuned optimum. It amounts to a few seconds.
 pub(super) const WORK_OF_ONE: usize = 300_000;
-/// The work bound of the search, divided by this number, is the additional work that the final check may use.
+/// Divisor of the search's bound on work. The quotient is the additional work that the final check may use.
 const OF_A_CHECK: usize = 6;
 /// The scan is verified up to this multiple of the best amplitude. It exceeds every amplitude for which a tolerance of
 /// friction is computed.
@@ -47,13 +47,13 @@ pub(super) enum MinimumKind {
     Crossing,
     /// One peak is at its own minimum over friction, or at a jump.
     Smooth,
-    /// The smallest amplitude occurs without friction.
+    /// The smallest amplitude occurs at zero friction.
     Without,
     /// The contact is stuck at the frequency of the peak, or over the whole band.
     Held,
 }
 
-/// The cause that ended the search: convergence, a jump, or spent work.
+/// The cause that ended the search: convergence, a jump, or the bound on work.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum SearchEnd {
     Converged,
@@ -67,7 +67,7 @@ pub(super) struct Least {
     pub at: Scanned,
     pub kind: MinimumKind,
     pub end: SearchEnd,
-    /// Interval of β that contains the best friction ratio, as far as the search refined it.
+    /// Interval of β that contains the best friction ratio, as narrow as the search has made it.
     pub bracket: [f64; 2],
     pub scan: Vec<Scanned>,
     /// Friction ratio from which a stuck state exists over the whole band.
@@ -87,8 +87,8 @@ pub(super) fn least(band: &AmplitudeBand<'_>, work: usize) -> Option<Least> {
     }
     let mut candidates = of_scan(&scan);
     let top = best(&scan);
-    // An amplitude of 0 cannot be improved. Just below the friction that stops the contact, amplitudes of motions too
-    // small to settle approach 0.
+    // An amplitude of 0 cannot be improved. Just below the friction that stops the contact, motions too small to settle
+    // have amplitudes close to 0.
     if 0.0 < top {
         let mut top = top;
         for (below, above) in between(&scan, top) {
@@ -134,8 +134,8 @@ pub(super) fn least(band: &AmplitudeBand<'_>, work: usize) -> Option<Least> {
     })
 }
 
-/// Finds the friction, between two nearby friction ratios, at which the largest amplitude is smallest. `None` unless
-/// the amplitude falls from the first and rises to the second.
+/// Finds the friction between two nearby friction ratios with which the largest amplitude is smallest. `None` unless
+/// the amplitude falls from the first ratio and rises to the second.
 pub(super) fn near(band: &AmplitudeBand<'_>, ends: [f64; 2]) -> Option<Least> {
     band.amplitude.allow(WORK_OF_ONE);
     let [below, above] = ends.map(|beta| scanned_at(band, beta, f64::INFINITY));
@@ -156,7 +156,7 @@ pub(super) fn near(band: &AmplitudeBand<'_>, ends: [f64; 2]) -> Option<Least> {
     })
 }
 
-/// Extends the bracket so that it contains β. At a stationary minimum both bounds may be nearer to each other than the
+/// Extends the bracket so that it contains β. At a flat minimum both bounds may be nearer to each other than the
 /// accuracy of β.
 fn about([from, to]: [f64; 2], beta: f64) -> [f64; 2] {
     [from.min(beta), to.max(beta)]
@@ -275,9 +275,9 @@ fn minimum(
     found.at.complete.then_some(found)
 }
 
-/// Narrows an interval of friction ratios around the best one so far by golden sections, and returns the best.
+/// Narrows an interval of friction ratios around the best one by golden sections, and returns the best ratio found.
 ///
-/// Where steady states appear and disappear, peaks cannot be followed and slopes are useless. A friction ratio is
+/// Peaks cannot be followed where steady states appear and disappear, and slopes are useless there. A friction ratio is
 /// rejected as soon as one amplitude shows that it is not better.
 pub(super) fn narrowed(
     band: &AmplitudeBand<'_>,

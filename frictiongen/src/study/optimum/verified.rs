@@ -1,9 +1,9 @@
-//! Verifies friction ratios over a fine grid of the band, for scenes with μ > 1.
+//! Checks friction ratios on a fine grid of the band, for scenes with μ > 1.
 //!
 //! With μ > 1 motion from rest may reach stick-slip states in narrow ranges of frequency. The first comparison of
-//! friction ratios can miss such a range, so its amplitudes are lower bounds. The verification starts with the friction
-//! ratio of the least bound. It evaluates the band on the grid at one friction ratio after another, and keeps the least
-//! result.
+//! friction ratios can miss such a range, so that its amplitudes are lower bounds. The check starts with the friction
+//! ratio of the lowest bound. It evaluates the band on the grid at one friction ratio after another, and stores the
+//! lowest result.
 
 use super::amplitude::FrictionAmount;
 use super::candidates::FrictionCandidate;
@@ -12,15 +12,15 @@ use super::peaks::AmplitudeBand;
 use super::scan::{Scanned, scanned_at, slope, with_slope};
 use super::search::narrowed;
 
-/// Largest number of friction ratios that are verified.
+/// Largest number of friction ratios that are checked on the grid.
 const MOST: usize = 14;
-/// Relative distance below which a friction ratio counts as verified together with another one.
+/// Relative distance below which a friction ratio needs no check, because a neighbouring one has been checked.
 const NEAR: f64 = 0.01;
-/// A friction ratio is verified only if its lower bound is below this fraction of the least verified amplitude.
+/// A friction ratio is checked only if its lower bound is below this fraction of the lowest checked amplitude.
 const BETTER: f64 = 0.999;
 
-/// Returns the least amplitude that the grid verifies. If the work ends before the first friction ratio is verified,
-/// the result is the one with the least lower bound.
+/// Returns the friction ratio with the lowest amplitude on the grid. If the work ends before the first ratio is
+/// checked, returns the ratio with the lowest lower bound.
 pub(super) fn verified(
     band: &AmplitudeBand<'_>,
     mut open: Vec<FrictionCandidate>,
@@ -52,7 +52,7 @@ pub(super) fn verified(
     Some(refined(band, best))
 }
 
-/// Evaluates points of the scan whose amplitude is at most `level` again, with the peaks that the grids found. The
+/// Evaluates points of the scan again whose amplitude is at most `level`, including the peaks that the grids found. The
 /// amplitudes of these points were lower bounds.
 pub(super) fn raise(band: &AmplitudeBand<'_>, scan: &mut [Scanned], level: f64) {
     for seen in scan
@@ -86,7 +86,7 @@ fn evaluated(band: &AmplitudeBand<'_>, beta: f64, cutoff: f64) -> Option<Scanned
     })
 }
 
-/// Searches the bracket of the best friction ratio by golden sections, and verifies the result.
+/// Searches the bracket of the best friction ratio by golden sections, and checks the result on the grid.
 fn refined(band: &AmplitudeBand<'_>, best: FrictionCandidate) -> FrictionCandidate {
     let [from, to] = best.bracket;
     if !(from < to) {

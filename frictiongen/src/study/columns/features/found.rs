@@ -11,7 +11,7 @@ use crate::study::features::{
 pub(super) struct Named<T> {
     /// Name of the contact or mass.
     pub(super) of: String,
-    /// The feature itself.
+    /// The feature itself, such as a resonance or a range.
     pub(super) it: T,
 }
 
@@ -19,11 +19,11 @@ pub(super) struct Named<T> {
 pub(super) struct FeatureAt<T> {
     /// Friction ratio β = F/P, for base motion F/(k₁Y).
     pub(super) beta: f64,
-    /// The feature itself.
+    /// The feature itself, such as a resonance or a range.
     pub(super) it: T,
 }
 
-/// Lists of features, each in the order of the library.
+/// Lists of features. Each list has the order in which the library returns the features.
 pub struct FeatureLists {
     /// Resonances of the chain.
     pub(super) resonances: Vec<NumberedResonance>,
@@ -33,11 +33,11 @@ pub struct FeatureLists {
     pub(super) ends: Vec<EndRow>,
     /// Frequencies at which a motion vanishes without friction.
     pub(super) antiresonances: Vec<Named<Antiresonance>>,
-    /// Frequencies at which no friction changes a motion.
+    /// Frequencies at which friction does not change a motion.
     pub(super) invariant: Vec<Named<(Measured, InvariantPoint)>>,
     /// Ranges in which friction enlarges a motion.
     pub(super) inversions: Vec<Named<(Measured, Inversion)>>,
-    /// Motion of each mass for r → 0; `None` where the contact is stuck.
+    /// Displacement of each mass for r → 0. `None` if the contact is stuck.
     pub(super) starts: Vec<FeatureAt<Named<Option<Sensed>>>>,
     /// Ranges of frequency in which the contact slides.
     pub(super) sliding: Vec<FeatureAt<SlidingRange>>,
@@ -45,8 +45,8 @@ pub struct FeatureLists {
     pub(super) regimes: Vec<FeatureAt<(Certainty, RegimeRange)>>,
     /// Largest amplitudes near the resonances.
     pub(super) peaks: Vec<FeatureAt<Named<ResonantPeak>>>,
-    /// Frequencies at which two neighbouring friction ratios give the same amplitude. The first number is the other
-    /// ratio.
+    /// Frequencies at which a motion has the same amplitude with two neighbouring friction ratios. The first number is
+    /// the other ratio.
     pub(super) crossings: Vec<FeatureAt<Named<(f64, Crossing)>>>,
 }
 

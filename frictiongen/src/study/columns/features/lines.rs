@@ -1,4 +1,4 @@
-//! Collects the features, one per line.
+//! Collects the features of a response, one per line.
 
 use crate::study::columns::column::Row;
 use crate::study::columns::setting::{Part, Setting};
@@ -8,7 +8,7 @@ use crate::study::{
     words,
 };
 
-/// The method that found a feature, which tells how certain it is.
+/// The method that found a feature. It shows how certain the feature is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ground {
     /// A closed form.
@@ -17,7 +17,7 @@ pub enum Ground {
     Estimate,
     /// Interval arithmetic, which finds every feature of this type in the range.
     All,
-    /// A search from closely spaced samples. It may miss one of two features that are closer than the samples.
+    /// A search from closely spaced samples. It may miss two features that are closer to each other than the samples.
     Sampled,
 }
 
@@ -43,17 +43,17 @@ pub struct FeatureLine {
     pub of: String,
     /// Further details in words.
     pub detail: String,
-    /// Frequency ratio of the feature, or of its beginning. `None` if the feature has no frequency.
+    /// Frequency ratio of the feature, or the one at which it begins. `None` if the feature has no frequency.
     pub r: Option<f64>,
     /// Frequency ratio at which the feature ends.
     pub to: Option<f64>,
-    /// Friction of the feature, or the friction up to which it is valid: N under a load.
+    /// Friction of the feature, or the friction up to which it is valid. Under a load it is in N.
     pub friction: Option<f64>,
-    /// Amplitude at the feature: m under a load.
+    /// Amplitude at the feature. Under a load it is in m.
     pub amplitude: Option<f64>,
     /// The method that found the feature.
     pub ground: Ground,
-    /// Numbers of the feature: the name of each, its value and its derivatives with respect to the parameters. The
+    /// Numbers of the feature, each with its name, its value and its derivatives with respect to the parameters. The
     /// printed table has the strongest derivative of the first number.
     pub sensed: Vec<(&'static str, Sensed)>,
 }
@@ -91,8 +91,8 @@ impl FeatureLine {
         self
     }
 
-    /// Returns the parameter to which the first number is most sensitive: the number's name, the parameter, and the
-    /// change in per cent for one per cent of the parameter.
+    /// Returns the name of the first number, the parameter to which it is most sensitive, and its change in per cent
+    /// for one per cent of the parameter.
     #[must_use]
     pub fn strongest(&self) -> Option<(&'static str, Parameter, f64)> {
         let (name, sensed) = self.sensed.first()?;
@@ -115,11 +115,11 @@ pub struct FeaturesAsked<'a> {
     pub range: [f64; 2],
     /// Friction ratios β.
     pub frictions: &'a [f64],
-    /// True for the true peaks, which take long for a long chain.
+    /// True if the true peaks are wanted. They take long for a long chain.
     pub peaks: bool,
 }
 
-/// Returns all features of a scene. The features at each friction come after those that do not depend on friction.
+/// Returns all features of a scene. Features that do not depend on friction come first.
 pub(super) fn lines(
     features: &Features<'_>,
     setting: &Setting<'_>,
@@ -269,7 +269,7 @@ struct AtOneFriction<'f, 's> {
 }
 
 impl AtOneFriction<'_, '_> {
-    /// Returns a line with this friction.
+    /// Returns a line for a feature at this friction.
     fn line(&self, feature: &'static str, of: &str, ground: Ground) -> FeatureLine {
         let mut line = FeatureLine::new(feature, of, ground);
         line.friction = Some(self.friction);

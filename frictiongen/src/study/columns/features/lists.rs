@@ -1,4 +1,4 @@
-//! Columns of the lists of features, one list for each kind of feature.
+//! Columns of the lists of features. Each kind of feature has one list.
 
 use super::found::{EndRow, FeatureAt, FeatureLists, Named, NumberedResonance};
 use super::sheet::Sheet;
@@ -12,12 +12,12 @@ use crate::study::{
     words,
 };
 
-/// Receiver of the lists of features. It is a trait because the rows of the lists have different types.
+/// Receiver of the lists of features. It is a trait, because the rows of the lists have different types.
 pub trait FeatureVisitor {
     /// Error that ends the visit.
     type Error;
 
-    /// Receives one list: its name, its columns and its rows.
+    /// Receives one list, with its name, its columns and its rows.
     ///
     /// # Errors
     /// Any error of the receiver ends the visit.
@@ -196,8 +196,7 @@ fn peaks<'a>(setting: &Setting<'a>) -> Vec<Column<'a, FeatureAt<Named<ResonantPe
     sheet.columns.done()
 }
 
-/// A frequency at which the motion of a part has the same amplitude with two frictions: the other friction, and the
-/// frequency.
+/// A frequency at which a motion has the same amplitude with two frictions, and the other friction.
 type CrossingRow = FeatureAt<Named<(f64, Crossing)>>;
 
 fn crossings<'a>(setting: &Setting<'a>) -> Vec<Column<'a, CrossingRow>> {

@@ -1,4 +1,4 @@
-//! Rows and columns of features: one line for each, and a list for each kind.
+//! Rows and columns of features: a table with one line for each feature, and one list for each kind of feature.
 
 mod found;
 mod lines;

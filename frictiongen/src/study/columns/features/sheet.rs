@@ -1,4 +1,4 @@
-//! Adds the columns that several lists of features have in common.
+//! Adds columns that several lists of features have in common.
 
 use crate::study::columns::builder::Columns;
 use crate::study::columns::column::{Head, Row};
@@ -6,7 +6,7 @@ use crate::study::columns::measure::Dimension;
 use crate::study::columns::setting::Setting;
 use crate::study::features::Sensed;
 
-/// The columns of a list of features. Under a load the features are already in Hz, N and m.
+/// The columns of one list of features. Under a load the features are already in Hz, N and m.
 pub(super) struct Sheet<'a, R> {
     setting: Setting<'a>,
     pub(super) columns: Columns<'a, R>,
@@ -67,7 +67,8 @@ impl<'a, R: Row + 'a> Sheet<'a, R> {
         self.columns.number(Head::new(format!("{before}r")), of);
     }
 
-    /// Sets the derivatives of the frequency that was added last. Under a load they belong to the Hz, otherwise to r.
+    /// Sets the derivatives of the frequency that was added last. Under a load they are derivatives of the frequency in
+    /// Hz, otherwise of r.
     pub(super) fn places_move(&mut self, of: impl Fn(&R) -> Option<&Sensed> + 'a) {
         let before = usize::from(self.setting.measure.load().is_some());
         self.columns.moves_before(before, of);

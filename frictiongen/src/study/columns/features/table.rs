@@ -18,7 +18,7 @@ pub struct FeatureTable<'a> {
 }
 
 impl<'a> FeatureTable<'a> {
-    /// Returns all features of a scene. The features at each friction come after those that do not depend on friction.
+    /// Returns all features of a scene. Features that do not depend on friction come first.
     ///
     /// # Errors
     /// Same errors as the calls of [`Features`].
@@ -33,7 +33,8 @@ impl<'a> FeatureTable<'a> {
     /// Returns the symbol of a parameter.
     #[must_use]
     pub fn symbol(&self, parameter: Parameter) -> String {
-        // Names and units do not depend on the numbers of the operating point.
+        // Names and units of parameters do not depend on the numbers of the operating point. Any numbers therefore
+        // serve.
         let point = match self.setting.measure.load() {
             Some(load) => OperatingPoint::Physical {
                 hertz: 1.0,

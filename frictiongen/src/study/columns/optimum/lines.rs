@@ -1,4 +1,4 @@
-//! The answer about the best friction as lines: a label for people, a key for programs, and the value.
+//! The answer about the best friction, as lines. Each line has a label for people, a key for programs, and the value.
 
 use super::OptimumTable;
 use crate::study::columns::builder::Columns;
@@ -22,9 +22,9 @@ pub struct OptimumLine {
     pub value: Cell<'static>,
     /// Unit of the value, empty for a ratio.
     pub unit: &'static str,
-    /// Unit of the parameter change to which a relative change belongs.
+    /// Unit of the change in the parameter, for a relative change of the amplitude.
     pub per: Option<&'static str>,
-    /// Excess over the best amplitude, as a fraction, for which a tolerance of friction is given.
+    /// Excess over the best amplitude, as a fraction, that belongs to a tolerance of friction.
     pub excess: Option<f64>,
 }
 
@@ -63,7 +63,7 @@ impl LineEntry<'_> {
         });
     }
 
-    /// Adds a line for each column that has something to report about the row.
+    /// Adds a line for each column whose condition for a line is true in this row.
     fn lines<R>(&mut self, columns: &[Column<'_, R>], row: &R) {
         for column in columns.iter().filter(|column| column.says(row)) {
             let title = column.title.first().map_or("", String::as_str);
@@ -156,7 +156,7 @@ impl<'a> OptimumTable<'a> {
 
     fn tolerance_lines(&self, optimum: &Optimum, lines: &mut Vec<OptimumLine>) {
         let mut columns = self.tolerance_columns();
-        // The label contains the excess.
+        // The heading contains the excess in place of `{}`.
         let titles = ["{}: friction from", "{}: friction to"];
         for (column, title) in columns.iter_mut().skip(1).zip(titles) {
             column.title = vec![title.to_owned()];

@@ -18,7 +18,7 @@ pub struct OrbitRow {
     pub friction: Friction,
     /// Regime of the contact: continuous, stick-slip, stuck or unbounded.
     pub regime: &'static str,
-    /// Stable, marginal or unsettled, or the reason why there is no steady state.
+    /// Word for the state: stable, marginal or unsettled. Without a steady state, the reason.
     pub state: &'static str,
     /// The steady state, if there is one.
     steady: Option<SteadyData>,
@@ -33,13 +33,13 @@ struct SteadyData {
     marginal: bool,
     offset: f64,
     stuck_fraction: f64,
-    /// Stops of the contact. Each has a start and a length, as phase τ = ωt.
+    /// Stops of the contact, each with a start and a length, as phase τ = ωt.
     sticking: Vec<[f64; 2]>,
     multipliers: Vec<Complex<f64>>,
     motions: Vec<MotionGroups>,
 }
 
-/// Numbers that describe one period of a periodic motion.
+/// Numbers that describe a periodic motion.
 #[derive(Clone, Copy, Debug)]
 struct Period {
     cycles: usize,
@@ -120,7 +120,7 @@ impl<'a> OrbitTable<'a> {
     /// Computes the row of the steady state that motion from rest reaches.
     ///
     /// # Errors
-    /// [`OutOfDomain`] for a friction that no answer has.
+    /// [`OutOfDomain`] for a friction outside the domain.
     pub fn row(
         &self,
         at: &SystemAt<'_>,
@@ -131,7 +131,8 @@ impl<'a> OrbitTable<'a> {
         match at.orbit_or_last_cycles(beta) {
             Ok(orbit) => {
                 let mut row = self.found(at, (frequency, friction), &orbit);
-                // Where the motion does not settle, `response` answers with another state, whose regime is written here.
+                // If the motion does not settle, `response` returns another steady state. The row gets the regime of
+                // that state.
                 if !orbit.is_settled()
                     && let Ok(response) = at.response(beta)
                 {
@@ -153,7 +154,7 @@ impl<'a> OrbitTable<'a> {
     /// Computes one row for every steady state that is found.
     ///
     /// # Errors
-    /// [`OutOfDomain`] for a friction that no answer has.
+    /// [`OutOfDomain`] for a friction outside the domain.
     pub fn states(
         &self,
         at: &SystemAt<'_>,

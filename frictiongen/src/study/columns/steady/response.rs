@@ -22,8 +22,8 @@ pub struct ResponseRow {
     pub margin: f64,
     /// Method that computed the motion, or the reason why there is none.
     pub answer: &'static str,
-    /// Three properties of the response: the contact's offset, whether it is marginal, and whether motion from rest
-    /// ends in it.
+    /// The contact's offset, a flag that is true for a marginal response, and a flag that is true if motion from rest
+    /// ends in the response.
     known: Option<(f64, bool, bool)>,
     motions: Vec<MotionGroups>,
 }
@@ -35,8 +35,8 @@ pub struct ResponseTable<'a> {
     pub setting: Setting<'a>,
     /// Orders n of the harmonics that the answers contain.
     pub orders: &'a [u32],
-    /// True if a stuck response shows all motions. If false, the contact, which is at rest, and all harmonics are left
-    /// out.
+    /// True if a stuck response shows all motions. If false, it leaves out all harmonics and the contact, which is at
+    /// rest.
     pub stuck: bool,
 }
 
@@ -68,14 +68,14 @@ impl<'a> ResponseTable<'a> {
     /// Computes the rows at one frequency.
     ///
     /// # Errors
-    /// [`OutOfDomain`] for a frequency or a friction that no answer has.
+    /// [`OutOfDomain`] for a frequency or a friction outside the domain.
     pub fn rows(
         &self,
         frequency: Frequency,
         frictions: impl Iterator<Item = Friction>,
     ) -> Result<Vec<ResponseRow>, OutOfDomain> {
         let at = self.setting.system.at(frequency.r)?;
-        // One search for the limits serves all β.
+        // The limits do not depend on β, so that one search suffices.
         let limits = at.limits();
         frictions
             .map(|friction| self.row(&at, &limits, frequency, friction))

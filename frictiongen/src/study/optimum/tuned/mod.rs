@@ -12,24 +12,24 @@ pub use number::{Tunable, UnknownTunable};
 use tried::TunedSearch;
 
 impl System {
-    /// Returns the best friction together with the best value of one number of the description. Together they make the
-    /// largest amplitude of a motion over a band of frequencies smallest. The number is a stiffness, a mass, a damping
-    /// ratio, a damping factor or μ. Band, load and friction force keep their values in Hz, N and m, also if m₁ or k₁
+    /// Returns the best friction together with the best value of one number of the description. With both, the largest
+    /// amplitude of a motion over a band of frequencies is smallest. The number is a stiffness, a mass, a damping
+    /// ratio, a damping factor or μ. Band, load and friction force keep their values in Hz, N and m, even if m₁ or k₁
     /// varies.
     ///
-    /// The search takes 17 values of the number, both bounds of its interval among them. For each value it finds the
-    /// best friction as [`optimum`](Self::optimum) does, over all friction. It also computes the derivative of the
+    /// The search evaluates 17 values of the number, including both bounds of its interval. For each value it finds the
+    /// best friction over all friction, as [`optimum`](Self::optimum) does. It also computes the derivative of the
     /// amplitude with respect to the number, while friction stays optimal. The values are in geometric steps, or in
     /// quadratic steps if the interval starts at 0 or below.
     ///
-    /// Between two neighbours where the amplitude first falls and then rises, the search finds the minimum. The
-    /// minimum is a zero of the derivative, or a crossing of two branches. The search looks for the best friction near
-    /// the best friction of the neighbours, and at the end over all friction.
+    /// If the amplitude first falls and then rises between two neighbouring values, the search finds the minimum
+    /// between them. The minimum is a zero of the derivative, or a crossing of two branches. The search first looks for
+    /// the best friction near the best friction of the neighbours, and at the end over all friction.
     ///
-    /// The result is the smallest amplitude of everything that the scan evaluates. The search misses a minimum between
-    /// two neighbours if the amplitude rises from the first or falls to the second. Where the minimum is sharp, value
-    /// and friction have 9 digits. Where the minimum is flat, they have half of the digits of the amplitude. The call
-    /// takes several times as long as [`optimum`](Self::optimum).
+    /// The result is the smallest amplitude of all evaluated values. The search misses a minimum between two neighbours
+    /// if the amplitude rises from the first or falls to the second. If the minimum is sharp, value and friction have 9
+    /// digits. If the minimum is flat, they have half of the digits of the amplitude. The call takes several times as
+    /// long as [`optimum`](Self::optimum).
     ///
     /// ```no_run
     /// use frictiongen::study::{System, optimum::{FrequencyBand, OptimumRequest, Tuning}};
@@ -59,7 +59,7 @@ impl System {
     ///
     /// # Errors
     /// Same errors as [`optimum`](Self::optimum). [`OptimumError`] also for an invalid interval, for a bound of the
-    /// interval with which the scene is invalid, and where no value has a result.
+    /// interval with which the scene is invalid, and if no value has a result.
     pub fn tuned_optimum(
         &self,
         request: &OptimumRequest,

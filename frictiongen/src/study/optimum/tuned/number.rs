@@ -10,7 +10,7 @@ use frictiongen_model::sensitivity::Quantity;
 /// A number of a description that an optimum can vary together with the friction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Tunable {
-    /// A mass, a stiffness, μ, the damping ratio of one mode, or a factor of C = aM + bK.
+    /// A mass, a stiffness, μ, the damping ratio of one mode, or a factor of the damping C = aM + bK.
     Quantity(Quantity),
     /// The common damping ratio of all modes.
     DampingRatios,
@@ -127,8 +127,7 @@ fn ratios(scene: &Scene) -> Option<Vec<f64>> {
 
 impl System {
     /// Returns all numbers of the description that an optimum can vary: masses, springs, damping and μ. An undamped
-    /// description allows both damping ratios and C = aM + bK. A damped description allows its own kind of damping
-    /// only.
+    /// description allows damping ratios and C = aM + bK. A damped description allows only its own kind of damping.
     #[must_use]
     pub fn tunables(&self) -> Vec<Tunable> {
         let scene = self.scene();
@@ -185,7 +184,7 @@ impl System {
     }
 
     /// Returns the same scene with another value of one number. Damping ratios belong to the modes in ascending order
-    /// of frequency, before and after the change.
+    /// of frequency, both before and after the change.
     ///
     /// ```
     /// # fn main() -> Result<(), Box<dyn std::error::Error>> {

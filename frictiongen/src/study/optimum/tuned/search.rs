@@ -10,9 +10,9 @@ use std::sync::atomic::Ordering;
 
 /// Number of intervals of the scan over the number.
 const STEPS: usize = 16;
-/// An interval of the scan is searched if its tangents meet below this factor times the best amplitude.
+/// Factor on the best amplitude. An interval of the scan is searched if the tangents at its ends meet below this value.
 const WORTH: f64 = 1.05;
-/// Largest number of intervals that are searched. Those with the smallest expected amplitude come first.
+/// Largest number of intervals that are searched. Intervals with the smallest expected amplitude come first.
 const MOST_LOOKED_INTO: usize = 3;
 /// Largest number of steps towards a minimum.
 const MOST_STEPS: usize = 40;
@@ -37,7 +37,7 @@ impl TunedSearch<'_> {
             let varied = self.with(best.value)?;
             let problem = OptimumProblem::new(&varied, &self.request_for(&varied))?;
             let band = problem.band();
-            // This search covers all friction, not only the surroundings of the neighbours' best friction.
+            // This search covers all friction, not only friction near the best friction of the neighbouring values.
             let mut least = OptimumProblem::least(&band, WORK_OF_ONE)?;
             self.count(band.amplitude.asked.get());
             if let Some(found) = best.found.clone()
@@ -149,7 +149,7 @@ impl TunedSearch<'_> {
                 break;
             }
             // A single branch has its minimum at the zero of its derivative. Two branches have their minimum at their
-            // crossing. If one side of the bracket does not move, the step goes slightly beyond the crossing.
+            // crossing. If one end of the bracket does not move, the step goes slightly beyond the crossing.
             let one = below.peaks.len() == above.peaks.len()
                 && below
                     .peaks
@@ -218,7 +218,8 @@ fn meeting(below: &Tried, above: &Tried) -> Option<(f64, f64)> {
     (below.value < value && value < above.value).then_some((value, low))
 }
 
-/// Returns the amplitude at which the tangents of two scanned values meet, but at least half of the smaller amplitude.
+/// Returns the amplitude at which the tangents of two scanned values meet. The result is at least half of the smaller
+/// amplitude.
 fn promised(below: &Tried, above: &Tried) -> f64 {
     let least = 0.5 * below.amplitude.min(above.amplitude);
     meeting(below, above).map_or(least, |(_, low)| low.max(least))

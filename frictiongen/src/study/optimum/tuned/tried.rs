@@ -13,12 +13,13 @@ use crate::study::units::{Load, angular_frequency};
 use frictiongen_model::scene::Excitation;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// Largest relative slope of a peak along a variable in which it should be stationary. A steeper peak has no
+/// Largest relative slope of a peak along a variable at which the peak counts as stationary. A steeper peak has no
 /// derivative.
 const STATIONARY: f64 = 1e-4;
 /// Step of a finite difference, relative to the number's value.
 const DIFFERENCE: f64 = 1e-5;
-/// Smallest relative margin of the searched friction interval beyond the best frictions of both neighbours.
+/// Smallest relative margin by which the searched friction interval extends beyond the best frictions of both
+/// neighbours.
 const MARGIN: f64 = 1e-3;
 
 /// A request, after all checks, for the best friction together with one number of the description.
@@ -98,7 +99,7 @@ impl<'s> TunedSearch<'s> {
         for end in [from, to] {
             described.with_value(of, end).map_err(OptimumError::Scene)?;
         }
-        // The other faults of a request do not depend on the value of the number.
+        // All other faults of a request do not depend on the value of the number.
         if let Err(error) = OptimumProblem::new(described, request)
             && !matches!(error, OptimumError::Undamped(_))
         {
@@ -164,8 +165,8 @@ impl<'s> TunedSearch<'s> {
         Ok(tried)
     }
 
-    /// Returns the best friction at a value of the number, without the derivative from finite differences. The slope
-    /// is NaN where there is no exact derivative.
+    /// Returns the best friction at a value of the number, without a derivative from finite differences. The slope is
+    /// NaN if no exact derivative exists.
     fn height(&self, value: f64, window: Option<[f64; 2]>) -> Result<Tried, OptimumError> {
         let mut tried = Tried {
             value,
@@ -216,7 +217,7 @@ impl<'s> TunedSearch<'s> {
         let held = least.kind == MinimumKind::Held;
         let beta = least.at.beta;
         let peaks = equal_peaks(band, (&least.at, least.kind), FrictionAmount::Ratio(beta));
-        // More friction changes nothing for a stuck contact, and makes the regime certain.
+        // For a stuck contact, more friction changes nothing, but makes the regime certain.
         let beta = if held && least.locked_from <= beta {
             2.0 * beta
         } else {
@@ -242,7 +243,7 @@ impl<'s> TunedSearch<'s> {
                 }
             }
             [_] => {}
-            // One peak falls with friction and the other rises, so both weights are positive.
+            // One peak falls with friction and the other rises, so that both weights are positive.
             weights if weights.iter().all(|weight| 0.0 <= *weight) => {}
             _ => return None,
         }
@@ -257,7 +258,7 @@ impl<'s> TunedSearch<'s> {
     }
 }
 
-/// Returns the interval of frictions to search for a value of the number between two known values.
+/// Returns the friction interval to search for a value of the number between two known values.
 pub(super) fn near(below: &Tried, above: &Tried) -> [f64; 2] {
     let [low, high] = [below.beta.min(above.beta), below.beta.max(above.beta)];
     let margin = (0.25 * (high - low)).max(MARGIN * high);
