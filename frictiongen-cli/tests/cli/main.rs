@@ -18,6 +18,7 @@ mod optimum;
 mod orbit;
 mod quantities;
 mod recorded;
+mod records;
 #[cfg(feature = "report")]
 mod report;
 mod response;
