@@ -32,6 +32,7 @@ pub enum LogAxes {
     Xy,
 }
 
+#[cfg(feature = "pictures")]
 impl LogAxes {
     /// Returns true if the frequency axis is logarithmic.
     pub fn frequency(self) -> bool {
@@ -39,7 +40,6 @@ impl LogAxes {
     }
 
     /// Returns true if the axes of amplitudes are logarithmic.
-    #[cfg(feature = "pictures")]
     pub fn amplitude(self) -> bool {
         matches!(self, Self::Y | Self::Xy)
     }

@@ -44,16 +44,10 @@ pub fn run(arguments: &CurveArguments, out: &mut dyn Write) -> Result<(), Failur
             "--log: only a picture has axes; write one by -o curve.svg, or leave --log out",
         ));
     }
-    let log = arguments.log.unwrap_or_default();
     let frictions = Frictions::parse(&arguments.point.friction, None)?;
     let description = arguments.point.file.constant_level(&Limits::RUN_TIME)?;
     let system = System::try_from(description.scene).map_err(Failure::new)?;
     let band = Band::parse(&arguments.point.frequency, &system)?;
-    if log.frequency() && band.from <= 0.0 {
-        return Err(Failure::new(
-            "--log: a logarithmic frequency axis has no 0; let the band begin above 0, as in --hz 0.1:7",
-        ));
-    }
     let parts = asked::parts(&system, &arguments.of)?;
     let measure = measure::of(&arguments.point.load, &system)?;
     let band = band.under(&measure);
@@ -96,7 +90,7 @@ pub fn run(arguments: &CurveArguments, out: &mut dyn Write) -> Result<(), Failur
         request,
         curves,
         #[cfg(feature = "pictures")]
-        log,
+        log: arguments.log.unwrap_or_default(),
         swept,
     };
     destination.write(out, |out| match destination.form {

@@ -14,6 +14,7 @@ mod first_steps;
 mod hints;
 mod limits;
 mod map;
+mod mistakes;
 mod optimum;
 mod orbit;
 mod quantities;
