@@ -3,7 +3,7 @@
 use crate::asked::Part;
 use crate::destination::Form;
 use crate::failure::Failure;
-use crate::measure::Measure;
+use crate::measure::{self, Measure};
 use frictiongen::System;
 use frictiongen_plot::desk::{Scales, sketch};
 use frictiongen_plot::{Figure, Label, Sketch};
@@ -23,6 +23,26 @@ pub fn scales(system: &System, in_hertz: bool, measure: &Measure) -> Scales {
         Some(load) => scales.under(load),
         None => scales,
     }
+}
+
+/// Adds the amplitude of the load to the caption of a figure in N and m. The caption of a figure in non-dimensional
+/// groups stays `more`.
+pub fn under_load(figure: Figure, measure: &Measure, more: &str) -> Figure {
+    let caption = match measure::description(measure, short) {
+        Some(load) if more.is_empty() => load,
+        Some(load) => format!("{load}; {more}"),
+        None => more.to_owned(),
+    };
+    match caption.as_str() {
+        "" => figure,
+        caption => figure.with_caption(Label::verbatim(caption)),
+    }
+}
+
+/// Formats a number for a caption, with four digits.
+fn short(value: f64) -> String {
+    let rounded = format!("{value:.3e}").parse().unwrap_or(value);
+    format!("{rounded}")
 }
 
 /// Returns the title of the panel of a motion.

@@ -1,10 +1,10 @@
-//! Shows the progress of a long run on standard error, if that is a terminal.
+//! Shows the progress of a long run on standard error, if that is a terminal, with the remaining time.
 
 use std::io::{self, IsTerminal, Write};
 use std::time::{Duration, Instant};
 
 /// Time from the start of the run to the first message.
-const PATIENCE: Duration = Duration::from_secs(2);
+const PATIENCE: Duration = Duration::from_secs(1);
 /// Time between two messages.
 const PACE: Duration = Duration::from_millis(200);
 
@@ -13,20 +13,33 @@ pub struct Progress {
     total: usize,
     done: usize,
     what: &'static str,
+    start: Instant,
     next: Option<Instant>,
     shown: bool,
 }
 
 impl Progress {
-    /// Starts the progress of a run over `total` items. Messages call the items `what`.
+    /// Starts the progress of a run over `total` items, whose answers are printed as they are found. Messages call the
+    /// items `what`.
     pub fn new(total: usize, what: &'static str) -> Self {
-        // If the output goes to the same terminal, its lines already show the progress.
-        let watched = io::stderr().is_terminal() && !io::stdout().is_terminal();
+        // If the output goes to the same terminal, the lines of the output already show the progress.
+        Self::seen(total, what, !io::stdout().is_terminal())
+    }
+
+    /// Starts the progress of a run over `total` items that prints nothing before its end. Messages call the items `what`.
+    pub fn silent(total: usize, what: &'static str) -> Self {
+        Self::seen(total, what, true)
+    }
+
+    fn seen(total: usize, what: &'static str, needed: bool) -> Self {
+        let start = Instant::now();
+        let watched = needed && io::stderr().is_terminal();
         Self {
             total,
             done: 0,
             what,
-            next: watched.then(|| Instant::now() + PATIENCE),
+            start,
+            next: watched.then(|| start + PATIENCE),
             shown: false,
         }
     }
@@ -38,17 +51,14 @@ impl Progress {
 
     /// Sets the number of items done.
     pub fn reach(&mut self, done: usize) {
-        self.done = done;
+        self.done = self.done.max(done);
         let Some(next) = self.next else { return };
         let now = Instant::now();
         if now >= next {
             self.next = Some(now + PACE);
             self.shown = true;
-            let percent = self.done.saturating_mul(100) / self.total.max(1);
-            say(&format!(
-                "\rfrictiongen: {percent:>3} % of {} {}",
-                self.total, self.what
-            ));
+            let line = line(self.done, self.total, self.what, now - self.start);
+            say(&format!("\r\x1b[K{line}"));
         }
     }
 }
@@ -61,10 +71,62 @@ impl Drop for Progress {
     }
 }
 
+/// Returns the line about a run of which `done` items took the time `passed`.
+fn line(done: usize, total: usize, what: &str, passed: Duration) -> String {
+    let percent = done.saturating_mul(100) / total.max(1);
+    let mut line = format!("frictiongen: {percent:>3} % of {total} {what}");
+    if 0 < done && done < total {
+        let left = passed.as_secs_f64() * (total - done) as f64 / done as f64;
+        line += &format!(", {} left", spell(left));
+    }
+    line
+}
+
+/// Formats a time in seconds with one or two units.
+fn spell(seconds: f64) -> String {
+    let whole = seconds.ceil() as u64;
+    match (whole / 3600, whole / 60 % 60, whole % 60) {
+        (0, 0, seconds) => format!("{seconds} s"),
+        (0, minutes, seconds) => format!("{minutes} min {seconds} s"),
+        (hours, minutes, _) => format!("{hours} h {minutes} min"),
+    }
+}
+
 /// Writes a text to standard error.
 pub fn say(text: &str) {
     let mut stderr = io::stderr().lock();
     // If standard error cannot be written, the computation continues.
     let _ = stderr.write_all(text.as_bytes());
     let _ = stderr.flush();
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{line, spell};
+    use std::time::Duration;
+
+    #[test]
+    fn the_remaining_time_is_that_of_the_remaining_items() {
+        let after = |done, seconds| line(done, 40, "points", Duration::from_secs(seconds));
+        assert_eq!(after(0, 2), "frictiongen:   0 % of 40 points");
+        assert_eq!(after(10, 5), "frictiongen:  25 % of 40 points, 15 s left");
+        assert_eq!(after(40, 9), "frictiongen: 100 % of 40 points");
+        assert_eq!(
+            line(1, 0, "points", Duration::ZERO),
+            "frictiongen: 100 % of 0 points"
+        );
+    }
+
+    #[test]
+    fn times_have_their_units() {
+        for (seconds, text) in [
+            (0.2, "1 s"),
+            (59.0, "59 s"),
+            (61.5, "1 min 2 s"),
+            (3599.0, "59 min 59 s"),
+            (7500.0, "2 h 5 min"),
+        ] {
+            assert_eq!(spell(seconds), text);
+        }
+    }
 }

@@ -88,7 +88,7 @@ impl Summary {
 }
 
 /// Returns the first numbers as text, each in a column, and the number of omitted numbers.
-fn row(values: &[f64]) -> String {
+pub fn row(values: &[f64]) -> String {
     let mut cells: Vec<String> = values
         .iter()
         .take(MOST_SHOWN)

@@ -17,6 +17,34 @@ pub enum StartFrom {
     Down,
 }
 
+/// The axes of a picture that are logarithmic.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum LogAxes {
+    /// No axis.
+    #[default]
+    #[value(skip)]
+    None,
+    /// The frequency axis.
+    X,
+    /// The axes of amplitudes.
+    Y,
+    /// The frequency axis and the axes of amplitudes.
+    Xy,
+}
+
+#[cfg(feature = "pictures")]
+impl LogAxes {
+    /// Returns true if the frequency axis is logarithmic.
+    pub fn frequency(self) -> bool {
+        matches!(self, Self::X | Self::Xy)
+    }
+
+    /// Returns true if the axes of amplitudes are logarithmic.
+    pub fn amplitude(self) -> bool {
+        matches!(self, Self::Y | Self::Xy)
+    }
+}
+
 /// Arguments of `frictiongen curve`.
 #[derive(Debug, Args)]
 pub struct CurveArguments {
@@ -39,6 +67,9 @@ pub struct CurveArguments {
     /// Start each point from rest, or sweep the frequency up or down; several with commas [default: rest]
     #[arg(long, value_enum, value_delimiter = ',')]
     pub from: Vec<StartFrom>,
+    /// Draw these axes of a picture logarithmically
+    #[arg(long, value_enum)]
+    pub log: Option<LogAxes>,
     /// Write to this file; the file extension sets the format: .csv, .json, .svg; .png with the feature png
     #[arg(short, long, value_name = "OUT")]
     pub output: Option<PathBuf>,

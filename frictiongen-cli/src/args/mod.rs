@@ -17,8 +17,8 @@ pub use code::{
 #[cfg(feature = "pictures")]
 pub use desk::Shade;
 pub use desk::{
-    CurveArguments, FeaturesArguments, MapArguments, OptimumArguments, SensitivityArguments,
-    StartFrom, TimeArguments,
+    CurveArguments, FeaturesArguments, LogAxes, MapArguments, OptimumArguments,
+    SensitivityArguments, StartFrom, TimeArguments,
 };
 use help::{
     CURVES, DIFFERENCES, FEATURES, GRIDS, GRIDS_IN_TIME, LIMITS, MAPS, ONE_POINT, OPTIMA, ORBITS,
@@ -99,7 +99,7 @@ pub enum Command {
     /// Say what differs between two descriptions: parameters, natural frequencies, answers and emitted code
     #[command(after_help = DIFFERENCES)]
     Diff(DiffArguments),
-    /// List every error of a description, each with its line
+    /// List every error of a description, each with its line, or its frequencies, damping and mass
     Check(CheckArguments),
     /// Write a commented description as a starting point
     New(NewArguments),

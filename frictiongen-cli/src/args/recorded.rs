@@ -120,9 +120,12 @@ pub struct DriveArguments {
     #[arg(long, value_name = "F", allow_hyphen_values = true)]
     pub friction: Option<String>,
     /// Print only this motion: a mass, `contact`, `roof-base`, `roof-first`, `spring(a-b)`, `shear`; may be given more
-    /// than once [default: every mass and the contact]
+    /// than once [default: the contact and every mass, relative to the base if the base moves]
     #[arg(long, value_name = "NAME")]
     pub of: Vec<String>,
+    /// Print the response spectrum of the recorded base motion for this damping ratio, instead of the motion
+    #[arg(long, value_name = "ZETA", allow_hyphen_values = true, conflicts_with_all = ["friction", "of"])]
+    pub spectrum: Option<String>,
     /// The format.
     #[command(flatten)]
     pub format: FormatArguments,
@@ -140,16 +143,28 @@ Recording:
   friction, if it changes. The base is given as displacement, velocity or acceleration. Displacements are
   joined by a cubic spline. Velocities, accelerations and forces are joined by straight lines.
   --channel base=EW:m_s2  the column EW is the acceleration of the base
+  A file may also have numbers alone, separated by blanks, tabs or semicolons, also with decimal commas.
+  The first of several columns is the time in s, unless --rate gives the samples per second:
+  --channel base=2:g          time in s and acceleration in g
+  --rate 100 --channel base=1:m_s2   one column
+  A PEER AT2 record (a header with NPTS and DT, then accelerations in g) needs no option.
   The chain starts from rest. Displacements of the base are relative to the first sample.
 
 Quantities:
-  displacement, velocity  of a mass, or the relative motion of the contact
+  displacement, velocity  of a mass, or the relative motion of the contact. If the base moves, masses are
+                  relative to the base by default (roof-base); `--of roof` gives the absolute motion
   force           the friction force in N; while the contact sticks, the force that holds it
   state           state of the contact at the sample: stuck, or the direction of sliding
   events          number of stops, break-aways and reversals since the previous sample
 
 The lines below the table, and the JSON, have the work of the load and the energy that friction and
 damping dissipated, in J. They also have the number of steps with more events than the stepper follows.
+
+Response spectrum (--spectrum ZETA):
+  The largest displacement of a linear oscillator relative to the base within the record, over the period
+  of the oscillator. The lines with a mode have the natural periods of the scene. Further lines have 60
+  periods in a decade, from two samples to the length of the record.
+  pseudo_velocity, pseudo_acceleration  displacement times omega, and times omega^2
 
 Exit status:
   0 without errors. Otherwise 2, with one line on standard error for each error.";

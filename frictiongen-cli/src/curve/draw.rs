@@ -14,6 +14,7 @@ use std::io::Write;
 /// Draws amplitude and phase of each motion over frequency.
 pub fn draw(report: &CurveReport, form: Form, out: &mut dyn Write) -> Result<(), Failure> {
     let scales = picture::scales(&report.system, report.band.is_physical(), &report.measure);
+    let scales = scales.with_log(report.log.frequency(), report.log.amplitude());
     let curves = report.curves.iter().enumerate();
     let drawn: Vec<Drawn<'_>> = curves
         .map(|(index, (friction, curve))| Drawn {
@@ -30,12 +31,9 @@ pub fn draw(report: &CurveReport, form: Form, out: &mut dyn Write) -> Result<(),
         .map(|part| (part.of, part.size, picture::part_name(part)))
         .collect();
     let title = Label::verbatim(&report.system.scene().name);
-    picture::write(
-        curve_figure(title, &drawn, &parts, &scales),
-        &report.system,
-        form,
-        out,
-    )
+    let figure = curve_figure(title, &drawn, &parts, &scales);
+    let figure = picture::under_load(figure, &report.measure, "");
+    picture::write(figure, &report.system, form, out)
 }
 
 /// Returns the legend's words for the start of a curve's motions.

@@ -7,23 +7,25 @@ mod report;
 use crate::args::{CurveArguments, StartFrom};
 use crate::asked::{self, Part};
 use crate::destination::Destination;
-#[cfg(feature = "pictures")]
 use crate::destination::Form;
 use crate::failure::Failure;
 use crate::frequency::Band;
 use crate::friction::Frictions;
+use crate::interrupt;
 use crate::measure;
 use crate::output;
+use crate::progress::Progress;
 use crate::summary::Summary;
 use frictiongen::System;
 use frictiongen::study::columns::Friction;
 use frictiongen::study::{
-    curve::{CurveRequest, CurveStart},
+    curve::{Curve, CurveRequest, CurveStart},
     words,
 };
 use frictiongen_codegen::Limits;
 use report::CurveReport;
 use std::io::Write;
+use std::sync::Mutex;
 
 /// Runs `frictiongen curve`.
 pub fn run(arguments: &CurveArguments, out: &mut dyn Write) -> Result<(), Failure> {
@@ -37,6 +39,11 @@ pub fn run(arguments: &CurveArguments, out: &mut dyn Write) -> Result<(), Failur
         Some(highest) => (1..=highest).collect(),
         None => Vec::new(),
     };
+    if arguments.log.is_some() && !matches!(destination.form, Form::Svg | Form::Png) {
+        return Err(Failure::new(
+            "--log: only a picture has axes; write one by -o curve.svg, or leave --log out",
+        ));
+    }
     let frictions = Frictions::parse(&arguments.point.friction, None)?;
     let description = arguments.point.file.constant_level(&Limits::RUN_TIME)?;
     let system = System::try_from(description.scene).map_err(Failure::new)?;
@@ -63,9 +70,14 @@ pub fn run(arguments: &CurveArguments, out: &mut dyn Write) -> Result<(), Failur
         .iter()
         .map(|(friction, start)| (friction.beta, *start))
         .collect();
-    let found = system.curves(&request, &pairs).map_err(Failure::new)?;
+    let found = followed(&system, &request, &pairs)?;
     let curves = asked.iter().map(|(friction, _)| *friction).zip(found);
-    let curves = curves.collect();
+    let curves = curves.filter_map(|(friction, curve)| Some((friction, curve?)));
+    let curves: Vec<(Friction, Curve)> = curves.collect();
+    let (done, all) = (curves.len(), asked.len());
+    if done == 0 {
+        return Err(stopped(done, all));
+    }
     let swept = starts != [CurveStart::Rest];
     let summary = Summary::of(&system, band.is_physical(), measure);
     let report = CurveReport {
@@ -77,13 +89,43 @@ pub fn run(arguments: &CurveArguments, out: &mut dyn Write) -> Result<(), Failur
         rates: arguments.rates,
         request,
         curves,
+        #[cfg(feature = "pictures")]
+        log: arguments.log.unwrap_or_default(),
         swept,
     };
     destination.write(out, |out| match destination.form {
         #[cfg(feature = "pictures")]
         Form::Svg | Form::Png => draw::draw(&report, destination.form, out),
         form => output::write(&report, &summary, form, out),
-    })
+    })?;
+    if done < all {
+        return Err(stopped(done, all));
+    }
+    Ok(())
+}
+
+/// Returns the curves for these pairs of friction ratio and start. After Ctrl-C the curves that have not begun are
+/// `None`.
+fn followed(
+    system: &System,
+    request: &CurveRequest,
+    pairs: &[(f64, CurveStart)],
+) -> Result<Vec<Option<Curve>>, Failure> {
+    interrupt::watch();
+    let progress = Mutex::new(Progress::silent(pairs.len(), "curves"));
+    let found = system.curves_while(request, pairs, |done| {
+        if let Ok(mut progress) = progress.lock() {
+            progress.reach(done);
+        }
+        !interrupt::pressed()
+    });
+    found.map_err(Failure::new)
+}
+
+fn stopped(done: usize, all: usize) -> Failure {
+    Failure::new(format_args!(
+        "stopped: {done} of {all} curves are done and written"
+    ))
 }
 
 /// Returns the starts of the curves in the order of the options, each once.

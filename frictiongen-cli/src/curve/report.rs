@@ -1,5 +1,7 @@
 //! Writes curves: one line for each point, with the number of its piece.
 
+#[cfg(feature = "pictures")]
+use crate::args::LogAxes;
 use crate::asked::Part;
 use crate::failure::Failure;
 use crate::frequency::Band;
@@ -29,6 +31,9 @@ pub struct CurveReport {
     pub request: CurveRequest,
     /// The curves, one for each friction and start.
     pub curves: Vec<(Friction, Curve)>,
+    /// The axes of a picture that are logarithmic.
+    #[cfg(feature = "pictures")]
+    pub log: LogAxes,
     /// True if the user requested a start other than rest.
     pub swept: bool,
 }

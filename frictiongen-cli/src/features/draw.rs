@@ -91,5 +91,6 @@ pub fn draw(
     let title = Label::verbatim(&report.system.scene().name);
     let columns = parts.len().min(2);
     let figure = Figure::new("", title, columns, panels).with_keys(keys_of(&curves));
+    let figure = picture::under_load(figure, &report.measure, "");
     picture::write(figure, report.system, form, out)
 }

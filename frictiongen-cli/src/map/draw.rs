@@ -64,5 +64,6 @@ pub fn draw(
         shade,
         &scales,
     );
+    let figure = picture::under_load(figure, &grids.measure, "");
     picture::write(figure, &grids.system, form, out)
 }

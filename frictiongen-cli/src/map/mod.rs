@@ -60,7 +60,7 @@ pub fn run(arguments: &MapArguments, out: &mut dyn Write) -> Result<(), Failure>
         of: parts.iter().map(|part| part.of).collect(),
     };
     interrupt::watch();
-    let progress = Mutex::new(Progress::new(request.r.len(), "frequencies"));
+    let progress = Mutex::new(Progress::silent(request.r.len(), "frequencies"));
     let map = system.map(&request, |done| {
         if let Ok(mut progress) = progress.lock() {
             progress.reach(done);

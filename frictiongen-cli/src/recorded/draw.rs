@@ -1,12 +1,14 @@
 //! Draws the residuals of an identification, and the motion under a recorded input.
 
 use super::driven::DrivenReport;
+use super::spectrum::SpectrumReport;
 use crate::asked::Part;
 use crate::destination::Form;
 use crate::failure::Failure;
 use crate::picture;
 use frictiongen::System;
-use frictiongen::measure::{Identified, Observation};
+use frictiongen::measure::columns::SpectrumRow;
+use frictiongen::measure::{Identified, Observation, PeakResponse};
 use frictiongen_plot::desk::sketch_under_record;
 use frictiongen_plot::{
     Across, Axis, Colour, Figure, Guide, Label, Line, Marker, Markers, Panel, Stroke,
@@ -104,6 +106,49 @@ pub fn driven(
     panels.push(gripped);
     let title = Label::verbatim(&system.scene().name);
     let figure = Figure::new("", title, 1, panels).with_caption(Label::verbatim(&driven.account()));
+    picture::write_with(figure, sketch_under_record(system.scene()), form, out)
+}
+
+/// Draws pseudo-acceleration and displacement over the period, with the natural periods of the scene.
+pub fn spectrum(
+    system: &System,
+    spectrum: &SpectrumReport<'_>,
+    form: Form,
+    out: &mut dyn Write,
+) -> Result<(), Failure> {
+    let acceleration = |peak: &PeakResponse| peak.displacement * peak.omega() * peak.omega();
+    let displacement = |peak: &PeakResponse| peak.displacement;
+    let panel = |title: &str, read: &dyn Fn(&PeakResponse) -> f64| {
+        let of = |row: &SpectrumRow| (row.peak.period, read(&row.peak));
+        let (modes, others): (Vec<&SpectrumRow>, Vec<&SpectrumRow>) =
+            spectrum.rows.iter().partition(|row| row.mode.is_some());
+        let mut curve: Vec<(f64, f64)> = spectrum.rows.iter().map(of).collect();
+        curve.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let modes: Vec<(f64, f64)> = modes.into_iter().map(of).collect();
+        let grid = others.iter().map(|row| row.peak.period);
+        let x = Axis::fitted_log("period (s)", grid.chain(modes.iter().map(|mode| mode.0)));
+        let high = curve.iter().map(|point| point.1).fold(0.0, f64::max);
+        let high = if 0.0 < high { high * ROOM } else { 1.0 };
+        let mut panel = Panel::new("", x, Axis::new(title, 0.0, high));
+        for (period, _) in &modes {
+            panel = panel.with(Guide::new(Across::X(*period)));
+        }
+        panel
+            .with(Line::unnamed(Colour::Series(0), Stroke::Solid, vec![curve]))
+            .with(Markers::new(
+                "natural periods of the scene",
+                Colour::Black,
+                Marker::Dot,
+                modes,
+            ))
+    };
+    let panels = vec![
+        panel("pseudo-acceleration (m/s²)", &acceleration),
+        panel("displacement (m)", &displacement),
+    ];
+    let title = Label::verbatim(&system.scene().name);
+    let figure =
+        Figure::new("", title, 1, panels).with_caption(Label::verbatim(&spectrum.description()));
     picture::write_with(figure, sketch_under_record(system.scene()), form, out)
 }
 

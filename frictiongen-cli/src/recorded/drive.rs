@@ -2,9 +2,11 @@
 
 use super::driven::DrivenReport;
 use super::read;
+use super::spectrum::SpectrumReport;
 use crate::args::DriveArguments;
 use crate::asked::{number_that, parts, without_rates};
 use crate::destination::Destination;
+#[cfg(feature = "pictures")]
 use crate::destination::Form;
 use crate::failure::Failure;
 use crate::measure::Measure;
@@ -27,11 +29,28 @@ pub fn run(arguments: &DriveArguments, out: &mut dyn Write) -> Result<(), Failur
     });
     let friction = friction.transpose()?;
     let system = read::scene(&files.scene)?;
+    if let Some(text) = &arguments.spectrum {
+        let needed = "a damping ratio from 0 to below 1";
+        let zeta = number_that(
+            "--spectrum",
+            text,
+            |zeta| (0.0..1.0).contains(&zeta),
+            needed,
+        )?;
+        let spectrum = SpectrumReport::of(&system, files, zeta)?;
+        let summary = Summary::of(&system, true, Measure::groups(&system));
+        return destination.write(out, |out| {
+            #[cfg(feature = "pictures")]
+            if matches!(form, Form::Svg | Form::Png) {
+                return super::draw::spectrum(&system, &spectrum, form, out);
+            }
+            output::write(&spectrum, &summary, form, out)
+        });
+    }
     let mut parts = parts(&system, &arguments.of)?;
     without_rates(&parts)?;
-    let drawn = matches!(form, Form::Svg | Form::Png);
-    if drawn && arguments.of.is_empty() && system.scene().excitation == Excitation::Base {
-        // With a recorded acceleration the base may drift by metres, which would hide all relative motion.
+    if arguments.of.is_empty() && system.scene().excitation == Excitation::Base {
+        // Under a recorded acceleration the base drifts by metres, which hides all relative motion.
         for part in &mut parts {
             if let Of::Mass(index) = part.of {
                 part.of = Of::FromBase(index);

@@ -9,6 +9,7 @@ mod fit;
 mod identify;
 mod lines;
 mod read;
+mod spectrum;
 mod transmissibility;
 
 pub use drive::run as drive;

@@ -29,7 +29,7 @@ pub fn text(path: &Path) -> Result<String, Failure> {
     })?;
     String::from_utf8(bytes).map_err(|_| {
         Failure::new(format_args!(
-            "{} is not a recording: it is not text",
+            "{} is not a recording: it is not text, as CSV, columns of numbers, PEER AT2 and universal files (UFF58) are",
             path.display()
         ))
     })

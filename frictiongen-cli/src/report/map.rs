@@ -4,7 +4,9 @@ use super::asked::Asked;
 use super::plot::{Across, Axes, Plot, Series};
 use super::words::{digits, number, object, rounded};
 use crate::failure::Failure;
+use crate::interrupt;
 use crate::layout::Layout;
+use crate::progress::Progress;
 use frictiongen::Limits;
 use frictiongen::study::columns::{
     Frequency, FrequencyUnit, LimitsAsked, LimitsRow, LimitsTable, Setting,
@@ -17,6 +19,7 @@ use frictiongen_plot::desk::{Shade, limit_lines, map_panel, regimes};
 use frictiongen_plot::{Across as Line, Colour, Figure, Guide, Layer, Panel};
 use maud::{Markup, html};
 use serde_json::{Value as Json, json};
+use std::sync::Mutex;
 
 /// Largest distance between a limit and its drawn line, in β/(1 + β).
 const LINES: f64 = 5e-4;
@@ -28,6 +31,8 @@ pub struct Regimes {
     lines: LimitLines,
     /// The map. `None` for a long chain, whose steady states take too long.
     map: Option<Map>,
+    /// True if Ctrl-C ended the map before its last frequency.
+    pub is_cut: bool,
     top: f64,
     rows: Vec<LimitsRow>,
     /// The smallest and the largest values of both limits over the range.
@@ -87,6 +92,7 @@ impl Regimes {
         } else {
             1.0
         };
+        let mut is_cut = false;
         let map = match cells(system.scene().masses.len()) {
             None => None,
             Some((columns, count)) => {
@@ -100,7 +106,17 @@ impl Regimes {
                     beta: (0..count).map(|i| rise * (i as f64 + 0.5)).collect(),
                     of: Vec::new(),
                 };
-                Some(system.map(&request, |_| true).map_err(Failure::new)?)
+                let progress = Mutex::new(Progress::silent(columns, "frequencies of the map"));
+                let map = system.map(&request, |done| {
+                    if let Ok(mut progress) = progress.lock() {
+                        progress.reach(done);
+                    }
+                    !interrupt::pressed()
+                });
+                let map = map.map_err(Failure::new)?;
+                is_cut = map.columns.len() < columns;
+                // A picture needs two frequencies.
+                (1 < map.columns.len()).then_some(map)
             }
         };
         let table = table(asked);
@@ -109,6 +125,7 @@ impl Regimes {
             rows: asked.even(ROWS).filter_map(row).collect(),
             lines,
             map,
+            is_cut,
             top,
             spread,
             levels: levels.to_vec(),
@@ -228,7 +245,8 @@ impl Regimes {
                      it slides and stops in turn. Where the dashed limit is below the solid one, both states are possible between them, \
                      and the start decides."
                     @if self.levels.iter().any(|level| *level > 0.0) { " The thin horizontal lines are the frictions of the curves." }
-                    @if self.map.is_none() { " The map does not show the motion between the limits, because that takes too long for this number of masses." }
+                    @if self.is_cut { " Ctrl-C ended the map before its last frequency." }
+                    @else if self.map.is_none() { " The map does not show the motion between the limits, because that takes too long for this number of masses." }
                 }
                 div.plots.single { (plot.html()) }
                 dl.facts {

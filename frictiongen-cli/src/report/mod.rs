@@ -17,6 +17,7 @@ mod words;
 use crate::args::ReportArguments;
 use crate::failure::Failure;
 use crate::file;
+use crate::interrupt;
 use asked::Asked;
 use frictiongen::System;
 use frictiongen_codegen::{Limits, parse_text};
@@ -60,6 +61,7 @@ pub fn run(arguments: &ReportArguments, out: &mut dyn Write) -> Result<(), Failu
     let documentation = description.documentation();
     let system = System::try_from(description.scene).map_err(Failure::new)?;
     let mut asked = Asked::of(arguments, system)?;
+    interrupt::watch();
     let best = best::search(&asked);
     let best_beta = best::worst(&best).map(|(_, optimum)| optimum.beta);
     let levels = asked.levels(best_beta);
@@ -78,10 +80,16 @@ pub fn run(arguments: &ReportArguments, out: &mut dyn Write) -> Result<(), Failu
     };
     let html = page.html();
     match arguments.output.as_deref() {
-        Some(path) => file::write_file(path, arguments.file.path(), &html),
+        Some(path) => file::write_file(path, arguments.file.path(), &html)?,
         None => {
             out.write_all(html.as_bytes())?;
-            Ok(out.flush()?)
+            out.flush()?;
         }
+    }
+    match page.regimes.is_cut {
+        true => Err(Failure::new(
+            "stopped: the page is written, but its map of the regimes ends early",
+        )),
+        false => Ok(()),
     }
 }

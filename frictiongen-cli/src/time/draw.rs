@@ -34,7 +34,7 @@ pub fn draw(
     let point = motion.preamble().into_iter().map(|(_, what)| what);
     let caption = point.collect::<Vec<_>>().join("; ");
     picture::write(
-        figure.with_caption(Label::verbatim(&caption)),
+        picture::under_load(figure, &course.measure, &caption),
         system,
         form,
         out,

@@ -2,7 +2,8 @@
 
 #![allow(clippy::unwrap_used, reason = "a test may fail")]
 
-use crate::common::{BLOCK, FRAME, cells, failure, output};
+use crate::common::{BLOCK, FRAME, cells, failure, output, texts};
+use std::collections::BTreeSet;
 use std::path::PathBuf;
 
 fn lines(arguments: &[&str]) -> Vec<Vec<String>> {
@@ -310,6 +311,84 @@ fn an_interrupted_map_is_kept() {
     assert_eq!(written.lines().count(), 1 + 100 * done);
     assert!(written.ends_with('\n'));
     std::fs::remove_dir_all(folder).unwrap();
+}
+
+/// Checks that Ctrl-C in the middle of many curves keeps those that are complete, and that the command reports their
+/// number.
+#[cfg(target_os = "linux")]
+#[test]
+fn interrupted_curves_are_kept() {
+    let folder = folder("interrupted-curves");
+    let (scene, out) = (folder.join("block.friction"), folder.join("curves.csv"));
+    std::fs::write(&scene, BLOCK).unwrap();
+    let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_frictiongen"));
+    command
+        .args(["curve", scene.to_str().unwrap(), "--r", "0.5:1.5"])
+        .args(["--beta", "0.01:0.00002:0.9", "-o", out.to_str().unwrap()])
+        .stdin(std::process::Stdio::null())
+        .stderr(std::process::Stdio::piped());
+    let run = command.spawn().unwrap();
+    std::thread::sleep(std::time::Duration::from_millis(1500));
+    let pressed = std::process::Command::new("kill")
+        .args(["-INT", &run.id().to_string()])
+        .status()
+        .unwrap();
+    assert!(pressed.success());
+    let output = run.wait_with_output().unwrap();
+    let told = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(2), "{told}");
+    let words = told.strip_prefix("frictiongen: stopped: ");
+    let words = words.expect("that it was stopped");
+    let done: usize = words.split(' ').next().unwrap().parse().unwrap();
+    assert!(
+        words.ends_with("of 44501 curves are done and written\n"),
+        "{told}"
+    );
+    let written = std::fs::read_to_string(out).unwrap();
+    let frictions: BTreeSet<&str> = texts(&written, "beta").into_iter().collect();
+    assert!(0 < done && frictions.len() == done, "{done}");
+    std::fs::remove_dir_all(folder).unwrap();
+}
+
+/// Checks that a picture has the load below it, and decades along a logarithmic axis.
+#[test]
+fn logarithmic_pictures_under_a_load() {
+    let folder = folder("logarithmic");
+    let draw = |log: &[&str]| {
+        let path = folder.join("curve.svg");
+        let path = path.to_str().unwrap();
+        let asked = [
+            "curve",
+            FRAME,
+            "--hz",
+            "0.5:7",
+            "--friction",
+            "0.4",
+            "--of",
+            "upper",
+        ];
+        let load = ["--base", "0.001", "-o", path];
+        output("", &[&asked[..], &load, log].concat());
+        std::fs::read_to_string(path).unwrap()
+    };
+    let (plain, log) = (draw(&[]), draw(&["--log", "y"]));
+    std::fs::remove_dir_all(&folder).unwrap();
+    let words = |svg: &str| -> Vec<String> {
+        let pieces = svg.split('<').filter_map(|tag| tag.split_once('>'));
+        let texts = pieces.map(|(_, text)| text.trim().to_owned());
+        texts.filter(|text| !text.is_empty()).collect()
+    };
+    for svg in [&plain, &log] {
+        let words = words(svg).concat();
+        assert!(words.contains("Y = 0.001 m, k1 Y = 1.19 N"), "{words}");
+    }
+    // The amplitude of the upper floor spans four decades, from 0.002 to 20 mm.
+    let decades = |svg: &str| words(svg).iter().filter(|text| *text == "10").count();
+    assert!(
+        decades(&plain) <= 1 && 4 <= decades(&log),
+        "{:?}",
+        words(&log)
+    );
 }
 
 /// Checks two sweeps in one table. The stuck block begins to slide on its base at r² = μβ − |offset|, where the offset

@@ -32,7 +32,19 @@ fn shaken() -> String {
 #[test]
 fn gives_what_the_stepper_gives() {
     let path = recording("same", &shaken());
-    let text = output("", &["drive", FRAME, &path, "--friction", "0.8", "--csv"]);
+    let text = output(
+        "",
+        &[
+            "drive",
+            FRAME,
+            &path,
+            "--friction",
+            "0.8",
+            "--of",
+            "upper",
+            "--csv",
+        ],
+    );
     fs::remove_file(path).unwrap();
     let mut lines = text.lines();
     let names: Vec<&str> = lines.next().unwrap().split(',').collect();

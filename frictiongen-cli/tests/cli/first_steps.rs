@@ -13,17 +13,69 @@ fn temporary(name: &str) -> std::path::PathBuf {
 fn what_new_writes_has_no_errors() {
     let scene = output("", &["new"]);
     let checked = output(&scene, &["check"]);
-    assert_eq!(
-        checked,
-        "<stdin>: no errors; 2 masses, 2 springs\n\
-         damping acts on velocities relative to the base (damping_from: base)\n"
+    assert!(
+        checked.starts_with(
+            "<stdin>: no errors; 2 masses, 2 springs\n\
+             damping acts on velocities relative to the base (damping_from: base)\n\
+             natural frequencies (Hz)"
+        ),
+        "{checked}"
     );
     let at_rest = scene.replace("damping_from: base", "damping_from: rest");
     let checked = output(&at_rest, &["check"]);
-    assert!(checked.ends_with("damping acts on absolute velocities (damping_from: rest)\n"));
+    assert!(checked.contains("\ndamping acts on absolute velocities (damping_from: rest)\n"));
     let undamped = at_rest.replace("modal[0.010, 0.012]", "none");
     assert!(!output(&undamped, &["check"]).contains("damping acts"));
     assert!(output(&scene, &["limits", "--r", "0.9"]).contains("0.9"));
+}
+
+/// Two equal masses and springs have the natural frequencies √((3 ∓ √5)/2) √(k/m). A force on the outer mass displaces
+/// the inner one by P/k and the outer one by 2P/k. With the stiffness typed in kN/m, the frequencies are √1000 lower.
+#[test]
+fn check_prints_frequencies_damping_mass_and_static_displacement() {
+    let golden: f64 = 0.5 * (3.0 - 5.0_f64.sqrt());
+    for stiffness in [1.5e6_f64, 1.5e3] {
+        let scene = format!(
+            "struct Two {{ masses: {{ low: 2000, high: 2000 }},
+              springs: {{ base - low: {stiffness:?}, low - high: {stiffness:?} }},
+              contact: high - wall, excitation: high, damping: modal[0.01, 0.02] }}"
+        );
+        let checked = output(&scene, &["check"]);
+        let numbers = |title: &str| -> Vec<f64> {
+            let line = checked.lines().find(|line| line.starts_with(title));
+            let words = line.unwrap().split([' ', ',', ';']);
+            words.filter_map(|word| word.parse().ok()).collect()
+        };
+        let unit = (stiffness / 2000.0).sqrt() / std::f64::consts::TAU;
+        for (title, expected) in [
+            (
+                "natural frequencies (Hz)",
+                vec![unit * golden.sqrt(), unit / golden.sqrt()],
+            ),
+            ("modal damping ratios", vec![0.01, 0.02]),
+            ("total mass (kg)", vec![4000.0]),
+            (
+                "static displacement (mm)",
+                vec![1e3 / stiffness, 2e3 / stiffness, 1.0],
+            ),
+        ] {
+            let found = numbers(title);
+            assert_eq!(found.len(), expected.len(), "{checked}");
+            for (found, expected) in found.iter().zip(expected) {
+                // A printed number has six decimals or six digits.
+                let error = (found - expected).abs();
+                assert!(error < 5.1e-7_f64.max(5e-6 * expected), "{checked}");
+            }
+        }
+    }
+    // The base takes all masses with it, if no spring leads to the wall.
+    let checked = output(&output("", &["new"]), &["check"]);
+    let line = checked.lines().last().unwrap();
+    assert!(
+        line.contains(" 1.000000, ")
+            && line.ends_with("; under 1 mm of the base, without friction"),
+        "{line}"
+    );
 }
 
 #[test]

@@ -14,10 +14,12 @@ mod first_steps;
 mod hints;
 mod limits;
 mod map;
+mod mistakes;
 mod optimum;
 mod orbit;
 mod quantities;
 mod recorded;
+mod records;
 #[cfg(feature = "report")]
 mod report;
 mod response;

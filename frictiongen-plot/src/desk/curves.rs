@@ -240,9 +240,7 @@ pub fn panel(
     let (low, high) = ends.fold((f64::INFINITY, 0.0_f64), |(low, high), r| {
         (low.min(r), high.max(r))
     });
-    // An axis begins at 0 if its smallest value is just above 0.
-    let low = if low < 0.25 * high { 0.0 } else { low };
-    let x = Axis::new(scales.frequency_label(), low, high);
+    let x = scales.frequency_axis(low, high);
     let y = if reading.is_phase() {
         phase_axis(drawn, part, reading, scales)
     } else {
@@ -250,7 +248,13 @@ pub fn panel(
             Reading::Rate(size) => scales.size_label(size),
             _ => scales.length_label(),
         };
-        Axis::new(label, 0.0, top(drawn, part, reading, scales))
+        let sizes = drawn.iter().flat_map(|drawn| {
+            let pieces = drawn.curve.pieces.iter();
+            let points =
+                pieces.flat_map(|piece| piece.points.iter().map(move |point| (piece, point)));
+            points.filter_map(|(piece, point)| reading.size(piece, point, part, scales))
+        });
+        scales.amplitude_axis(label, top(drawn, part, reading, scales), sizes)
     };
     let mut panel = Panel::new(title, x, y);
     for drawn in drawn {

@@ -8,8 +8,10 @@ use std::f64::consts::PI;
 /// Smallest spectral line that is drawn, relative to the largest one.
 const FLOOR: f64 = 1e-5;
 
-/// Returns a figure of displacements and friction force over time, with phase portraits. If `turned` is true, the
-/// contact's motion is drawn with the opposite sign.
+/// Returns a figure of displacements and friction force over time, with phase portraits. If the contact is among the
+/// motions, the figure has its hysteresis loop, the friction force over the slip. The area of the loop of one period is
+/// the energy that the contact dissipates in that period. If `turned` is true, the contact's motion has the opposite
+/// sign.
 #[must_use]
 pub fn history_figure(
     title: impl Into<Label>,
@@ -52,6 +54,7 @@ pub fn history_figure(
     let mut drawn = Vec::new();
     let mut portraits = Vec::new();
     let mut forces = Vec::new();
+    let mut slip = None;
     for (index, (track, name)) in history.tracks.iter().zip(parts).enumerate() {
         let colour = Colour::Series(index);
         let x = convert(track, &track.displacement);
@@ -59,6 +62,9 @@ pub fn history_figure(
             let line = Line::new(name.clone(), colour, Stroke::Solid, vec![over(&x)]);
             forces.push(line);
             continue;
+        }
+        if track.of == frictiongen::Of::Contact {
+            slip = Some(x.clone());
         }
         let v = convert(track, &track.velocity).into_iter();
         let v: Vec<f64> = v.map(|value| scales.rate(value)).collect();
@@ -114,7 +120,19 @@ pub fn history_figure(
             portraits,
         ));
     }
+    if let Some(slip) = slip {
+        panels.push(loop_panel(&slip, &force, scales));
+    }
     Figure::new("", title, 2, panels)
+}
+
+/// Returns the panel with the friction force over the slip of the contact.
+fn loop_panel(slip: &[f64], force: &[f64], scales: &Scales) -> Panel {
+    let across = Axis::fitted(scales.displacement_label(), slip.iter().copied());
+    let up = Axis::fitted(scales.friction_label(), force.iter().copied());
+    let path = slip.iter().copied().zip(force.iter().copied()).collect();
+    let title = "hysteresis loop of the contact, area = energy";
+    Panel::new(title, across, up).with(Line::unnamed(Colour::Black, Stroke::Solid, vec![path]))
 }
 
 /// Adds lines to a panel.
@@ -124,7 +142,7 @@ fn with_lines(panel: Panel, lines: Vec<Line>) -> Panel {
         .fold(panel, |panel, line| panel.with(line))
 }
 
-/// Returns a figure of spectra as vertical lines, one panel for each motion.
+/// Returns a figure of spectra as vertical lines, one panel for each motion. All panels have the same frequency axis.
 #[must_use]
 pub fn spectrum_figure(
     title: impl Into<Label>,
@@ -132,39 +150,43 @@ pub fn spectrum_figure(
     parts: &[Label],
     scales: &Scales,
 ) -> Figure {
-    let panels = spectra
+    let drawn: Vec<(f64, Vec<Vec<Point>>)> = spectra
         .iter()
-        .zip(parts)
-        .enumerate()
-        .map(|(index, (spectrum, part))| {
-            let lines = spectrum.lines.iter();
-            let scales = &scales.showing(spectrum.of);
-            let lines: Vec<Point> = lines
-                .map(|line| (scales.order(line.order), scales.length(line.amplitude())))
-                .collect();
-            let most = lines.iter().map(|line| line.1).fold(0.0, f64::max);
-            let floor = FLOOR * most;
-            let stems: Vec<Vec<Point>> = lines
-                .into_iter()
-                .filter(|line| floor < line.1)
-                .map(|(order, size)| vec![(order, floor), (order, size)])
-                .collect();
-            let last = stems
-                .iter()
-                .flatten()
-                .map(|point| point.0)
-                .fold(scales.order(1.0), f64::max);
-            let x = Axis::new(scales.order_label(), 0.0, last * 1.04);
-            let y = if most > 0.0 {
-                Axis::log(scales.length_label(), floor, 2.0 * most)
-            } else {
-                Axis::new(scales.length_label(), 0.0, 1.0)
-            };
-            Panel::new(part.clone(), x, y).with(Line::unnamed(
-                Colour::Series(index),
-                Stroke::Solid,
-                stems,
-            ))
-        });
+        .map(|spectrum| stems(spectrum, &scales.showing(spectrum.of)))
+        .collect();
+    let points = drawn.iter().flat_map(|(_, stems)| stems).flatten();
+    let last = points
+        .map(|point| point.0)
+        .fold(scales.order(1.0), f64::max);
+    let panels = spectra.iter().zip(drawn).zip(parts).enumerate();
+    let panels = panels.map(|(index, ((spectrum, (most, stems)), part))| {
+        let label = scales.showing(spectrum.of).length_label();
+        let x = Axis::new(scales.order_label(), 0.0, last * 1.04);
+        let y = if most > 0.0 {
+            Axis::log(label, FLOOR * most, 2.0 * most)
+        } else {
+            Axis::new(label, 0.0, 1.0)
+        };
+        Panel::new(part.clone(), x, y).with(Line::unnamed(
+            Colour::Series(index),
+            Stroke::Solid,
+            stems,
+        ))
+    });
     Figure::new("", title, 2, panels.collect())
+}
+
+/// Returns the largest line of a spectrum, and a vertical line for each line that is not too small to be drawn.
+fn stems(spectrum: &Spectrum, scales: &Scales) -> (f64, Vec<Vec<Point>>) {
+    let lines = spectrum.lines.iter();
+    let lines: Vec<Point> = lines
+        .map(|line| (scales.order(line.order), scales.length(line.amplitude())))
+        .collect();
+    let most = lines.iter().map(|line| line.1).fold(0.0, f64::max);
+    let floor = FLOOR * most;
+    let stems = lines
+        .into_iter()
+        .filter(|line| floor < line.1)
+        .map(|(order, size)| vec![(order, floor), (order, size)]);
+    (most, stems.collect())
 }

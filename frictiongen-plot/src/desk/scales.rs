@@ -1,8 +1,13 @@
 //! Units of the axes of a figure: non-dimensional groups or physical units.
 
-use crate::Label;
+use crate::{Axis, Label};
 use frictiongen::study::{response::Size, scene::Excitation, units::LoadScale};
 use frictiongen::{Of, System};
+
+/// Smallest value on a logarithmic axis, as a fraction of the largest.
+const DECADES: f64 = 1e-6;
+/// Factor between the ends of a logarithmic axis of amplitudes and the values.
+const LOG_ROOM: f64 = 1.2;
 
 /// Units in which a figure shows frequencies, frictions, displacements and times.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,6 +23,10 @@ pub struct Scales {
     force: bool,
     /// Angular frequency ω in rad/s. `None` if the figure shows τ = ωt instead of seconds.
     omega: Option<f64>,
+    /// True for a logarithmic frequency axis.
+    log_frequency: bool,
+    /// True for logarithmic axes of amplitudes.
+    log_amplitude: bool,
 }
 
 impl Scales {
@@ -29,6 +38,8 @@ impl Scales {
             load: None,
             omega: None,
             force: false,
+            log_frequency: false,
+            log_amplitude: false,
             reference: system.angular_frequency(1.0),
             base_motion: system.scene().excitation == Excitation::Base,
         }
@@ -68,6 +79,45 @@ impl Scales {
             force: of.is_force(),
             ..self
         }
+    }
+
+    /// Returns the same units, with a logarithmic frequency axis and logarithmic axes of amplitudes, each if its flag is
+    /// true.
+    #[must_use]
+    pub fn with_log(self, frequency: bool, amplitude: bool) -> Self {
+        Self {
+            log_frequency: frequency,
+            log_amplitude: amplitude,
+            ..self
+        }
+    }
+
+    /// Returns the frequency axis between two values in its unit.
+    #[must_use]
+    pub fn frequency_axis(&self, low: f64, high: f64) -> Axis {
+        let label = self.frequency_label();
+        match self.log_frequency {
+            true => Axis::log(label, low, high),
+            // An axis whose least value is just above 0 begins at 0.
+            false => Axis::new(label, if low < 0.25 * high { 0.0 } else { low }, high),
+        }
+    }
+
+    /// Returns an axis of amplitudes up to `high`. A logarithmic axis begins at the smallest positive value, or six
+    /// decades below `high` if that is more.
+    #[must_use]
+    pub fn amplitude_axis(
+        &self,
+        label: Label,
+        high: f64,
+        values: impl Iterator<Item = f64>,
+    ) -> Axis {
+        if !self.log_amplitude {
+            return Axis::new(label, 0.0, high);
+        }
+        let positive = values.filter(|value| 0.0 < *value);
+        let least = positive.fold(high, f64::min).max(DECADES * high);
+        Axis::log(label, least / LOG_ROOM, high * LOG_ROOM)
     }
 
     /// Returns true if the figure shows times in seconds.

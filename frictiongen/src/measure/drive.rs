@@ -213,6 +213,32 @@ fn base(channel: &Channel, dt: f64) -> Result<Vec<[f64; 2]>, MeasureError> {
     })
 }
 
+/// Returns the acceleration of the base at the start and the end of every step between two samples, in m/s². Within a
+/// step it changes linearly.
+pub(super) fn accelerations(channel: &Channel, dt: f64) -> Result<Vec<[f64; 2]>, MeasureError> {
+    let scale = channel.unit.scale();
+    let pairs = channel.samples.windows(2);
+    let pairs = pairs.filter_map(|pair| Some([pair.first()? * scale, pair.get(1)? * scale]));
+    Ok(match channel.unit.dimension() {
+        Dimension::Acceleration => pairs.collect(),
+        Dimension::Velocity => pairs.map(|[a, b]| [(b - a) / dt; 2]).collect(),
+        Dimension::Displacement => {
+            let motion = base(channel, dt)?;
+            let steps = motion.windows(2).filter_map(|pair| {
+                let [[x, v], [y, w]] = pair else { return None };
+                let chord = 3.0 * (y - x) / dt;
+                let acceleration = 2.0 / dt;
+                Some([
+                    acceleration * (chord - 2.0 * v - w),
+                    acceleration * (v + 2.0 * w - chord),
+                ])
+            });
+            steps.collect()
+        }
+        _ => return Err(wrong(channel)),
+    })
+}
+
 /// Returns the slopes, per sample step, of the cubic spline through `values` that begins at rest and ends without
 /// curvature.
 fn spline_slopes(values: &[f64]) -> Vec<f64> {

@@ -244,7 +244,10 @@ impl std::fmt::Display for MeasureError {
             ),
             Self::NoMass => write!(f, "no motion of a mass was recorded"),
             Self::WrongDimension { channel, unit } => {
-                write!(f, "the channel `{channel}` cannot be in {unit}")
+                write!(
+                    f,
+                    "the channel `{channel}` cannot be in {unit}: a motion needs a unit such as mm, m/s or g, and a force a unit such as N"
+                )
             }
             Self::Silent(channel) => write!(
                 f,

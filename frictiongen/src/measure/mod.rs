@@ -24,6 +24,7 @@ mod least_squares;
 mod measured;
 mod recording;
 mod regression;
+mod spectrum;
 mod statistics;
 mod steady;
 mod sweep;
@@ -38,6 +39,8 @@ pub use identify::{
 pub use measured::{Measured, Transmissibility};
 pub use recording::{Channel, Column, CsvRequest, Dimension, Recording, Unit};
 pub use regression::Regression;
+#[doc(hidden)]
+pub use spectrum::{PeakResponse, periods, response_spectrum};
 pub use sweep::{SweepFit, SweepPoint, two_storeys};
 #[doc(hidden)]
 pub use tone::HARMONICS;

@@ -128,12 +128,15 @@ fn not_a_number() {
         error.to_string().starts_with("line 3: `` of `base_mm`"),
         "{error}"
     );
-    // The file has a decimal comma.
-    let error =
-        Recording::from_csv("time_s;base_mm\n0;1\n0,1;2\n", &CsvRequest::default()).unwrap_err();
+    // Between semicolons a comma is a decimal comma, but not beside a decimal point.
+    let read = |text| Recording::inputs_from_csv(text, &CsvRequest::default());
+    let recording = read("time_s;base_mm\n0;1,5\n0,1;2\n").unwrap();
+    assert_eq!(recording.rate(), 10.0);
+    assert_eq!(recording.channels()[0].samples, [1.5, 2.0]);
+    let error = read("time_s;base_mm\n0;1\n0,1;1.000,5\n").unwrap_err();
     assert_eq!(
         error.to_string(),
-        "line 3: `0,1` of `time_s` is not a finite number"
+        "line 3: `1.000,5` of `base_mm` is not a finite number"
     );
 }
 
@@ -169,7 +172,7 @@ fn wrong_column() {
     assert!(
         error
             .to_string()
-            .contains("the first line must name the columns"),
+            .contains("the columns have no names; name them, or give --channel"),
         "{error}"
     );
     let error = Recording::from_csv("base_mm,plate_mm\n1,2\n", &CsvRequest::default()).unwrap_err();

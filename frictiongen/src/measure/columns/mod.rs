@@ -5,6 +5,7 @@ mod driven;
 mod lines;
 mod once;
 mod residuals;
+mod spectrum;
 mod transmissibility;
 
 pub use driven::{Driven, DrivenRow};
@@ -14,6 +15,7 @@ pub use residuals::{
     ExtremeRow, FittedRow, MotionKnown, ResidualRow, extreme_columns, extremes, fitted,
     fitted_columns, residual_columns, residuals,
 };
+pub use spectrum::{SpectrumRow, spectrum_columns};
 pub use transmissibility::TransmissibilityTable;
 
 use crate::study::System;

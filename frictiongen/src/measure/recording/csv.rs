@@ -1,5 +1,6 @@
 //! Reads and writes recordings and sweeps as CSV text: a line of names with units, then numbers.
 
+use super::bare;
 use super::channel::Channel;
 use super::rate::even_rate;
 use super::series::Recording;
@@ -105,7 +106,8 @@ impl CsvTable {
                 if cell.is_empty() {
                     return Ok(None);
                 }
-                let value = cell.parse().ok().filter(|value: &f64| value.is_finite());
+                // Where commas do not separate the cells, a comma is a decimal comma.
+                let value = bare::number(cell, separator != Some(','));
                 value.map(Some).ok_or_else(|| MeasureError::NotANumber {
                     line,
                     channel: name.clone(),
@@ -165,7 +167,10 @@ impl Recording {
     /// Reads a recording from CSV text: a line of names with their units, then numbers.
     ///
     /// The units are endings of the names, as in `time_s,base_mm,upper_m_s2`, or a second line. Commas, semicolons or tabs
-    /// separate the cells.
+    /// separate the cells. Between semicolons or tabs, a number may have a decimal comma.
+    ///
+    /// The text may also have numbers alone, in columns that [`CsvRequest::columns`] names. Without a rate the first of
+    /// several columns is then the time in s. A PEER AT2 record in g is the channel `base`.
     ///
     /// # Errors
     /// [`MeasureError`] for everything that [`new`](Self::new) rejects, and for a missing unit, rate or column.
@@ -206,7 +211,20 @@ impl Recording {
 
 /// Returns sampling rate and channels of CSV text.
 fn read(text: &str, request: &CsvRequest) -> Result<(f64, Vec<Channel>), MeasureError> {
-    let table = CsvTable::read(text)?;
+    if let Some(record) = bare::at2(text, request) {
+        return record;
+    }
+    let table = match bare::columns(text, request.rate)? {
+        Some(_) if request.columns.is_empty() => {
+            return Err(MeasureError::Format {
+                line: 1,
+                what: "the columns have no names; name them, or give --channel NAME=COLUMN:UNIT, as in --channel base=2:g"
+                    .to_owned(),
+            });
+        }
+        Some(table) => table,
+        None => CsvTable::read(text).map_err(|error| bare::foreign(text, error))?,
+    };
     let mut time = None;
     let mut channels = Vec::new();
     let mut add = |name: &str, place: usize, unit: Option<Unit>| -> Result<(), MeasureError> {

@@ -1,5 +1,6 @@
 //! Recordings: evenly spaced samples of several channels, each with its unit.
 
+mod bare;
 mod channel;
 mod check;
 mod csv;

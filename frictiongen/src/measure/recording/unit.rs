@@ -67,6 +67,9 @@ impl Unit {
     /// Newton, N.
     pub const NEWTON: Self = Self::of(UNITS[9]);
 
+    /// Standard gravity, 9.80665 m/s².
+    pub(super) const GRAVITY: Self = Self::of(UNITS[8]);
+
     pub(super) const fn of(
         (name, _, dimension, scale): (&'static str, &str, Dimension, f64),
     ) -> Self {

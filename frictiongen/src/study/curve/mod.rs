@@ -20,6 +20,7 @@ pub use request::{CurveError, CurveRequest, CurveStart};
 use super::system::System;
 use rayon::prelude::*;
 use refine::Refine;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 impl System {
     /// Returns the response along frequency at one friction ratio. Where the contact slides all the time, the points
@@ -96,6 +97,27 @@ impl System {
         curves
             .map(|(beta, start)| self.curve_from(request, *beta, *start))
             .collect()
+    }
+
+    /// Same as [`curves`](Self::curves), but calls `go_on` with the number of finished curves before each curve and at
+    /// the end. If `go_on` returns false, the curves that have not begun are `None`.
+    #[doc(hidden)]
+    pub fn curves_while(
+        &self,
+        request: &CurveRequest,
+        asked: &[(f64, CurveStart)],
+        go_on: impl Fn(usize) -> bool + Sync,
+    ) -> Result<Vec<Option<Curve>>, CurveError> {
+        let done = AtomicUsize::new(0);
+        let curves = asked.par_iter().map(|(beta, start)| {
+            if !go_on(done.load(Ordering::Relaxed)) {
+                return Ok(None);
+            }
+            let curve = self.curve_from(request, *beta, *start)?;
+            go_on(done.fetch_add(1, Ordering::Relaxed) + 1);
+            Ok(Some(curve))
+        });
+        curves.collect()
     }
 
     fn curve_from(

@@ -1,4 +1,7 @@
-//! `frictiongen check`: prints the errors and warnings of a description as a compiler does.
+//! `frictiongen check`: prints the errors and warnings of a description as a compiler does. Then it
+//! prints the numbers that show a wrong unit.
+
+mod numbers;
 
 use crate::args::CheckArguments;
 use crate::failure::Failure;
@@ -37,6 +40,7 @@ pub fn run(arguments: &CheckArguments, out: &mut dyn Write) -> Result<(), Failur
     if let Some(acts_on) = scene.damping_acts_on() {
         writeln!(out, "{acts_on}")?;
     }
+    numbers::write(scene, out)?;
     Ok(out.flush()?)
 }
 

@@ -1,0 +1,73 @@
+//! Writes the numbers by which an engineer recognises a wrong unit: frequencies, damping, mass and static displacement.
+
+use crate::number::computed;
+use crate::summary::row;
+use frictiongen::System;
+use frictiongen::study::scene::{Excitation, Scene};
+use frictiongen::study::units::{Load, hertz};
+use std::io::{self, Write};
+
+/// Base motion under which the static displacement is written, in m.
+const BASE: f64 = 1e-3;
+/// Force under which the static displacement is written, in N.
+const FORCE: f64 = 1.0;
+
+/// Writes natural frequencies in Hz, modal damping ratios, the total mass, and the static displacement under a load.
+pub fn write(scene: &Scene, out: &mut dyn Write) -> io::Result<()> {
+    let Ok(system) = System::try_from(scene.clone()) else {
+        return Ok(());
+    };
+    let frequencies: Vec<f64> = system
+        .natural_frequencies()
+        .into_iter()
+        .map(hertz)
+        .collect();
+    writeln!(out, "natural frequencies (Hz)   {}", row(&frequencies))?;
+    let ratios = system.modal().damping_ratios.iter().map(|zeta| zeta.hi);
+    let ratios: Vec<f64> = ratios.collect();
+    writeln!(out, "modal damping ratios       {}", row(&ratios))?;
+    let mass: f64 = scene.masses.iter().map(|mass| mass.value).sum();
+    writeln!(out, "total mass (kg)            {}", row(&[mass]))?;
+    let (load, words) = match scene.excitation {
+        Excitation::Base => (Load::Base(BASE), "1 mm of the base".to_owned()),
+        Excitation::Force(index) => {
+            let name = scene.masses.get(index).map_or("?", |mass| &mass.name);
+            (Load::Force(FORCE), format!("1 N on {name}"))
+        }
+    };
+    if let Ok(scale) = system.load_scale(load) {
+        let placed = statics(&system)
+            .into_iter()
+            .map(|x| 1e3 * scale.displacement(x));
+        let named = scene.masses.iter().zip(placed);
+        let named: Vec<String> = named
+            .map(|(mass, x)| format!("{} {}", mass.name, computed(x).trim()))
+            .collect();
+        let shown = match named.as_slice() {
+            [first, .., last] if MOST < named.len() => format!("{first}, ..., {last}"),
+            _ => named.join(", "),
+        };
+        writeln!(
+            out,
+            "static displacement (mm)   {shown}; under {words}, without friction"
+        )?;
+    }
+    Ok(())
+}
+
+/// Largest number of masses of which every static displacement is written.
+const MOST: usize = 4;
+
+/// Returns the static displacement x̄ of each mass under a unit load, while the contact carries no force.
+fn statics(system: &System) -> Vec<f64> {
+    let modal = system.modal();
+    let masses = system.scene().masses.len();
+    let modes = || modal.shapes.iter().zip(&modal.loads).zip(&modal.resonances);
+    let displacement = |mass: usize| {
+        let terms = modes().filter_map(|((shape, load), root)| {
+            Some(shape.get(mass)?.hi * load.hi / (root.hi * root.hi))
+        });
+        terms.sum()
+    };
+    (0..masses).map(displacement).collect()
+}

@@ -1,0 +1,40 @@
+//! Rows and columns of a response spectrum.
+
+use crate::measure::PeakResponse;
+use crate::study::System;
+use crate::study::columns::{Column, Columns, Dimension, Head, Measure, Row};
+
+/// Row of the table: the peak response of one oscillator.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SpectrumRow {
+    /// Number of the mode of the scene that has this period, from 1. `None` for another period.
+    pub mode: Option<usize>,
+    /// Period and largest displacement of the oscillator.
+    pub peak: PeakResponse,
+}
+
+impl Row for SpectrumRow {}
+
+/// Returns the columns of the table, with their names and units.
+#[must_use]
+pub fn spectrum_columns(system: &System) -> Vec<Column<'static, SpectrumRow>> {
+    let mut columns = Columns::new(&Measure::si(system));
+    columns.count("mode", |row: &SpectrumRow| row.mode);
+    columns.converted(Head::of("period", Dimension::Time), |row| {
+        Some(row.peak.period)
+    });
+    columns.converted(Head::of("frequency", Dimension::Hertz), |row| {
+        Some(1.0 / row.peak.period)
+    });
+    columns.converted(Head::of("displacement", Dimension::Length), |row| {
+        Some(row.peak.displacement)
+    });
+    columns.converted(Head::of("pseudo_velocity", Dimension::Velocity), |row| {
+        Some(row.peak.displacement * row.peak.omega())
+    });
+    columns.converted(
+        Head::of("pseudo_acceleration", Dimension::Acceleration),
+        |row| Some(row.peak.displacement * row.peak.omega() * row.peak.omega()),
+    );
+    columns.done()
+}

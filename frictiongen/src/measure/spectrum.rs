@@ -1,0 +1,162 @@
+//! Response spectra: the largest displacement of damped oscillators whose base follows a recorded motion.
+
+use super::drive::accelerations;
+use super::{MeasureError, Recording};
+
+/// Name of the channel with the motion of the base.
+const BASE: &str = "base";
+/// Smallest number of steps in a period of the oscillator. The displacement at a reversal between two steps has a
+/// relative error below ((2π/40)²/8)²/2, about 5e-6.
+const STEPS: f64 = 40.0;
+/// Number of periods in a decade of [`periods`].
+const DECADE: f64 = 60.0;
+
+/// The peak response of an oscillator to a recorded motion of its base.
+#[doc(hidden)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PeakResponse {
+    /// Undamped natural period of the oscillator, s.
+    pub period: f64,
+    /// Largest displacement relative to the base within the record, m.
+    pub displacement: f64,
+}
+
+impl PeakResponse {
+    /// Returns the undamped angular frequency of the oscillator, rad/s.
+    #[must_use]
+    pub fn omega(&self) -> f64 {
+        std::f64::consts::TAU / self.period
+    }
+}
+
+/// Returns the periods at which a spectrum of a record is drawn, in s: 60 in a decade, from two samples to the length of
+/// the record.
+#[doc(hidden)]
+#[must_use]
+pub fn periods(recording: &Recording) -> Vec<f64> {
+    let shortest = 2.0 / recording.rate();
+    let longest = recording.len().saturating_sub(1) as f64 / recording.rate();
+    let count = (DECADE * (longest / shortest).log10()).ceil().max(0.0);
+    let share = |index: usize| index as f64 / count.max(1.0);
+    (0..=count as usize)
+        .map(|index| shortest * (longest / shortest).powf(share(index)))
+        .collect()
+}
+
+/// Returns the peak response of an oscillator at rest at the start, for each period. The oscillator has the damping
+/// ratio ζ, below 1, and its base follows the channel `base` of the recording.
+///
+/// # Errors
+/// [`MeasureError`] if the recording has no channel `base`, or if the unit of the channel is not that of a motion.
+#[doc(hidden)]
+pub fn response_spectrum(
+    recording: &Recording,
+    zeta: f64,
+    periods: &[f64],
+) -> Result<Vec<PeakResponse>, MeasureError> {
+    let channel = recording.channel(BASE);
+    let channel = channel.ok_or(MeasureError::NoDrive(BASE))?;
+    let dt = 1.0 / recording.rate();
+    let steps = accelerations(channel, dt)?;
+    let peak = |period: &f64| PeakResponse {
+        period: *period,
+        displacement: Oscillator::new(std::f64::consts::TAU / period, zeta).peak(&steps, dt),
+    };
+    Ok(periods.iter().map(peak).collect())
+}
+
+/// An oscillator u″ + 2ζωu′ + ω²u = −a(t), where a(t) is the acceleration of its base.
+#[derive(Clone, Copy, Debug)]
+struct Oscillator {
+    omega: f64,
+    zeta: f64,
+    /// Angular frequency of the free damped vibration.
+    damped: f64,
+}
+
+/// Linear step of an oscillator: [u, u′] at its end are `state` times [u, u′] at its start, plus `load` times the
+/// accelerations of the base at start and end.
+#[derive(Clone, Copy, Debug)]
+struct Step {
+    state: [[f64; 2]; 2],
+    load: [[f64; 2]; 2],
+}
+
+impl Step {
+    fn of(&self, [u, v]: [f64; 2], [a, b]: [f64; 2]) -> [f64; 2] {
+        let [su, sv] = self.state;
+        let [la, lb] = self.load;
+        [0, 1].map(|row| {
+            let at = |column: [f64; 2]| if row == 0 { column[0] } else { column[1] };
+            at(su) * u + at(sv) * v + at(la) * a + at(lb) * b
+        })
+    }
+}
+
+impl Oscillator {
+    fn new(omega: f64, zeta: f64) -> Self {
+        Self {
+            omega,
+            zeta,
+            damped: omega * (1.0 - zeta * zeta).sqrt(),
+        }
+    }
+
+    /// Returns [u, u′] after a time t from [u, u′], while the acceleration of the base is a + st (Nigam and Jennings).
+    fn moved(&self, [u, v]: [f64; 2], a: f64, s: f64, t: f64) -> [f64; 2] {
+        let (omega, decay) = (self.omega, self.zeta * self.omega);
+        let stiffness = omega * omega;
+        // The particular solution is a line: −(a + st)/ω² + 2ζs/ω³.
+        let slope = -s / stiffness;
+        let line = |t: f64| slope * t - a / stiffness + 2.0 * self.zeta * s / (stiffness * omega);
+        let first = u - line(0.0);
+        let second = (v - slope + decay * first) / self.damped;
+        let (sine, cosine) = (self.damped * t).sin_cos();
+        let fading = (-decay * t).exp();
+        let free = fading * (first * cosine + second * sine);
+        let turned = fading * self.damped * (second * cosine - first * sine);
+        [line(t) + free, slope + turned - decay * free]
+    }
+
+    fn step(&self, h: f64) -> Step {
+        Step {
+            state: [[1.0, 0.0], [0.0, 1.0]].map(|state| self.moved(state, 0.0, 0.0, h)),
+            load: [
+                self.moved([0.0; 2], 1.0, -1.0 / h, h),
+                self.moved([0.0; 2], 0.0, 1.0 / h, h),
+            ],
+        }
+    }
+
+    /// Returns the largest |u| while the base has, in each step of length dt, an acceleration that changes linearly.
+    fn peak(&self, steps: &[[f64; 2]], dt: f64) -> f64 {
+        let parts = (STEPS * self.omega * dt / std::f64::consts::TAU)
+            .ceil()
+            .max(1.0);
+        let h = dt / parts;
+        let step = self.step(h);
+        let mut state = [0.0; 2];
+        let mut peak = 0.0_f64;
+        for [from, to] in steps {
+            let slope = (to - from) / dt;
+            let mut a = *from;
+            for _ in 0..parts as usize {
+                let next = step.of(state, [a, a + slope * h]);
+                let [_, v] = state;
+                let [u, w] = next;
+                if v * w < 0.0 {
+                    // The displacement has its extreme near the zero of the chord of the velocity.
+                    let [turning, _] = self.moved(state, a, slope, h * v / (v - w));
+                    peak = peak.max(turning.abs());
+                }
+                peak = peak.max(u.abs());
+                state = next;
+                a += slope * h;
+            }
+        }
+        peak
+    }
+}
+
+#[cfg(test)]
+mod tests;
