@@ -123,8 +123,7 @@ impl Builder {
     }
 
     /// Sets the stiffness of an elastic contact (Jenkins element), a spring in series with the slider, in N/m. Without
-    /// this call the contact is rigid. An elastic contact never slides all the time, so that `at` returns an error. Ask
-    /// [`steady_state`](System::steady_state) and [`simulation`](System::simulation).
+    /// this call the contact is rigid. An elastic contact never slides all the time, so that its β_lim is 0.
     pub fn stiffness(mut self, stiffness: f64) -> Self {
         self.stiffness = Some(stiffness);
         self

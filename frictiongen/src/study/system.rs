@@ -237,7 +237,7 @@ impl<S: Float> System<S> {
     /// [`OutOfDomain`] also for `friction: stribeck`, because the exact continuous response needs a kinetic friction
     /// force that is constant in speed.
     pub fn limits_without_search(&self, r: S) -> Result<Limits<S>, OutOfDomain> {
-        self.constant_level()?;
+        self.constant_force()?;
         At::limits_without_search(&self, r)
     }
 
@@ -295,21 +295,8 @@ impl<S: Float> System<S> {
     /// elastic contact has β_∞ = 0. Its β*_∞ is 0, or on a moving base its stiffness over μk₁.
     #[must_use]
     pub fn high_frequency_limits(&self) -> (S, S) {
-        if let Some(compliance) = self.transient().compliance {
-            let chain = &self.reduced.chain;
-            let zero = S::constant(0.0);
-            let base = S::constant(1.0) / (compliance * chain.stiction);
-            return (zero, chain.on_moving_base.map_or(zero, |_| base));
-        }
         let ends = &self.reduced.ends;
         (ends.continuous_at_infinity, ends.sliding_at_infinity)
-    }
-
-    /// Fails unless the contact is rigid and the kinetic friction force is constant in speed. The closed forms need
-    /// both.
-    pub(super) fn constant_level(&self) -> Result<(), OutOfDomain> {
-        self.rigid()?;
-        self.constant_force()
     }
 
     /// Fails if the contact is elastic.
@@ -320,7 +307,8 @@ impl<S: Float> System<S> {
         }
     }
 
-    /// Fails unless the kinetic friction force is constant in speed, as the motion from event to event needs it.
+    /// Fails unless the kinetic friction force is constant in speed, as the closed forms and the motion from event to
+    /// event need it.
     pub(super) fn constant_force(&self) -> Result<(), OutOfDomain> {
         match self.scene.friction {
             FrictionLaw::Coulomb => Ok(()),
