@@ -73,13 +73,12 @@ impl FileArgument {
             return Ok(());
         }
         Err(Failure::new(format_args!(
-            "{}: this command needs a rigid contact, but this scene has `stiffness`; compute a run with `frictiongen time`, ask the library for `steady_state`, or leave `stiffness` out",
+            "{}: this command needs a rigid contact, but this scene has `stiffness`; use `frictiongen orbit`, `response`, `curve` or `time`, or leave `stiffness` out",
             self.name()
         )))
     }
 
-    /// Reads and parses a description for an exact response. Fails unless the contact is rigid and the kinetic friction
-    /// is constant.
+    /// Reads and parses a description for an exact response. Fails unless the kinetic friction is constant.
     pub fn constant_level(&self, limits: &Limits) -> Result<Description, Failure> {
         Ok(self.constant_level_with_text(limits)?.0)
     }
@@ -92,7 +91,6 @@ impl FileArgument {
     ) -> Result<(Description, String), Failure> {
         let text = self.text()?;
         let description = self.parsed(&text, limits)?;
-        self.check_rigid(&description)?;
         if description.scene.friction == FrictionLaw::Coulomb {
             return Ok((description, text));
         }

@@ -51,6 +51,8 @@ pub struct Modal<T = Dd> {
     pub reference: T,
     /// μ, the ratio of static to kinetic friction force.
     pub stiction: T,
+    /// ρ = k₁/k, the compliance of an elastic contact. `None` for a rigid contact.
+    pub compliance: Option<T>,
     /// The contact's masses by index: the two masses in ascending order, or a single mass and `None`.
     pub contact: (usize, Option<usize>),
     /// True if masses beyond the contact can act as an absorber ([`Scene::has_absorber`]).
@@ -277,6 +279,9 @@ impl Modal {
             on_moving_base,
             reference,
             stiction: dd(scene.stiction),
+            compliance: scene
+                .stiffness
+                .map(|stiffness| dd(scene.first_stiffness()) / dd(stiffness)),
             contact: (sides.first().copied().unwrap_or(0), sides.get(1).copied()),
             has_absorber: scene.has_absorber(),
         }
@@ -331,6 +336,20 @@ impl<T: Float> Modal<T> {
     #[must_use]
     pub fn ends(&self) -> Ends<T> {
         let mu = self.stiction;
+        if let Some(compliance) = self.compliance {
+            // The force of an elastic contact is bounded by its displacement.
+            let zero = T::constant(0.0);
+            let receptance = self.static_receptance + compliance;
+            return Ends {
+                sliding_at_rest: self.static_motion.abs() / (mu * receptance),
+                continuous_at_infinity: zero,
+                sliding_at_infinity: if self.on_moving_base {
+                    T::constant(1.0) / (mu * compliance)
+                } else {
+                    zero
+                },
+            };
+        }
         let sliding = self.static_motion.abs() / (mu * self.static_receptance);
         // Where damping acts relative to the base, the force on the contact is proportional to r for large r.
         if self.on_moving_base || !self.inertial_drag.is_zero() {

@@ -25,6 +25,8 @@ pub struct Reduced<S> {
     pub chain: Chain<S>,
     /// Limiting values of β_lim and β*_lim at r = 0 and r = ∞.
     pub ends: Ends<S>,
+    /// ρ = k₁/k, the compliance of an elastic contact. `None` for a rigid contact.
+    pub compliance: Option<S>,
     /// Index of the mass that rubs on a support. `None` if two masses rub on each other.
     pub rubbing: Option<usize>,
     /// True if masses beyond the stuck contact may act as an absorber. This needs a chain without damping.
@@ -101,6 +103,7 @@ impl<T: Float> Modal<T> {
                 continuous_at_infinity: to(ends.continuous_at_infinity),
                 sliding_at_infinity: to(ends.sliding_at_infinity),
             },
+            compliance: self.compliance.map(&to),
             rubbing: self.rubbing(),
             absorbs: self.has_absorber && !self.is_damped(),
             unbounded: self.unbounded(false).into_iter().map(&to).collect(),
@@ -214,6 +217,10 @@ impl<S: Float> Scene for &Reduced<S> {
 
     fn quadratures(&self) -> &[[S; 2]] {
         &self.quadratures
+    }
+
+    fn compliance(&self) -> Option<S> {
+        self.compliance
     }
 
     fn frequency_stage(&self, inverse_r: S) -> (ContactAt<S>, Vec<ModeAt<S>>) {

@@ -26,6 +26,8 @@ pub enum Quantity {
     MassDamping,
     /// The factor b of the stiffness matrix in Rayleigh damping C = aM + bK.
     StiffnessDamping,
+    /// The stiffness of an elastic contact.
+    ContactStiffness,
     /// μ, the ratio of static to kinetic friction force.
     Stiction,
     /// √λ, the resonance of the mode with this index, as a frequency ratio. All other modal data stay fixed.
@@ -77,6 +79,7 @@ impl Modal {
             on_moving_base: self.on_moving_base,
             reference: Dual::fixed(self.reference),
             stiction: Dual::fixed(self.stiction),
+            compliance: self.compliance.map(Dual::fixed),
             contact: self.contact,
             has_absorber: self.has_absorber,
         }
@@ -91,10 +94,21 @@ impl Modal {
         match quantity {
             Quantity::Mass(_) | Quantity::Stiffness(_) => {
                 Change::of(scene, quantity)?.perturb(self, scene, &mut along);
+                // ρ = k₁/k has the first spring in its numerator.
+                if let (Quantity::Stiffness(0), Some(compliance)) =
+                    (quantity, along.compliance.as_mut())
+                {
+                    compliance.slope = compliance.value / dd(scene.first_stiffness());
+                }
             }
             Quantity::MassDamping | Quantity::StiffnessDamping => {
                 let (a, b) = factors(scene, Some(quantity))?;
                 along.damp(a, b);
+            }
+            Quantity::ContactStiffness => {
+                let stiffness = dd(scene.stiffness?);
+                let compliance = along.compliance.as_mut()?;
+                compliance.slope = -(compliance.value / stiffness);
             }
             Quantity::Stiction => along.stiction.slope = one,
             Quantity::Resonance(mode) => along.resonances.get_mut(mode)?.slope = one,

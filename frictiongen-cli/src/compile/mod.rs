@@ -32,6 +32,7 @@ const NO_ACCURACY: &str = "the accuracy of the tables is missing; give --accurac
 /// Runs the command.
 pub fn run(arguments: &CompileArguments, out: &mut dyn Write) -> Result<(), Failure> {
     let (description, text) = arguments.file.constant_level_with_text(&LIMITS)?;
+    arguments.file.check_rigid(&description)?;
     let mut scene = description.scene;
     declare(&mut scene, arguments)?;
     let name = c_prefix(&scene, arguments)?;

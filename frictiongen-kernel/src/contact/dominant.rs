@@ -124,6 +124,16 @@ pub(crate) struct DominantSums<S> {
 }
 
 impl<S: Scalar> DominantSums<S> {
+    /// Adds the compliance of an elastic contact to the sums of H that do not have it yet, because they leave the own
+    /// term of a mode out.
+    pub fn with_compliance(mut self, compliance: S) -> Self {
+        self.own.h.re = self.own.h.re + compliance;
+        if matches!(self.which, Which::First) {
+            self.others.h.re = self.others.h.re + compliance;
+        }
+        self
+    }
+
     /// Returns two responses V of the contact of a damped chain to the load. The phase of the dominant mode is measured
     /// against the first response, the phases of the other modes against the second. A mode is in phase with its own
     /// term of V. Therefore V without this term gives the same phase as the full V. The function takes the smaller of

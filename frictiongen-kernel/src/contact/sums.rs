@@ -71,6 +71,12 @@ pub struct ContactAt<S> {
 }
 
 impl<S: Scalar> ContactAt<S> {
+    /// Returns the compliance of an elastic contact as a term of H: multiplied by r² and by the scale E.
+    #[inline]
+    pub(crate) fn compliance(&self, compliance: S, inverse_r: S) -> S {
+        compliance * self.scale / (inverse_r * inverse_r)
+    }
+
     /// Creates modal sums of the contact that are all 0, for the given scale E.
     #[must_use]
     pub fn zero(scale: S) -> Self {

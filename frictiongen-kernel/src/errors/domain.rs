@@ -196,7 +196,7 @@ impl fmt::Display for Unsupported {
                 "the exact continuous response needs a constant kinetic level, but this scene has `friction: stribeck`; use its stepper, or `simulation_under` with the amplitude of the load"
             }
             Self::ElasticContact => {
-                "this answer needs a rigid contact, but this scene has `stiffness`; ask for its steady state (`steady_state`), its stuck state (`stuck_limit`, `stuck_amplitudes`) or its motion in time (`simulation`)"
+                "this answer needs a rigid contact, but this scene has `stiffness`; ask for its steady state (`orbit`), its stuck state (`stuck`, `sliding_limit`) or its motion in time (`simulation`)"
             }
         })
     }

@@ -10,8 +10,10 @@ use super::cycle_map::CycleMap;
 use super::newton::{PeriodMap, Workspace, newton};
 use super::record::{Record, RecordedPeriod};
 use super::types::{MAX_SEGMENTS, MAX_STEPS, Orbit, SegmentStart};
-use crate::errors::{NoOrbit, OutOfDomain, Ratio, Slice, Unsupported};
-use crate::motion::{Contact, ContactChain, Dynamics, Law, Part, SUM_ROUNDINGS, Setting};
+use crate::errors::{NoOrbit, OutOfDomain, Ratio, Slice};
+use crate::motion::{
+    Contact, ContactChain, ContactState, Dynamics, Law, Part, SUM_ROUNDINGS, Setting,
+};
 use crate::number::complex::Complex;
 use crate::number::pairs::pairs;
 use crate::number::scalar::Float;
@@ -80,22 +82,12 @@ impl From<OutOfDomain> for NoDerivative {
 pub struct CarryingStorage<'m, S, P, V, C> {
     /// One [`Part::empty`] for each mode of the chain, and one for each mode of the chain with its contact stuck.
     pub parts: P,
-    /// Room for the scalars of any orbit of the scene ([`numbers`](super::numbers)).
+    /// Room for the scalars of any orbit of the scene ([`numbers_of`](super::numbers_of)).
     pub numbers: V,
     /// Room for two scalars of each mass.
     pub masses: &'m mut [S],
     /// Empty, because the multipliers carry no derivative.
     pub multipliers: C,
-}
-
-/// Fails for an elastic contact. The derivatives leave out the force that such a contact remembers.
-fn check_rigid<S: Float, K: ContactChain<S>>(
-    dynamics: &Dynamics<'_, S, K>,
-) -> Result<(), OutOfDomain> {
-    match dynamics.chain.remembered() {
-        0 => Ok(()),
-        _ => Err(Unsupported::ElasticContact.into()),
-    }
 }
 
 impl<'a, S, P, V, C, K> Orbit<'a, S, P, V, C, K>
@@ -135,19 +127,17 @@ where
         }
         check_same(r, plain.setting.r, Ratio::Frequency)?;
         check_same(beta, plain.setting.beta, Ratio::Friction)?;
-        check_rigid(&dynamics)?;
-        let (modes, driven) = (dynamics.modes.len(), dynamics.in_contact());
+        let (modes, size) = (dynamics.modes.len(), dynamics.state_size());
         let setting = Setting::new(dynamics, r, beta, parts.as_mut())?;
         let room = numbers.as_ref().len();
-        if room != super::numbers(modes, driven) || masses.len() != 2 * modes {
+        if room != super::numbers_of(modes, size) || masses.len() != 2 * modes {
             return Err(OutOfDomain::Length(Slice::Storage).into());
         }
         let clean = parts.clone();
         let oscillators = setting.split(parts.as_mut());
         let contact_state = SegmentStart::empty().contact_state;
         let mut cycle_map = CycleMap::new(&setting, oscillators, contact_state);
-        let (states, mut workspace) =
-            Workspace::divided(numbers.as_mut(), &mut [], (modes, 2 * driven));
+        let (states, mut workspace) = Workspace::divided(numbers.as_mut(), &mut [], (modes, size));
         let mut marks = [SegmentStart::empty(); MAX_SEGMENTS];
         let mut record = Record::new(&mut marks, states, 2 * modes);
         if plain.never_slides() {
@@ -269,7 +259,12 @@ where
         }
         let setting = cycle_map.setting;
         setting.load_state(displacements, velocities, cycle_map.modes);
-        cycle_map.contact_state = setting.contact_state(cycle_map.modes, U::constant(t.to_f64()));
+        // An elastic contact does not stick as soon as the motion alone is known.  It slides on in its direction.
+        let sliding = ContactState {
+            contact: longest.contact_state.contact,
+            ..ContactState::stuck(U::constant(t.to_f64()))
+        };
+        cycle_map.contact_state = J::sliding_state(setting, cycle_map.modes, &sliding);
         Ok(())
     }
 
@@ -286,8 +281,9 @@ where
             }
             let parts = segments.parts();
             let (modes, stuck_modes) = setting.split(parts);
-            // After the contact has come to rest, its force must differ clearly from μβ.
-            if !first && before != Contact::Stuck {
+            // The force of a rigid contact that has just come to rest must differ clearly from μβ.  The force of an
+            // elastic contact is then μβ, and falls.
+            if !first && before != Contact::Stuck && setting.dynamics.chain.remembered() == 0 {
                 let force = setting.holding(modes, mark.contact_state.t.sin_cos_pi());
                 if setting.law().is_marginal(force, graze) {
                     return true;

@@ -76,7 +76,10 @@ impl<T: Scene> At<T> {
     #[inline]
     pub(crate) fn known(scene: T, r: T::Scalar) -> Self {
         let inverse_r = inverse_ratio(&scene, r);
-        let (contact, modes) = scene.frequency_stage(inverse_r);
+        let (mut contact, modes) = scene.frequency_stage(inverse_r);
+        if let Some(compliance) = scene.compliance() {
+            contact.h.re = contact.h.re + contact.compliance(compliance, inverse_r);
+        }
         Self {
             scene,
             r,
@@ -108,6 +111,13 @@ impl<T: Scene> At<T> {
         scene: &T,
         r: T::Scalar,
     ) -> Result<Limits<T::Scalar>, OutOfDomain> {
+        if scene.compliance().is_some() {
+            let at = Self::new(scene.clone(), r)?;
+            return Ok(Limits {
+                continuous: T::Scalar::constant(0.0),
+                sliding: at.sliding_limit(),
+            });
+        }
         let (r, inverse_r) = ratios(scene, r)?;
         let (mut limits, h) = scene.limits_without_search(inverse_r);
         let numbers = scene.numbers();
@@ -199,11 +209,21 @@ impl<T: Scene> At<T> {
 
     #[inline]
     fn limited(&self, constraint: T::Scalar) -> T::Scalar {
+        if self.is_elastic() {
+            return T::Scalar::constant(0.0);
+        }
         let limit = self.scene.continuous_limit(&self.contact, constraint);
         continuous_with_ends(&self.scene, self.r, limit)
     }
 
-    /// Returns the exact β_lim, the limit of continuous motion (5.65, 5.80, 5.96, 7.49). A search with a guarantee
+    /// Returns true if the contact is elastic.
+    #[inline]
+    pub(super) fn is_elastic(&self) -> bool {
+        self.scene.compliance().is_some()
+    }
+
+    /// Returns the exact β_lim, the limit of continuous motion (5.65, 5.80, 5.96, 7.49). An elastic contact sticks after
+    /// each reversal, so that its β_lim is 0. A search with a guarantee
     /// finds the velocity constraint S, a maximum over the half period. Without damping, the search is needed only
     /// where the excitation is slower than half the natural frequency of some mode.
     ///
@@ -212,6 +232,9 @@ impl<T: Scene> At<T> {
     /// was completed.
     #[must_use]
     pub fn continuous_limit(&self) -> T::Scalar {
+        if self.is_elastic() {
+            return T::Scalar::constant(0.0);
+        }
         self.limited(self.velocity_constraint().value)
     }
 
@@ -228,6 +251,13 @@ impl<T: Scene> At<T> {
     /// Returns both limits, and the number of evaluations that the search for β_lim took.
     #[must_use]
     pub fn limits_searched(&self) -> (Limits<T::Scalar>, Effort) {
+        if self.is_elastic() {
+            let limits = Limits {
+                continuous: T::Scalar::constant(0.0),
+                sliding: self.sliding_limit(),
+            };
+            return (limits, Effort::Bounded(0));
+        }
         let peak = self.velocity_constraint();
         let limits = Limits {
             continuous: self.limited(peak.value),
@@ -258,13 +288,15 @@ impl<T: Scene> At<T> {
     }
 
     /// Returns β*_lim, the limit of sliding, which is the smallest β at which a stuck state exists (6.11, 6.27, 6.33).
-    /// The formula is |V|/(μ|H|), with V the response of the contact to the load and H its receptance. With μ > 1,
+    /// The formula is |V|/(μ|H|), with V the response of the contact to the load and H its receptance, which includes
+    /// the spring of an elastic contact. With μ > 1,
     /// motion from rest may continue to slide at a larger β.
     #[inline]
     #[must_use]
     pub fn sliding_limit(&self) -> T::Scalar {
         let numbers = self.scene.numbers();
         let limit = match self.absorbed_force() {
+            _ if self.is_elastic() => numbers.chain.sliding_limit(&self.contact),
             Some(force) => force.abs() / numbers.chain.stiction,
             None => self.scene.sliding_limit(&self.contact),
         };
@@ -276,7 +308,8 @@ impl<T: Scene> At<T> {
     #[inline]
     pub(super) fn absorbed_force(&self) -> Option<T::Scalar> {
         let numbers = self.scene.numbers();
-        if !numbers.absorbs {
+        // With the compliance of an elastic contact V and H have no common zero.
+        if !numbers.absorbs || self.is_elastic() {
             return None;
         }
         numbers

@@ -369,13 +369,45 @@ impl<S: Scalar> Chain<S> {
         inverse_r: S,
     ) -> Complex<S> {
         let known = modes.iter().zip(at.iter().copied());
-        let loaded = (known.clone(), quadratures);
+        let loaded = (known, quadratures);
         let sums = self.dominant_sums(loaded, Partner::H, contact, inverse_r);
+        self.stuck_with(shape, (modes, quadratures), at, (contact, &sums), inverse_r)
+    }
+
+    /// Returns the complex amplitude as [`stuck_loaded`](Self::stuck_loaded) does, for an elastic contact.  H in
+    /// `contact` includes the compliance.
+    pub fn stuck_elastic(
+        &self,
+        shape: &[S],
+        (modes, quadratures): (&[Mode<S>], impl Quadratures<S>),
+        at: &[ModeAt<S>],
+        (contact, compliance): (&ContactAt<S>, S),
+        inverse_r: S,
+    ) -> Complex<S> {
+        let known = modes.iter().zip(at.iter().copied());
+        let loaded = (known, quadratures);
+        let sums = self
+            .dominant_sums(loaded, Partner::H, contact, inverse_r)
+            .with_compliance(contact.compliance(compliance, inverse_r));
+        self.stuck_with(shape, (modes, quadratures), at, (contact, &sums), inverse_r)
+    }
+
+    /// Returns the complex amplitude of a mass from the sums without the own term of the dominant mode.
+    #[inline]
+    fn stuck_with(
+        &self,
+        shape: &[S],
+        (modes, quadratures): (&[Mode<S>], impl Quadratures<S>),
+        at: &[ModeAt<S>],
+        (contact, sums): (&ContactAt<S>, &DominantSums<S>),
+        inverse_r: S,
+    ) -> Complex<S> {
+        let known = modes.iter().zip(at.iter().copied());
         let (mut driven, mut rubbed) = (DominantParts::zero(), DominantParts::zero());
         for (index, (component, (mode, at))) in shape.iter().zip(known).enumerate() {
             let free = mode.driven(&at, *component, quadratures.of(index), index);
             let free = named(free, DRIVEN, Some(index));
-            driven = driven.with(self, &sums, index, free);
+            driven = driven.with(self, sums, index, free);
             let residue = (*component * mode.contact).named("by_contact", BY_CONTACT, Some(index));
             let back = complex::scale(at.response, -residue);
             let back = named(
@@ -386,7 +418,7 @@ impl<S: Scalar> Chain<S> {
                 ],
                 Some(index),
             );
-            rubbed = rubbed.with(self, &sums, index, back);
+            rubbed = rubbed.with(self, sums, index, back);
         }
         let part = |driven, h, rubbed, v| {
             let mul = |a, b| complex::mul(a, b, self.damped);

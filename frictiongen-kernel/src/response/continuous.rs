@@ -3,6 +3,7 @@
 use super::at::At;
 use super::scene::Scene;
 use crate::combination::Combination;
+use crate::contact::regime::check_beta;
 use crate::errors::NotContinuous;
 use crate::number::scalar::Scalar;
 use crate::response::coefficients::{Friction, Fundamental};
@@ -91,6 +92,17 @@ impl<T: ProvidesMotion> At<T> {
     #[inline]
     pub(crate) fn admitted(&self, beta: T::Scalar) -> Result<T::Scalar, NotContinuous> {
         let numbers = self.scene.numbers();
+        if self.is_elastic() {
+            // An elastic contact sticks after each reversal.
+            return Err(
+                if check_beta(beta).map_err(|_| NotContinuous::OutOfDomain)? < self.sliding_limit()
+                {
+                    NotContinuous::StickSlip
+                } else {
+                    NotContinuous::Stuck
+                },
+            );
+        }
         self.scene.with_idle(|waves| {
             numbers.chain.admitted(
                 self.r,

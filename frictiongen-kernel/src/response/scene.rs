@@ -37,6 +37,13 @@ pub trait Scene: Clone {
         &[]
     }
 
+    /// Returns the compliance ρ of an elastic contact: k₁ over the stiffness of the spring in series with its slider.
+    /// `None` for a rigid contact.  ρ is added to the receptance H of the contact.
+    #[inline]
+    fn compliance(&self) -> Option<Self::Scalar> {
+        None
+    }
+
     /// Returns true if the scene provides the motion of a mass. The result counts only for a mass that `shape` knows.
     #[inline]
     fn moves(&self, mass: usize) -> bool {

@@ -20,6 +20,16 @@ pub trait ProvidesStuck: Scene {
         let (shape, chain) = (at.scene.shape(mass)?, numbers.chain);
         let (contact, modes) = (&at.contact, at.modes.as_ref());
         let quadratures = at.scene.quadratures();
+        if let Some(compliance) = at.scene.compliance() {
+            let loaded = (numbers.modes, quadratures);
+            return Some(chain.stuck_elastic(
+                shape,
+                loaded,
+                modes,
+                (contact, compliance),
+                at.inverse_r,
+            ));
+        }
         // A scene without loads in quadrature uses the shorter formula.
         Some(if quadratures.is_empty() {
             chain.stuck(shape, numbers.modes, modes, contact, at.inverse_r)
@@ -107,7 +117,9 @@ impl<T: ProvidesStuck> Stuck<T> {
     #[inline]
     #[must_use]
     pub fn mass_at(&self, mass: usize) -> Option<Complex<T::Scalar>> {
-        if let Some(amplitude) = self.at.scene().numbers().tied(mass) {
+        if !self.at.is_elastic()
+            && let Some(amplitude) = self.at.scene().numbers().tied(mass)
+        {
             return Some(complex::real(amplitude));
         }
         // Where masses beyond the contact act as an absorber, V and H vanish at the same frequency, so that V/H is 0/0.

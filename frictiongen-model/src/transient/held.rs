@@ -120,11 +120,13 @@ fn participations_of<T: Float>(
 }
 
 /// Returns ω and ζ of the modes of the chain with its contact stuck (held modes), with derivatives. One Newton step
-/// starts from the known ω and ζ. Its equation is that the remainder of Σ c_i/(s² + 2ζ_iσ_i s + λ_i) modulo s² + ps + q
-/// vanishes.
+/// starts from the known ω and ζ. Its equation is that the remainder of 1/κ + Σ c_i/(s² + 2ζ_iσ_i s + λ_i) modulo
+/// s² + ps + q vanishes.
+/// `compliance` is that of an elastic contact, and 0 for a rigid contact.
 pub(super) fn moving(
     driven: &[Driven],
     modes: &[&Plain<Dual<Dd>>],
+    compliance: Dual<Dd>,
 ) -> Option<Vec<(Dual<Dd>, Dual<Dd>)>> {
     let two = Dd::from(2.0);
     let constants: Vec<[Dual<Dd>; 3]> = modes
@@ -147,7 +149,8 @@ pub(super) fn moving(
             remainder(constants, p, q).map(|part| part.slope)
         };
         let (fixed_p, fixed_q) = (Dual::fixed(p), Dual::fixed(q));
-        let own = slopes(&constants, fixed_p, fixed_q);
+        let mut own = slopes(&constants, fixed_p, fixed_q);
+        own[0] = own[0] + compliance.slope;
         let along_p = slopes(&still, Dual::variable(p), fixed_q);
         let along_q = slopes(&still, fixed_p, Dual::variable(q));
         let determinant = along_p[0] * along_q[1] - along_p[1] * along_q[0];
@@ -174,7 +177,8 @@ pub(super) fn moving(
             .all(|slope| slope.is_finite());
         known.then_some((omega, zeta))
     };
-    pairs(driven, Dd::ZERO).into_iter().map(root).collect()
+    let pairs = pairs(driven, compliance.value);
+    pairs.into_iter().map(root).collect()
 }
 
 /// Returns the constant and the linear term of Σ c_i/(s² + l_i s + λ_i) modulo s² + ps + q. Each entry of `constants`

@@ -79,7 +79,7 @@ impl<S: Scalar> Transient<S> {
     #[must_use]
     pub fn of(scene: &Scene, modal: &Modal, to: impl Fn(Dd) -> S) -> Self {
         let plain = sorted(turned(plain_modes(modal)));
-        let compliance = compliance(scene);
+        let compliance = modal.compliance.unwrap_or(Dd::ZERO);
         let pairs = roots::pairs(&driven(&plain, |value| value), compliance);
         let pairs: Vec<(Dd, Dd)> = pairs.iter().map(|pair| (pair.omega, pair.zeta)).collect();
         Self::with_pairs((scene, compliance), modal, &plain, &pairs, to)
@@ -131,7 +131,7 @@ impl<S: Scalar> Transient<S> {
             held,
             participations,
             chain,
-            compliance: scene.stiffness.map(|_| to(compliance)),
+            compliance: modal.compliance.map(|_| to(compliance)),
             rubbing: modal.rubbing(),
         }
     }
@@ -189,17 +189,11 @@ impl<S: Scalar> Transient<S> {
     }
 }
 
-/// Returns k₁ over the stiffness of the contact, and 0 for a rigid contact.
-fn compliance(scene: &Scene) -> Dd {
-    let of = |stiffness: f64| Dd::from(scene.first_stiffness()) / Dd::from(stiffness);
-    scene.stiffness.map_or(Dd::ZERO, of)
-}
-
 impl Transient<Dual<Dd>> {
     /// Builds the data from modal data with derivatives, including the derivatives of the held modes (contact stuck).
     /// The weights get no derivatives, because here they only give first guesses of a state.
     ///
-    /// Returns `None` for an elastic contact, and if single modes have no derivative. There are three such cases. Two equal modes that the contact
+    /// Returns `None` if single modes have no derivative. There are three such cases. Two equal modes that the contact
     /// drives separate, two held modes are equal, or the contact begins to drive a mode.
     #[must_use]
     pub fn along(scene: &Scene, modal: &Modal<Dual<Dd>>) -> Option<Self> {
@@ -220,15 +214,14 @@ impl Transient<Dual<Dd>> {
             }
         }
         let plain = sorted(turned(plain));
-        if scene.stiffness.is_some() {
-            return None;
-        }
+        let compliance = modal.compliance.unwrap_or(Dual::fixed(Dd::ZERO));
         let pairs = held::moving(
             &driven(&plain, |of| of.value),
             &in_contact(&plain).collect::<Vec<_>>(),
+            compliance,
         )?;
-        let rigid = (scene, Dual::fixed(Dd::ZERO));
-        Some(Self::with_pairs(rigid, modal, &plain, &pairs, |value| {
+        let scene = (scene, compliance);
+        Some(Self::with_pairs(scene, modal, &plain, &pairs, |value| {
             value
         }))
     }

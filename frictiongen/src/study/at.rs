@@ -54,6 +54,10 @@ impl<S: Float> Scene for &System<S> {
         &self.reduced.quadratures
     }
 
+    fn compliance(&self) -> Option<S> {
+        self.reduced.compliance
+    }
+
     fn frequency_stage(&self, inverse_r: S) -> (ContactAt<S>, Few<ModeAt<S>>) {
         let Reduced { chain, modes, .. } = &self.reduced;
         if !self.reduced.quadratures.is_empty() {
@@ -173,7 +177,7 @@ impl<S: Float> System<S> {
     /// [`OutOfDomain`] also for `friction: stribeck`. The exact continuous response needs a kinetic friction force that
     /// does not depend on the speed.
     pub fn at(&self, r: S) -> Result<SystemAt<'_, S>, OutOfDomain> {
-        self.constant_level()?;
+        self.constant_force()?;
         At::new(self, r).map(SystemAt::from)
     }
 }
@@ -203,7 +207,7 @@ impl<S: Float> FrictionSystem for System<S> {
         continuous: &mut [S],
         sliding: &mut [S],
     ) -> Result<(), OutOfDomain> {
-        self.constant_level()?;
+        self.constant_force()?;
         At::limits_without_search_into(&self, rs, continuous, sliding)
     }
 }

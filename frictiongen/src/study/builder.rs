@@ -124,8 +124,7 @@ impl Builder {
 
     /// Sets the stiffness of an elastic contact (Jenkins element) in N/m. It is the stiffness of a spring in series
     /// with the slider. Without this call the contact is rigid. An elastic contact never slides all the time, so that
-    /// `at` returns an error. Call [`steady_state`](System::steady_state) or [`simulation`](System::simulation)
-    /// instead.
+    /// its β_lim is 0.
     pub fn stiffness(mut self, stiffness: f64) -> Self {
         self.stiffness = Some(stiffness);
         self

@@ -11,7 +11,9 @@ use super::stepper::SystemStepper;
 use super::system::{System, rounded};
 use crate::{Complex, Of};
 use frictiongen_kernel::combination::Combination;
+use frictiongen_kernel::number::complex;
 use frictiongen_kernel::number::dd::Dd;
+use frictiongen_kernel::response::Scene as _;
 use frictiongen_kernel::{Float, Scalar};
 use frictiongen_model::scene::{Excitation, Node, Spring};
 
@@ -296,14 +298,18 @@ impl<S: Float> SystemStuck<'_, S> {
         if !system.has_motion(of) {
             return None;
         }
-        let rest = Complex::new(zero, zero);
+        let one = S::constant(1.0);
+        // The spring of an elastic contact moves by ρf.
+        let contact = match system.compliance() {
+            None => Complex::new(zero, zero),
+            Some(compliance) => complex::scale(self.contact_force(), compliance),
+        };
         if system.simplest(of) == Of::Contact {
-            return Some((rest, offset));
+            return Some((contact, offset));
         }
         if system.is_reversed_contact(of) {
-            return Some((rest, -offset));
+            return Some((complex::scale(contact, -one), -offset));
         }
-        let one = S::constant(1.0);
         let [re, im, constant] = system.terms(of).sum([one, zero, zero], |mass| {
             let moved = self.mass_at(mass)?;
             Some([moved.re, moved.im, offset * static_share(system, mass)?])

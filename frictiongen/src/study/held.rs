@@ -63,11 +63,20 @@ pub(super) fn static_share<S: Float>(system: &System<S>, mass: usize) -> Option<
     Some(moved / receptance(system))
 }
 
-/// Returns s, the coefficient of the base motion in the contact's relative motion: 1 for a contact with the moving
-/// base and 0 otherwise.
-pub(super) fn share_of_base(system: &System) -> f64 {
-    let on_base = (&system).numbers().chain.on_moving_base.is_some();
-    f64::from(u8::from(on_base))
+/// Returns the constant displacement of a contact that has never slid, −s for a rigid contact.  The spring of an elastic
+/// contact has no force at the start of the motion, and yields to the spring forces of the chain afterwards.
+pub(super) fn offset_from_rest<S: Float>(system: &System<S>) -> S {
+    if system.numbers().chain.on_moving_base.is_none() {
+        return S::constant(0.0);
+    }
+    let share = -S::constant(1.0);
+    match system.compliance() {
+        None => share,
+        Some(compliance) => {
+            let receptance = receptance(system);
+            share * (receptance / (receptance + compliance))
+        }
+    }
 }
 
 /// Returns wᵀK̄⁻¹w, the displacement of the contact for a constant unit force in the contact.

@@ -107,7 +107,7 @@ impl Parameter {
         let physical = matches!(point, OperatingPoint::Physical { .. });
         match self {
             Self::Quantity(Quantity::Mass(_)) => "kg",
-            Self::Quantity(Quantity::Stiffness(_)) => "N/m",
+            Self::Quantity(Quantity::Stiffness(_) | Quantity::ContactStiffness) => "N/m",
             Self::Quantity(Quantity::MassDamping) => "1/s",
             Self::Quantity(Quantity::StiffnessDamping) => "s",
             Self::Load => match point {
@@ -139,6 +139,7 @@ pub(super) fn symbol(quantity: Quantity, scene: &Scene) -> String {
         Quantity::MassDamping => "a".to_owned(),
         Quantity::StiffnessDamping => "b".to_owned(),
         Quantity::DampingRatio(mode) => format!("zeta {}", mode + 1),
+        Quantity::ContactStiffness => "stiffness".to_owned(),
         Quantity::Stiction => "mu".to_owned(),
         other => format!("{other:?}"),
     }
@@ -159,6 +160,7 @@ pub(super) fn parameters_of(
             let ratios = &system.modal().damping_ratios;
             ratios.get(mode).map(|ratio| ratio.to_f64())
         }
+        (Quantity::ContactStiffness, _) => scene.stiffness,
         (Quantity::Stiction, _) => Some(scene.stiction),
         _ => None,
     };

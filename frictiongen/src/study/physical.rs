@@ -5,7 +5,7 @@
 //! changes r, β or the unit of displacement.
 
 use super::error::StudyError;
-use super::held::share_of_base;
+use super::held::offset_from_rest;
 use super::parameter::{OperatingPoint, Parameter, Slope, parameters_of};
 use super::sensitivity::{Sensitive, Varied};
 use super::system::System;
@@ -123,7 +123,6 @@ impl System {
         point: OperatingPoint,
         of: Of,
     ) -> Result<ResponseSensitivities, StudyError> {
-        self.rigid()?;
         if !self.has_motion(of) {
             return Err(StudyError::NoSuchMotion(of));
         }
@@ -244,11 +243,16 @@ fn stuck_swing(
     of: Of,
 ) -> Result<(Sensitive, Option<Sensitive>), StudyError> {
     let offset = held.offset();
-    if offset != 0.0 && offset != -share_of_base(held.at().scene()) {
+    let from_rest = offset_from_rest(held.at().scene());
+    // The offset of an elastic contact comes from the motion, and has rounding errors.
+    if offset != 0.0 && !((offset - from_rest).abs() <= SAME_OFFSET * from_rest.abs()) {
         return Err(NoDerivative::Marginal.into());
     }
-    let offset = Sensitive::constant(offset);
     let at = varied.at(r)?;
+    let offset = match offset {
+        0.0 => Sensitive::constant(0.0),
+        _ => offset_from_rest(at.scene()),
+    };
     let motion = at.stuck()?.motion_at(of, offset);
     let (motion, constant) = motion.ok_or(NoDerivative::Graze)?;
     if motion.re.vanishes() && motion.im.vanishes() {
@@ -313,6 +317,9 @@ fn groups(
         }
     }
 }
+
+/// Largest relative difference between the offset of a motion and the offset of a contact that has never slid.
+const SAME_OFFSET: f64 = 1e-9;
 
 /// Fraction of X, or of 1 if X is larger, below which the change p·dX/dp counts as 0. In numbers with 30 digits,
 /// rounding leaves a remainder of this size.

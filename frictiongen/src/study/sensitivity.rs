@@ -139,18 +139,17 @@ impl Varied {
         r: Sensitive,
         beta: Sensitive,
     ) -> Result<SystemOrbit<'_, Sensitive>, NoDerivative> {
-        self.system.rigid()?;
         let transient = self.transient().ok_or(NoDerivative::Degenerate)?;
         let dynamics = transient.contact_dynamics();
         let zero = Sensitive::constant(0.0);
-        let (modes, driven) = (dynamics.modes.len(), dynamics.in_contact());
+        let (modes, size) = (dynamics.modes.len(), dynamics.state_size());
         let orbit = Orbit::carrying(
             &plain.orbit,
             dynamics,
             (r, beta),
             CarryingStorage {
                 parts: vec![Part::empty(); dynamics.oscillators()],
-                numbers: vec![zero; orbit::numbers(modes, driven)],
+                numbers: vec![zero; orbit::numbers_of(modes, size)],
                 masses: &mut vec![zero; 2 * modes],
                 multipliers: Vec::new(),
             },
@@ -270,8 +269,8 @@ impl<S: Float> System<S> {
     }
 }
 
-/// Returns every quantity of a description with respect to which a derivative exists: masses, springs, damping and
-/// stiction.
+/// Returns every quantity of a description with respect to which a derivative exists: masses, springs, damping, the
+/// stiffness of the contact and stiction.
 pub(super) fn quantities(scene: &Scene) -> Vec<Quantity> {
     let masses = (0..scene.masses.len()).map(Quantity::Mass);
     let springs = (0..scene.springs.len()).map(Quantity::Stiffness);
@@ -285,6 +284,7 @@ pub(super) fn quantities(scene: &Scene) -> Vec<Quantity> {
             all.extend([Quantity::MassDamping, Quantity::StiffnessDamping]);
         }
     }
+    all.extend(scene.stiffness.map(|_| Quantity::ContactStiffness));
     all.push(Quantity::Stiction);
     all
 }

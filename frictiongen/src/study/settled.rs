@@ -1,7 +1,7 @@
 //! Selects the steady state in which motion from rest, or from another state, ends.
 
 use super::at::SystemAt;
-use super::held::{SystemHeld, share_of_base};
+use super::held::{SystemHeld, offset_from_rest};
 use super::motion::SystemMotion;
 use super::orbit::SystemOrbit;
 use super::response::SystemResponse;
@@ -144,10 +144,10 @@ impl<'a> SystemAt<'a> {
         }
     }
 
-    /// Returns the response with so much friction that the contact never leaves its initial position. A contact on a
-    /// moving base stays at the relative displacement −Y. Any other contact stays at its centre.
+    /// Returns the response with so much friction that the contact never leaves its initial position. A rigid contact on
+    /// a moving base stays at the relative displacement −Y. Any other contact stays at its centre.
     pub(super) fn locked(&self) -> Result<SystemResponse<'a>, Error> {
-        let offset = -share_of_base(self.scene());
+        let offset = offset_from_rest(self.scene());
         Ok(SystemResponse::Stuck(self.held(offset, f64::INFINITY)?))
     }
 

@@ -237,7 +237,7 @@ impl<S: Float> System<S> {
     /// [`OutOfDomain`] also for `friction: stribeck`. The exact continuous response needs a kinetic friction force that
     /// does not depend on the speed.
     pub fn limits_without_search(&self, r: S) -> Result<Limits<S>, OutOfDomain> {
-        self.constant_level()?;
+        self.constant_force()?;
         At::limits_without_search(&self, r)
     }
 
@@ -295,20 +295,8 @@ impl<S: Float> System<S> {
     /// elastic contact has β_∞ = 0. Its β*_∞ is 0, or on a moving base its stiffness over μk₁.
     #[must_use]
     pub fn high_frequency_limits(&self) -> (S, S) {
-        if let Some(compliance) = self.transient().compliance {
-            let chain = &self.reduced.chain;
-            let zero = S::constant(0.0);
-            let base = S::constant(1.0) / (compliance * chain.stiction);
-            return (zero, chain.on_moving_base.map_or(zero, |_| base));
-        }
         let ends = &self.reduced.ends;
         (ends.continuous_at_infinity, ends.sliding_at_infinity)
-    }
-
-    /// Fails unless the contact is rigid and the kinetic friction force is constant. The closed forms need both.
-    pub(super) fn constant_level(&self) -> Result<(), OutOfDomain> {
-        self.rigid()?;
-        self.constant_force()
     }
 
     /// Fails if the contact is elastic.
@@ -319,7 +307,8 @@ impl<S: Float> System<S> {
         }
     }
 
-    /// Fails if the kinetic friction force depends on the speed. The motion from event to event needs a constant force.
+    /// Fails if the kinetic friction force depends on the speed. The closed forms and the motion from event to event need
+    /// a constant force.
     pub(super) fn constant_force(&self) -> Result<(), OutOfDomain> {
         match self.scene.friction {
             FrictionLaw::Coulomb => Ok(()),

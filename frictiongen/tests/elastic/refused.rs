@@ -1,6 +1,6 @@
 //! Descriptions and questions that an elastic contact refuses by name.
 
-use frictiongen::study::{System, scene::FrictionLaw, sensitivity::Sensitive};
+use frictiongen::study::{System, scene::FrictionLaw};
 
 const BLOCK: &str =
     "struct Block { masses: { block: 2.0 }, springs: { base - block: 50.0 }, contact: block - wall,
@@ -99,37 +99,24 @@ fn fields_that_do_not_go_with_it_are_named() {
     );
 }
 
-/// Every question of the closed forms, the stepper and the sensitivities says what to ask instead.
+/// Every question that needs a rigid contact says what to ask instead.
 #[test]
 fn questions_of_a_rigid_contact_are_refused() {
     let system: System = BLOCK.parse().expect("a scene");
     let refused = [
         system
-            .at(0.9)
-            .map(|_| ())
-            .map_err(|error| error.to_string()),
-        system
             .stepper(1e-3)
-            .map(|_| ())
-            .map_err(|error| error.to_string()),
-        system
-            .limits_without_search(0.9)
             .map(|_| ())
             .map_err(|error| error.to_string()),
         system
             .features(None)
             .map(|_| ())
             .map_err(|error| error.to_string()),
-        system
-            .unvaried()
-            .at(Sensitive::fixed(1.0.into()))
-            .map(|_| ())
-            .map_err(|error| error.to_string()),
     ];
     for refused in refused {
         let message = refused.expect_err("an error");
         assert!(
-            message.contains("needs a rigid contact") && message.contains("steady_state"),
+            message.contains("needs a rigid contact") && message.contains("`orbit`"),
             "{message}"
         );
     }

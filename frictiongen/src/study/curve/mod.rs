@@ -130,7 +130,6 @@ impl System {
             start,
             ..request.clone()
         };
-        self.rigid().map_err(|_| CurveError::ElasticContact)?;
         request.check(self)?;
         if !(0.0 <= beta && beta.is_finite()) {
             return Err(CurveError::Friction);

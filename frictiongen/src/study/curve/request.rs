@@ -1,8 +1,8 @@
 //! The request of a curve.
 
+use crate::Of;
 use crate::study::system::System;
 use crate::study::words;
-use crate::{Of, Unsupported};
 
 /// Default bound on the work of a curve, in units of about 10 µs: two seconds.
 const WORK: usize = 200_000;
@@ -98,8 +98,6 @@ pub enum CurveError {
     Friction,
     /// The scene lacks the mass or the spring of this motion.
     NoSuchMotion(Of),
-    /// The contact of the scene is elastic.
-    ElasticContact,
 }
 
 impl std::fmt::Display for CurveError {
@@ -115,7 +113,6 @@ impl std::fmt::Display for CurveError {
             Self::Widest => write!(f, "the largest distance between two points must be above 0"),
             Self::Friction => write!(f, "a friction ratio must be a finite number, 0 or above"),
             Self::NoSuchMotion(of) => words::no_such_motion(f, *of),
-            Self::ElasticContact => Unsupported::ElasticContact.fmt(f),
         }
     }
 }

@@ -7,7 +7,6 @@ use super::peaks::AmplitudeBand;
 use super::request::{FrequencyBand, OptimumError, OptimumRequest};
 use super::scan::{self, Scanned};
 use super::search::{self, Least, MinimumKind, SearchEnd};
-use crate::study::error::LoadError;
 use crate::study::parameter::{OperatingPoint, Parameter, Slope};
 use crate::study::physical::ResponseSensitivities;
 use crate::study::system::System;
@@ -32,7 +31,6 @@ pub(super) struct OptimumProblem<'s> {
 
 impl<'s> OptimumProblem<'s> {
     pub(super) fn new(system: &'s System, request: &OptimumRequest) -> Result<Self, OptimumError> {
-        system.rigid().map_err(|_| LoadError::ElasticContact)?;
         let ends = match request.band {
             FrequencyBand::Ratio(from, to) => [from, to],
             FrequencyBand::Hertz(from, to) => {

@@ -10,7 +10,7 @@ use frictiongen_model::sensitivity::Quantity;
 /// A number of a description that an optimum can vary together with the friction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Tunable {
-    /// A mass, a stiffness, μ, the damping ratio of one mode, or a factor of the damping C = aM + bK.
+    /// A mass, the stiffness of a spring or of the contact, μ, the damping ratio of one mode, or a factor of C = aM + bK.
     Quantity(Quantity),
     /// The common damping ratio of all modes.
     DampingRatios,
@@ -54,7 +54,7 @@ impl Tunable {
     pub fn unit(&self) -> &'static str {
         match self {
             Self::Quantity(Quantity::Mass(_)) => "kg",
-            Self::Quantity(Quantity::Stiffness(_)) => "N/m",
+            Self::Quantity(Quantity::Stiffness(_) | Quantity::ContactStiffness) => "N/m",
             Self::Quantity(Quantity::MassDamping) => "1/s",
             Self::Quantity(Quantity::StiffnessDamping) => "s",
             _ => "",
@@ -79,6 +79,7 @@ impl Tunable {
             Self::Quantity(Quantity::Stiffness(place)) => {
                 scene.springs.get_mut(place)?.stiffness = value;
             }
+            Self::Quantity(Quantity::ContactStiffness) => *scene.stiffness.as_mut()? = value,
             Self::Quantity(Quantity::Stiction) => scene.stiction = value,
             Self::Quantity(Quantity::MassDamping) => {
                 let stiffness = factors(&scene)?[1];
@@ -148,8 +149,8 @@ impl System {
         all
     }
 
-    /// Returns the number with the symbol `name`: `m upper`, `k base - lower`, `zeta` of all modes, `zeta 1`, `a`, `b`
-    /// or `mu`. The two nodes of a spring may be in either order. `k2` means the second spring of the description,
+    /// Returns the number with the symbol `name`: `m upper`, `k base - lower`, `zeta` of all modes, `zeta 1`, `a`, `b`,
+    /// `stiffness` of an elastic contact, or `mu`. The two nodes of a spring may be in either order. `k2` means the second spring of the description,
     /// `m1` its first mass.
     ///
     /// # Errors
