@@ -24,7 +24,7 @@ pub struct CompileArguments {
     /// Largest relative error of an answer; for a phase, largest error in radians
     #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
     pub accuracy: Option<String>,
-    /// Size of the tables in bytes, instead of --accuracy: the best accuracy that fits is taken
+    /// Largest size of the tables in bytes, instead of --accuracy; the command takes the best accuracy that fits
     #[arg(
         long,
         value_name = "BYTES",
@@ -46,10 +46,10 @@ pub struct CompileArguments {
     /// Range of angular frequencies in rad/s, instead of --r
     #[arg(long, value_name = "a:b", allow_hyphen_values = true, conflicts_with_all = ["r", "hz"])]
     pub omega: Option<String>,
-    /// Keep limits on the safe side: beta_lim never above the exact one, beta*_lim never below
+    /// Keep limits on the safe side: beta_lim never above its exact value, beta*_lim never below
     #[arg(long)]
     pub safe: bool,
-    /// Prove the accuracy at every r, which may take some seconds. Without a proof it is checked at points
+    /// Prove the accuracy at every r, which may take some seconds. Without this option it is only checked at points
     #[arg(long)]
     pub prove: bool,
     /// Print code or data instead of the figures

@@ -55,7 +55,7 @@ pub struct CurveArguments {
     /// `accel(roof)`; may be given more than once [default: contact and every mass]
     #[arg(long, value_name = "NAME")]
     pub of: Vec<String>,
-    /// Largest distance of the curve from straight lines between its points, relative to the curve [default: 5e-4]
+    /// Largest deviation of the curve from straight lines between its points, relative to the curve [default: 5e-4]
     #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
     pub accuracy: Option<String>,
     /// Print also the harmonics X_1, X_2, ... up to order N
@@ -129,7 +129,7 @@ pub struct TimeArguments {
     /// Number of samples in a cycle, an even number [default: 200]
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     pub samples: Option<String>,
-    /// Start from this state instead of rest: x1,...;v1,...
+    /// Start from this state instead of rest: displacements and velocities of all masses, x1,...;v1,...
     #[arg(long, value_name = "STATE", allow_hyphen_values = true)]
     pub from: Option<String>,
     /// Print one period of the steady state instead of a run
@@ -179,10 +179,10 @@ pub struct OptimumArguments {
     /// The load.
     #[command(flatten)]
     pub load: LoadArguments,
-    /// Motion whose amplitude is kept small: a mass, `contact`, `roof-base`, `roof-first`, `spring(a-b)`, `shear`
+    /// Motion whose largest amplitude is minimised: a mass, `contact`, `roof-base`, `roof-first`, `spring(a-b)`, `shear`
     #[arg(long, value_name = "NAME")]
     pub of: String,
-    /// Choose one number of the description too, between a and b: `k base - lower=a:b`
+    /// Optimise one number of the description too, between a and b, for example `k base - lower=a:b`
     #[arg(long, value_name = "NAME=a:b", allow_hyphen_values = true)]
     pub vary: Option<String>,
     /// The format.

@@ -29,9 +29,9 @@ Units:
 pub const LIMITS: &str = "\
 Quantities:
   continuous limit  beta_lim, exact: below it a motion exists in which the contact slides all the time
-  without search    beta_lim with the velocity constraint at the reversal alone; never below beta_lim
-  per mode          beta_lim with the maximum of the constraint of each mode; never above beta_lim
-  sliding limit     beta*_lim: from it on a state exists in which the contact never slides (it locks)
+  without search    upper bound on beta_lim: the velocity is checked at the reversal alone
+  per mode          lower bound on beta_lim: the modes' own maxima of the velocity constraint are added
+  sliding limit     beta*_lim: at or above it a state exists in which the contact never slides (it locks)
   With stiction 1 the contact slides all the time below beta_lim, and is stuck from beta*_lim on. With
   a larger stiction other states may exist as well. `orbit --states` lists them.
 
@@ -40,7 +40,7 @@ Quantities:
 pub const RESPONSES: &str = "\
 Regimes:
   continuous  the contact slides all the time: exact amplitudes, phases and harmonics
-  stick-slip  the contact stops and slides in turn: the steady state from rest
+  stick-slip  the contact alternately sticks and slides: the steady state that motion from rest reaches
   stuck       the contact never slides: it locks, or sticks permanently. Amplitude and phase of each mass
   unbounded   the amplitude grows without limit, on an undamped resonance; the contact slides if the
               margin is negative, otherwise it is stuck
@@ -50,22 +50,22 @@ Regimes:
 
 Answers:
   closed form  exact, for a contact that always slides or never slides
-  orbit        exact, computed from event to event; its stability follows, as `orbit` gives it
-  not from rest  a stable state; motion from rest does not settle
+  orbit        exact, computed from event to event; the next word is the stability, as in `orbit`
+  not from rest  motion from rest does not settle; this is another stable state
   subharmonic  a stable state, computed from event to event, that repeats after several cycles
-  last 64 cycles  the motion does not settle; the values are those of its last 64 cycles, and the
-               amplitude is the largest in them
+  last 64 cycles  the motion does not settle; the values belong to its last 64 cycles, and the
+               amplitude is the largest of these cycles
   no cycle     no answer at a frequency ratio of 0 or infinity, between the limits
   other words  the reason why there is no answer, in the words of `orbit`; the cells are empty (JSON: null)
 
 Quantities:
-  margin      beta/min(beta_lim, beta*_lim) - 1. It is negative below both limits: there the closed form
-              exists, and with stiction 1 it is the only state
+  margin      beta/min(beta_lim, beta*_lim) - 1. It is negative below both limits. The closed form exists
+              there, and with stiction 1 no other state exists
   offset      (max + min)/2 of the contact's motion over P/k1, for base motion over Y; with a load, m
   amplitude   largest displacement of the cycle over P/k1, for base motion over Y; with a load, m
   centred     half the distance between the least and the largest displacement
-  phase       lag of that maximum behind the maximum of the excitation, rad, in (-pi, pi]; with a load,
-              degrees
+  phase       lag of the largest displacement behind the maximum of the excitation, rad, in (-pi, pi];
+              with a load, degrees
   fundamental lag of the fundamental component X_1
   X_n         harmonics, x = Re(sum of X_n exp(i n t)): amplitude |X_n| and lag -arg X_n, rad;
               with a load, m and degrees
@@ -78,27 +78,28 @@ Regimes:
 
 States:
   stable     small deviations die out
-  marginal   some deviation stays, or dies out more slowly than exponentially: the state is one of a
-             continuum of steady states, or at its end; a stuck contact is also marginal
+  marginal   some deviation stays, or dies out more slowly than exponentially: the state belongs to a
+             continuum of steady states, or lies at its end; a stuck contact is also marginal
   These words mean that there is no steady state:
   unbounded  the excitation is on an undamped resonance
   undamped   the load drives a mode that has no damping and on which the contact does not act
   unstable   deviations grow in every state that was found
-  unsettled  the motion from rest repeats neither after one cycle nor after up to 64; the values are
-             those of its last 64 cycles, and the amplitude is the largest in them
+  unsettled  the motion from rest repeats neither after one cycle nor after up to 64; the values belong
+             to its last 64 cycles, and the amplitude is the largest of these cycles
   crowded    a cycle has more than 64 segments
 
 Quantities:
   period      number of cycles after which the motion repeats: 1, or more for a subharmonic state
   stops       number of stops of the contact in a period
-  reversals   number of changes of its direction without a stop
+  reversals   number of changes of the sliding direction without a stop, in a period
   stuck       fraction of the period during which the contact sticks
   offset      (max + min)/2 of the contact's motion over P/k1, for base motion over Y; with a load, m
-  multiplier  factor by which the slowest-dying deviation changes in a period (Floquet multiplier)
+  multiplier  factor by which the deviation that dies out most slowly changes in a period (Floquet
+              multiplier)
   amplitude   largest displacement of the period over P/k1, for base motion over Y; with a load, m
   centred     half the distance between the least and the largest displacement
-  phase       lag of that maximum behind the maximum of the excitation, rad, in (-pi, pi]; with a load,
-              degrees
+  phase       lag of the largest displacement behind the maximum of the excitation, rad, in (-pi, pi];
+              with a load, degrees
   fundamental lag of the fundamental component X_1
   X_n         harmonics, x = Re(sum of X_n exp(i n t)): amplitude |X_n| and lag -arg X_n, rad;
               X_0 is the mean; with a load, m and degrees
@@ -219,23 +220,24 @@ Exit status:
 
 pub const OPTIMA: &str = "\
 What is searched:
-  For one friction the search finds the largest amplitude over the band a:b, over all regimes. It looks
-  at every resonance of the chain and of the chain with its contact stuck, at their sub-harmonics, where
-  the regime changes, and on a grid between. The best friction makes this amplitude smallest. It lies
-  between zero and the friction that keeps the contact stuck over the whole band. The amplitude is
-  infinite if an undamped resonance is not bounded.
+  For one friction the search finds the largest amplitude over the band a:b, over all regimes. It
+  evaluates the amplitude at every resonance of the chain, free and with its contact stuck, and at their
+  sub-harmonics. It also evaluates regime changes and a grid of frequencies. With the best friction this
+  largest amplitude is smallest. The best friction lies between zero and the friction that keeps the
+  contact stuck over the whole band. The amplitude is infinite if friction does not bound an undamped
+  resonance.
 
 Quantities:
   friction     with a load in N, otherwise beta
   what limits it  equal peaks: more friction raises one peak and lowers another; or one peak at its least:
                   more friction and less friction both raise it
   how the search ended  converged; or at a jump to a larger steady state; or the best so far, because the
-                  search reached its limit of work. If it did not converge, the least lies between the
-                  two frictions that follow, and the friction has only the digits that they leave
-  beyond the jump  largest amplitude with a friction just beyond the jump: its height
+                  search reached its limit of work. If it did not converge, the best friction lies
+                  between the two frictions that follow, and is only known to that interval
+  beyond the jump  largest amplitude with a friction just beyond the jump
   above the best  range of friction in which the largest amplitude is at most 1, 5 and 10 per cent larger
   change in per cent  of the amplitude at the best friction, for one per cent more of a parameter;
-                  the friction changes too and stays the best one; only with a load
+                  the friction changes as well, so that it stays the best; only with a load
 
 With --vary NAME=a:b:
   The search also chooses one number of the description, between a and b, in the unit of that number.
@@ -257,9 +259,9 @@ Features:
   resonance if stuck        a resonance of the chain with its contact stuck, and the friction up to which the contact
                             slides there
   limit for r -> 0, inf     the friction up to which the contact slides, or slides all the time, for r -> 0 or inf
-  antiresonance             without friction the amplitude is zero here
-  invariant point           every friction up to the one given has this amplitude, or this fundamental component. It is
-                            exact for the contact and for fundamentals, otherwise by the estimate (6.9, 6.10)
+  antiresonance             a frequency at which the amplitude is zero without friction
+  invariant point           a frequency with the same amplitude, or fundamental component, for every friction up to
+                            the given one. Exact for the contact and for fundamentals, otherwise an estimate (6.9, 6.10)
   grows with friction       a range in which more friction makes the motion larger
 With --beta or --friction, for each friction:
   quasi-static start        the amplitude for r -> 0
@@ -280,8 +282,8 @@ Ranges:
   r = 0 most features repeat infinitely often.
 
 Sensitivities:
-  Change in per cent of the first number of a line, for one per cent of the parameter that changes it most. JSON has
-  the derivatives with respect to all parameters. With a load they are at constant N and m, otherwise at constant
+  A line has the change of its first number in per cent, for one per cent of the parameter that changes it most. JSON
+  has the derivatives with respect to all parameters. With a load they are at constant N and m, otherwise at constant
   groups.
 
 Exit status:
@@ -301,7 +303,7 @@ Parameters:
 Answers:
   exact       derivatives of the closed form, of the steady state with stops, or of the stuck response
   These words mean that there is no derivative:
-  bend        an event is about to appear or to vanish, or the friction is at a limit
+  bend        an event of the contact is about to appear or to vanish, or the friction equals a limit
   marginal    the steady state is one of a continuum
   degenerate  two modes coincide, and the parameter separates them; or the contact starts to drive a
               mode that it does not drive yet
@@ -319,13 +321,13 @@ The accuracy, range, side and budget of the description apply unless an option r
 
 Without --format the output describes the tables: their accuracy, pieces and bytes, the largest errors
 and their frequencies, and the operations. The tables are compared with exact values at many points.
-With --prove their accuracy is proven between the points as well, where it is 1e-6 or coarser. The
-output says which of the two holds. With --format it is code or data:
+With --prove an accuracy of 1e-6 or coarser is proven between the points as well. The output says
+whether the tables are compared or proven. With --format it is code or data:
   rust  a file without dependencies: limits(r); contact(r, beta) if the scene provides a motion;
         stuck_<mass>(r) and holding_force(r) if it provides stuck
   c     the same functions in C99; -o name.c also writes the header name.h next to it
   json  the tables as data
-If only the exact formulas keep the accuracy, `compile` cannot write code without the library. It then
+If only the exact formulas reach the accuracy, `compile` cannot write code without the library, and
 ends with an error.
 
 Exit status:

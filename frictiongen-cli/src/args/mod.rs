@@ -66,7 +66,7 @@ pub enum Command {
     /// Draw or print displacements, velocities, the friction force and events over time, and spectra
     #[command(after_help = format!("{TIMES}{UNITS}{ONE_POINT}"))]
     Time(TimeArguments),
-    /// Find the friction that makes the largest amplitude over a frequency band as small as possible
+    /// Find the friction with which the largest amplitude over a frequency band is smallest
     #[command(after_help = format!("{OPTIMA}{UNITS}"))]
     Optimum(OptimumArguments),
     /// List resonances, thresholds, invariant points, sliding ranges, regimes and peaks of a scene
@@ -96,7 +96,7 @@ pub enum Command {
     Compile(CompileArguments),
     /// Print the Rust code that the macro with the feature `proof` emits for a description
     Expand(ExpandArguments),
-    /// Say what differs between two descriptions: parameters, natural frequencies, answers and emitted code
+    /// List the differences between two descriptions: parameters, natural frequencies, answers and emitted code
     #[command(after_help = DIFFERENCES)]
     Diff(DiffArguments),
     /// List every error of a description, each with its line, or its frequencies, damping and mass

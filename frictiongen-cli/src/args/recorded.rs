@@ -70,7 +70,7 @@ pub struct IdentifyArguments {
     /// Use only this mass; may be given more than once [default: every recorded mass]
     #[arg(long, value_name = "NAME")]
     pub mass: Vec<String>,
-    /// Fit this too, together with the friction force; may be given more than once
+    /// Fit this unknown together with the friction force; may be given more than once
     #[arg(long, value_enum)]
     pub also: Vec<Also>,
     /// Use also the odd harmonics up to order N
@@ -196,13 +196,13 @@ Answers:
                   is narrower than that force is large
   several levels  several friction forces give this response; each has its own interval
   stuck           the contact never slides; the interval begins at the least force that holds it
-  not determined  the measurement does not determine the force: the response hardly changes with friction
-                  here, as at an invariant point
+  not determined  the measurement does not determine the force, because the response hardly changes with
+                  friction at this frequency, for example at an invariant point
   almost stuck    amplitudes without phases are so small that a unit may be wrong by 1000
 
 Quantities:
   friction force  F in N, for a scene in kg and N/m
-  condition       largest factor from a relative error of the data to that of a fitted value
+  condition       largest factor by which a relative error of the data grows in a fitted value
   misfit          sum of the squares of residuals over deviations, divided by the degrees of freedom. It
                   is about 1 if the residuals are noise. If it is larger than chance allows, the answer is
                   not explained, and the intervals are wider

@@ -173,7 +173,8 @@ impl<S: Float> System<S> {
 
     /// Returns the system evaluated at the frequency ratio r.
     ///
-    /// # Errors [`OutOfDomain`] for NaN and negative r. At r = 0 and r = ∞ the result contains limit values.
+    /// # Errors
+    /// [`OutOfDomain`] for NaN and negative r. At r = 0 and r = ∞ the result contains limit values.
     /// [`OutOfDomain`] also for `friction: stribeck`. The exact continuous response needs a kinetic friction force that
     /// does not depend on the speed.
     pub fn at(&self, r: S) -> Result<SystemAt<'_, S>, OutOfDomain> {

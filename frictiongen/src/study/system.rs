@@ -233,7 +233,8 @@ impl<S: Float> System<S> {
     /// on β_lim replaces the velocity constraint S by its limit for τ → 0 (5.64). This is the fastest call if no other
     /// result is needed at this r.
     ///
-    /// # Errors [`OutOfDomain`] for NaN and negative r. At r = 0 and r = ∞ the call returns the limit values.
+    /// # Errors
+    /// [`OutOfDomain`] for NaN and negative r. At r = 0 and r = ∞ the call returns the limit values.
     /// [`OutOfDomain`] also for `friction: stribeck`. The exact continuous response needs a kinetic friction force that
     /// does not depend on the speed.
     pub fn limits_without_search(&self, r: S) -> Result<Limits<S>, OutOfDomain> {
