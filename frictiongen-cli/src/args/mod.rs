@@ -14,12 +14,12 @@ pub use code::{
     CheckArguments, CompileArguments, CompletionsArguments, DiffArguments, ExpandArguments,
     ManArguments, NewArguments, TableFormat,
 };
-#[cfg(feature = "pictures")]
-pub use desk::Shade;
 pub use desk::{
-    CurveArguments, FeaturesArguments, LogAxes, MapArguments, OptimumArguments,
-    SensitivityArguments, StartFrom, TimeArguments,
+    CurveArguments, FeaturesArguments, MapArguments, OptimumArguments, SensitivityArguments,
+    StartFrom, TimeArguments,
 };
+#[cfg(feature = "pictures")]
+pub use desk::{LogAxes, Shade};
 use help::{
     CURVES, DIFFERENCES, FEATURES, GRIDS, GRIDS_IN_TIME, LIMITS, MAPS, ONE_POINT, OPTIMA, ORBITS,
     RANGES, RESPONSES, SENSITIVITIES, STATES, TABLES, TIMES, UNITS,
