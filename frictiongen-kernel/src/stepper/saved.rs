@@ -87,6 +87,9 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepContact<S
         for load in loads {
             hash.number(*load);
         }
+        if 0 < scene.dynamics.chain.remembered() {
+            hash.number(scene.dynamics.chain.compliance());
+        }
         hash.0
     }
 }

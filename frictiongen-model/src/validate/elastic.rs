@@ -56,7 +56,12 @@ pub(super) fn check(scene: &Scene, errors: &mut Vec<SceneError>) {
         let tables = tables.to_owned();
         errors.push(SceneError::NoTablesElastic { path, tables });
     }
-    let answered = |item: &Provide| matches!(item, Provide::Orbit | Provide::Simulation);
+    let answered = |item: &Provide| {
+        matches!(
+            item,
+            Provide::Orbit | Provide::Simulation | Provide::Stepper | Provide::Stuck
+        )
+    };
     if !scene.provide.is_empty() && !scene.provide.iter().any(answered) {
         errors.push(SceneError::ElasticWithoutMotion { path });
         return;

@@ -19,3 +19,4 @@ mod refused;
 mod rigid_limit;
 mod sensitivities;
 mod steady;
+mod stepper;
