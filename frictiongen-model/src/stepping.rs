@@ -4,7 +4,7 @@ use crate::modal::Modal;
 use crate::scene::{Excitation, FrictionLaw, Node, Precision, Scene, StepInput};
 use crate::transient::Transient;
 use frictiongen_kernel::errors::OutOfDomain;
-use frictiongen_kernel::motion::{Dynamics, Lines};
+use frictiongen_kernel::motion::{ContactChain, Dynamics, Lines};
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::stepper::{
     Channel, HeldLoad, HeldStep, Input, MAX_PARTS, ModeStep, Pace, StepScene, Units, fill,
@@ -115,7 +115,7 @@ impl<S: Float> Steps<S> {
 
     /// Returns the scene as a [`StepScene`], the form in which the kernel crate takes it.
     #[must_use]
-    pub fn scene<'a>(&'a self, dynamics: Dynamics<'a, S>) -> StepScene<'a, S> {
+    pub fn scene<'a, K>(&'a self, dynamics: Dynamics<'a, S, K>) -> StepScene<'a, S, K> {
         StepScene {
             dynamics,
             units: self.units,
@@ -131,10 +131,13 @@ impl<S: Float> Steps<S> {
 ///
 /// # Errors
 /// [`OutOfDomain`] for a step that the kernel refuses.
-pub fn pace<S: Float>(scene: &StepScene<'_, S>, step: S) -> Result<Pace<S>, OutOfDomain> {
+pub fn pace<S: Float, K: ContactChain<S>>(
+    scene: &StepScene<'_, S, K>,
+    step: S,
+) -> Result<Pace<S>, OutOfDomain> {
     let (modes, held) = (scene.dynamics.modes.len(), scene.dynamics.held.len());
     let inputs = scene.channels();
-    fill::<S, 1, _>(
+    fill::<S, 1, K>(
         scene,
         step,
         (
@@ -165,7 +168,7 @@ fn turned<S: Float>(scene: &Scene, modal: &Modal, step: f64) -> Result<(), (f64,
     let to = |value: Dd| S::constant(value.to_f64());
     let transient = Transient::of(scene, modal, to);
     let steps = Steps::of(scene, modal, std::iter::empty(), to);
-    let scene = steps.scene(transient.dynamics());
+    let scene = steps.scene(transient.contact_dynamics());
     let step = S::constant(step);
     match pace(&scene, step) {
         Ok(_) => Ok(()),

@@ -42,6 +42,7 @@ pub use states::States;
 pub use types::{MAX_CYCLES, MAX_SEGMENTS, MAX_STEPS, Orbit};
 
 use crate::combination::Combination;
+use crate::contact::sums::Chain;
 use crate::motion::{Contact, ContactChain, Law, Part};
 use crate::number::complex::{self, Complex};
 use crate::number::scalar::Float;
@@ -63,8 +64,13 @@ pub const fn numbers_of(modes: usize, size: usize) -> usize {
 }
 
 /// A steady state of an emitted solver, with its data in arrays.
-pub type FixedOrbit<S, const PARTS: usize, const NUMBERS: usize, const MULTIPLIERS: usize> =
-    Orbit<'static, S, [Part<S>; PARTS], [S; NUMBERS], [Complex<S>; MULTIPLIERS]>;
+pub type FixedOrbit<
+    S,
+    const PARTS: usize,
+    const NUMBERS: usize,
+    const MULTIPLIERS: usize,
+    K = Chain<S>,
+> = Orbit<'static, S, [Part<S>; PARTS], [S; NUMBERS], [Complex<S>; MULTIPLIERS], K>;
 
 /// The steady motion of the contact or of a mass in a [`FixedOrbit`].
 pub type FixedOrbitMotion<
@@ -73,7 +79,8 @@ pub type FixedOrbitMotion<
     const PARTS: usize,
     const NUMBERS: usize,
     const MULTIPLIERS: usize,
-> = OrbitMotion<'o, 'static, S, [Part<S>; PARTS], [S; NUMBERS], [Complex<S>; MULTIPLIERS]>;
+    K = Chain<S>,
+> = OrbitMotion<'o, 'static, S, [Part<S>; PARTS], [S; NUMBERS], [Complex<S>; MULTIPLIERS], K>;
 
 impl<'a, S, P, V, C, K> Orbit<'a, S, P, V, C, K>
 where

@@ -376,7 +376,7 @@ impl<S: Scalar> Chain<S> {
 
     /// Returns the complex amplitude as [`stuck_loaded`](Self::stuck_loaded) does, for an elastic contact.  H in
     /// `contact` includes the compliance.
-    pub fn stuck_elastic(
+    pub(crate) fn stuck_elastic(
         &self,
         shape: &[S],
         (modes, quadratures): (&[Mode<S>], impl Quadratures<S>),

@@ -67,7 +67,8 @@ pub struct Simulation<'a, S, P, L = Constant, K = Chain<S>> {
 }
 
 /// A simulation of an emitted solver, with its data in arrays.
-pub type FixedSimulation<S, const PARTS: usize> = Simulation<'static, S, [Part<S>; PARTS]>;
+pub type FixedSimulation<S, const PARTS: usize, K = Chain<S>> =
+    Simulation<'static, S, [Part<S>; PARTS], Constant, K>;
 /// A simulation of an emitted solver whose kinetic friction changes with the speed, with its data in arrays.
 pub type FixedLinesSimulation<S, const PARTS: usize> =
     Simulation<'static, S, [Part<S>; PARTS], Lines<'static, S>>;

@@ -64,6 +64,12 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepContact<S
             let [y, rate] = self.mode(index);
             sum + rate * rate + mode.resonance * mode.resonance * y * y
         });
+        let chain = &self.scene.dynamics.chain;
+        if 0 < chain.remembered() {
+            // The spring of an elastic contact stores energy too.
+            let force = self.status.contact_force;
+            return (sum + chain.compliance() * force * force) * half;
+        }
         sum * half
     }
 

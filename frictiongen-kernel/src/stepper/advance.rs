@@ -19,6 +19,9 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         if self.status.unknown {
             self.derive_contact();
         }
+        if self.is_elastic() {
+            self.adapt_to_level();
+        }
         let known = match self.status.contact {
             Contact::Stuck => self.stick_by_tables(),
             _ => self.slide_by_tables(),
@@ -38,6 +41,9 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         }
         self.status.unknown = true;
         self.status.wedged = false;
+        if self.is_elastic() {
+            self.drop_force(self.status.contact_force, S::constant(0.0));
+        }
         self.status.contact_force = S::constant(0.0);
         self.advance_by_tables(0);
     }

@@ -1,7 +1,7 @@
 //! Upper bounds on the cost of a step in floating-point operations, counted from the lengths of its loops.
 
 use super::{MAX_EVENTS, MAX_STRETCHES};
-use crate::motion::{LOST_MODES, WALK};
+use crate::motion::WALK;
 
 /// Sizes of a scene and its tables, from which the cost of a step follows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -10,6 +10,8 @@ pub struct Extent {
     pub modes: u64,
     /// Number of modes that the contact drives.
     pub driven: u64,
+    /// Number of modes that the chain loses while the contact sticks.
+    pub lost: u64,
     /// Number of inputs.
     pub inputs: u64,
     /// Number of coefficients of an input's polynomial over a sub-interval.
@@ -91,7 +93,7 @@ impl Extent {
         let base = if self.on_moving_base { 8 * d } else { 0 };
         let held = 2 * load + base + 2 * d * (3 + 4 * d) + (5 * inputs + 9) * d + 30;
         let sliding = driven * mode;
-        let sticking = (driven - LOST_MODES as u64) * held + self.still();
+        let sticking = (driven - self.lost) * held + self.still();
         let contact = if sliding < sticking {
             sticking
         } else {
@@ -165,6 +167,7 @@ mod tests {
     const TWO: Extent = Extent {
         modes: 2,
         driven: 2,
+        lost: 1,
         inputs: 1,
         coefficients: 4,
         terms: 5,

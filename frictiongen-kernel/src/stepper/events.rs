@@ -36,6 +36,9 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         if self.status.contact != Contact::Stuck {
             let Some(departure) = departing else {
                 self.status.unknown = true;
+                if self.is_elastic() {
+                    self.drop_force(self.status.contact_force, S::constant(0.0));
+                }
                 self.status.contact_force = S::constant(0.0);
                 let none = [S::constant(0.0); 2];
                 let velocity = self.velocity_series(none);
@@ -71,6 +74,9 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
     pub(super) fn derive_contact(&mut self) {
         self.status.unknown = false;
         self.status.wedged = false;
+        if self.is_elastic() {
+            return self.derive_elastic();
+        }
         let velocity = self.velocity_series([S::constant(0.0); 2]);
         let rate = velocity.term(0);
         let pace = &self.table.pace;

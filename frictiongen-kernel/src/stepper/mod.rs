@@ -17,6 +17,7 @@ mod advance;
 mod cost;
 mod dot;
 mod drive;
+mod elastic;
 mod events;
 mod input;
 mod interval;

@@ -106,8 +106,7 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepContact<S
     /// Returns the present motion of a mass, by its index in the description.  An index without a mass gives rest.
     #[must_use]
     pub fn mass(&self, index: usize) -> MassNow<S> {
-        let sticks = self.status.contact == Contact::Stuck && !self.status.unknown;
-        if sticks && self.scene.dynamics.moves_as_contact(index) {
+        if self.rests() && self.scene.dynamics.moves_as_contact(index) {
             return MassNow {
                 displacement: self.status.stuck_at,
                 velocity: S::constant(0.0),
@@ -115,6 +114,13 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepContact<S
         }
         let shape = self.scene.dynamics.shape(index);
         self.sum(|mode| shape.get(mode).copied().unwrap_or(S::constant(0.0)))
+    }
+
+    /// Returns true if a rigid contact sticks.  An elastic contact moves while it sticks.
+    #[inline]
+    fn rests(&self) -> bool {
+        let rigid = self.scene.dynamics.chain.remembered() == 0;
+        rigid && self.status.contact == Contact::Stuck && !self.status.unknown
     }
 
     /// Returns displacement and velocity of the base at the end of the last step.
@@ -165,7 +171,7 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepContact<S
     #[must_use]
     pub fn contact(&self) -> ContactNow<S> {
         let contact = self.status.contact;
-        let motion = if contact == Contact::Stuck && !self.status.unknown {
+        let motion = if self.rests() {
             MassNow {
                 displacement: self.status.stuck_at,
                 velocity: S::constant(0.0),

@@ -71,6 +71,9 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepContact<S
         hash.number(units.stiffness).number(units.rate);
         hash.number(units.support).number(pace.step);
         hash.number(scene.dynamics.chain().inverse_mass);
+        if 0 < scene.dynamics.chain.remembered() {
+            hash.number(scene.dynamics.chain.compliance());
+        }
         for mass in scene.forces {
             hash.count(*mass);
         }

@@ -126,6 +126,7 @@ impl<S: Float, K: ContactChain<S>> StepScene<'_, S, K> {
         Cost::of(&Extent {
             modes: count(self.dynamics.modes.len()),
             driven: count(self.dynamics.in_contact()),
+            lost: count(self.dynamics.chain.lost_modes()),
             inputs: count(self.channels()),
             coefficients: count(coefficients),
             terms: count(self.terms(terms)),

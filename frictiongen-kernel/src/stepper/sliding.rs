@@ -161,6 +161,10 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
             return None;
         }
         self.events += 1;
+        if self.is_elastic() {
+            self.start_sticking(None);
+            return None;
+        }
         let Some(slide) = self.law().leave_rest(self.holding()) else {
             self.start_sticking(None);
             return None;

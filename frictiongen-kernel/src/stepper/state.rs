@@ -125,7 +125,7 @@ pub struct Status<S> {
     /// True if the contact was about to slide and could not.  Rounding alone must then not let the contact force exceed
     /// μF.
     pub wedged: bool,
-    /// Relative displacement of the contact while it sticks.
+    /// Relative displacement of the contact while it sticks.  In an elastic contact it is the place of the slider.
     pub stuck_at: S,
     /// Index of the line of the friction law on which the contact's speed lies.
     pub line: usize,
@@ -138,7 +138,8 @@ pub struct Status<S> {
     pub steps: u64,
     /// Number of steps in which a sub-interval reached the bound on events or pieces of motion.
     pub exceeded: u64,
-    /// The contact force at the end of the last step, over k₁, if the contact sticks or its state is unknown.
+    /// The contact force at the end of the last step, over k₁, if the contact sticks or its state is unknown.  It is the
+    /// force of the spring of an elastic contact, also while the slider moves.
     pub contact_force: S,
     /// Work of the load since the start, divided by k₁.
     pub load: Total<S>,

@@ -92,6 +92,16 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         let contact = breaks?;
         // The force has just reached μF, except if it was already beyond μF at the start.
         let law = self.law();
+        if self.is_elastic() {
+            let force = if zero < tau {
+                grip
+            } else {
+                grip.max(now.abs())
+            };
+            self.events += 1;
+            self.yield_under(contact.sign::<S>() * force, contact);
+            return None;
+        }
         let slide = if zero < tau {
             law.break_away(contact)
         } else {
@@ -137,6 +147,9 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
     /// Changes from sliding to sticking, at the displacement `place`, or at the displacement that the modes give.  The
     /// state of the modes becomes the state of the stuck chain's modes.
     pub(super) fn start_sticking(&mut self, place: Option<S>) {
+        if self.is_elastic() {
+            return self.start_sticking_under(self.status.contact_force);
+        }
         let dynamics = &self.scene.dynamics;
         let receptance = self.table.pace.receptance;
         let [base, rate] = self.base_now();

@@ -277,7 +277,10 @@ fn pace<S: Float, K: ContactChain<S>>(
     for mode in dynamics.driven() {
         drag = drag + two * mode.zeta * mode.contact_squared / mode.resonance;
     }
-    let receptance = dynamics.receptance();
+    let mut receptance = dynamics.receptance();
+    if 0 < dynamics.chain.remembered() {
+        receptance = receptance + dynamics.chain.compliance();
+    }
     Ok(Pace {
         step,
         parts,

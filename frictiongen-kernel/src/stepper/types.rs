@@ -28,12 +28,14 @@ pub type FixedStepper<
     const MODES: usize,
     const HELD: usize,
     const INPUTS: usize,
+    K = Chain<S>,
 > = Stepper<
     'static,
     S,
     D,
     FixedTables<S, D, MODES, HELD, INPUTS>,
     FixedStore<S, D, MODES, HELD, INPUTS>,
+    K,
 >;
 
 /// Result of one step of a stepper.

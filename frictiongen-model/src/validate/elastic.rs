@@ -17,11 +17,22 @@ fn most_turned(precision: Precision) -> f64 {
     }
 }
 
-/// Returns the digits that [`most_turned`] keeps, as text.
-fn kept(precision: Precision) -> &'static str {
+/// Returns the number of digits that [`most_turned`] keeps.
+fn kept(precision: Precision) -> u32 {
     match precision {
-        Precision::F64 => "1e-10",
-        Precision::F32 => "1e-3",
+        Precision::F64 => 10,
+        Precision::F32 => 3,
+    }
+}
+
+/// Returns in words how many digits of the force a stiffness leaves, if the stiffness `most` leaves `kept` digits.  The
+/// angle of the stiffest motion is proportional to the root of the stiffness.
+fn left(value: f64, most: f64, kept: u32) -> String {
+    let left = (f64::from(kept) - 0.5 * (value / most).log10()).floor();
+    if left < 1.0 {
+        "no correct digit".to_owned()
+    } else {
+        format!("about {left} correct digits")
     }
 }
 
@@ -56,7 +67,12 @@ pub(super) fn check(scene: &Scene, errors: &mut Vec<SceneError>) {
         let tables = tables.to_owned();
         errors.push(SceneError::NoTablesElastic { path, tables });
     }
-    let answered = |item: &Provide| matches!(item, Provide::Orbit | Provide::Simulation);
+    let answered = |item: &Provide| {
+        matches!(
+            item,
+            Provide::Orbit | Provide::Simulation | Provide::Stepper | Provide::Stuck
+        )
+    };
     if !scene.provide.is_empty() && !scene.provide.iter().any(answered) {
         errors.push(SceneError::ElasticWithoutMotion { path });
         return;
@@ -95,8 +111,9 @@ pub(super) fn check_digits(scene: &Scene, modal: &Modal, errors: &mut Vec<SceneE
         errors.push(SceneError::StiffnessLosesDigits {
             path: Path::Stiffness,
             value,
+            left: left(value, most, kept(scene.precision)),
             most,
-            kept: kept(scene.precision).to_owned(),
+            kept: kept(scene.precision),
         });
     }
 }

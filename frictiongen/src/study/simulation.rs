@@ -31,14 +31,6 @@ impl<S: Plain> System<S> {
         Ok(self.dynamics())
     }
 
-    /// Returns the modal data for a motion in time that needs a rigid contact. Same errors as
-    /// [`dynamics_in_time`](Self::dynamics_in_time), and an error for an elastic contact.
-    pub(super) fn rigid_dynamics(&self) -> Result<Dynamics<'_, S>, OutOfDomain> {
-        self.rigid()?;
-        self.dynamics_in_time()?;
-        Ok(self.transient().dynamics())
-    }
-
     /// Returns one empty entry for each mode of the chain while its contact slides, and one for each mode while it
     /// sticks.
     pub(super) fn parts(&self) -> Vec<Part<S>> {

@@ -3,6 +3,7 @@
 use super::error::{StudyError, UnknownMass};
 use super::system::System;
 use crate::{OutOfDomain, StepLoad, Stepping, Steps};
+use frictiongen_kernel::motion::AnyContact;
 use frictiongen_kernel::stepper::{
     Channel, ContactNow, HeldLoad, HeldStep, MassNow, ModeStep, Pace, Sample, Saved, StepScene,
     Stepped, Stepper, Store, StoreMut, StoreRef, Tables, View, Work, fill,
@@ -27,7 +28,7 @@ pub struct SystemStepTables<S> {
 }
 
 impl<S: Float> SystemStepTables<S> {
-    fn new(scene: &StepScene<'_, S>, step: S) -> Result<Self, OutOfDomain> {
+    fn new(scene: &StepScene<'_, S, AnyContact<S>>, step: S) -> Result<Self, OutOfDomain> {
         let (modes, held) = (scene.dynamics.modes.len(), scene.dynamics.held.len());
         let inputs = scene.channels();
         let mut tables = Self {
@@ -82,7 +83,7 @@ pub struct SystemStepStore<S> {
 
 impl<S: Float> SystemStepStore<S> {
     /// Returns the stepper's state at rest.
-    fn new(scene: &StepScene<'_, S>) -> Self {
+    fn new(scene: &StepScene<'_, S, AnyContact<S>>) -> Self {
         let (modes, held) = (scene.dynamics.modes.len(), scene.dynamics.held.len());
         let zero = S::constant(0.0);
         Self {
@@ -116,7 +117,8 @@ impl<S> Store<S, COEFFICIENTS> for SystemStepStore<S> {
 }
 
 /// The kernel's stepper, with vectors for its constants and its state.
-type KernelStepper<'a, S> = Stepper<'a, S, COEFFICIENTS, SystemStepTables<S>, SystemStepStore<S>>;
+type KernelStepper<'a, S> =
+    Stepper<'a, S, COEFFICIENTS, SystemStepTables<S>, SystemStepStore<S>, AnyContact<S>>;
 
 /// The state of a system's stepper, as [`save`](Stepper::save) returns it.
 #[doc(hidden)]
@@ -245,7 +247,7 @@ impl<S: Plain> System<S> {
         dt: S,
         state: Option<(&[S], &[S])>,
     ) -> Result<SystemStepper<'_, S>, OutOfDomain> {
-        let scene = self.steps().scene(self.rigid_dynamics()?);
+        let scene = self.steps().scene(self.dynamics_in_time()?);
         let tables = SystemStepTables::new(&scene, dt)?;
         let store = SystemStepStore::new(&scene);
         Ok(SystemStepper {
@@ -334,7 +336,7 @@ impl<'a, S: Plain> SystemStepper<'a, S> {
 }
 
 impl<'a, S> Deref for SystemStepper<'a, S> {
-    type Target = Stepper<'a, S, COEFFICIENTS, SystemStepTables<S>, SystemStepStore<S>>;
+    type Target = KernelStepper<'a, S>;
 
     fn deref(&self) -> &Self::Target {
         &self.stepper

@@ -9,6 +9,7 @@
 )]
 
 mod digits;
+mod emitted;
 mod energy;
 mod full_slip;
 mod joints;
@@ -19,3 +20,4 @@ mod refused;
 mod rigid_limit;
 mod sensitivities;
 mod steady;
+mod stepper;

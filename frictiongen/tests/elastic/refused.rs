@@ -69,10 +69,6 @@ fn fields_that_do_not_go_with_it_are_named() {
             "`motion` is not possible with `stiffness`",
         ),
         (
-            "provide: [orbit, stepper]",
-            "`stepper` is not possible with `stiffness`",
-        ),
-        (
             "provide: [orbit, simulation], accuracy: 1e-4, range: { r: 0.2..2.0 }",
             "tables are not possible",
         ),
@@ -103,16 +99,10 @@ fn fields_that_do_not_go_with_it_are_named() {
 #[test]
 fn questions_of_a_rigid_contact_are_refused() {
     let system: System = BLOCK.parse().expect("a scene");
-    let refused = [
-        system
-            .stepper(1e-3)
-            .map(|_| ())
-            .map_err(|error| error.to_string()),
-        system
-            .features(None)
-            .map(|_| ())
-            .map_err(|error| error.to_string()),
-    ];
+    let refused = [system
+        .features(None)
+        .map(|_| ())
+        .map_err(|error| error.to_string())];
     for refused in refused {
         let message = refused.expect_err("an error");
         assert!(

@@ -1,0 +1,147 @@
+//! An elastic contact within a step: a spring in series with the slider.
+//!
+//! While the contact sticks, `stuck_at` of the status is the place of the slider, and the contact may move.  The force of
+//! the spring is `contact_force` of the status at the end of every sub-interval, also while the slider moves.  The slider
+//! has no mass.  Where the kinetic friction force falls below the force of the spring, the slider jumps, and friction
+//! dissipates the energy that the spring loses.
+
+use super::interval::StepInterval;
+use super::law::StepContact;
+use super::rigid::rigid_terms;
+use crate::motion::{AnyContact, Contact, ElasticChain, Law, lift};
+use crate::number::scalar::Float;
+
+impl<S: Float> StepContact<S> for ElasticChain<S> {
+    #[inline]
+    fn stuck_force_terms<const D: usize>(interval: &StepInterval<'_, '_, S, D, Self>) -> [S; 4] {
+        spring_terms(interval)
+    }
+}
+
+impl<S: Float> StepContact<S> for AnyContact<S> {
+    fn stuck_force_terms<const D: usize>(interval: &StepInterval<'_, '_, S, D, Self>) -> [S; 4] {
+        match interval.scene.dynamics.chain {
+            Self::Rigid(_) => rigid_terms(interval),
+            Self::Elastic(_) => spring_terms(interval),
+        }
+    }
+}
+
+/// Returns the force of the spring over a sub-interval, as a polynomial, without the contribution of the stuck chain's
+/// modes.  The slider moves with the base on which it rubs.
+fn spring_terms<S: Float, const D: usize, K: StepContact<S>>(
+    interval: &StepInterval<'_, '_, S, D, K>,
+) -> [S; 4] {
+    let mut place = [S::constant(0.0); 4];
+    if interval.scene.rubs_on_base() {
+        place = interval.base;
+    }
+    place[0] = place[0] + interval.status.stuck_at;
+    place.map(|term| -(term / interval.table.pace.receptance))
+}
+
+impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> {
+    /// Returns true if the contact is elastic.
+    #[inline]
+    pub(super) fn is_elastic(&self) -> bool {
+        0 < self.scene.dynamics.chain.remembered()
+    }
+
+    /// Adapts a sliding elastic contact to a kinetic friction force that has changed since the last step.  Under a larger
+    /// force the contact sticks, and its spring is loaded further.
+    pub(super) fn adapt_to_level(&mut self) {
+        if self.status.contact == Contact::Stuck || self.status.unknown {
+            return;
+        }
+        let force = self.status.contact_force;
+        let kinetic = self.law().kinetic(self.status.contact);
+        if kinetic.abs() < force.abs() {
+            self.drop_force(force, kinetic);
+        } else if force.abs() < kinetic.abs() {
+            self.start_sticking_under(force);
+        }
+    }
+
+    /// Lets the slider jump, so that the force of the spring changes.  Friction dissipates the energy of the difference.
+    pub(super) fn drop_force(&mut self, from: S, to: S) {
+        let half = S::constant(0.5);
+        let compliance = self.scene.dynamics.chain.compliance();
+        let lost = half * compliance * ((from - to) * (from + to));
+        self.account(S::constant(0.0), lost);
+        self.status.contact_force = to;
+    }
+
+    /// The slider moves off, where the force of the spring has reached μF or is beyond μF.  If the contact moves against
+    /// the force, the slider jumps only, and the contact sticks under F.
+    pub(super) fn yield_under(&mut self, force: S, contact: Contact) {
+        let kinetic = self.law().kinetic(contact);
+        self.start_sliding();
+        self.status.contact = contact;
+        self.status.line = 0;
+        self.drop_force(force, kinetic);
+        if contact.sign::<S>() * self.relative_rate() < S::constant(0.0) {
+            self.start_sticking_under(kinetic);
+        }
+    }
+
+    /// Determines whether an elastic contact sticks or slides, from the force of its spring and from the motion.
+    pub(super) fn derive_elastic(&mut self) {
+        let force = self.status.contact_force;
+        let slid = self.status.contact != Contact::Stuck;
+        let rate = self.relative_rate();
+        if slid && S::constant(0.0) < force * rate && self.law().level() <= force.abs() {
+            self.status.contact = Contact::along(rate);
+            let kinetic = self.law().kinetic(self.status.contact);
+            self.drop_force(force, kinetic);
+        } else {
+            self.start_sticking_under(force);
+        }
+    }
+
+    /// Changes to sticking under a force of the spring.  The state of the modes becomes the state of the stuck chain's
+    /// modes.  The stiffest of these takes the displacement that gives the force, because the force of a stiff spring is
+    /// a small difference of displacements.
+    pub(super) fn start_sticking_under(&mut self, force: S) {
+        let zero = S::constant(0.0);
+        let dynamics = &self.scene.dynamics;
+        let receptance = self.table.pace.receptance;
+        let [base, rate] = self.base_now();
+        let modes = dynamics.driven().iter().zip(&*self.store.modes);
+        let now = modes.fold(zero, |sum, (mode, [y, _])| sum + mode.contact * *y);
+        self.status.stuck_at = now - base - dynamics.chain.compliance() * force;
+        self.status.contact = Contact::Stuck;
+        self.status.line = 0;
+        self.status.contact_force = force;
+        let lifted = self.status.stuck_at + base;
+        let scratch = &mut *self.store.scratch;
+        let modes = dynamics.driven().iter().zip(&*self.store.modes);
+        for ((mode, [y, u]), to) in modes.zip(scratch.iter_mut()) {
+            *to = [*y - lift(mode, receptance) * lifted, *u];
+        }
+        let states = scratch.iter().copied();
+        let held = self.store.held.iter_mut().map(|[y, u]| (y, u));
+        dynamics.project(receptance, states, (zero, rate), held);
+        let (mut found, mut stiffest, mut most) = (-(lifted / receptance), 0, zero);
+        for (index, (step, [y, _])) in self.table.held.iter().zip(&*self.store.held).enumerate() {
+            found = found - step.force * *y;
+            if most < step.force.abs() {
+                (stiffest, most) = (index, step.force.abs());
+            }
+        }
+        let step = self.table.held.get(stiffest);
+        if let (Some(step), Some([y, _])) = (step, self.store.held.get_mut(stiffest)) {
+            *y = *y + (found - force) / step.force;
+        }
+    }
+
+    /// Returns the relative velocity of the contact from the state of the modes, in units of length per sub-interval.
+    fn relative_rate(&self) -> S {
+        let [_, base] = self.base_now();
+        let modes = self.table.modes.iter().zip(&*self.store.modes);
+        modes
+            .take(self.driven())
+            .fold(-(base * self.table.pace.span), |sum, (step, [_, u])| {
+                sum + step.contact * step.angle * *u
+            })
+    }
+}
