@@ -7,6 +7,7 @@ mod curve;
 mod curve_refused;
 mod diff;
 mod drive;
+mod elastic;
 mod expand;
 mod features;
 mod first_hour;

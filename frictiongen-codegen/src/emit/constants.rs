@@ -66,6 +66,15 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
     let shapes = shapes.into_iter().map(|shape| emission.list(shape));
     let (units, conversions) = (units.associated, units.items);
     let (chain, at_rest) = (chain(emission), at_rest(emission));
+    let spring = emission.reduced.compliance.map(|compliance| {
+        let compliance = emission.literal(compliance);
+        code! {
+            /// Constants of the chain and of its elastic contact.  ρ = k₁/k is the compliance of the spring in series with
+            /// the slider.
+            const CONTACT: ElasticChain<#scalar> =
+                ElasticChain { chain: Self::CHAIN, compliance: #compliance };
+        }
+    });
     let associated = code! {
             #units
             /// Natural frequencies ω_i, ascending; rad/s if masses are in kg and springs in N/m.
@@ -79,6 +88,8 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
 
             /// Constants of the chain.
             const CHAIN: Chain<#scalar> = #chain;
+
+            #spring
 
             #conversions
     };

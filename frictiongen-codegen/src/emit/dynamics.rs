@@ -13,8 +13,11 @@ use proc_macro2::{Literal, TokenStream};
 /// Emitted constants of the time-domain solvers, with the sizes of their arrays.
 pub(super) struct Constants {
     pub associated: TokenStream,
-    /// Number of modes that the contact drives.
-    pub driven: usize,
+    /// Number of scalars in a state of a steady motion: two for each mode that the contact drives, and the force of an
+    /// elastic contact.
+    pub state: usize,
+    /// Number of modes of the chain with its contact stuck.
+    pub held: usize,
     /// Number of oscillators: the modes of the chain, plus the modes of the chain with its contact stuck.
     pub parts: usize,
     /// Checksum of the constants.
@@ -56,10 +59,18 @@ pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> Constants {
         }
     });
     let rubbing = rubbing(transient.rubbing);
+    let elastic = emission.is_elastic();
+    let (chain, chain_about) = if elastic {
+        let about = "constants of the chain and of its elastic contact";
+        (code!(Self::CONTACT), about)
+    } else {
+        (code!(Self::CHAIN), "constants of the chain")
+    };
+    let law = emission.law();
     let numbers = fields(
         true,
         &[
-            ("chain", code!(Self::CHAIN), "constants of the chain"),
+            ("chain", chain, chain_about),
             (
                 "modes",
                 modes,
@@ -93,12 +104,15 @@ pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> Constants {
 
             /// Constants of the motion in time.
             #from_base
-            const DYNAMICS: Dynamics<'static, #scalar> = Dynamics { #numbers };
+            const DYNAMICS: Dynamics<'static, #scalar #law> = Dynamics { #numbers };
     };
-    let driven = transient.held.len() + LOST_MODES;
+    // The spring of an elastic contact keeps the contact's own mode.
+    let lost = if elastic { 0 } else { LOST_MODES };
+    let driven = transient.held.len() + lost;
     Constants {
         associated,
-        driven,
+        state: 2 * driven + usize::from(elastic),
+        held: transient.held.len(),
         parts: transient.modes.len() + transient.held.len(),
         sum: self_check::sum(&transient.dynamics()),
     }

@@ -151,6 +151,30 @@ impl<'a> Emission<'a> {
         self.reduced.quadratures.is_empty() && chain.loads_contact(modes)
     }
 
+    /// Returns true if the contact is elastic.
+    pub fn is_elastic(&self) -> bool {
+        self.scene.stiffness.is_some()
+    }
+
+    /// Returns the last argument of a kernel type in the user's module, with a comma before it. It selects the law of an
+    /// elastic contact, and is empty for a rigid contact.
+    pub fn law_in_types(&self) -> Option<TokenStream> {
+        let Self { facade, scalar, .. } = self;
+        self.is_elastic()
+            .then(|| code!(, #facade::kernel::motion::ElasticChain<::core::primitive::#scalar>))
+    }
+
+    /// Returns the same argument for items of the hidden block.
+    pub fn law(&self) -> Option<TokenStream> {
+        let scalar = &self.scalar;
+        self.is_elastic().then(|| code!(, ElasticChain<#scalar>))
+    }
+
+    /// Returns the word by which `wraps!` takes a type of an elastic contact.
+    pub fn law_word(&self) -> Option<TokenStream> {
+        self.is_elastic().then(|| code!(elastic))
+    }
+
     pub fn literal(&self, value: f64) -> TokenStream {
         literal(value, self.precision)
     }

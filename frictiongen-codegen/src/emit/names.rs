@@ -5,7 +5,7 @@ use quote::format_ident;
 
 /// Names that emitted code imports from the kernel. If a type of the scene has such a name, the emitted block refers to
 /// the scene's types by aliases.
-const IMPORTED: [&str; 94] = [
+const IMPORTED: [&str; 95] = [
     "check",
     "locals",
     "missing",
@@ -41,6 +41,7 @@ const IMPORTED: [&str; 94] = [
     "Scene",
     "Stuck",
     "Dynamics",
+    "ElasticChain",
     "FixedLinesSimulation",
     "FixedSimulation",
     "HeldMode",

@@ -3,7 +3,7 @@
 use super::dynamics::{Constants, count};
 use super::emission::{Emission, Part};
 use super::names::TypeNames;
-use frictiongen_kernel::orbit::{MAX_STEPS, numbers};
+use frictiongen_kernel::orbit::{MAX_STEPS, numbers_of};
 
 pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
     let Emission {
@@ -15,11 +15,10 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
         ..
     } = emission;
     let visibility = &description.visibility;
-    let driven = constants.driven;
     let parts = count(constants.parts);
     let masses = count(scene.masses.len());
-    let room = count(numbers(scene.masses.len(), driven));
-    let multipliers = count(2 * driven);
+    let room = count(numbers_of(scene.masses.len(), constants.state));
+    let multipliers = count(constants.state);
     let about = format!(
         " Steady state of [`{name}`] at one frequency and one friction ratio, in any regime."
     );
@@ -30,6 +29,8 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
         " Worst case: {MAX_STEPS} steps of all searches for events together, each a sum over at most {parts} modes, and Newton's method on {multipliers} unknowns."
     );
     let sizes = code!(#parts, #room, #multipliers);
+    let (law, law_in_types, law_word) =
+        (emission.law(), emission.law_in_types(), emission.law_word());
     let types = code! {
         #[doc = #about]
         ///
@@ -38,7 +39,7 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
         #[doc = #work_about]
         #[allow(deprecated, non_camel_case_types)]
         #visibility struct #orbit(
-            #facade::kernel::orbit::FixedOrbit<::core::primitive::#scalar, #sizes>
+            #facade::kernel::orbit::FixedOrbit<::core::primitive::#scalar, #sizes #law_in_types>
         );
     };
     let methods = description.mass_names.iter().enumerate();
@@ -48,7 +49,7 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
         code! {
             #[doc = #about]
             #[must_use]
-            pub fn #method(&self) -> FixedOrbitMotion<'_, #scalar, #sizes> {
+            pub fn #method(&self) -> FixedOrbitMotion<'_, #scalar, #sizes #law> {
                 self.mass(#index)
             }
         }
@@ -80,7 +81,7 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
             }
         }
 
-        #facade::kernel::wraps!(#orbit, FixedOrbit of #scalar, #sizes);
+        #facade::kernel::wraps!(#orbit, FixedOrbit of #law_word #scalar, #sizes);
 
         impl #orbit {
             #(#methods)*

@@ -33,7 +33,8 @@ pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> Part {
     }
     let (low, high) = (emission.literal(low), emission.literal(high));
     let stage = frequency::emit(emission);
-    let formulas = limits::formulas(emission);
+    // The kernel has the formulas of an elastic contact.
+    let formulas = (!emission.is_elastic()).then(|| limits::formulas(emission));
     let Shapes { constant, methods } = shapes(emission, wanted);
     let wraps = if emission.is_tabled() {
         code!(#facade::kernel::wraps!(#at, Compiled of tabled #name, Copy);)
@@ -45,6 +46,15 @@ pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> Part {
     associated.extend(quadratures);
     associated.extend(mode::functions(emission));
     associated.extend(stage.function);
+    let compliance = emission.is_elastic().then(|| {
+        code! {
+            /// Compliance ρ of the elastic contact, which is added to H.
+            #[inline]
+            fn compliance(&self) -> Option<#scalar> {
+                Some(Self::CONTACT.compliance)
+            }
+        }
+    });
     let (frequency, in_passes) = (stage.methods, stage.in_passes);
     let damped = if emission.damped() {
         code!(damped)
@@ -60,6 +70,8 @@ pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> Part {
             #methods
 
             #quadratures_of
+
+            #compliance
 
             /// Smallest and largest 1/r at which the formulas are evaluated.  Beyond them, squares leave the range of the scalar.
             #[inline]

@@ -23,6 +23,8 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
     let visibility = &description.visibility;
     let parts = count(constants.parts);
     let constant = scene.friction == FrictionLaw::Coulomb;
+    let (law, law_in_types, law_word) =
+        (emission.law(), emission.law_in_types(), emission.law_word());
     let target = if constant {
         code!(FixedSimulation)
     } else {
@@ -46,7 +48,7 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
         #[doc = #work_about]
         #[allow(deprecated, non_camel_case_types)]
             #visibility struct #simulation(
-                #facade::kernel::simulation::#target<::core::primitive::#scalar, #parts>
+                #facade::kernel::simulation::#target<::core::primitive::#scalar, #parts #law_in_types>
             );
     };
     let methods = description
@@ -72,7 +74,7 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
         starts_under(emission, &parts)
     };
     let items = code! {
-        #facade::kernel::wraps!(#simulation, #target of #scalar, #parts);
+        #facade::kernel::wraps!(#simulation, #target of #law_word #scalar, #parts);
 
         impl #simulation {
             #methods
@@ -88,7 +90,7 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
 
         impl<'a> IntoIterator for &'a mut #simulation {
             type Item = Segment<#scalar>;
-            type IntoIter = &'a mut #target<#scalar, #parts>;
+            type IntoIter = &'a mut #target<#scalar, #parts #law>;
 
             fn into_iter(self) -> Self::IntoIter {
                 &mut self.0

@@ -1,5 +1,6 @@
 //! Documents the work of a step of the stepper.
 
+use frictiongen_kernel::motion::AnyContact;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::stepper::{
     Cost, MAX_EVENTS, MAX_PARTS, MAX_STRETCHES, StepScene, series_terms,
@@ -7,7 +8,7 @@ use frictiongen_kernel::stepper::{
 use frictiongen_model::scene::Precision;
 
 /// Returns documentation lines about the parts of a step.
-pub(super) fn parts(scene: &StepScene<'_, Dd>, step: Option<f64>) -> Vec<String> {
+pub(super) fn parts(scene: &StepScene<'_, Dd, AnyContact<Dd>>, step: Option<f64>) -> Vec<String> {
     let fastest = scene.fastest().to_f64();
     let shown = if (0.1..1e7).contains(&fastest) {
         format!("{fastest:.2}")
@@ -28,7 +29,7 @@ pub(super) fn parts(scene: &StepScene<'_, Dd>, step: Option<f64>) -> Vec<String>
 
 /// Returns documentation lines about the number of operations of a step.
 pub(super) fn operations(
-    scene: &StepScene<'_, Dd>,
+    scene: &StepScene<'_, Dd, AnyContact<Dd>>,
     step: Option<f64>,
     coefficients: usize,
     precision: Precision,

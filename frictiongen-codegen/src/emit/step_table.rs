@@ -6,6 +6,7 @@ use super::emission::{Emission, rounded};
 use super::fields::fields;
 use super::self_check::sum_of_rounded;
 use frictiongen_kernel::Float;
+use frictiongen_kernel::motion::AnyContact;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::stepper::{
     Channel, HeldLoad, HeldRow, HeldStep, ModeStep, Pace, Row, StepScene, fill,
@@ -35,7 +36,7 @@ impl Sizes {
 /// Emits the tables, and returns their checksum. Returns `None` for a step that the kernel refuses. `lower` has then reported the error.
 pub(super) fn emit(
     emission: &Emission<'_>,
-    scene: &StepScene<'_, Dd>,
+    scene: &StepScene<'_, Dd, AnyContact<Dd>>,
     step: f64,
     sizes: &Sizes,
 ) -> Option<(TokenStream, u32)> {
@@ -52,7 +53,7 @@ const ROUNDING: f64 = 1e-26;
 
 fn table<const D: usize>(
     emission: &Emission<'_>,
-    scene: &StepScene<'_, Dd>,
+    scene: &StepScene<'_, Dd, AnyContact<Dd>>,
     step: f64,
     sizes: &Sizes,
 ) -> Option<(TokenStream, u32)> {
@@ -158,7 +159,7 @@ fn terms<S: Float>(emission: &Emission<'_>, step: Dd) -> Option<u32> {
     let Emission { scene, modal, .. } = emission;
     let transient = Transient::<S>::of(scene, modal, to);
     let steps = Steps::of(scene, modal, std::iter::empty(), to);
-    let scene = steps.scene(transient.dynamics());
+    let scene = steps.scene(transient.contact_dynamics());
     let pace = frictiongen_model::stepping::pace(&scene, to(step)).ok()?;
     Some(pace.terms)
 }

@@ -7,7 +7,6 @@ use super::names::{TypeNames, local};
 use super::step_cost;
 use super::step_table::{self, Sizes};
 use super::units;
-use frictiongen_kernel::motion::LOST_MODES;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::stepper::{Input, Units};
 use frictiongen_model::stepping::Steps;
@@ -32,14 +31,15 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
     } = emission;
     let steps = Steps::of(scene, modal, std::iter::empty(), |value| value);
     let transient = Transient::<Dd>::of(scene, modal, |value| value);
-    let exact = steps.scene(transient.dynamics());
+    let exact = steps.scene(transient.contact_dynamics());
     let sizes = Sizes {
         coefficients: steps.coefficients(),
         modes: transient.modes.len(),
-        held: constants.driven - LOST_MODES,
+        held: constants.held,
         inputs: steps.inputs(),
     };
     let literals = sizes.literals();
+    let law_word = emission.law_word();
     let masses = count(scene.masses.len());
     let (step_scene, mut constants) = step_scene(emission);
     let tables = scene
@@ -123,7 +123,7 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
             }
     };
     let items = code! {
-        #facade::kernel::wraps!(#stepper, FixedStepper of #scalar, #literals);
+        #facade::kernel::wraps!(#stepper, FixedStepper of #law_word #scalar, #literals);
 
         impl #stepper {
             /// Sets the input at the start of the first step.  Without this call the input there is 0.
@@ -243,11 +243,12 @@ fn step_scene(emission: &Emission<'_>) -> (TokenStream, Vec<Checked>) {
             ),
         ],
     );
+    let law = emission.law();
     let associated = code! {
         #step
 
         /// Constants of the stepper.
-        const STEP_SCENE: StepScene<'static, #scalar> = StepScene { #numbers };
+        const STEP_SCENE: StepScene<'static, #scalar #law> = StepScene { #numbers };
     };
     (associated, constants)
 }
@@ -298,6 +299,7 @@ fn types(
             pub #field: #scalar,
         }
     });
+    let law_in_types = emission.law_in_types();
     let friction = if steps.law.is_empty() {
         " Kinetic friction force F, not negative.  A stuck contact holds up to μF."
     } else {
@@ -308,7 +310,7 @@ fn types(
         ///
         #(#[doc = #cost])*
         #[allow(deprecated, non_camel_case_types)]
-        #visibility struct #stepper(#facade::kernel::stepper::FixedStepper<#scalar, #literals>);
+        #visibility struct #stepper(#facade::kernel::stepper::FixedStepper<#scalar, #literals #law_in_types>);
 
         #[doc = #input_about]
         #[allow(deprecated, non_camel_case_types, non_snake_case)]

@@ -41,12 +41,14 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
         None => " It is 0, because the contact holds the mass to a support at rest.",
         Some(_) => " It is 1, because the contact holds the mass to the base.",
     };
+    let elastic = emission.is_elastic();
+    let h = if elastic { "(H + ρ)" } else { "H" };
     let methods = description.mass_names.iter().enumerate();
     let methods = methods.map(|(mass, method)| {
         let about = format!(
-            " x̄* = V_k − H_kV/H, the complex amplitude of mass `{method}` over {unit} (6.11, 6.27, 6.33)."
+            " x̄* = V_k − H_kV/{h}, the complex amplitude of mass `{method}` over {unit} (6.11, 6.27, 6.33)."
         );
-        let why = (emission.reduced.rubbing == Some(mass)).then(|| {
+        let why = (!elastic && emission.reduced.rubbing == Some(mass)).then(|| {
             code! {
                 ///
                 #[doc = #tied]
@@ -62,7 +64,7 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
             }
         }
     });
-    let in_lines = (!emission.in_sums()).then(|| in_lines(emission));
+    let in_lines = (!emission.in_sums() && !elastic).then(|| in_lines(emission));
     let of_kernel = in_lines.is_none().then(|| {
         code! {
             /// The responses are those of the kernel, which sums over the modes in loops.  Worst case: a fixed number of

@@ -25,9 +25,6 @@ pub use limits::{Limits, ProofAt};
 /// The error of `proof: whole` in a build without the feature `proof`.
 const WITHOUT_PROOF: &str = "`proof: whole` needs the feature `proof` of frictiongen, which is off; write `frictiongen = { version = \"0.1\", features = [\"proof\"] }` in Cargo.toml, or leave `proof` out, so that the table is checked but not proven";
 
-/// The error of an elastic contact where code is emitted.
-const ELASTIC: &str = "code is emitted for a rigid contact only; build a `System` from this description at run time, or leave `stiffness` out";
-
 /// A description that was read and that makes physical sense.
 pub struct Description {
     /// The doc comments and attributes before the struct, as attributes of Rust.
@@ -188,7 +185,6 @@ fn lower(
                 problems.report(place, error.to_string());
             }
         }
-        check_contact(located, problems);
         check_motion_in_time(located, problems);
     }
     match (located, &syntax.name) {
@@ -208,13 +204,6 @@ fn lower(
             written: String::new(),
         }),
         _ => Err(Box::new(partial(syntax, sources, header))),
-    }
-}
-
-/// Reports an elastic contact, for which no code is emitted.
-fn check_contact(located: &Located<'_>, problems: &mut Problems) {
-    if located.scene.stiffness.is_some() && problems.is_empty() {
-        problems.report(located.place(Path::Stiffness), ELASTIC);
     }
 }
 

@@ -13,7 +13,7 @@ pub use crate::contact::regime::Limits;
 pub use crate::contact::sums::{Chain, ContactAt, ModeAt};
 pub use crate::errors::{NoOrbit, OutOfDomain};
 pub use crate::modal_sum::wave::Wave;
-pub use crate::motion::{Dynamics, HeldMode, Lines, Part};
+pub use crate::motion::{Dynamics, ElasticChain, HeldMode, Lines, Part};
 pub use crate::orbit::{FixedOrbit, FixedOrbitMotion, Orbit, ProvidesOrbit, Start};
 pub use crate::oscillator::decay::{Damped, Decay, Undamped};
 pub use crate::oscillator::mode::{Kind, Mode, ModeResponse};
@@ -188,6 +188,12 @@ macro_rules! wraps {
     };
     ($type:ident, $target:ident of $scalar:ident, $($size:literal),*) => {
         $crate::wraps!(@ $type, $crate::emitted::$target<$scalar, $($size),*>);
+    };
+    ($type:ident, $target:ident of elastic $scalar:ident, $($size:literal),*) => {
+        $crate::wraps!(
+            @ $type,
+            $crate::emitted::$target<$scalar, $($size),*, $crate::emitted::ElasticChain<$scalar>>
+        );
     };
     (@ $type:ident, $target:ty) => {
         impl ::core::clone::Clone for $type {

@@ -17,11 +17,11 @@ fn most_turned(precision: Precision) -> f64 {
     }
 }
 
-/// Returns the digits that [`most_turned`] keeps, as text.
-fn kept(precision: Precision) -> &'static str {
+/// Returns the number of digits that [`most_turned`] keeps.
+fn kept(precision: Precision) -> u32 {
     match precision {
-        Precision::F64 => "1e-10",
-        Precision::F32 => "1e-3",
+        Precision::F64 => 10,
+        Precision::F32 => 3,
     }
 }
 
@@ -101,7 +101,7 @@ pub(super) fn check_digits(scene: &Scene, modal: &Modal, errors: &mut Vec<SceneE
             path: Path::Stiffness,
             value,
             most,
-            kept: kept(scene.precision).to_owned(),
+            kept: kept(scene.precision),
         });
     }
 }

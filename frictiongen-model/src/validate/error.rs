@@ -104,8 +104,8 @@ scene_errors! {
         "the stiffness of the contact is {value:?}: it must be greater than zero; write a positive number, or leave `stiffness` out for a rigid contact",
     StiffnessInfinite {} =>
         "an infinite stiffness is a rigid contact; leave `stiffness` out",
-    StiffnessLosesDigits { value: f64, most: f64, kept: String } =>
-        "with the stiffness {value:?} of the contact, its force would have fewer correct digits than {kept}; write at most {most:.1e}, or leave `stiffness` out for a rigid contact",
+    StiffnessLosesDigits { value: f64, most: f64, kept: u32 } =>
+        "the stiffness {value:?} of the contact leaves fewer than {kept} correct digits of its force; write at most {most:.1e}, or leave `stiffness` out for a rigid contact",
     ElasticStribeck {} =>
         "`stiffness` and `stribeck` exclude each other: the force of an elastic contact cannot depend on the speed; leave one of the two out",
     NoTablesElastic { tables: String } =>
@@ -113,7 +113,7 @@ scene_errors! {
     ElasticWithoutMotion {} =>
         "an elastic contact sticks after each reversal, so that it has no β_lim and no closed form; write `provide: [orbit, simulation]`, or leave `stiffness` out for a rigid contact",
     NotElastic { item: String } =>
-        "`{item}` is not possible with `stiffness`; write `orbit` or `simulation` instead, or leave `stiffness` out for a rigid contact",
+        "`{item}` is not possible with `stiffness`; write `orbit`, `simulation`, `stepper` or `stuck` instead, or leave `stiffness` out for a rigid contact",
     StictionBelowOne { value: f64 } =>
         "the stiction μ is {value:?}, but static friction is never smaller than kinetic; write 1 or more",
     NothingProvided {} =>

@@ -9,6 +9,7 @@
 )]
 
 mod digits;
+mod emitted;
 mod energy;
 mod full_slip;
 mod joints;
