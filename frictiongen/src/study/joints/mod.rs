@@ -14,21 +14,28 @@
 //! residual: the masses that they join have one acceleration, so that the relative velocity of a contact that sticks is
 //! exactly 0 and its relative displacement one number.
 
+mod cycle;
+mod damping;
 mod decide;
 mod events;
 mod model;
 mod roots;
 mod run;
 mod series;
+mod steady;
+mod stuck;
 mod tree;
 
 #[cfg(test)]
 mod tests;
 
+pub use cycle::{ContactCycle, Cycle};
 pub use decide::{Decision, MAX_PATTERNS};
 pub use model::Model;
 pub use run::{MAX_EVENTS, MAX_STRETCHES, Motion, State, Transition};
 pub use series::Series;
+pub use steady::{MAX_PERIOD, Steady, steady_state};
+pub use stuck::{StuckResponse, stuck_response};
 
 use frictiongen_model::scene::Node;
 use std::fmt;
@@ -80,7 +87,7 @@ impl Wave {
 pub struct Joint {
     /// The two sides.
     pub ends: (Node, Node),
-    /// Level F of the kinetic friction. It may vary in time for a rigid contact.
+    /// Level F of the kinetic friction. It may vary in time for a rigid contact, and must then stay positive.
     pub level: Wave,
     /// Static over kinetic friction μ, at least 1.
     pub stiction: f64,
@@ -130,6 +137,8 @@ pub enum JointError {
     Stalled,
     /// The motion exceeds the range of numbers.
     NotFinite,
+    /// The motion does not settle on a period of at most [`MAX_PERIOD`] cycles.
+    NotSteady,
 }
 
 impl fmt::Display for JointError {
@@ -153,6 +162,10 @@ impl fmt::Display for JointError {
             Self::Events => write!(f, "the motion has more than {MAX_EVENTS} events"),
             Self::Stretches => write!(f, "the motion needs more than {MAX_STRETCHES} stretches"),
             Self::Stalled => write!(f, "events follow each other without any time between them"),
+            Self::NotSteady => write!(
+                f,
+                "the motion does not settle on a period of at most {MAX_PERIOD} cycles"
+            ),
             Self::NotFinite => write!(f, "the motion exceeds the range of numbers"),
         }
     }

@@ -304,7 +304,10 @@ fn check_numbers(chain: &Chain) -> Result<(), JointError> {
             "a load",
         ),
         (
-            chain.contacts.iter().all(level_fits),
+            chain
+                .contacts
+                .iter()
+                .all(|c| level_fits(&c.level, c.stiffness.is_none())),
             "the level of a contact",
         ),
         (
@@ -328,23 +331,15 @@ fn check_numbers(chain: &Chain) -> Result<(), JointError> {
     }
 }
 
-/// Says whether a level is one that the contact can have.
-pub fn level_fits(contact: &super::Joint) -> bool {
-    let Wave {
-        constant,
-        amplitude,
-        omega,
-        phase,
-    } = contact.level;
-    let finite = [constant, amplitude, omega, phase]
-        .iter()
-        .all(|v| v.is_finite());
-    let varies = amplitude != 0.0;
+/// Says whether a contact, rigid or not, can have a level.
+pub fn level_fits(level: &Wave, rigid: bool) -> bool {
+    let numbers = [level.constant, level.amplitude, level.omega, level.phase];
+    let finite = numbers.iter().all(|number| number.is_finite());
     finite
-        && if varies {
-            contact.stiffness.is_none()
+        && if level.amplitude == 0.0 {
+            level.constant >= 0.0
         } else {
-            constant >= 0.0
+            rigid
         }
 }
 

@@ -1,7 +1,7 @@
 //! The motion from event to event.
 
 use super::events::set_phase;
-use super::model::{Model, at};
+use super::model::{Model, at, level_fits};
 use super::roots::first_negative;
 use super::series::{Poly, Series, wave_terms};
 use super::tree::{Tree, set};
@@ -125,9 +125,9 @@ impl Motion {
         (c.across(&v), place)
     }
 
-    /// Sets time and state, for instance those of the period before.
-    pub fn set(&mut self, time: f64, state: State) {
-        self.time = time;
+    /// Starts again at time 0 with a state of this chain.
+    pub fn restart(&mut self, state: State) {
+        self.time = 0.0;
         self.state = state;
         self.join();
         let (mut x, mut v) = self.nodes();
@@ -137,12 +137,19 @@ impl Motion {
     }
 
     /// Changes the level of a contact from now on.
+    ///
+    /// # Errors
+    ///
+    /// [`JointError::Number`] if the contact cannot have this level, and those of a decision.
     pub fn set_level(&mut self, contact: usize, level: Wave) -> Result<(), JointError> {
         let (x, v) = self.nodes();
         let force = at(&self.state.forces, contact);
         let Some(c) = self.model.contacts.get_mut(contact) else {
             return Ok(());
         };
+        if !level_fits(&level, c.is_rigid()) {
+            return Err(JointError::Number("the level of a contact"));
+        }
         let was_free = c.is_free();
         c.level = level;
         let speed = c.across(&v);

@@ -3,6 +3,7 @@ mod energy;
 mod known;
 mod patterns;
 mod reference;
+mod steady;
 
 use super::{Chain, Joint, Wave};
 use frictiongen_model::scene::Node;

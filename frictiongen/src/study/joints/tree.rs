@@ -78,6 +78,16 @@ impl Tree {
         }
     }
 
+    /// Returns the root of a node.
+    pub fn root(&self, node: usize) -> usize {
+        self.roots.get(node).copied().unwrap_or(node)
+    }
+
+    /// Returns the mass of the tree of a root.
+    pub fn mass(&self, root: usize) -> f64 {
+        at(&self.masses, root)
+    }
+
     /// Sets the displacements of all nodes from those of the roots, and makes velocities in a tree equal to the root's.
     pub fn place(&self, x: &mut [f64], v: &mut [f64], places: &[f64]) {
         for branch in &self.branches {

@@ -261,4 +261,13 @@ fn what_cannot_be_is_refused_by_name() {
     for (chain, error) in cases {
         assert_eq!(Model::new(&chain).map(|_| ()), Err(error));
     }
+    let mut motion = Motion::from_rest(&chain(vec![elastic((Mass(0), Wall))])).expect("a chain");
+    for level in [
+        Wave::constant(-1.0),
+        Wave::constant(f64::NAN),
+        Wave::harmonic(1.0, 2.0),
+    ] {
+        let refused = motion.set_level(0, level);
+        assert_eq!(refused, Err(JointError::Number("the level of a contact")));
+    }
 }

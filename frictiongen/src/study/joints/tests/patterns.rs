@@ -207,7 +207,7 @@ fn against_all(count: usize) {
 
 #[test]
 fn decisions_are_those_of_all_patterns() {
-    against_all(1500);
+    against_all(600);
 }
 
 /// Long form of the test above.
@@ -221,7 +221,7 @@ fn decisions_are_those_of_all_patterns_long() {
 #[test]
 fn accelerations_are_those_of_the_convex_minimum() {
     let mut random = Random::new(5);
-    for _ in 0..1000 {
+    for _ in 0..300 {
         let contacts = 1 + random.below(6);
         let (chain, forces) = question(&mut random, contacts, true);
         let model = Model::new(&chain).expect("a chain");

@@ -8,15 +8,15 @@ use frictiongen_model::scene::Node;
 use serde_json::Value;
 use std::f64::consts::TAU;
 
-fn number(value: &Value) -> f64 {
+pub fn number(value: &Value) -> f64 {
     value.as_f64().expect("a number")
 }
 
-fn list(value: &Value) -> &[Value] {
+pub fn list(value: &Value) -> &[Value] {
     value.as_array().expect("a list")
 }
 
-fn numbers(value: &Value) -> Vec<f64> {
+pub fn numbers(value: &Value) -> Vec<f64> {
     list(value).iter().map(number).collect()
 }
 
@@ -35,12 +35,12 @@ fn links(value: &Value) -> Vec<(Node, Node, f64)> {
         .collect()
 }
 
-fn read() -> Value {
+pub fn read() -> Value {
     serde_json::from_str(include_str!("../joints.json")).expect("JSON")
 }
 
 /// The chain of an entry, at one frequency.
-fn chain(value: &Value, omega: f64) -> Chain {
+pub fn chain(value: &Value, omega: f64) -> Chain {
     let masses = numbers(&value["masses"]);
     let springs = links(&value["springs"]);
     let contacts = list(&value["contacts"]).iter().map(|contact| Joint {
