@@ -45,11 +45,13 @@ pub const MAX_CONTACTS: usize = 16;
 /// Largest number of masses.
 pub const MAX_MASSES: usize = 64;
 
-/// A constant plus one harmonic: c + a cos(ωt + φ).
+/// A straight line plus one harmonic: c + bt + a cos(ωt + φ).
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub struct Wave {
     /// The constant c.
     pub constant: f64,
+    /// The slope b, per unit of time.
+    pub slope: f64,
     /// The amplitude a.
     pub amplitude: f64,
     /// The frequency ω in rad per unit of time.
@@ -76,9 +78,31 @@ impl Wave {
         }
     }
 
+    /// Returns the straight line through two samples (time, value).
+    pub fn line((start, first): (f64, f64), (end, last): (f64, f64)) -> Self {
+        let slope = (last - first) / (end - start);
+        Self {
+            constant: first - slope * start,
+            slope,
+            ..Self::default()
+        }
+    }
+
     /// Says whether the value is 0 at every instant.
     pub fn is_zero(&self) -> bool {
-        self.constant == 0.0 && self.amplitude == 0.0
+        self.constant == 0.0 && self.slope == 0.0 && self.amplitude == 0.0
+    }
+
+    /// Says whether all its numbers are finite.
+    fn is_finite(&self) -> bool {
+        let numbers = [
+            self.constant,
+            self.slope,
+            self.amplitude,
+            self.omega,
+            self.phase,
+        ];
+        numbers.iter().all(|number| number.is_finite())
     }
 }
 

@@ -185,6 +185,15 @@ impl Model {
         terms.iter().map(|terms| at(terms, 0)).collect()
     }
 
+    /// Changes a load, and returns by how much its value at an instant jumps.
+    pub fn change_load(&mut self, load: usize, to: Wave, time: f64) -> Option<f64> {
+        let (_, wave) = self.loads.get_mut(load)?;
+        let value = |wave: &Wave| at(&super::series::wave_terms(wave, time, 0.0, 0), 0);
+        let jump = value(&to) - value(wave);
+        *wave = to;
+        Some(jump)
+    }
+
     /// Returns the power of the loads at given velocities.
     pub fn load_power(&self, time: f64, v: &[f64]) -> f64 {
         let values = self.load_values(time);
@@ -280,10 +289,6 @@ fn ends(
 /// Refuses numbers that cannot be.
 fn check_numbers(chain: &Chain) -> Result<(), JointError> {
     let positive = |value: f64| value > 0.0 && value.is_finite();
-    let wave = |wave: &Wave| {
-        let values = [wave.constant, wave.amplitude, wave.omega, wave.phase];
-        values.iter().all(|value| value.is_finite())
-    };
     let checks = [
         (chain.masses.iter().all(|&m| positive(m)), "a mass"),
         (
@@ -300,7 +305,7 @@ fn check_numbers(chain: &Chain) -> Result<(), JointError> {
             "an entry of the damping matrix",
         ),
         (
-            chain.loads.iter().all(|(_, load)| wave(load)) && wave(&chain.base),
+            chain.loads.iter().all(|(_, load)| load.is_finite()) && chain.base.is_finite(),
             "a load",
         ),
         (
@@ -333,10 +338,8 @@ fn check_numbers(chain: &Chain) -> Result<(), JointError> {
 
 /// Says whether a contact, rigid or not, can have a level.
 pub fn level_fits(level: &Wave, rigid: bool) -> bool {
-    let numbers = [level.constant, level.amplitude, level.omega, level.phase];
-    let finite = numbers.iter().all(|number| number.is_finite());
-    finite
-        && if level.amplitude == 0.0 {
+    level.is_finite()
+        && if level.amplitude == 0.0 && level.slope == 0.0 {
             level.constant >= 0.0
         } else {
             rigid

@@ -176,6 +176,30 @@ impl Motion {
         self.ask(&[], &[])
     }
 
+    /// Changes a load from now on, for instance to the line that leads to the next sample of a record.
+    ///
+    /// # Errors
+    ///
+    /// [`JointError::Number`] if the load is not finite, [`JointError::Ends`] if there is no such load.
+    pub fn set_load(&mut self, load: usize, to: Wave) -> Result<(), JointError> {
+        if !to.is_finite() {
+            return Err(JointError::Number("a load"));
+        }
+        let jump = self.model.change_load(load, to, self.time);
+        let jump = jump.ok_or(JointError::Ends("a load"))?;
+        self.model.stretch = self.model.stretch.min(shortest(&to));
+        if jump != 0.0 {
+            // Accelerations and holding forces jump; velocities and elastic forces do not.
+            let contacts = self.model.contacts.iter().zip(&self.state.phases);
+            for ((contact, phase), zeros) in contacts.zip(&mut self.state.zeros) {
+                if contact.is_rigid() {
+                    zeros.0 = zeros.0.min(usize::from(*phase != STUCK));
+                }
+            }
+        }
+        Ok(())
+    }
+
     /// Runs to an instant and returns the events on the way. `watch` sees each stretch, and the fraction of it that the
     /// motion has covered.
     pub fn run(

@@ -23,10 +23,13 @@ pub fn wave_terms(wave: &Wave, time: f64, length: f64, derivative: usize) -> Pol
         *term = factor * at(&derivatives, (order + derivative) % 4);
         factor *= wave.omega * length / (order + 1) as f64;
     }
-    if derivative == 0
-        && let Some(first) = terms.first_mut()
-    {
-        *first += wave.constant;
+    let line = match derivative {
+        0 => [wave.constant + wave.slope * time, wave.slope * length],
+        1 => [wave.slope, 0.0],
+        _ => [0.0, 0.0],
+    };
+    for (term, line) in terms.iter_mut().zip(line) {
+        *term += line;
     }
     terms
 }

@@ -2,6 +2,7 @@ mod creep;
 mod energy;
 mod known;
 mod patterns;
+mod records;
 mod reference;
 mod steady;
 

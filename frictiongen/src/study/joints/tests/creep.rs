@@ -79,6 +79,7 @@ fn masses_that_stick_together_travel_together() {
                 amplitude: 12.0,
                 omega: 31.0,
                 phase: 0.4,
+                ..Wave::default()
             },
         )],
         ..Chain::default()

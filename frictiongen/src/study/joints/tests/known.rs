@@ -20,7 +20,7 @@ fn coupled_clutches() {
         amplitude: 10.0,
         omega: 10.0 * PI,
         phase: -PI / 2.0,
-        constant: 0.0,
+        ..Wave::default()
     };
     let mut chain = Chain {
         masses: vec![1.0; 4],
@@ -107,7 +107,7 @@ fn loop_of_an_elastic_contact() {
             amplitude: 5.0,
             omega: 1.0,
             phase: -PI / 2.0,
-            constant: 0.0,
+            ..Wave::default()
         },
         ..Chain::default()
     };
