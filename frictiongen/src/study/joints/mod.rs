@@ -19,6 +19,7 @@ mod damping;
 mod decide;
 mod events;
 mod model;
+mod neutral;
 mod roots;
 mod run;
 mod series;

@@ -50,9 +50,9 @@ impl Contact {
 pub struct Model {
     /// The masses.
     pub masses: Vec<f64>,
-    springs: Vec<Link>,
-    dashpots: Vec<Link>,
-    damping: Vec<Vec<f64>>,
+    pub(super) springs: Vec<Link>,
+    pub(super) dashpots: Vec<Link>,
+    pub(super) damping: Vec<Vec<f64>>,
     damping_from_base: bool,
     /// The contacts.
     pub contacts: Vec<Contact>,

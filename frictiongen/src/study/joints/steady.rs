@@ -25,6 +25,18 @@ const SAME: f64 = 2e-13;
 /// Step of the differences, relative to the size of the unknowns.
 const STEP: f64 = 1e-6;
 
+/// Singular values below which a direction counts as neutral.
+const RANK: f64 = 1e-7;
+/// Largest distance from 1 of a multiplier of a neutral direction.
+const SPLIT: f64 = 1e-3;
+
+/// Factor by which a difference must fall before a periodic motion is believed.
+const DECAY: f64 = 1e-3;
+/// Most cycles for that.
+const MAX_CONFIRM: usize = 256;
+/// Difference that is believed at once.
+const CLOSE: f64 = 1e-9;
+
 /// A periodic motion.
 #[derive(Clone, Debug)]
 pub struct Steady {
@@ -32,7 +44,10 @@ pub struct Steady {
     pub period: usize,
     /// The state at a maximum of the load.
     pub state: State,
-    /// The multipliers of a period, largest first, without those of 1 that `marginal` tells of.
+    /// In how many ways the chain may be moved as a whole: place, and velocity, of what nothing holds. The steady state
+    /// keeps what the motion from rest has left.
+    pub neutral: usize,
+    /// The multipliers of a period, largest first, without those of 1 that `marginal` and `neutral` tell of.
     pub multipliers: Vec<Complex<f64>>,
     /// The contacts that do not slide in the period. The steady state depends on their place, or on the force that the
     /// past left in them.
@@ -72,6 +87,7 @@ pub fn steady_state(chain: &Chain, omega: f64) -> Result<Steady, JointError> {
         {
             if let Some(steady) = shooting.newton(&motion, period)?
                 && steady.is_stable()
+                && shooting.confirm(&mut motion, &steady)?
             {
                 return Ok(steady);
             }
@@ -95,23 +111,21 @@ impl Shooting {
     /// Runs some cycles. Returns the shortest period after which the last states come back, if there is one.
     fn settle(&mut self, motion: &mut Motion, cycles: usize) -> Result<Option<usize>, JointError> {
         let mut states: Vec<State> = Vec::new();
+        let mut watch = Watch::new(motion.model());
         for cycle in 0..cycles {
-            self.advance(motion, 1, &mut Watch::default())?;
+            watch = Watch::new(motion.model());
+            self.advance(motion, 1, &mut watch)?;
             if cycle + 2 * MAX_PERIOD > cycles {
                 states.push(motion.state().clone());
             }
         }
-        let size = |pick: fn(&State) -> &Vec<f64>| {
-            let values = states.iter().flat_map(pick);
-            values
-                .fold(0.0_f64, |most, value| most.max(value.abs()))
-                .max(f64::MIN_POSITIVE)
-        };
-        let (x, v) = (size(|s| &s.x), size(|s| &s.v));
-        let speed = v.max(x / self.cycle);
+        let place = watch.cycle(self.cycle).amplitudes;
+        let place = place.into_iter().fold(0.0, f64::max);
+        // Where nothing moves, any size will do.
+        let place = if place > 0.0 { place } else { 1.0 };
+        let speed = place * TAU / self.cycle;
         let masses = motion.state().x.len();
         let contacts = motion.state().phases.len();
-        let place = x.max(v * self.cycle / TAU);
         self.sizes = vec![place; masses];
         self.sizes.extend(vec![speed; masses]);
         self.sizes.extend(vec![place; 2 * contacts]);
@@ -161,6 +175,40 @@ impl Shooting {
             watch.events(&events);
         }
         Ok(())
+    }
+
+    /// Says whether the motion goes on towards a periodic one, as fast as its multipliers say. A contact that has not
+    /// slid for some cycles may slide again while the motion settles.
+    fn confirm(&self, motion: &mut Motion, steady: &Steady) -> Result<bool, JointError> {
+        let rate = steady.multipliers.first().map_or(0.0, |m| m.norm());
+        let periods = (DECAY.ln() / rate.max(DECAY).ln()).ceil() as usize;
+        let periods = periods.clamp(1, (MAX_CONFIRM / steady.period).max(1));
+        let expected = rate.powf(periods as f64).max(DECAY);
+        let before = self.away(motion.state(), steady);
+        let mut watch = Watch::new(motion.model());
+        self.advance(motion, periods * steady.period, &mut watch)?;
+        let slides = watch.slides();
+        if steady
+            .marginal
+            .iter()
+            .any(|&j| slides.get(j) == Some(&true))
+        {
+            return Ok(false);
+        }
+        let after = self.away(motion.state(), steady);
+        Ok(after <= CLOSE || after <= 0.5 * (1.0 + expected) * before)
+    }
+
+    /// Returns the largest difference from a periodic motion in the sizes of the unknowns. Where the chain may be moved
+    /// as a whole, only velocities count.
+    fn away(&self, state: &State, steady: &Steady) -> f64 {
+        let masses = state.x.len();
+        let of = |state: &State| -> Vec<f64> { state.x.iter().chain(&state.v).copied().collect() };
+        let (a, b) = (of(state), of(&steady.state));
+        let differences = a.iter().zip(&b).zip(&self.sizes);
+        let differences = differences.map(|((a, b), size)| (a - b).abs() / size);
+        let first = if steady.neutral > 0 { masses } else { 0 };
+        differences.skip(first).fold(0.0, f64::max)
     }
 
     /// Returns the unknowns of a state: displacements, velocities, and for each contact that moves its slider or its
@@ -257,7 +305,7 @@ impl Shooting {
             before = residual;
             let count = from.len();
             let system = DMatrix::identity(count, count) - &matrix;
-            let Ok(step) = system.svd(true, true).solve(&(&to - &from), 1e-9) else {
+            let Ok(step) = system.svd(true, true).solve(&(&to - &from), RANK) else {
                 return Ok(None);
             };
             start = self.with(&start, &(&from + step));
@@ -296,12 +344,20 @@ impl Shooting {
     ) -> Steady {
         let mut multipliers: Vec<Complex<f64>> =
             matrix.complex_eigenvalues().iter().copied().collect();
+        let keeps = |j: usize| self.moving.get(j) == Some(&false);
+        let neutral = start.model().neutral(keeps);
+        // Place and velocity of a free part are a double root, which the differences split.
+        multipliers.sort_by(|a, b| (a - 1.0).norm().total_cmp(&(b - 1.0).norm()));
+        let ones = multipliers.iter().take(neutral);
+        let ones = ones.filter(|m| (**m - 1.0).norm() < SPLIT).count();
+        multipliers.drain(..ones);
         multipliers.sort_by(|a, b| b.norm().total_cmp(&a.norm()));
         let contacts = self.moving.iter().zip(&start.state().phases).enumerate();
         let marginal = contacts.filter(|(_, (moves, phase))| !**moves && **phase != FREE);
         Steady {
             period,
             state: start.state().clone(),
+            neutral,
             multipliers,
             marginal: marginal.map(|(j, _)| j).collect(),
             cycle: watch.cycle(period as f64 * self.cycle),

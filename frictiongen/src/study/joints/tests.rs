@@ -4,6 +4,7 @@ mod known;
 mod patterns;
 mod records;
 mod reference;
+mod settled;
 mod steady;
 
 use super::{Chain, Joint, Wave};

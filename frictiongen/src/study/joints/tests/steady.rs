@@ -124,7 +124,7 @@ fn changes_decay_with_the_multipliers() {
 fn the_stuck_chain_is_the_steady_state_with_large_levels() {
     let mut random = Random::new(77);
     let (mut seen, mut worst) = (0, 0.0_f64);
-    while seen < 8 {
+    while seen < 4 {
         let (mut chain, omega) = random_chain(&mut random);
         let held = chain.springs.first().is_some_and(|spring| spring.0 == Base);
         if chain.contacts.is_empty() || !held {
@@ -227,7 +227,7 @@ fn the_limit_names_the_contact_that_goes_first() {
 fn energies_of_contacts_are_what_the_load_puts_in() {
     let mut random = Random::new(123);
     let mut seen = 0;
-    for _ in 0..16 {
+    for _ in 0..8 {
         let (mut chain, omega) = random_chain(&mut random);
         // Contacts alone dissipate.
         chain.damping.clear();
@@ -265,7 +265,7 @@ fn energies_of_contacts_are_what_the_load_puts_in() {
         seen += usize::from(taken > 1e-6 * size);
     }
     println!("{seen} scenes");
-    assert!(seen >= 5, "{seen}");
+    assert!(seen >= 3, "{seen}");
 }
 
 /// Damping matrices against those of the tests, which have an eigensolver of their own.
