@@ -4,14 +4,15 @@ use crate::args::OptimumArguments;
 use crate::asked;
 use crate::failure::Failure;
 use crate::frequency::Band;
-use crate::measure;
+use crate::measure::{self, Measure};
 use crate::output::{self, Table, Visitor};
 use crate::summary::Summary;
-use frictiongen::System;
-use frictiongen::study::columns::{Column, OptimumLine, OptimumTable, Setting, Tuned};
+use frictiongen::study::columns::{Column, OptimumLine, OptimumTable, Setting, Tuned, bound};
 use frictiongen::study::optimum::{
     FrequencyBand, Optimum, OptimumError, OptimumRequest, Tunable, TunedOptimum, Tuning,
 };
+use frictiongen::study::response::Size;
+use frictiongen::{Of, System};
 use frictiongen_codegen::Limits;
 use std::io::Write;
 
@@ -26,15 +27,20 @@ pub fn run(arguments: &OptimumArguments, out: &mut dyn Write) -> Result<(), Fail
         ));
     }
     let part = asked::part(&system, &arguments.of)?;
-    asked::without_rates(std::slice::from_ref(&part))?;
     let measure = measure::of(&arguments.load, &system)?;
     let band = band.under(&measure);
     let request = OptimumRequest {
         of: part.of,
+        size: part.size,
         band: FrequencyBand::Ratio(band.from, band.to),
         load: measure.load(),
+        keep: kept(&system, &measure, &arguments.keep)?,
     };
-    let parts = [part];
+    let mut parts = vec![part];
+    for text in &arguments.keep {
+        let name = text.split(['<', '≤']).next().unwrap_or_default();
+        parts.push(asked::part(&system, name.trim())?);
+    }
     let table = OptimumTable {
         setting: Setting {
             system: &system,
@@ -60,6 +66,19 @@ pub fn run(arguments: &OptimumArguments, out: &mut dyn Write) -> Result<(), Fail
     let summary = Summary::of(&system, band.is_physical(), measure);
     let report = OptimumReport { table, lines };
     output::write(&report, &summary, arguments.format.checked()?, out)
+}
+
+/// Returns the bounds that `--keep` gives.
+fn kept(
+    system: &System,
+    measure: &Measure,
+    texts: &[String],
+) -> Result<Vec<(Of, Size, f64)>, Failure> {
+    let one = |text: &String| {
+        let found = bound(system, measure, text);
+        found.map_err(|problem| Failure::new(format_args!("--keep `{text}`: {problem}")))
+    };
+    texts.iter().map(one).collect()
 }
 
 /// Finds the best friction together with the number that `--vary` names.

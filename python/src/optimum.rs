@@ -5,8 +5,8 @@ use crate::columns::Columns;
 use crate::errors::domain;
 use crate::system::NativeSystem;
 use crate::work::without_lock;
-use frictiongen::study::columns::{Column, OptimumTable};
-use frictiongen::study::optimum::{FrequencyBand, OptimumRequest};
+use frictiongen::study::columns::{Column, OptimumTable, Part, bound};
+use frictiongen::study::optimum::{FrequencyBand, OptimumRequest, Tuning};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -19,25 +19,55 @@ pub fn optimum<'py>(
     of: Bound<'py, PyAny>,
     frequency: FrequencyArguments<'py>,
     load: LoadArguments<'py>,
+    keep: Vec<String>,
+    vary: Option<(String, f64, f64)>,
 ) -> PyResult<[Bound<'py, PyDict>; 4]> {
     let system = &system.system;
     let part = part(system, "of", &of)?;
     let band = Band::of(system, &frequency)?;
     let measure = measure::of(system, &load)?;
+    let bounded = |text: &String| {
+        let found = bound(system, &measure, text);
+        found.map_err(|problem| domain(format_args!("keep `{text}`: {problem}")))
+    };
     let request = OptimumRequest {
         of: part.of,
+        size: part.size,
         band: FrequencyBand::Ratio(band.from, band.to),
         load: measure.load(),
+        keep: keep.iter().map(bounded).collect::<PyResult<_>>()?,
     };
-    let optimum = without_lock(py, |_| system.optimum(&request))?.map_err(domain)?;
-    let parts = [part];
+    let tuning = vary.map(|(name, from, to)| {
+        let of = system.tunable_named(&name);
+        let of = of.map_err(|error| domain(format_args!("vary: {error}")))?;
+        Ok::<_, PyErr>(Tuning { of, from, to })
+    });
+    let (optimum, value) = match tuning.transpose()? {
+        None => {
+            let found = without_lock(py, |_| system.optimum(&request))?;
+            (found.map_err(domain)?, None)
+        }
+        Some(tuning) => {
+            let found = without_lock(py, |_| system.tuned_optimum(&request, &tuning))?;
+            let found = found.map_err(|error| domain(format_args!("vary: {error}")))?;
+            (found.optimum, Some(found.value))
+        }
+    };
+    let mut parts = vec![part];
+    for text in &keep {
+        let name = text.split(['<', '≤']).next().unwrap_or_default();
+        let named = Part::named(system, name);
+        parts.push(named.map_err(|error| domain(format_args!("keep `{text}`: {error}")))?);
+    }
     let table = OptimumTable {
         setting: setting(system, measure, band.unit(&measure), &parts),
     };
     let mut once = Columns::new(py, &[]);
     once.table(&table.columns(), std::slice::from_ref(&optimum))?;
+    let once = once.done();
+    once.set_item("value", value)?;
     Ok([
-        once.done(),
+        once,
         list(py, &table.peak_columns(), &table.peaks(&optimum))?,
         list(py, &table.tolerance_columns(), &optimum.tolerances)?,
         list(

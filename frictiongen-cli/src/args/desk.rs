@@ -148,9 +148,13 @@ pub struct OptimumArguments {
     /// The load.
     #[command(flatten)]
     pub load: LoadArguments,
-    /// Motion whose amplitude is kept small: a mass, `contact`, `roof-base`, `roof-first`, `spring(a-b)`, `shear`
+    /// Quantity that is kept small: a mass, `contact`, `roof-base`, `roof-first`, `spring(a-b)`, `shear`, `vel(roof)`,
+    /// `accel(roof)`, `slip(contact)`, `force(contact)`
     #[arg(long, value_name = "NAME")]
     pub of: String,
+    /// Keep another quantity within a bound over the band: `roof-base <= 5 mm`; may be given several times
+    #[arg(long, value_name = "BOUND")]
+    pub keep: Vec<String>,
     /// Choose one number of the description too, between a and b: `k base - lower=a:b`
     #[arg(long, value_name = "NAME=a:b", allow_hyphen_values = true)]
     pub vary: Option<String>,

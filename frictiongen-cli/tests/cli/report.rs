@@ -9,6 +9,7 @@
 use crate::common::{BLOCK, FRAME, failure, json, output};
 use frictiongen::System;
 use frictiongen::study::optimum::{FrequencyBand, OptimumRequest};
+use frictiongen::study::response::Size;
 use frictiongen::{Of, Regime};
 use serde_json::Value;
 
@@ -129,8 +130,10 @@ fn the_numbers_are_the_librarys() {
     }
     let request = OptimumRequest {
         of: Of::Mass(0),
+        size: Size::Displacement,
         band: FrequencyBand::Ratio(0.5, 2.0),
         load: None,
+        keep: Vec::new(),
     };
     let optimum = system.optimum(&request).unwrap();
     assert_eq!(data["best"][0]["beta"], optimum.beta);
@@ -236,8 +239,10 @@ fn the_best_friction_is_the_optimum() {
     let optimum = system
         .optimum(&OptimumRequest {
             of: Of::Mass(2),
+            size: Size::Displacement,
             band: FrequencyBand::Ratio(0.15, 1.2),
             load: None,
+            keep: Vec::new(),
         })
         .unwrap();
     assert_eq!(best["beta"], optimum.beta);

@@ -1,6 +1,7 @@
 //! Tests the best friction against maps near it, and the counts in its result.
 
 use frictiongen::Of;
+use frictiongen::study::response::Size;
 use frictiongen::study::{
     System,
     optimum::{FrequencyBand, Optimum, OptimumKind, OptimumRequest},
@@ -13,8 +14,10 @@ fn optimum(text: &str, name: &str, band: [f64; 2]) -> (System, Of, Optimum) {
     let of = system.motion_named(name).expect("a motion");
     let request = OptimumRequest {
         of,
+        size: Size::Displacement,
         band: FrequencyBand::Ratio(band[0], band[1]),
         load: None,
+        keep: Vec::new(),
     };
     let optimum = system.optimum(&request).expect("an optimum");
     (system, of, optimum)
@@ -131,8 +134,10 @@ fn sensitivities_of_two_equal_peaks() {
         let system: System = text.parse().expect("a valid scene");
         let request = OptimumRequest {
             of: Of::Mass(0),
+            size: Size::Displacement,
             band: FrequencyBand::Ratio(0.75, 1.25),
             load: Some(Load::Force(2.0)),
+            keep: Vec::new(),
         };
         system.optimum(&request).expect("an optimum")
     };

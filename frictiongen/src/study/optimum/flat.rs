@@ -34,13 +34,14 @@ pub(super) fn tolerance(band: &AmplitudeBand<'_>, least: &Least, excess: f64) ->
     } else {
         ROUGHLY
     };
-    let from = edge(band, &least.at, &mut below, (level, near)).unwrap_or(0.0);
+    let from = edge(band, &least.at, &mut below, (level, near)).unwrap_or(least.range[0]);
     let above = least.scan.iter();
     let mut above = above.filter(|scanned| least.at.beta < scanned.beta);
     let to = match edge(band, &least.at, &mut above, (level, near)) {
         Some(to) => to,
         // The amplitude exceeds the level at no further point of the scan, and not with the contact stuck over the
         // whole band.
+        None if least.range[1].is_finite() => least.range[1],
         None if least.locked_from.is_finite() => f64::INFINITY,
         None => least
             .scan

@@ -3,19 +3,22 @@
 use super::amplitude::FrictionAmount;
 use super::answer::{Optimum, OptimumEnd, OptimumKind, OptimumPeak};
 use super::flat;
+use super::kept;
+use super::objective::Objective;
 use super::peaks::AmplitudeBand;
 use super::request::{FrequencyBand, OptimumError, OptimumRequest};
 use super::scan::{self, Scanned};
 use super::search::{self, Least, MinimumKind, SearchEnd};
+use crate::Regime;
 use crate::study::error::LoadError;
 use crate::study::parameter::{OperatingPoint, Parameter, Slope};
 use crate::study::physical::ResponseSensitivities;
+use crate::study::response::Size;
 use crate::study::system::System;
 use crate::study::units::{Load, angular_frequency};
-use crate::{Of, Regime};
 
 /// Bound on the work of completing the result of an optimum.
-const WORK_OF_A_REPORT: usize = 60_000;
+pub(super) const WORK_OF_A_REPORT: usize = 60_000;
 /// Excesses over the best amplitude, as fractions, for which the result has an interval of friction.
 const EXCESSES: [f64; 3] = [0.01, 0.05, 0.1];
 /// Relative difference within which a peak counts as equal to the largest peak.
@@ -24,10 +27,12 @@ const EQUAL: f64 = 1e-9;
 /// A request for the best friction after all checks, with the system and the band of frequencies.
 pub(super) struct OptimumProblem<'s> {
     pub system: &'s System,
-    of: Of,
-    load: Option<Load>,
-    /// Bounds of the band, as frequency ratios r.
-    ends: [f64; 2],
+    pub objective: Objective,
+    pub load: Option<Load>,
+    /// Bounds on other quantities, each with its largest value in the objective's units.
+    pub keep: Vec<(Objective, f64)>,
+    /// Ends of the band, as frequency ratios r.
+    pub ends: [f64; 2],
 }
 
 impl<'s> OptimumProblem<'s> {
@@ -46,9 +51,18 @@ impl<'s> OptimumProblem<'s> {
         if !(from < to) {
             return Err(OptimumError::Width);
         }
-        if !system.has_motion(request.of) {
-            return Err(OptimumError::NoSuchMotion(request.of));
-        }
+        let fall = request.load.map_or(0, |load| load.fall());
+        let objective = |of, size| {
+            if !system.has_motion(of) {
+                return Err(OptimumError::NoSuchMotion(of));
+            }
+            let objective = Objective { of, size, fall };
+            objective
+                .is_sound()
+                .then_some(objective)
+                .ok_or(OptimumError::Size)
+        };
+        let main = objective(request.of, request.size)?;
         let modal = system.modal();
         let constants = modal.damping_ratios.iter().zip(&modal.loads);
         let mut constants = constants.zip(&modal.contacts);
@@ -58,19 +72,26 @@ impl<'s> OptimumProblem<'s> {
         if let Some(mode) = lost {
             return Err(OptimumError::Undamped(mode));
         }
-        if let Some(load) = request.load {
-            system.load_scale(load)?;
-        }
+        let scale = request.load.map(|load| system.load_scale(load));
+        let scale = scale.transpose()?;
+        let bound = |(of, size, most): &(_, _, f64)| {
+            if !(0.0 < *most && most.is_finite()) {
+                return Err(OptimumError::BoundValue);
+            }
+            let objective = objective(*of, *size)?;
+            Ok((objective, most / objective.unit(system, scale)))
+        };
         Ok(Self {
             system,
-            of: request.of,
+            objective: main,
             load: request.load,
+            keep: request.keep.iter().map(bound).collect::<Result<_, _>>()?,
             ends,
         })
     }
 
     pub(super) fn band(&self) -> AmplitudeBand<'s> {
-        AmplitudeBand::new(self.system, self.of, self.ends)
+        AmplitudeBand::new(self.system, self.objective, self.ends)
     }
 
     /// Returns the friction at which the largest amplitude is smallest. The search covers all friction within a bound
@@ -87,8 +108,18 @@ impl<'s> OptimumProblem<'s> {
 
     pub(super) fn solved(&self, work: usize) -> Result<Optimum, OptimumError> {
         let band = self.band();
-        let least = Self::least(&band, work)?;
-        self.told(&band, &least)
+        if self.keep.is_empty() {
+            let least = Self::least(&band, work)?;
+            return self.told(&band, &least);
+        }
+        let kept = kept::least(self, &band, work)?;
+        let mut optimum = self.told(&band, &kept.least)?;
+        let scale = self.load.and_then(|load| self.system.load_scale(load).ok());
+        let values = self.keep.iter().zip(kept.values);
+        optimum.kept = values
+            .map(|((objective, _), value)| value * objective.unit(self.system, scale))
+            .collect();
+        Ok(optimum)
     }
 
     /// Returns the full result for a friction that was found: peaks, limits, intervals and derivatives.
@@ -102,7 +133,7 @@ impl<'s> OptimumProblem<'s> {
             peaks.first().map_or(f64::NAN, |peak| peak.value)
         };
         let without_friction = largest(FrictionAmount::Ratio(0.0));
-        if without_friction == 0.0 {
+        if without_friction == 0.0 && self.objective.size != Size::Force {
             return Err(OptimumError::AtRest);
         }
         let beta = least.at.beta;
@@ -114,11 +145,12 @@ impl<'s> OptimumProblem<'s> {
             FrictionAmount::Ratio(beta)
         };
         let peaks = equal_peaks(band, (&least.at, least.kind), friction);
+        let smooth = self.objective.has_derivatives() && least.kind != MinimumKind::Bounded;
         let sensitivities = match least.end {
-            SearchEnd::Converged => self.sensitivities(beta, &peaks).unwrap_or_default(),
+            SearchEnd::Converged if smooth => self.sensitivities(beta, &peaks).unwrap_or_default(),
             // The derivatives are valid only for a minimum that moves smoothly with a parameter. A minimum at a jump
             // does not.
-            SearchEnd::Jump | SearchEnd::Spent => Vec::new(),
+            _ => Vec::new(),
         };
         let tolerances = EXCESSES
             .iter()
@@ -131,7 +163,18 @@ impl<'s> OptimumProblem<'s> {
         Ok(Optimum {
             beta,
             amplitude: least.at.value,
+            kept: Vec::new(),
+            reference: self.system.angular_frequency(1.0),
             kind: match least.kind {
+                MinimumKind::Held
+                    if self.objective.rests_if_stuck(self.system) && least.locked_from <= beta =>
+                {
+                    OptimumKind::Trivial
+                }
+                MinimumKind::Held | MinimumKind::Without if least.at.value == 0.0 => {
+                    OptimumKind::Trivial
+                }
+                MinimumKind::Bounded => OptimumKind::Bound,
                 MinimumKind::Crossing => OptimumKind::EqualPeaks,
                 MinimumKind::Smooth => OptimumKind::SinglePeak,
                 MinimumKind::Without => OptimumKind::NoFriction,
@@ -146,7 +189,7 @@ impl<'s> OptimumProblem<'s> {
             beyond_jump,
             tolerances,
             peaks,
-            unbounded_to: scan::unbounded_to(self.system, self.ends),
+            unbounded_to: scan::unbounded_to(band),
             free_of_sticking: least.free_to,
             locked: least.locked_from,
             without_friction,
@@ -191,7 +234,7 @@ impl<'s> OptimumProblem<'s> {
                 friction: scale.friction(beta),
                 load,
             };
-            system.response_sensitivities(point, self.of).ok()
+            system.response_sensitivities(point, self.objective.of).ok()
         };
         peaks.iter().map(of).collect()
     }

@@ -2,6 +2,7 @@
 
 use crate::Of;
 use crate::study::error::{InvalidScene, UnknownMass};
+use crate::study::response::Size;
 use crate::study::units::{Load, LoadError};
 use crate::study::words;
 
@@ -14,15 +15,20 @@ pub enum FrequencyBand {
     Hertz(f64, f64),
 }
 
-/// The motion, band and load for which the best friction is wanted.
+/// The quantity, band and load for which the best friction is wanted, and bounds on other quantities.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OptimumRequest {
-    /// The motion whose amplitude is kept small.
+    /// The motion whose quantity is kept small.
     pub of: Of,
+    /// The quantity of the motion: its displacement, velocity or acceleration, or the force of the contact.
+    pub size: Size,
     /// The band of frequencies, both bounds included, above 0 and finite.
     pub band: FrequencyBand,
     /// The load. It is needed for forces in N and lengths in m.
     pub load: Option<Load>,
+    /// Bounds that the friction must keep: a motion, its quantity, and the largest value allowed over the band. With a
+    /// load the value is in SI units, otherwise in the unit of [`Optimum::amplitude`](super::Optimum::amplitude).
+    pub keep: Vec<(Of, Size, f64)>,
 }
 
 /// The reason why no best friction is found.
@@ -54,6 +60,15 @@ pub enum OptimumError {
     Interval,
     /// The scene is invalid with a tuned number at a bound of its interval.
     Scene(InvalidScene),
+    /// The requested size is not one of the motion: only the contact has a contact force and an energy, and a force has
+    /// neither a velocity nor an acceleration.
+    Size,
+    /// The largest value that a bound allows is not above 0 and finite.
+    BoundValue,
+    /// A number of the description is tuned, which the search does not combine with bounds.
+    BoundWithTuning,
+    /// No friction keeps the bounds. The text has the smallest values that can be reached.
+    Bounds(String),
 }
 
 impl std::fmt::Display for OptimumError {
@@ -80,6 +95,14 @@ impl std::fmt::Display for OptimumError {
             }
             Self::Interval => "both bounds of an interval must be finite, the second above the first",
             Self::Scene(error) => return error.fmt(f),
+            Self::Size => {
+                "only the contact has a contact force and an energy, and a force has neither a velocity nor an acceleration"
+            }
+            Self::BoundValue => "the value of a bound must be above 0 and finite",
+            Self::BoundWithTuning => {
+                "bounds cannot be combined with a number of the description that is chosen too; fix that number, and search with the bounds"
+            }
+            Self::Bounds(text) => text,
         })
     }
 }

@@ -32,6 +32,8 @@ const GOLDEN: f64 = 0.381_966_011_250_105_1;
 /// A peak counts as stationary in friction if its relative change is below this multiple of the relative change of
 /// friction.
 const STATIONARY: f64 = 1e-4;
+/// Relative distance from an end of a range of friction within which the best friction counts as that end.
+const AT_END: f64 = 1e-9;
 /// Bound on the work of one of the many searches of a tuned optimum. It amounts to a few seconds.
 pub(super) const WORK_OF_ONE: usize = 300_000;
 /// The work bound of the search, divided by this number, is the additional work that the final check may use.
@@ -51,6 +53,8 @@ pub(super) enum MinimumKind {
     Without,
     /// The contact is stuck at the frequency of the peak, or over the whole band.
     Held,
+    /// The amplitude falls beyond the end of the range of friction that bounds on other quantities leave.
+    Bounded,
 }
 
 /// The cause that ended the search: convergence, a jump, or spent work.
@@ -73,6 +77,8 @@ pub(super) struct Least {
     /// Friction ratio from which a stuck state exists over the whole band.
     pub locked_from: f64,
     pub free_to: f64,
+    /// The range of friction that bounds on other quantities leave.
+    pub range: [f64; 2],
 }
 
 /// Finds the friction at which the largest amplitude over the band is smallest. `None` if no friction bounds the
@@ -80,7 +86,38 @@ pub(super) struct Least {
 pub(super) fn least(band: &AmplitudeBand<'_>, work: usize) -> Option<Least> {
     band.amplitude.allow(work);
     let [free_to, locked_from] = band.limits();
-    let mut scan = scanned(band, free_to, locked_from);
+    let scan = scanned(band, free_to, locked_from);
+    searched(
+        band,
+        work,
+        scan,
+        ([free_to, locked_from], [0.0, f64::INFINITY]),
+    )
+}
+
+/// Finds the friction in a range at which the largest amplitude over the band is smallest. The scan of the range has
+/// `betas` and both ends.
+pub(super) fn least_between(
+    band: &AmplitudeBand<'_>,
+    work: usize,
+    range: [f64; 2],
+    betas: impl Iterator<Item = f64>,
+) -> Option<Least> {
+    band.amplitude.allow(work);
+    let mut scan = Vec::new();
+    let [from, to] = range;
+    let inside = betas.filter(|beta| from < *beta && *beta < to);
+    add(band, &mut scan, inside.chain(range));
+    searched(band, work, scan, (band.limits(), range))
+}
+
+/// Finds the friction in the range of a scan at which the largest amplitude over the band is smallest.
+fn searched(
+    band: &AmplitudeBand<'_>,
+    work: usize,
+    mut scan: Vec<Scanned>,
+    ([free_to, locked_from], range): ([f64; 2], [f64; 2]),
+) -> Option<Least> {
     closer(band, &mut scan);
     if 1.0 < band.amplitude.system.scene().stiction {
         about_best(band, &mut scan);
@@ -118,10 +155,15 @@ pub(super) fn least(band: &AmplitudeBand<'_>, work: usize) -> Option<Least> {
         checked(band, &mut scan, candidates, spent)?
     };
     let spent = spent || band.amplitude.is_spent();
-    let kind = kind(band, &best.at, locked_from);
+    let kind = match kind(band, &best.at, locked_from) {
+        kind @ (MinimumKind::Crossing | MinimumKind::Smooth) => {
+            bounded(&best.at, range).unwrap_or(kind)
+        }
+        kind => kind,
+    };
     Some(Least {
         end: end(&best.at, kind, spent),
-        bracket: if kind == MinimumKind::Without {
+        bracket: if matches!(kind, MinimumKind::Without | MinimumKind::Bounded) {
             [best.at.beta; 2]
         } else {
             about(best.bracket, best.at.beta)
@@ -131,6 +173,7 @@ pub(super) fn least(band: &AmplitudeBand<'_>, work: usize) -> Option<Least> {
         scan,
         locked_from,
         free_to,
+        range,
     })
 }
 
@@ -153,6 +196,7 @@ pub(super) fn near(band: &AmplitudeBand<'_>, ends: [f64; 2]) -> Option<Least> {
         scan: Vec::new(),
         locked_from,
         free_to,
+        range: [0.0, f64::INFINITY],
     })
 }
 
@@ -326,6 +370,13 @@ pub(super) fn narrowed(
         bracket: [a, b],
         of_scan: false,
     }
+}
+
+/// Returns `Bounded` if the best friction is an end of the range and the amplitude falls beyond it.
+fn bounded(least: &Scanned, [from, to]: [f64; 2]) -> Option<MinimumKind> {
+    let at = |end: f64| end.is_finite() && (least.beta - end).abs() <= AT_END * end;
+    let beyond = (0.0 < from && at(from) && 0.0 <= least.slope) || (at(to) && least.slope <= 0.0);
+    beyond.then_some(MinimumKind::Bounded)
 }
 
 fn end(least: &Scanned, kind: MinimumKind, spent: bool) -> SearchEnd {

@@ -78,6 +78,7 @@ impl<'a> ResponseTable<'a> {
         // One search for the limits serves all β.
         let limits = at.limits();
         frictions
+            .map(|friction| friction.at(&self.setting.measure, frequency))
             .map(|friction| self.row(&at, &limits, frequency, friction))
             .collect()
     }
