@@ -2,8 +2,7 @@
 //!
 //! The modules, from the lowest layer to the highest, are [`number`], [`oscillator`], [`modal_sum`], [`contact`],
 //! [`response`], [`table`] and [`motion`]. Each module uses only modules that precede it in this list. [`simulation`],
-//! [`stepper`] and [`orbit`] use these modules, and not one another. [`joints`] uses [`number`] only. [`errors`] has the
-//! error types of all modules.
+//! [`stepper`] and [`orbit`] use these modules, and not one another. [`errors`] has the error types of all modules.
 #![cfg_attr(not(any(test, feature = "std")), no_std)]
 
 pub mod combination;
@@ -11,7 +10,6 @@ pub mod contact;
 #[doc(hidden)]
 pub mod emitted;
 pub mod errors;
-pub mod joints;
 pub mod modal_sum;
 pub mod motion;
 pub mod number;

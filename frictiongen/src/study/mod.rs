@@ -16,6 +16,8 @@ mod few;
 mod held;
 #[cfg(feature = "desk")]
 pub mod history;
+#[doc(hidden)]
+pub mod joints;
 mod large;
 #[cfg(feature = "desk")]
 pub mod map;

@@ -227,7 +227,7 @@ fn slides_twice(orbit: &SystemOrbit<'_>) -> bool {
     orbit.is_settled() && (orbit.stops(), orbit.reversals(), orbit.period()) == (0, 2, 1)
 }
 
-#[cfg(test)]
+#[cfg(all(test, feature = "desk"))]
 #[allow(clippy::expect_used, reason = "a test may fail")]
 mod tests {
     use super::Carried;

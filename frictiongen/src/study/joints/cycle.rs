@@ -1,0 +1,156 @@
+//! What masses and contacts do in a period.
+
+use super::model::Model;
+use super::roots::{first_negative, value};
+use super::run::{STUCK, State, Transition};
+use super::series::{Poly, Series, TERMS};
+
+/// What a contact does in a period.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct ContactCycle {
+    /// Transitions from sliding to sticking.
+    pub stops: usize,
+    /// Transitions from sliding in one direction to sliding in the other.
+    pub reversals: usize,
+    /// Fraction of the period in which the contact sticks.
+    pub stuck_fraction: f64,
+    /// Way of the slider.
+    pub slip: f64,
+    /// Largest absolute force.
+    pub force: f64,
+    /// Energy that the slider takes in.
+    pub energy: f64,
+}
+
+/// What masses and contacts do in a period.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Cycle {
+    /// Largest |x| of each mass.
+    pub amplitudes: Vec<f64>,
+    /// The contacts.
+    pub contacts: Vec<ContactCycle>,
+    /// Events.
+    pub events: usize,
+}
+
+/// Gathers a period.
+#[derive(Clone, Debug, Default)]
+pub struct Watch {
+    ends: Vec<(usize, usize)>,
+    cycle: Cycle,
+    slides: Vec<bool>,
+}
+
+impl Watch {
+    /// Starts a period.
+    pub fn new(model: &Model) -> Self {
+        let contacts = model.contacts.len();
+        Self {
+            ends: model.contacts.iter().map(|c| (c.plus, c.minus)).collect(),
+            cycle: Cycle {
+                amplitudes: vec![0.0; model.masses.len()],
+                contacts: vec![ContactCycle::default(); contacts],
+                events: 0,
+            },
+            slides: vec![false; contacts],
+        }
+    }
+
+    /// Says which contacts have slid.
+    pub fn slides(&self) -> Vec<bool> {
+        self.slides.clone()
+    }
+
+    /// Takes in a stretch.
+    pub fn see(&mut self, series: &Series, end: f64, state: &State) {
+        for (mass, amplitude) in self.cycle.amplitudes.iter_mut().enumerate() {
+            let most = largest(
+                &series.displacement_terms(mass),
+                &series.velocity_terms(mass),
+                end,
+            );
+            *amplitude = amplitude.max(most);
+        }
+        let contacts = self
+            .cycle
+            .contacts
+            .iter_mut()
+            .zip(&self.ends)
+            .zip(&mut self.slides);
+        for (j, ((contact, &(plus, minus)), slides)) in contacts.enumerate() {
+            let force = series.force_terms(j);
+            contact.force = contact.force.max(largest(&force, &slope(&force), end));
+            if state.phase(j) == STUCK {
+                contact.stuck_fraction += end * series.length;
+                continue;
+            }
+            *slides |= end > 0.0;
+            let speed = series.speed_terms(plus, minus);
+            contact.slip += series.length * integral(&speed, end).abs();
+            contact.energy += series.length * integral(&product(&force, &speed), end);
+        }
+    }
+
+    /// Takes in the events of a cycle.
+    pub fn events(&mut self, events: &[Transition]) {
+        self.cycle.events += events.len();
+        for event in events {
+            let phases = event.before.iter().zip(&event.after);
+            for (contact, (&before, &after)) in self.cycle.contacts.iter_mut().zip(phases) {
+                contact.stops += usize::from(before != STUCK && after == STUCK);
+                contact.reversals += usize::from(before * after == -1);
+            }
+        }
+    }
+
+    /// Ends a period of this length.
+    pub fn cycle(mut self, length: f64) -> Cycle {
+        for contact in &mut self.cycle.contacts {
+            contact.stuck_fraction /= length;
+        }
+        self.cycle
+    }
+}
+
+/// Returns the largest absolute value of a quantity, whose slope is known up to a factor, from 0 to `end`.
+fn largest(terms: &Poly, slope: &Poly, end: f64) -> f64 {
+    let rises = slope
+        .iter()
+        .find(|&&term| term != 0.0)
+        .is_some_and(|&term| term > 0.0);
+    let turn = first_negative(&slope.map(|term| if rises { term } else { -term }), 0);
+    let instants = [Some(0.0), Some(end), turn.map(|turn| turn.min(end))];
+    let values = instants
+        .into_iter()
+        .flatten()
+        .map(|at| value(terms, at).abs());
+    values.fold(0.0, f64::max)
+}
+
+/// Returns the terms of the derivative.
+fn slope(terms: &Poly) -> Poly {
+    let mut slope = [0.0; TERMS];
+    for (order, (slope, term)) in slope.iter_mut().zip(terms.iter().skip(1)).enumerate() {
+        *slope = (order + 1) as f64 * term;
+    }
+    slope
+}
+
+/// Returns the integral of a polynomial from 0 to `end`.
+fn integral(terms: &[f64], end: f64) -> f64 {
+    let terms = terms.iter().enumerate().rev();
+    terms.fold(0.0, |sum, (order, term)| {
+        (sum + term / (order + 1) as f64) * end
+    })
+}
+
+/// Returns the terms of a product.
+fn product(a: &Poly, b: &Poly) -> Vec<f64> {
+    let mut product = vec![0.0; 2 * TERMS];
+    for (i, a) in a.iter().enumerate() {
+        for (sum, b) in product.iter_mut().skip(i).zip(b) {
+            *sum += a * b;
+        }
+    }
+    product
+}

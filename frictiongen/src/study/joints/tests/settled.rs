@@ -1,0 +1,91 @@
+//! Steady states of random scenes, a third of them free, of any period.
+
+use super::super::{JointError, Motion, State, steady_state};
+use super::{Chain, Random, random_chain};
+use std::f64::consts::TAU;
+
+/// Runs cycles, and returns the state after each.
+fn states(chain: &Chain, start: &State, omega: f64, cycles: usize) -> Vec<State> {
+    let mut motion = Motion::from_rest(chain).expect("a chain");
+    motion.restart(start.clone());
+    let states = (0..cycles).map(|_| {
+        motion
+            .run(TAU / omega, &mut |_, _, _| {})
+            .expect("a motion");
+        motion.restart(motion.state().clone());
+        motion.state().clone()
+    });
+    states.collect()
+}
+
+/// Largest difference of displacements.
+fn away(a: &State, b: &State) -> f64 {
+    let differences = a.x.iter().zip(&b.x).map(|(a, b)| (a - b).abs());
+    differences.fold(0.0, f64::max)
+}
+
+/// Returns the number of scenes without an answer, and of those with a period of several cycles.
+fn settle(count: usize) -> (usize, usize) {
+    let mut random = Random::new(99);
+    let (mut open, mut several, mut compared) = (0, 0, 0);
+    for index in 0..count {
+        let (chain, omega) = random_chain(&mut random);
+        let steady = match steady_state(&chain, omega) {
+            Ok(steady) => steady,
+            Err(error) => {
+                assert_eq!(error, JointError::NotSteady, "scene {index}");
+                open += 1;
+                continue;
+            }
+        };
+        let size = steady
+            .cycle
+            .amplitudes
+            .iter()
+            .fold(1e-12_f64, |m, x| m.max(*x));
+        let period = states(&chain, &steady.state, omega, steady.period);
+        let back = away(&period[steady.period - 1], &steady.state);
+        assert!(
+            back < 1e-10 * size,
+            "scene {index}: {back:.1e} of {size:.1e}"
+        );
+        // No shorter period.
+        for state in period.iter().take(steady.period - 1) {
+            assert!(away(state, &steady.state) > 1e-6 * size, "scene {index}");
+        }
+        several += usize::from(steady.period > 1);
+        // The motion from rest comes to it, to one of its cycles, where it does so in 150 cycles.
+        let rate = steady.multipliers.first().map_or(0.0, |m| m.norm());
+        if rate.powf(150.0 / steady.period as f64) < 1e-9 && steady.neutral == 0 {
+            let rest = Motion::from_rest(&chain).expect("a chain").state().clone();
+            let settled = states(&chain, &rest, omega, 200);
+            let last = &settled[199];
+            let nearest = period.iter().map(|state| away(state, last));
+            let nearest = nearest.fold(f64::INFINITY, f64::min);
+            assert!(
+                nearest < 1e-6 * size,
+                "scene {index}: {nearest:.1e} of {size:.1e}"
+            );
+            compared += 1;
+        }
+    }
+    println!(
+        "{count} scenes: {open} not settled, {several} of several cycles, {compared} compared with motions"
+    );
+    assert!(compared > count / 4, "{compared}");
+    (open, several)
+}
+
+#[test]
+fn random_scenes_settle() {
+    let (open, _) = settle(12);
+    assert_eq!(open, 0);
+}
+
+/// Long form of the test above. It has periods of several cycles.
+#[test]
+#[ignore = "half a minute"]
+fn random_scenes_settle_long() {
+    let (open, several) = settle(300);
+    assert!(open <= 3 && several >= 3, "{open} {several}");
+}
