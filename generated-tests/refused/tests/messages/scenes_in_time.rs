@@ -357,17 +357,4 @@ struct Frame {
 }
 }
 
-mod case_780_emitted_code_of_an_elastic_contact {
-frictiongen::friction_system! {
-struct Frame {
-    masses: { lower: 3.27, upper: 3.25 },
-    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
-    contact: upper - wall,
-    excitation: base,
-    stiffness: 5.0e4,
-    provide: [orbit, simulation],
-}
-}
-}
-
 fn main() {}
