@@ -68,6 +68,11 @@ impl Frictions {
                 measure::option(measure)
             )));
         }
+        if measure.fall() != 0 && !self.are_forces() {
+            return Err(Failure::new(
+                "--beta: the amplitude of this load depends on frequency, so that one friction ratio is another force at each frequency; give --friction in N",
+            ));
+        }
         let lost = |given: &&f64| {
             let friction = self.of(**given);
             let force = friction.force();

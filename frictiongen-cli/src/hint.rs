@@ -17,18 +17,28 @@ const UNITS: [(&str, i32); 13] = [
     ("%", -2),
 ];
 
+/// Returns advice for a number with a decimal comma, to be appended to the message. The advice is empty for any other
+/// text.
+pub fn decimal(text: &str) -> String {
+    let text = text.trim();
+    let Some((whole, fraction)) = text.split_once(',') else {
+        return String::new();
+    };
+    let meant = format!("{whole}.{fraction}");
+    match meant.parse::<f64>() {
+        Ok(number) if number.is_finite() => {
+            format!("; write `{meant}`, because a decimal fraction has a point")
+        }
+        _ => String::new(),
+    }
+}
+
 /// Returns advice for a text that is not a number, to be appended to the message. The advice is empty if the text does
 /// not resemble a number.
 pub fn of(text: &str) -> String {
     let text = text.trim();
-    if let Some((whole, fraction)) = text.split_once(',') {
-        let meant = format!("{whole}.{fraction}");
-        return match meant.parse::<f64>() {
-            Ok(number) if number.is_finite() => {
-                format!("; write `{meant}`, because a decimal fraction has a point")
-            }
-            _ => String::new(),
-        };
+    if text.contains(',') {
+        return decimal(text);
     }
     for (unit, power) in UNITS {
         let number = text.strip_suffix(unit).map(str::trim_end);

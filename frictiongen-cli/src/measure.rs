@@ -7,6 +7,7 @@ use frictiongen::System;
 #[cfg(feature = "report")]
 pub use frictiongen::study::columns::Dimension;
 pub use frictiongen::study::columns::Measure;
+use frictiongen::study::columns::{base_load, unbalance};
 use frictiongen::study::units::{Load, LoadError};
 
 /// Returns the units under the given load. Without a load the units are non-dimensional groups.
@@ -25,8 +26,40 @@ pub fn of(arguments: &LoadArguments, system: &System) -> Result<Measure, Failure
     if let Some(text) = &arguments.force {
         measure = under(Load::Force(number("--force", text)?), "--force", text)?;
     }
+    if let Some(text) = &arguments.unbalance {
+        let load = unbalance(text).map_err(|problem| wrong("--unbalance", text, &problem))?;
+        measure = under(load, "--unbalance", text)?;
+    }
     if let Some(text) = &arguments.base {
-        measure = under(Load::Base(number("--base", text)?), "--base", text)?;
+        let load = match base_load(text) {
+            Ok(load @ (Load::BaseVelocity(_) | Load::BaseAcceleration(_))) => load,
+            Err(problem) if problem.starts_with("the unit") && !text.contains(',') => {
+                return Err(wrong("--base", text, &problem));
+            }
+            // A length is a number without a unit, as everywhere.
+            _ => Load::Base(number("--base", text)?),
+        };
+        measure = under(load, "--base", text)?;
+    }
+    Ok(measure)
+}
+
+fn wrong(option: &str, text: &str, problem: &str) -> Failure {
+    let hint = crate::hint::decimal(text);
+    Failure::new(format_args!("{option} `{text}`: {problem}{hint}"))
+}
+
+/// Returns the units under a load of constant amplitude, for a command that needs one.
+pub fn constant(arguments: &LoadArguments, system: &System) -> Result<Measure, Failure> {
+    let measure = of(arguments, system)?;
+    if let Some(load) = measure.load() {
+        let option = match load {
+            Load::Unbalance(_) => "--unbalance",
+            Load::Force(_) => "--force",
+            _ => "--base",
+        };
+        let constant = system.constant_scale(load);
+        constant.map_err(|error| Failure::new(format_args!("{option}: {error}")))?;
     }
     Ok(measure)
 }
@@ -44,6 +77,27 @@ pub fn option(measure: &Measure) -> &'static str {
 pub fn description(measure: &Measure, number: impl Fn(f64) -> String) -> Option<String> {
     let scale = measure.scale()?;
     let (force, length) = (number(scale.force()), number(scale.length()));
+    match measure.load()? {
+        Load::BaseVelocity(velocity) => {
+            return Some(format!(
+                "base velocity {} m/s at every frequency",
+                number(velocity)
+            ));
+        }
+        Load::BaseAcceleration(acceleration) => {
+            let acceleration = number(acceleration);
+            return Some(format!(
+                "base acceleration {acceleration} m/s2 at every frequency"
+            ));
+        }
+        Load::Unbalance(unbalance) => {
+            return Some(format!(
+                "unbalance m e = {} kg m, P = m e omega^2",
+                number(unbalance)
+            ));
+        }
+        Load::Force(_) | Load::Base(_) => {}
+    }
     Some(if measure.is_base_motion() {
         format!("Y = {length} m, k1 Y = {force} N")
     } else {

@@ -26,11 +26,11 @@ pub fn run(arguments: &OptimumArguments, out: &mut dyn Write) -> Result<(), Fail
         ));
     }
     let part = asked::part(&system, &arguments.of)?;
-    asked::without_rates(std::slice::from_ref(&part))?;
     let measure = measure::of(&arguments.load, &system)?;
     let band = band.under(&measure);
     let request = OptimumRequest {
         of: part.of,
+        size: part.size,
         band: FrequencyBand::Ratio(band.from, band.to),
         load: measure.load(),
     };

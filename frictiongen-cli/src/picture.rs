@@ -20,7 +20,7 @@ pub fn scales(system: &System, in_hertz: bool, measure: &Measure) -> Scales {
         scales = scales.in_hertz(system);
     }
     match measure.scale() {
-        Some(load) => scales.under(load),
+        Some(load) => scales.under(load).falling(measure.fall()),
         None => scales,
     }
 }

@@ -73,6 +73,7 @@ pub fn curve<'py>(
     request.harmonics = (1..=harmonics(highest.as_ref())?).collect();
     request.rates = rates;
     request.turned = measure.turns(Of::Contact);
+    (request.rise, request.fall) = (measure.fall(), measure.fall());
     let table = CurveTable {
         setting: setting(system, measure, band.unit(&measure), &parts),
         starts: starts != [CurveStart::Rest],

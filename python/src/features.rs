@@ -29,7 +29,7 @@ pub fn features<'py>(
     of: Optional<'py>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let system = &system.system;
-    let measure = measure::of(system, &load)?;
+    let measure = measure::constant(system, &load)?;
     let band = Band::of_or_usual(system, &frequency, &measure)?;
     let frictions = match friction {
         (None, None) => Vec::new(),

@@ -30,7 +30,7 @@ pub fn map<'py>(
             "the frequency with the index {index} is infinite, but a map needs finite frequencies"
         )));
     }
-    let measure = measure::of(system, &load)?;
+    let measure = measure::constant(system, &load)?;
     let frictions = Frictions::of(&friction, &measure)?;
     let parts = parts(system, "of", of.as_ref())?;
     let table = MapTable {

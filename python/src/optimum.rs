@@ -6,7 +6,7 @@ use crate::errors::domain;
 use crate::system::NativeSystem;
 use crate::work::without_lock;
 use frictiongen::study::columns::{Column, OptimumTable};
-use frictiongen::study::optimum::{FrequencyBand, OptimumRequest};
+use frictiongen::study::optimum::{FrequencyBand, OptimumRequest, Tuning};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -19,6 +19,7 @@ pub fn optimum<'py>(
     of: Bound<'py, PyAny>,
     frequency: FrequencyArguments<'py>,
     load: LoadArguments<'py>,
+    vary: Option<(String, f64, f64)>,
 ) -> PyResult<[Bound<'py, PyDict>; 4]> {
     let system = &system.system;
     let part = part(system, "of", &of)?;
@@ -26,18 +27,36 @@ pub fn optimum<'py>(
     let measure = measure::of(system, &load)?;
     let request = OptimumRequest {
         of: part.of,
+        size: part.size,
         band: FrequencyBand::Ratio(band.from, band.to),
         load: measure.load(),
     };
-    let optimum = without_lock(py, |_| system.optimum(&request))?.map_err(domain)?;
+    let tuning = vary.map(|(name, from, to)| {
+        let of = system.tunable_named(&name);
+        let of = of.map_err(|error| domain(format_args!("vary: {error}")))?;
+        Ok::<_, PyErr>(Tuning { of, from, to })
+    });
+    let (optimum, value) = match tuning.transpose()? {
+        None => {
+            let found = without_lock(py, |_| system.optimum(&request))?;
+            (found.map_err(domain)?, None)
+        }
+        Some(tuning) => {
+            let found = without_lock(py, |_| system.tuned_optimum(&request, &tuning))?;
+            let found = found.map_err(|error| domain(format_args!("vary: {error}")))?;
+            (found.optimum, Some(found.value))
+        }
+    };
     let parts = [part];
     let table = OptimumTable {
         setting: setting(system, measure, band.unit(&measure), &parts),
     };
     let mut once = Columns::new(py, &[]);
     once.table(&table.columns(), std::slice::from_ref(&optimum))?;
+    let once = once.done();
+    once.set_item("value", value)?;
     Ok([
-        once.done(),
+        once,
         list(py, &table.peak_columns(), &table.peaks(&optimum))?,
         list(py, &table.tolerance_columns(), &optimum.tolerances)?,
         list(

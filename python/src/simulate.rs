@@ -75,7 +75,7 @@ pub fn simulate<'py>(
     let (cycles, skip, samples, from, steady) = extent;
     let system = &system.system;
     let frequencies = Frequencies::of(system, &frequency, true)?;
-    let measure = measure::of(system, &load)?;
+    let measure = measure::constant(system, &load)?;
     let frictions = Frictions::of(&friction, &measure)?;
     let (frequency, friction) = (frequencies.only(system)?, frictions.only()?);
     let (r, beta, omega) = (frequency.r, friction.beta, frequency.omega);

@@ -179,7 +179,8 @@ pub struct OptimumArguments {
     /// The load.
     #[command(flatten)]
     pub load: LoadArguments,
-    /// Motion whose largest amplitude is minimised: a mass, `contact`, `roof-base`, `roof-first`, `spring(a-b)`, `shear`
+    /// Quantity whose largest value is minimised: a mass, `contact`, `roof-base`, `roof-first`, `spring(a-b)`, `shear`,
+    /// `vel(roof)`, `accel(roof)`, `slip(contact)`, `force(contact)`
     #[arg(long, value_name = "NAME")]
     pub of: String,
     /// Optimise one number of the description too, between a and b, for example `k base - lower=a:b`

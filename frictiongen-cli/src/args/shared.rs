@@ -60,9 +60,18 @@ pub struct LoadArguments {
     /// Amplitude P of the force in N, if a force on a mass drives the scene
     #[arg(long, value_name = "P", allow_hyphen_values = true)]
     pub force: Option<String>,
-    /// Amplitude Y of the base motion in m, if the base drives the scene
+    /// Amplitude Y of the base motion in m, if the base drives the scene; or the same velocity or acceleration at every
+    /// frequency: `0.1 m/s`, `2 m/s2`, `0.2g`
     #[arg(long, value_name = "Y", allow_hyphen_values = true)]
     pub base: Option<String>,
+    /// Unbalance m e of a rotor in kg m, instead of --force: a force m e omega^2
+    #[arg(
+        long,
+        value_name = "ME",
+        allow_hyphen_values = true,
+        conflicts_with = "force"
+    )]
+    pub unbalance: Option<String>,
 }
 
 /// A scene, the frequencies and the frictions.

@@ -58,6 +58,9 @@ pub fn run(arguments: &CurveArguments, out: &mut dyn Write) -> Result<(), Failur
         harmonics: orders,
         rates: arguments.rates || parts.iter().any(Part::has_rate),
         turned: measure.turns_contact(),
+        // Under a load whose amplitude depends on frequency, frictions are forces.
+        rise: measure.fall(),
+        fall: measure.fall(),
         ..CurveRequest::new(band.from, band.to, &of)
     };
     if let Some(text) = &arguments.accuracy {

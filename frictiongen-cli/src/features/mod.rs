@@ -54,7 +54,7 @@ pub fn run(arguments: &FeaturesArguments, out: &mut dyn Write) -> Result<(), Fai
         hz: arguments.hz.clone(),
         omega: arguments.omega.clone(),
     };
-    let measure = measure::of(&arguments.load, &system)?;
+    let measure = measure::constant(&arguments.load, &system)?;
     let band = if frequency.r.is_none() && frequency.hz.is_none() && frequency.omega.is_none() {
         Band::about_resonances(&system, measure.load().is_some())
     } else {

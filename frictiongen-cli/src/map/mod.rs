@@ -48,7 +48,7 @@ pub fn run(arguments: &MapArguments, out: &mut dyn Write) -> Result<(), Failure>
     frequencies.check(&system)?;
     let parts = asked::parts(&system, &arguments.of)?;
     asked::without_rates(&parts)?;
-    let measure = measure::of(&arguments.point.load, &system)?;
+    let measure = measure::constant(&arguments.point.load, &system)?;
     let frequencies = frequencies.under(&measure);
     let frictions = frictions.under(&measure)?;
     let request = MapRequest {

@@ -42,7 +42,7 @@ pub struct Asked {
 impl Asked {
     /// Reads the options, and chooses everything that they do not set.
     pub fn of(arguments: &ReportArguments, system: System) -> Result<Self, Failure> {
-        let measure = measure::of(&arguments.load, &system)?;
+        let measure = measure::constant(&arguments.load, &system)?;
         let mut chosen = Vec::new();
         let band = match arguments.range() {
             Some(range) => Band::parse(&range, &system)?,

@@ -65,6 +65,7 @@ pub fn search(asked: &Asked) -> Result<Vec<Best>, String> {
     let best = |part: Part| {
         let request = OptimumRequest {
             of: part.of,
+            size: part.size,
             band: FrequencyBand::Ratio(asked.band.from, asked.band.to),
             load: asked.words.measure.load(),
         };
@@ -110,6 +111,7 @@ pub fn kind(optimum: &Optimum) -> &'static str {
         (OptimumKind::SinglePeak, OptimumEnd::Jump) => words::end(optimum.end),
         (OptimumKind::SinglePeak, _) => "one peak is at its minimum",
         (OptimumKind::NoFriction, _) => "any friction makes the amplitude larger",
+        (OptimumKind::Trivial, _) => "trivial: with the contact stuck, this motion rests",
         (OptimumKind::Stuck, _) => "a stuck contact is best; more friction changes nothing",
     }
 }
@@ -169,7 +171,7 @@ fn row(best: &Best, asked: &Asked) -> Markup {
             @match &best.found {
                 Err(error) => td colspan="7" { "none: " (error) },
                 Ok(optimum) => {
-                    td { (words.friction(optimum.beta)) @if optimum.kind == OptimumKind::Stuck { " or more" } }
+                    td { (words.friction(optimum.beta)) @if matches!(optimum.kind, OptimumKind::Stuck | OptimumKind::Trivial) { " or more" } }
                     td { (bound(words, optimum.amplitude)) }
                     td {
                         @for (index, peak) in optimum.peaks.iter().enumerate().filter(|(_, peak)| peak.amplitude > 0.0) {

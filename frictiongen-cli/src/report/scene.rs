@@ -28,7 +28,10 @@ fn drawing(asked: &Asked) -> Option<String> {
     }
     let size = asked.words.measure.load().map(|load| match load {
         Load::Base(motion) => (format!("*Y* = {} mm", digits(1e3 * motion)), "*Y* cos *ωt*"),
-        Load::Force(force) => (format!("*P* = {} N", digits(force)), "*P* cos *ωt*"),
+        load => (
+            format!("*P* = {} N", digits(load.amplitude())),
+            "*P* cos *ωt*",
+        ),
     });
     if let (Some((size, _)), Drawn::Base { label } | Drawn::Force { label, .. }) =
         (size, &mut sketch.excitation)
@@ -77,7 +80,7 @@ fn load(asked: &Asked) -> String {
     match asked.words.measure.load() {
         None => place,
         Some(Load::Base(motion)) => format!("{place}, amplitude Y = {} mm", digits(1e3 * motion)),
-        Some(Load::Force(force)) => format!("{place}, amplitude P = {} N", digits(force)),
+        Some(load) => format!("{place}, amplitude P = {} N", digits(load.amplitude())),
     }
 }
 
@@ -143,9 +146,7 @@ pub fn data(asked: &Asked) -> Json {
         })).collect::<Vec<_>>(),
         "contact": [node(scene, scene.contact.from), node(scene, scene.contact.to)],
         "load": load(asked),
-        "load_m_or_N": asked.words.measure.load().map(|load| match load {
-            Load::Base(size) | Load::Force(size) => size,
-        }),
+        "load_m_or_N": asked.words.measure.load().map(|load| load.amplitude()),
         "damping": damping(scene),
         "stiction": scene.stiction,
     })

@@ -51,7 +51,7 @@ pub fn html(
                             OptimumKind::NoFriction => {
                                 strong { "No friction is best" } " for " strong { (best.part.name) } ", which moves farthest. It moves by at most " (words.length(optimum.amplitude)) " between " (from) " and " (to) "."
                             }
-                            OptimumKind::Stuck => {
+                            OptimumKind::Stuck | OptimumKind::Trivial => {
                                 "For " strong { (best.part.name) } ", which moves farthest, a stuck contact is best: with a friction of "
                                 (words.friction(optimum.beta)) " or more it moves by at most " (words.length(optimum.amplitude)) " between " (from) " and " (to) "."
                             }
@@ -100,7 +100,7 @@ pub fn html(
                     li {
                         "These results are for " (match load {
                             Load::Base(motion) => format!("a base motion of {} mm", digits(1e3 * motion)),
-                            Load::Force(force) => format!("a force of {} N", digits(force)),
+                            load => format!("a force of {} N", digits(load.amplitude())),
                         }) ". With twice the load and twice the friction, all motions are twice as large."
                     }
                 }

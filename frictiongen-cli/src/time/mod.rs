@@ -50,7 +50,7 @@ pub fn run(arguments: &TimeArguments, out: &mut dyn Write) -> Result<(), Failure
     let parts = parts(&system, &arguments.of)?;
     without_rates(&parts)?;
     frequencies.check(&system)?;
-    let measure = measure::of(&arguments.point.load, &system)?;
+    let measure = measure::constant(&arguments.point.load, &system)?;
     if system.scene().friction != FrictionLaw::Coulomb && measure.load().is_none() {
         return Err(Failure::new(format_args!(
             "{}: `friction: stribeck` has speeds in the units of the scene, so that the load is needed; give it by {}",

@@ -69,8 +69,8 @@ fn of_scenes() -> Vec<Mistake> {
         mistake(
             "time FRAME POINT --of accel(upper)",
             &[
-                "has displacements and forces only",
-                "`curve`, `response` and `orbit`",
+                "has displacements and forces of springs only",
+                "`curve`, `response`, `orbit` and `optimum`",
             ],
         ),
         mistake(

@@ -7,7 +7,9 @@
     reason = "a test may fail"
 )]
 
-use crate::common::{FRAME, failure, output};
+use crate::common::{BLOCK, FRAME, failure, output};
+use frictiongen::study::response::Size;
+use frictiongen::{Of, System};
 
 /// The load and the friction of the frame.
 const POINT: [&str; 6] = [
@@ -173,7 +175,7 @@ fn names_that_mean_nothing() {
         ),
         (
             "jerk(upper)",
-            "--of: there is no quantity `jerk(…)`; write the name of a mass, `contact`, `mass-base`, `mass-mass`, `spring(a-b)`, `shear`, `vel(…)` or `accel(…)`",
+            "--of: there is no quantity `jerk(…)`; write the name of a mass, `contact`, `mass-base`, `mass-mass`, `spring(a-b)`, `shear`, `vel(…)`, `accel(…)`, `slip(contact)`, `force(contact)` or `energy(contact)`",
         ),
         (
             "accel(upper",
@@ -189,7 +191,9 @@ fn names_that_mean_nothing() {
     )
     .join("\n");
     assert!(
-        found.contains("--of `accel(upper)`: this command has displacements and forces only"),
+        found.contains(
+            "--of `accel(upper)`: this command has displacements and forces of springs only"
+        ),
         "{found}"
     );
     let found = failure(
@@ -200,5 +204,178 @@ fn names_that_mean_nothing() {
     assert!(
         found.contains("a spring force has no derivatives here"),
         "{found}"
+    );
+}
+
+/// Every point of a curve under a base motion of constant acceleration and velocity agrees with a single response at its
+/// frequency, whose load is computed by hand. Both come from the same solver, so a unique steady state agrees to rounding
+/// of the load, which the solver amplifies by less than 1e6.
+///
+/// A stuck state is one of a continuum. The whole motion from rest decides its offset, and amplifies rounding without
+/// bound: near the end of stick-slip, one unit in the last digit of the frequency changes the offset by 1e-6, also under
+/// a load of constant amplitude. In a stuck state the test therefore compares the numbers that all states of the
+/// continuum share.
+#[test]
+fn every_point_of_a_curve_under_a_load_over_frequency() {
+    let text = std::fs::read_to_string(FRAME).unwrap();
+    let system: System = text.parse().unwrap();
+    let (mass, stiffness) = (
+        system.scene().masses[0].value,
+        system.scene().springs[0].stiffness,
+    );
+    let friction = 1.5;
+    let (mut regimes, mut compared) = (std::collections::BTreeSet::new(), 0);
+    for (base, power) in [("0.4 m/s2", 2), ("0.03 m/s", 1)] {
+        let size: f64 = base.split(' ').next().unwrap().parse().unwrap();
+        let text = output(
+            "",
+            &[
+                "curve",
+                FRAME,
+                "--csv",
+                "--hz",
+                "1.8:2.6",
+                "--friction",
+                "1.5",
+                "--base",
+                base,
+                "--of",
+                "upper",
+                "--of",
+                "accel(upper)",
+                "--of",
+                "force(contact)",
+                "--of",
+                "energy(contact)",
+            ],
+        );
+        let row = |line: &str| line.split(',').map(str::to_owned).collect();
+        let found: Vec<Vec<String>> = text.lines().map(row).collect();
+        let places = column(&found, "frequency_Hz");
+        assert!(30 < places.len(), "{}", places.len());
+        let names = [
+            "beta",
+            "upper.amplitude_m",
+            "accel(upper).amplitude_m_s2",
+            "force(contact).amplitude_N",
+            "energy(contact).cycle_J",
+        ];
+        let columns = names.map(|name| column(&found, name));
+        // All points are computed alike, so every fifth one is compared.
+        for (index, hertz) in places.into_iter().enumerate().step_by(5) {
+            let omega = 2.0 * std::f64::consts::PI * hertz;
+            let length = size / omega.powi(power);
+            let beta = friction / (stiffness * length);
+            let at = system.at(omega * (mass / stiffness).sqrt()).unwrap();
+            let response = at.response(beta).unwrap();
+            if !response.is_settled() {
+                continue;
+            }
+            regimes.insert(format!("{:?}", response.regime()));
+            let upper = Of::Mass(1);
+            let by_hand = [
+                beta,
+                length * response.swing(upper).unwrap().amplitude,
+                length * omega * omega * response.largest(upper, Size::Acceleration).unwrap(),
+                stiffness * length * response.contact_force(),
+                stiffness * length * length * response.friction_work(),
+            ];
+            let offset_decides = |name: &str| {
+                response.is_marginal() && (name.starts_with("upper") || name.starts_with("force"))
+            };
+            for ((column, by_hand), name) in columns.iter().zip(by_hand).zip(names) {
+                let value = column[index];
+                if offset_decides(name) {
+                    continue;
+                }
+                compared += 1;
+                let scale = by_hand.abs().max(1e-9);
+                assert!(
+                    (value - by_hand).abs() < 1e-9 * scale,
+                    "{base} {hertz} Hz {name}: {value} {by_hand}"
+                );
+            }
+        }
+    }
+    assert!(2 <= regimes.len(), "{regimes:?}");
+    assert!(300 < compared, "{compared}");
+}
+
+/// In a motion with one loop in a cycle, the energy that the contact takes is the area of the loop, 2F(z_max − z_min).
+/// In a motion that does not stop it is 4FZ.
+#[test]
+fn energy_is_the_area_of_the_loop() {
+    for command in ["response", "orbit"] {
+        let found = table(command, &["contact", "energy(contact)", "force(contact)"]);
+        let centred = column(&found, "contact.centred_m");
+        let energy = column(&found, "energy(contact).cycle_J");
+        let force = column(&found, "force(contact).amplitude_N");
+        assert_eq!(energy.len(), 5);
+        for ((centred, energy), force) in centred.iter().zip(&energy).zip(&force) {
+            assert!(
+                (energy - 4.0 * 0.5 * centred).abs() < 1e-12,
+                "{command}: {energy} {centred}"
+            );
+            assert!(0.5 <= *force, "{command}: {force}");
+        }
+    }
+}
+
+/// Wrong loads and quantities each give one line that says what to write.
+#[test]
+fn mistakes_of_loads() {
+    let curve = ["curve", FRAME, "--hz", "1.8:2.2", "--friction", "0.5"];
+    let optimum = ["optimum", FRAME, "--hz", "1.8:2.2", "--of", "upper"];
+    let map = ["map", FRAME, "--hz", "1.8:0.1:2.2", "--friction", "0:0.1:1"];
+    let cases: [(&[&str], &[&str], &str); 6] = [
+        (
+            &curve,
+            &["--base", "0.2x"],
+            "--base `0.2x`: the unit of a base motion is m, mm, m/s, m/s2 or g, not `x`",
+        ),
+        (
+            &curve,
+            &["--force", "0.2g"],
+            "--force `0.2g`: it is not a number",
+        ),
+        (
+            &curve,
+            &["--unbalance", "0.2"],
+            "--unbalance: the scene is driven by its base; its load is given by --base",
+        ),
+        (
+            &["curve", FRAME, "--hz", "1.8:2.2", "--beta", "0.5"],
+            &["--base", "0.2g"],
+            "--beta: the amplitude of this load depends on frequency",
+        ),
+        (
+            &map,
+            &["--base", "0.2g"],
+            "--base: the amplitude of this load depends on frequency",
+        ),
+        (
+            &optimum,
+            &["--base", "0.2 J"],
+            "the unit of a base motion is m, mm, m/s, m/s2 or g, not `J`",
+        ),
+    ];
+    for (command, options, message) in cases {
+        let lines = failure("", &[command, options].concat());
+        assert_eq!(lines.len(), 1, "{lines:?}");
+        assert!(lines[0].contains(message), "{lines:?}");
+    }
+    let block = [
+        "curve",
+        "--hz",
+        "1:2",
+        "--friction",
+        "0.5",
+        "--base",
+        "0.2g",
+    ];
+    let lines = failure(BLOCK, &block);
+    assert!(
+        lines[0].contains("--base: the scene is driven by a force on"),
+        "{lines:?}"
     );
 }

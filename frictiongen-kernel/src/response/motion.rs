@@ -225,6 +225,14 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
         if negative { -value } else { value }
     }
 
+    /// Returns the acceleration d²x̄/dτ² at the phase τ, counted from a maximum of the contact's relative motion. The
+    /// acceleration jumps where the contact reverses. At a jump the result is the value just after the jump.
+    pub fn acceleration(&self, tau: S) -> S {
+        let (at, negative) = instant(tau);
+        let value = self.sum().jet(&at).curvature;
+        if negative { -value } else { value }
+    }
+
     /// Returns X_n, the complex amplitude of harmonic n. It is defined by x̄ = Re Σ X_n e^{inτ_e}, where the phase τ_e
     /// is counted from a maximum of the excitation (section 5 of `docs/derivation.md`). X_n is 0 for n = 0 and for even
     /// n, since the motion repeats with the opposite sign after half a period.

@@ -83,12 +83,13 @@ impl Reading {
     /// Returns the amplitude that is drawn at a point of a piece, in the unit of the axis.
     fn size(self, piece: &Piece, point: &CurvePoint, part: usize, scales: &Scales) -> Option<f64> {
         if self == Self::Amplitude && piece.regime == Regime::Stuck {
-            return Some(scales.length(point.movements.get(part)?.centred));
+            let centred = point.movements.get(part)?.centred;
+            return Some(scales.length_at(point.r, centred));
         }
         let (size, _) = self.polar(point, part)?;
         Some(match self {
             Self::Rate(of) => scales.rate_at(of, point.r, size),
-            _ => scales.length(size),
+            _ => scales.length_at(point.r, size),
         })
     }
 
@@ -104,6 +105,8 @@ impl Reading {
                     Size::Displacement => movement.swing.amplitude,
                     Size::Velocity => velocity,
                     Size::Acceleration => acceleration,
+                    Size::Force => point.contact_force,
+                    Size::Energy => point.friction_work,
                 };
                 (rate, None)
             }

@@ -19,6 +19,8 @@ pub struct Scales {
     base_motion: bool,
     /// Angular frequency that belongs to r = 1, rad/s.
     reference: f64,
+    /// Exponent n with which the amplitude of the load falls over frequency, as r⁻ⁿ.
+    fall: i32,
     /// True if amplitudes are forces.
     force: bool,
     /// Angular frequency ω in rad/s. `None` if the figure shows τ = ωt instead of seconds.
@@ -37,6 +39,7 @@ impl Scales {
             hertz: None,
             load: None,
             omega: None,
+            fall: 0,
             force: false,
             log_frequency: false,
             log_amplitude: false,
@@ -60,6 +63,27 @@ impl Scales {
         Self {
             load: Some(load),
             ..self
+        }
+    }
+
+    /// Returns the same units, for a load whose amplitude falls over frequency as r⁻ⁿ. The load of [`under`](Self::under)
+    /// is that at r = 1.
+    #[must_use]
+    pub fn falling(self, fall: i32) -> Self {
+        Self { fall, ..self }
+    }
+
+    /// Converts a non-dimensional amplitude at the frequency ratio r to the unit of its axis.
+    #[must_use]
+    pub fn length_at(&self, r: f64, ratio: f64) -> f64 {
+        self.length(ratio * self.unit_at(r))
+    }
+
+    /// Returns the amplitude of the load at r over that at r = 1.
+    fn unit_at(&self, r: f64) -> f64 {
+        match self.load {
+            Some(_) => r.powi(-self.fall),
+            None => 1.0,
         }
     }
 
@@ -262,11 +286,14 @@ impl Scales {
             return value;
         };
         let omega = r * self.reference;
+        let value = value * self.unit_at(r);
         let displacement = load.displacement(value);
         match size {
             Size::Displacement => displacement * 1e3,
             Size::Velocity => displacement * omega * 1e3,
             Size::Acceleration => displacement * omega * omega,
+            Size::Force => load.friction(value),
+            Size::Energy => load.displacement(load.friction(value)) * self.unit_at(r),
         }
     }
 
@@ -279,6 +306,12 @@ impl Scales {
             (Size::Velocity, None) => "amplitude of d*x̄*/d*τ*".into(),
             (Size::Acceleration, Some(_)) => "acceleration amplitude (m/s²)".into(),
             (Size::Acceleration, None) => "amplitude of d²*x̄*/d*τ*²".into(),
+            (Size::Force, Some(_)) => "force of the contact (N)".into(),
+            (Size::Force, None) if self.base_motion => "force of the contact over *k*_1*Y*".into(),
+            (Size::Force, None) => "force of the contact over *P*".into(),
+            (Size::Energy, Some(_)) => "energy in a cycle (J)".into(),
+            (Size::Energy, None) if self.base_motion => "energy in a cycle over *k*_1*Y*²".into(),
+            (Size::Energy, None) => "energy in a cycle over *P*²/*k*_1".into(),
         }
     }
 

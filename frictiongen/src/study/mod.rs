@@ -27,6 +27,7 @@ pub mod optimum;
 pub mod orbit;
 mod parameter;
 mod physical;
+mod rates;
 pub mod response;
 pub mod sensitivity;
 mod settled;

@@ -25,8 +25,9 @@ pub enum UnknownMotion {
     Function(String),
     /// A force has neither a velocity nor an acceleration.
     Rate(String),
-    /// `slip(…)` needs the name of a contact, because only a contact slips.
-    Slip(String),
+    /// `slip(…)`, `force(…)` and `energy(…)` need the name of a contact. The first field is the function, the second the
+    /// name in its brackets.
+    Slip(String, String),
     /// The closing bracket is missing, or text follows it.
     Brackets(String),
 }
@@ -53,13 +54,15 @@ impl std::fmt::Display for UnknownMotion {
             ),
             Self::Function(name) => write!(
                 f,
-                "there is no quantity `{name}(…)`; write the name of a mass, `contact`, `mass-base`, `mass-mass`, `spring(a-b)`, `shear`, `vel(…)` or `accel(…)`"
+                "there is no quantity `{name}(…)`; write the name of a mass, `contact`, `mass-base`, `mass-mass`, `spring(a-b)`, `shear`, `vel(…)`, `accel(…)`, `slip(contact)`, `force(contact)` or `energy(contact)`"
             ),
             Self::Rate(name) => write!(
                 f,
                 "`{name}` is a force, which has neither a velocity nor an acceleration"
             ),
-            Self::Slip(name) => write!(f, "`{name}` is no contact; write `slip(contact)`"),
+            Self::Slip(function, name) => {
+                write!(f, "`{name}` is no contact; write `{function}(contact)`")
+            }
             Self::Brackets(text) => {
                 write!(f, "`{text}`: write one closing bracket, at the end")
             }
@@ -153,7 +156,8 @@ impl<S: Float> System<S> {
 
     /// Returns the motion with this name, and the quantity (displacement, velocity or acceleration). `vel(roof)` is the
     /// velocity and `accel(roof)` the acceleration of the motion `roof`. `slip(contact)` is the relative displacement
-    /// in the contact. Any other name means a displacement or a force.
+    /// in the contact, `force(contact)` its largest force, and `energy(contact)` the energy that it takes in a cycle. Any
+    /// other name means a displacement or a force.
     ///
     /// ```
     /// use frictiongen::study::response::Size;
@@ -182,6 +186,8 @@ impl<S: Float> System<S> {
             ("slip(", Size::Displacement),
             ("vel(", Size::Velocity),
             ("accel(", Size::Acceleration),
+            ("force(", Size::Force),
+            ("energy(", Size::Energy),
         ];
         for (function, size) in functions {
             let Some(inside) = name.strip_prefix(function) else {
@@ -190,11 +196,13 @@ impl<S: Float> System<S> {
             let inside = inside.strip_suffix(')');
             let inside = inside.ok_or_else(|| UnknownMotion::Brackets(name.to_owned()))?;
             let of = self.motion_named(inside)?;
-            if of.is_force() {
+            if of.is_force() && matches!(size, Size::Velocity | Size::Acceleration) {
                 return Err(UnknownMotion::Rate(inside.trim().to_owned()));
             }
-            if size == Size::Displacement && of != Of::Contact {
-                return Err(UnknownMotion::Slip(inside.trim().to_owned()));
+            let of_contact = matches!(size, Size::Displacement | Size::Force | Size::Energy);
+            if of_contact && of != Of::Contact {
+                let function = function.trim_end_matches('(').to_owned();
+                return Err(UnknownMotion::Slip(function, inside.trim().to_owned()));
             }
             return Ok((of, size));
         }

@@ -69,11 +69,14 @@ impl Parameter {
             Self::Friction if physical => "F",
             Self::Friction => "beta",
             Self::Load => match point {
-                OperatingPoint::Physical {
-                    load: Load::Base(_),
-                    ..
-                } => "Y",
-                _ => "P",
+                OperatingPoint::Physical { load, .. } => match load {
+                    Load::Base(_) => "Y",
+                    Load::BaseVelocity(_) => "v",
+                    Load::BaseAcceleration(_) => "a",
+                    Load::Unbalance(_) => "m e",
+                    Load::Force(_) => "P",
+                },
+                OperatingPoint::Groups { .. } => "P",
             },
             Self::Frequency if physical => "f",
             Self::Frequency => "r",
@@ -111,11 +114,14 @@ impl Parameter {
             Self::Quantity(Quantity::MassDamping) => "1/s",
             Self::Quantity(Quantity::StiffnessDamping) => "s",
             Self::Load => match point {
-                OperatingPoint::Physical {
-                    load: Load::Base(_),
-                    ..
-                } => "m",
-                _ => "N",
+                OperatingPoint::Physical { load, .. } => match load {
+                    Load::Base(_) => "m",
+                    Load::BaseVelocity(_) => "m/s",
+                    Load::BaseAcceleration(_) => "m/s2",
+                    Load::Unbalance(_) => "kg m",
+                    Load::Force(_) => "N",
+                },
+                OperatingPoint::Groups { .. } => "N",
             },
             Self::Friction if physical => "N",
             Self::Frequency if physical => "Hz",
@@ -177,10 +183,9 @@ pub(super) fn parameters_of(
             friction,
             load,
         } => {
-            let (Load::Force(amplitude) | Load::Base(amplitude)) = load;
             all.extend([
                 (Parameter::Friction, friction),
-                (Parameter::Load, amplitude),
+                (Parameter::Load, load.amplitude()),
                 (Parameter::Frequency, hertz),
             ]);
         }

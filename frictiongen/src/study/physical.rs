@@ -166,11 +166,9 @@ impl System {
                 friction,
                 load,
             } => {
-                let scale = self.load_scale(load)?;
-                (
-                    self.frequency_ratio_at_hertz(hertz),
-                    scale.friction_ratio(friction),
-                )
+                let r = self.frequency_ratio_at_hertz(hertz);
+                let scale = self.load_scale_at(load, r)?;
+                (r, scale.friction_ratio(friction))
             }
         };
         if beta.is_finite() && 0.0 <= beta {
@@ -298,18 +296,23 @@ fn groups(
                 parameter == Parameter::Quantity(Quantity::Stiffness(0)),
             );
             let own = parameter == Parameter::Load;
+            let amplitude = number(load.amplitude(), own);
+            let omega = angular_frequency(hertz);
             let (length, force) = match load {
-                Load::Force(force) => {
-                    let force = number(force, own);
-                    (force / stiffness, force)
-                }
-                Load::Base(length) => {
-                    let length = number(length, own);
+                Load::Force(_) => (amplitude / stiffness, amplitude),
+                Load::Base(_) => (amplitude, stiffness * amplitude),
+                Load::BaseVelocity(_) => (amplitude / omega, stiffness * amplitude / omega),
+                Load::BaseAcceleration(_) => {
+                    let length = amplitude / (omega * omega);
                     (length, stiffness * length)
+                }
+                Load::Unbalance(_) => {
+                    let force = amplitude * omega * omega;
+                    (force / stiffness, force)
                 }
             };
             PhysicalGroups {
-                r: varied.frequency_ratio(angular_frequency(hertz)),
+                r: varied.frequency_ratio(omega),
                 beta: friction / force,
                 length,
                 force,

@@ -5,6 +5,7 @@ pub use super::held::SystemHeld;
 pub use super::motion::SystemSteady;
 pub use super::motion::{SystemMotion, SystemStuck};
 use super::orbit::SystemOrbit;
+use super::rates::largest_rate;
 use super::system::System;
 use super::units::{fundamental_phase, polar, reversed_phase};
 use crate::{Complex, Of, Regime};
@@ -67,8 +68,8 @@ impl Swing {
     };
 }
 
-/// Selects a quantity of a motion: displacement, velocity or acceleration. The largest value is in units of P/k₁, for
-/// base motion of Y.
+/// Selects a quantity of a motion: displacement, velocity, acceleration, or a quantity of the contact. The largest
+/// displacement, velocity or acceleration is in units of P/k₁, for base motion of Y.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Size {
     /// The largest displacement |x̄|.
@@ -77,6 +78,11 @@ pub enum Size {
     Velocity,
     /// The largest acceleration |d²x̄/dτ²|. Multiply by ω² for the acceleration in time.
     Acceleration,
+    /// The largest force in the contact, in units of P, for base motion of k₁Y. Only the contact has it.
+    Force,
+    /// The energy that the contact takes in a cycle of the excitation, in units of P²/k₁, for base motion of k₁Y².
+    /// Only the contact has it.
+    Energy,
 }
 
 impl SystemResponse<'_> {
@@ -213,15 +219,14 @@ impl SystemResponse<'_> {
     /// An acceleration jumps where the friction force jumps. The values on both sides of a jump count.
     #[must_use]
     pub fn largest(&self, of: Of, size: Size) -> Option<f64> {
-        if size == Size::Displacement {
-            return Some(self.swing(of)?.amplitude);
+        match size {
+            Size::Displacement => return Some(self.swing(of)?.amplitude),
+            Size::Force => return (of == Of::Contact).then(|| self.contact_force()),
+            Size::Energy => return (of == Of::Contact).then(|| self.friction_work()),
+            Size::Velocity | Size::Acceleration => {}
         }
         match self {
-            // The closed form has no formula for the largest velocity or acceleration. The orbit describes the same
-            // motion by segments, which have both.
-            Self::Continuous(motion) => {
-                fastest(&motion.at().orbit(motion.friction().beta).ok()?, of, size)
-            }
+            Self::Continuous(motion) => largest_rate(motion, of, size),
             Self::StickSlip(orbit) => fastest(orbit, of, size),
             // The motion of a chain with its contact stuck has one harmonic. Without the offset, x̄, dx̄/dτ and
             // d²x̄/dτ² then have equal amplitudes.
@@ -281,9 +286,9 @@ impl SystemResponse<'_> {
 /// Returns the largest velocity or acceleration in a steady state. For displacement, returns the amplitude.
 fn fastest(orbit: &SystemOrbit<'_>, of: Of, size: Size) -> Option<f64> {
     orbit.ask_of(of, |motion| match size {
-        Size::Displacement => motion.amplitude(),
         Size::Velocity => motion.largest_velocity(),
         Size::Acceleration => motion.largest_acceleration(),
+        _ => motion.amplitude(),
     })
 }
 

@@ -24,6 +24,18 @@ pub(super) struct Carried {
 
 #[cfg(feature = "desk")]
 impl Carried {
+    /// Returns the same state in the units of a load whose amplitude falls over frequency as r⁻ⁿ, at another frequency
+    /// ratio.
+    pub(super) fn under(&self, fall: i32, r: f64) -> Self {
+        let factor = (r / self.r).powi(fall);
+        let scaled = |values: &[f64]| values.iter().map(|value| value * factor).collect();
+        Self {
+            r: self.r,
+            displacements: scaled(&self.displacements),
+            velocities: scaled(&self.velocities),
+        }
+    }
+
     fn of(orbit: &SystemOrbit<'_>, r: f64) -> Self {
         let tau = -orbit.origin();
         let masses = 0..orbit.system.scene().masses.len();
@@ -118,6 +130,21 @@ impl<'a> SystemAt<'a> {
         } else {
             Regime::StickSlip
         }
+    }
+
+    /// Returns the largest force in the contact and the energy that it takes in a cycle, in a steady state of this
+    /// frequency ratio. `None` where the contact never slides and no stuck response exists.
+    pub(super) fn contact_of(&self, orbit: &SystemOrbit<'_>) -> Option<(f64, f64)> {
+        let energy = orbit.beta() * orbit.sliding_distance() / f64::from(orbit.period());
+        let force = if orbit.is_settled() && orbit.never_slides() {
+            let held = self.held(orbit.offset(), 0.0).ok()?;
+            SystemResponse::Stuck(held).contact_force()
+        } else if orbit.stops() == 0 {
+            orbit.beta()
+        } else {
+            orbit.beta() * self.scene().scene().stiction
+        };
+        Some((force, energy))
     }
 
     /// Returns the steady state as a response of its regime: continuous, stick-slip or stuck.

@@ -18,14 +18,64 @@ pub enum Load<S = f64> {
     Force(S),
     /// Amplitude Y of a motion Y cos ωt of the base, m in SI.
     Base(S),
+    /// Amplitude v of the velocity of the base at every frequency, m/s in SI: Y = v/ω.
+    BaseVelocity(S),
+    /// Amplitude a of the acceleration of the base at every frequency, m/s² in SI: Y = a/ω².
+    BaseAcceleration(S),
+    /// Unbalance m·e of a rotor, mass times eccentricity, kg·m in SI: P = m·e·ω².
+    Unbalance(S),
 }
 
 impl<S: Copy> Load<S> {
-    /// Returns the amplitude of the load: P of a force or Y of a base motion.
+    /// Returns the number that describes the load, in its own unit: for example P of a force or Y of a base motion.
     #[must_use]
     pub fn amplitude(&self) -> S {
         match self {
-            Self::Force(amplitude) | Self::Base(amplitude) => *amplitude,
+            Self::Force(amplitude)
+            | Self::Base(amplitude)
+            | Self::BaseVelocity(amplitude)
+            | Self::BaseAcceleration(amplitude)
+            | Self::Unbalance(amplitude) => *amplitude,
+        }
+    }
+
+    /// Returns true for a motion of the base.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn is_base_motion(&self) -> bool {
+        !matches!(self, Self::Force(_) | Self::Unbalance(_))
+    }
+
+    /// Returns the exponent n with which the amplitude P or Y falls over frequency, as ω⁻ⁿ. It is 0 for a constant
+    /// amplitude.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn fall(&self) -> i32 {
+        match self {
+            Self::Force(_) | Self::Base(_) => 0,
+            Self::BaseVelocity(_) => 1,
+            Self::BaseAcceleration(_) => 2,
+            Self::Unbalance(_) => -2,
+        }
+    }
+}
+
+impl<S: Float> Load<S> {
+    /// Returns the load at one angular frequency ω in rad/s, as a force P or a base motion Y.
+    ///
+    /// ```
+    /// use frictiongen::study::units::Load;
+    ///
+    /// // A base acceleration of 2 m/s² at ω = 10 rad/s is a motion of 20 mm.
+    /// assert_eq!(Load::BaseAcceleration(2.0).at(10.0), Load::Base(0.02));
+    /// ```
+    #[must_use]
+    pub fn at(&self, omega: S) -> Self {
+        match *self {
+            Self::BaseVelocity(velocity) => Self::Base(velocity / omega),
+            Self::BaseAcceleration(acceleration) => Self::Base(acceleration / (omega * omega)),
+            Self::Unbalance(unbalance) => Self::Force(unbalance * (omega * omega)),
+            constant => constant,
         }
     }
 }
@@ -46,6 +96,14 @@ impl LoadScale {
 }
 
 impl<S: Float> LoadScale<S> {
+    /// Returns the units of the same load with its amplitude multiplied by a factor.
+    pub(super) fn times(&self, factor: S) -> Self {
+        Self {
+            length: self.length * factor,
+            force: self.force * factor,
+        }
+    }
+
     /// Returns the unit of length, by which x̄ is multiplied: P/k₁, for base motion Y.
     #[must_use]
     pub fn length(&self) -> S {
@@ -153,7 +211,8 @@ pub fn polar(x: Complex<f64>) -> (f64, f64) {
 }
 
 impl<S: Float> System<S> {
-    /// Returns the units of length and force that a load gives to the non-dimensional results.
+    /// Returns the units of length and force that a load gives to the non-dimensional results. A load whose amplitude
+    /// depends on frequency has these units at r = 1. [`load_scale_at`](Self::load_scale_at) has those of another r.
     ///
     /// ```
     /// use frictiongen::study::{System, units::Load};
@@ -180,33 +239,59 @@ impl<S: Float> System<S> {
     /// [`LoadError`] for a force where the base moves, and for a base motion where a force drives a mass. [`LoadError`]
     /// also for an amplitude that is not above 0 and finite, and where P/k₁ or k₁Y leaves the scalar's range.
     pub fn load_scale(&self, load: Load<S>) -> Result<LoadScale<S>, LoadError> {
+        self.load_scale_at(load, S::constant(1.0))
+    }
+
+    /// Returns the units of length and force of a load at the frequency ratio r.
+    ///
+    /// # Errors
+    /// Same errors as [`load_scale`](Self::load_scale).
+    pub fn load_scale_at(&self, load: Load<S>, r: S) -> Result<LoadScale<S>, LoadError> {
         let usable = |value: S| value > S::constant(0.0) && value.is_finite();
-        let (Load::Force(amplitude) | Load::Base(amplitude)) = load;
-        match (load, self.scene.excitation) {
-            (Load::Force(_), Excitation::Base) => return Err(LoadError::DrivenByBase),
-            (Load::Base(_), Excitation::Force(index)) => {
+        let amplitude = load.amplitude();
+        let base_moves = self.scene.excitation == Excitation::Base;
+        match self.scene.excitation {
+            _ if load.is_base_motion() == base_moves && !usable(amplitude) => {
+                return Err(LoadError::Amplitude);
+            }
+            Excitation::Base if !load.is_base_motion() => return Err(LoadError::DrivenByBase),
+            Excitation::Force(index) if load.is_base_motion() => {
                 let mass = self.scene.masses.get(index);
                 let name = mass.map_or_else(String::new, |mass| mass.name.clone());
                 return Err(LoadError::DrivenByForce(name));
             }
-            _ if !usable(amplitude) => return Err(LoadError::Amplitude),
             _ => {}
         }
         let stiffness = S::constant(self.scene.first_stiffness());
-        let scale = match load {
-            Load::Force(force) => LoadScale {
-                length: force / stiffness,
-                force,
-            },
-            Load::Base(length) => LoadScale {
-                length,
-                force: stiffness * length,
-            },
+        let amplitude = load.at(self.angular_frequency(r)).amplitude();
+        let scale = if base_moves {
+            LoadScale {
+                length: amplitude,
+                force: stiffness * amplitude,
+            }
+        } else {
+            LoadScale {
+                length: amplitude / stiffness,
+                force: amplitude,
+            }
         };
         if usable(scale.length) && usable(scale.force) {
             Ok(scale)
         } else {
             Err(LoadError::OutOfRange)
+        }
+    }
+
+    /// Returns the units of length and force of a load of constant amplitude.
+    ///
+    /// # Errors
+    /// Same errors as [`load_scale`](Self::load_scale). [`LoadError::Varies`] for a load whose amplitude depends on
+    /// frequency.
+    #[doc(hidden)]
+    pub fn constant_scale(&self, load: Load<S>) -> Result<LoadScale<S>, LoadError> {
+        match load.fall() {
+            0 => self.load_scale(load),
+            _ => self.load_scale(load).and(Err(LoadError::Varies)),
         }
     }
 

@@ -51,7 +51,8 @@ fn multipliers_are_those_of_differences() {
         }
         assert!(4 <= pairs.len(), "{}", pairs.len());
         // Least squares for the two rows of the matrix.
-        let sum = |f: &dyn Fn(&([f64; 2], [f64; 2])) -> f64| pairs.iter().map(f).sum::<f64>();
+        type Pair = ([f64; 2], [f64; 2]);
+        let sum = |f: &dyn Fn(&Pair) -> f64| pairs.iter().map(f).sum::<f64>();
         let (xx, xy, yy) = (
             sum(&|(d, _)| d[0] * d[0]),
             sum(&|(d, _)| d[0] * d[1]),

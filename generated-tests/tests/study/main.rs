@@ -7,4 +7,5 @@ mod features;
 mod fuzz;
 mod optimum;
 mod optimum_short;
+mod quantities;
 mod tuned_optimum;

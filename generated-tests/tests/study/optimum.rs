@@ -5,6 +5,7 @@
 //! ```
 
 use frictiongen::Of;
+use frictiongen::study::response::Size;
 use frictiongen::study::{
     System,
     optimum::{FrequencyBand, Optimum, OptimumEnd, OptimumError, OptimumKind, OptimumRequest},
@@ -32,6 +33,7 @@ fn asked(text: &str, name: &str, from: f64, to: f64) -> (System, OptimumRequest)
     let system: System = text.parse().expect("a valid scene");
     let request = OptimumRequest {
         of: system.motion_named(name).expect("a motion"),
+        size: Size::Displacement,
         band: FrequencyBand::Ratio(from, to),
         load: None,
     };
@@ -193,7 +195,7 @@ fn one_mass_between_its_resonance_and_its_offset() {
 fn an_undamped_mass_is_held() {
     let (system, request) = asked(WALL, "block", 0.5, 1.5);
     let (optimum, _) = optimum(&system, &request);
-    assert_eq!(optimum.kind, OptimumKind::Stuck);
+    assert_eq!(optimum.kind, OptimumKind::Trivial);
     assert!((optimum.beta - 1.0).abs() < 1e-12 && optimum.amplitude == 0.0);
     assert!((optimum.unbounded_to - FRAC_PI_4).abs() < 1e-15);
     assert!(optimum.without_friction.is_infinite() && optimum.with_contact_locked == 0.0);

@@ -49,6 +49,11 @@ impl Frictions {
                 measure::argument(measure)
             )));
         }
+        if measure.fall() != 0 && argument == "beta" {
+            return Err(domain(
+                "beta: the amplitude of this load depends on frequency, so that one friction ratio is another force at each frequency; give friction in N",
+            ));
+        }
         let friction = |given: &f64| match scale {
             Some(scale) if argument == "friction" => Friction::of_force(*given, scale),
             scale => Friction::of_ratio(*given, scale),

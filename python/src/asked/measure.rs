@@ -4,6 +4,7 @@ use super::numbers::one;
 use crate::errors::domain;
 use frictiongen::System;
 pub use frictiongen::study::columns::Measure;
+use frictiongen::study::columns::{base_load, unbalance};
 use frictiongen::study::units::{Load, LoadError};
 use pyo3::prelude::*;
 
@@ -19,8 +20,14 @@ pub fn of(system: &System, (force, base): &LoadArguments<'_>) -> PyResult<Measur
                 "force and base: a scene has one load, give one of them",
             ));
         }
-        (Some(force), None) => ("force", Load::Force(one("force", force)?)),
-        (None, Some(base)) => ("base", Load::Base(one("base", base)?)),
+        (Some(force), None) => match force.extract::<String>() {
+            Ok(text) => ("force", text_load("force", &text, unbalance)?),
+            Err(_) => ("force", Load::Force(one("force", force)?)),
+        },
+        (None, Some(base)) => match base.extract::<String>() {
+            Ok(text) => ("base", text_load("base", &text, base_load)?),
+            Err(_) => ("base", Load::Base(one("base", base)?)),
+        },
     };
     Measure::under(system, load).map_err(|error| match error {
         LoadError::DrivenByBase | LoadError::DrivenByForce(_) => domain(format_args!(
@@ -29,6 +36,26 @@ pub fn of(system: &System, (force, base): &LoadArguments<'_>) -> PyResult<Measur
         )),
         _ => domain(format_args!("{name}: {error}")),
     })
+}
+
+/// Reads a load that is given as text with its unit.
+fn text_load(
+    argument: &str,
+    text: &str,
+    read: impl Fn(&str) -> Result<Load, String>,
+) -> PyResult<Load> {
+    read(text).map_err(|problem| domain(format_args!("{argument} `{text}`: {problem}")))
+}
+
+/// Returns the units under a load of constant amplitude, for a question that needs one.
+pub fn constant(system: &System, load: &LoadArguments<'_>) -> PyResult<Measure> {
+    let measure = of(system, load)?;
+    if let Some(load) = measure.load() {
+        let argument = argument(&measure);
+        let constant = system.constant_scale(load);
+        constant.map_err(|error| domain(format_args!("{argument}: {error}")))?;
+    }
+    Ok(measure)
 }
 
 /// Returns the name of the Python argument for the load: `base` if the base drives the scene, otherwise `force`.

@@ -235,7 +235,7 @@ impl Observed {
         }
         let points = hertz.into_iter().zip(loads).zip(load_deviation);
         for (place, ((hertz, load), load_deviation)) in points.enumerate() {
-            let (Load::Base(size) | Load::Force(size)) = load;
+            let size = load.amplitude();
             self.known.push(known);
             self.all.push(Observation {
                 hertz,

@@ -6,7 +6,7 @@ use super::once::scaled;
 use crate::measure::{Estimate, Explained, FreeDecay, Identified, Observation, SweepFit, Unknown};
 use crate::study::columns::{Cell, Column, Columns, Head, Kind, Measure, Row, Shown};
 use crate::study::units::{hertz, polar};
-use crate::study::{System, units::Load, words};
+use crate::study::{System, words};
 use std::f64::consts::TAU;
 
 /// Row of the table: one quantity with its value, interval and unit.
@@ -226,7 +226,7 @@ fn recording(
     let (what, dimension) = drive(system);
     let measure = Measure::si(system);
     let key = measure.name(&format!("{what}.amplitude"), dimension);
-    let (Load::Base(size) | Load::Force(size)) = seen.load;
+    let size = seen.load.amplitude();
     let label = format!("  {what} amplitude");
     lines.number(&key, &label, size, measure.unit(dimension));
     lines.number("r", "  r", point.r, "");

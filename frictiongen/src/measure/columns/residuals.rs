@@ -5,7 +5,7 @@ use crate::Complex;
 use crate::measure::{Datum, Explained, FreeDecay, Identified, Observation, SweepFit, SweepPoint};
 use crate::study::columns::{Column, Columns, Dimension, Head, Measure, Row};
 use crate::study::units::polar;
-use crate::study::{System, units::Load, words};
+use crate::study::{System, words};
 
 /// The quantities of a motion that were measured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -112,7 +112,7 @@ pub fn residual_columns<'o>(system: &System) -> Vec<Column<'o, ResidualRow<'o>>>
     let head = Head::of("frequency", Dimension::Hertz);
     columns.number(head, |row| Some(row.seen.hertz));
     drive_amplitude(&mut columns, system, |row| {
-        let (Load::Base(size) | Load::Force(size)) = row.seen.load;
+        let size = row.seen.load.amplitude();
         Some(size)
     });
     columns.number("r", |row| Some(row.point.r));

@@ -2,7 +2,6 @@
 
 use super::observation::{Datum, Observation, Using};
 use crate::Complex;
-use crate::study::units::Load;
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::PI;
 
@@ -47,7 +46,7 @@ impl<'o> Weighed<'o> {
         using: Using,
         friction: Option<&[Complex<f64>]>,
     ) -> Option<Self> {
-        let (Load::Base(amplitude) | Load::Force(amplitude)) = seen.load;
+        let amplitude = seen.load.amplitude();
         let relative = seen.load_deviation / amplitude;
         let certain =
             |datum: &Datum| !using.is_phase() || datum.deviation < VAGUE * datum.value.norm();

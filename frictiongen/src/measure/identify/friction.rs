@@ -41,7 +41,7 @@ impl<'a> IdentifyProblem<'a> {
             return Err(MeasureError::NoObservation);
         }
         for seen in observations {
-            system.load_scale(seen.load)?;
+            system.constant_scale(seen.load)?;
             system.at(system.frequency_ratio_at_hertz(seen.hertz))?;
             let known = system.scene().masses.len();
             if seen.motions.iter().any(|datum| known <= datum.mass) {

@@ -25,17 +25,19 @@ pub(super) struct ComputedResponse {
 
 /// Returns the factor from x̄ to the response over the load: x/Y, or x/P in m/N.
 fn over_load(system: &System, load: Load) -> f64 {
-    match load {
-        Load::Base(_) => 1.0,
-        Load::Force(_) => 1.0 / system.scene().first_stiffness(),
+    if load.is_base_motion() {
+        1.0
+    } else {
+        1.0 / system.scene().first_stiffness()
     }
 }
 
 /// Returns the friction force in N that corresponds to β = 1.
 pub(super) fn force_scale(system: &System, load: Load) -> f64 {
-    match load {
-        Load::Base(length) => system.scene().first_stiffness() * length,
-        Load::Force(force) => force,
+    if load.is_base_motion() {
+        system.scene().first_stiffness() * load.amplitude()
+    } else {
+        load.amplitude()
     }
 }
 
@@ -197,9 +199,11 @@ impl<'s> Along<'s> {
         let own = matches!(self.direction, Direction::Quantity(Quantity::Stiffness(0)));
         let stiffness = number(self.system.scene().first_stiffness(), own) * factor * factor;
         let friction_dual = number(friction, matches!(self.direction, Direction::Friction));
-        let (force, scale) = match seen.load {
-            Load::Base(length) => (stiffness * number(length, false), number(1.0, false)),
-            Load::Force(force) => (number(force, false), number(1.0, false) / stiffness),
+        let amplitude = number(seen.load.amplitude(), false);
+        let (force, scale) = if seen.load.is_base_motion() {
+            (stiffness * amplitude, number(1.0, false))
+        } else {
+            (amplitude, number(1.0, false) / stiffness)
         };
         let omega = angular_frequency(number(seen.hertz, false));
         let (r, beta) = (

@@ -65,13 +65,15 @@ impl AtFriction for CurveRow {
 
 impl Moving for CurveRow {
     fn motion(&self, part: usize) -> Option<PartMotion<'_>> {
-        let movement = self.point()?.movements.get(part)?;
+        let point = self.point()?;
+        let movement = point.movements.get(part)?;
         Some(PartMotion {
             swing: Some(movement.swing),
             centred: Some(movement.centred),
             fundamental_phase: movement.fundamental_phase,
             monoharmonic: None,
             rates: movement.rates,
+            contact: Some((point.contact_force, point.friction_work)),
             harmonics: &movement.harmonics,
         })
     }
@@ -81,12 +83,15 @@ impl<'a> CurveTable<'a> {
     /// Returns the rows of one curve, with ascending frequency.
     #[must_use]
     pub fn rows(&self, friction: Friction, curve: &Curve) -> Vec<CurveRow> {
-        let row = |r: f64, piece: Option<usize>, found: Result<CurvePoint, Error>| CurveRow {
-            friction,
-            start: curve.start,
-            frequency: Frequency::at(self.setting.system, r),
-            piece,
-            found,
+        let row = |r: f64, piece: Option<usize>, found: Result<CurvePoint, Error>| {
+            let frequency = Frequency::at(self.setting.system, r);
+            CurveRow {
+                friction: friction.at(&self.setting.measure, frequency),
+                start: curve.start,
+                frequency,
+                piece,
+                found,
+            }
         };
         let mut rows = Vec::new();
         for (piece, found) in (1..).zip(&curve.pieces) {

@@ -25,6 +25,8 @@ pub enum Dimension {
     Force,
     /// Mean power in W under a load. Without a load, the work in a cycle in units of P²/k₁, for base motion k₁Y².
     Power,
+    /// Energy of a cycle, in J under a load. Without a load the unit is P²/k₁, for base motion k₁Y².
+    Energy,
     /// A frequency, in Hz.
     Hertz,
     /// An angular frequency, in rad/s.
@@ -40,6 +42,8 @@ pub struct Measure {
     load: Option<Load>,
     base_motion: bool,
     reversed: bool,
+    /// Angular frequency at r = 1, rad/s.
+    reference: f64,
 }
 
 impl Measure {
@@ -51,6 +55,7 @@ impl Measure {
             load: None,
             base_motion: system.scene().excitation == Excitation::Base,
             reversed: system.contact_is_reversed(),
+            reference: system.angular_frequency(1.0),
         }
     }
 
@@ -75,7 +80,26 @@ impl Measure {
         }
     }
 
-    /// Returns the units of length and force, if a load is given.
+    /// Returns the exponent n with which the load's amplitude falls over frequency, as ω⁻ⁿ. It is 0 without a load.
+    #[must_use]
+    pub fn fall(&self) -> i32 {
+        self.load.map_or(0, |load| load.fall())
+    }
+
+    /// Returns the units of length and force at an angular frequency in rad/s, if a load is given. For NaN it returns
+    /// those at r = 1.
+    #[must_use]
+    pub fn scale_at(&self, omega: f64) -> Option<LoadScale> {
+        let factor = match self.fall() {
+            0 => return self.scale,
+            _ if omega.is_nan() => return self.scale,
+            fall => (self.reference / omega).powi(fall),
+        };
+        self.scale.map(|scale| scale.times(factor))
+    }
+
+    /// Returns the units of length and force, if a load is given. A load whose amplitude depends on frequency has these
+    /// units at r = 1.
     #[must_use]
     pub fn scale(&self) -> Option<LoadScale> {
         self.scale
@@ -116,13 +140,20 @@ impl Measure {
     /// powers.
     #[must_use]
     pub fn convert(&self, dimension: Dimension, value: f64, omega: f64) -> f64 {
+        let here = Self {
+            scale: self.scale_at(omega),
+            ..*self
+        };
         match dimension {
-            Dimension::Length => self.length(value),
-            Dimension::Velocity => self.velocity(value, omega),
-            Dimension::Acceleration => self.acceleration(value, omega),
-            Dimension::Angle => self.angle(value),
-            Dimension::Force => self.force(value),
-            Dimension::Power => self.power(value, omega),
+            Dimension::Length => here.length(value),
+            Dimension::Velocity => here.velocity(value, omega),
+            Dimension::Acceleration => here.acceleration(value, omega),
+            Dimension::Angle => here.angle(value),
+            Dimension::Force => here.force(value),
+            Dimension::Power => here.power(value, omega),
+            Dimension::Energy => here
+                .scale
+                .map_or(value, |scale| scale.displacement(scale.friction(value))),
             Dimension::One | Dimension::Hertz | Dimension::AngularFrequency | Dimension::Time => {
                 value
             }
@@ -186,6 +217,7 @@ impl Measure {
             Dimension::Angle => ("_deg", false),
             Dimension::Force => ("_N", false),
             Dimension::Power => ("_W", false),
+            Dimension::Energy => ("_J", false),
             Dimension::Hertz => ("_Hz", true),
             Dimension::AngularFrequency => ("_rad_s", true),
             Dimension::Time => ("_s", true),
@@ -213,6 +245,7 @@ impl Measure {
             (Dimension::Angle, _) => "deg",
             (Dimension::Force, _) => "N",
             (Dimension::Power, _) => "W",
+            (Dimension::Energy, _) => "J",
         }
     }
 
@@ -241,6 +274,7 @@ impl Measure {
             ("rad", _) => "(rad)",
             ("N", _) => "(N)",
             ("W", _) => "(W)",
+            ("J", _) => "(J)",
             ("Hz", _) => "(Hz)",
             ("rad/s", _) => "(rad/s)",
             ("s", _) => "(s)",
@@ -288,6 +322,7 @@ mod tests {
             ),
             (Dimension::Force, ["", "", "(of k1 Y)"], ["_N", "N", "(N)"]),
             (Dimension::Power, ["", "", ""], ["_W", "W", "(W)"]),
+            (Dimension::Energy, ["", "", ""], ["_J", "J", "(J)"]),
             (
                 Dimension::Hertz,
                 ["_Hz", "Hz", "(Hz)"],

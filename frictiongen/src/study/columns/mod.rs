@@ -53,6 +53,7 @@ mod measure;
 
 mod motion;
 mod optimum;
+mod quantity;
 mod sensitivity;
 mod setting;
 mod steady;
@@ -73,6 +74,7 @@ pub use map::{BoundaryRow, MapLimitsRow, MapRow, MapTable};
 pub use measure::{Dimension, Measure};
 pub use motion::{Extent, Moving, PartMotion, motions};
 pub use optimum::{OptimumLine, OptimumSensitivityRow, OptimumTable, PeakRow, Tuned};
+pub use quantity::{base_load, unbalance};
 pub use sensitivity::{SensitivityRow, SensitivityTable};
 pub use setting::{
     AtFrequency, AtFriction, CONTACT, Frequency, FrequencyUnit, Friction, Part, Setting,

@@ -21,6 +21,8 @@ pub struct PartMotion<'r> {
     pub monoharmonic: Option<f64>,
     /// Largest |dx̄/dτ| and largest |d²x̄/dτ²|.
     pub rates: Option<(f64, f64)>,
+    /// Largest force in the contact over P, and energy that the contact takes in a cycle over P²/k₁.
+    pub contact: Option<(f64, f64)>,
     /// Complex amplitudes of the requested harmonics, in the order of the request.
     pub harmonics: &'r [Complex<f64>],
 }
@@ -55,11 +57,17 @@ pub fn motions<'a, R: Moving + 'a>(columns: &mut Columns<'a, R>, parts: &[Part],
         if named.size != Size::Displacement {
             // The largest velocity or acceleration has neither a phase nor harmonics.
             let of = named.size;
-            columns.number(Head::of("amplitude", size), move |row: &R| {
-                let (velocity, acceleration) = row.motion(part)?.rates?;
+            let name = match of {
+                Size::Energy => "cycle",
+                _ => "amplitude",
+            };
+            columns.number(Head::of(name, size), move |row: &R| {
+                let motion = row.motion(part)?;
                 Some(match of {
-                    Size::Velocity => velocity,
-                    _ => acceleration,
+                    Size::Velocity => motion.rates?.0,
+                    Size::Force => motion.contact?.0,
+                    Size::Energy => motion.contact?.1,
+                    _ => motion.rates?.1,
                 })
             });
             continue;

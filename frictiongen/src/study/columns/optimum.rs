@@ -26,6 +26,8 @@ pub struct OptimumTable<'a> {
 pub struct PeakRow {
     frequency: Frequency,
     peak: OptimumPeak,
+    /// Angular frequency at r = 1, rad/s.
+    reference: f64,
 }
 
 /// A row of the table of sensitivities: the relative derivative of the best amplitude with respect to one parameter.
@@ -36,9 +38,17 @@ pub struct OptimumSensitivityRow {
     relative: f64,
 }
 
-impl Row for Optimum {}
+impl Row for Optimum {
+    fn omega(&self) -> f64 {
+        self.reference
+    }
+}
 
-impl Row for PeakRow {}
+impl Row for PeakRow {
+    fn omega(&self) -> f64 {
+        self.reference
+    }
+}
 
 impl AtFrequency for PeakRow {
     fn frequency(&self) -> Frequency {
@@ -65,6 +75,7 @@ impl<'a> OptimumTable<'a> {
         let peaks = optimum.peaks.iter().map(|peak| PeakRow {
             frequency: Frequency::at(self.setting.system, peak.r),
             peak: *peak,
+            reference: optimum.reference,
         });
         peaks.collect()
     }

@@ -35,7 +35,8 @@ impl Part {
         Ok(Self { of, size, name })
     }
 
-    /// Returns true if the velocity or the acceleration is requested.
+    /// Returns true if the requested quantity is not a displacement: a velocity, an acceleration, or the force or the
+    /// energy of the contact.
     #[must_use]
     pub fn has_rate(&self) -> bool {
         self.size != Size::Displacement
@@ -49,6 +50,8 @@ impl Part {
             Size::Displacement => Dimension::Length,
             Size::Velocity => Dimension::Velocity,
             Size::Acceleration => Dimension::Acceleration,
+            Size::Force => Dimension::Force,
+            Size::Energy => Dimension::Energy,
         }
     }
 
@@ -150,6 +153,8 @@ pub struct Friction {
     pub beta: f64,
     /// Friction force in N, if the load is known.
     force: Option<f64>,
+    /// True if the force was given, false if β was given.
+    is_force: bool,
 }
 
 impl Friction {
@@ -159,6 +164,7 @@ impl Friction {
         Self {
             beta,
             force: scale.map(|scale| scale.friction(beta)),
+            is_force: false,
         }
     }
 
@@ -168,7 +174,28 @@ impl Friction {
         Self {
             beta: scale.friction_ratio(force),
             force: Some(force),
+            is_force: true,
         }
+    }
+
+    /// Returns the friction at a frequency, under a load whose amplitude may depend on frequency. The number that was
+    /// given stays: the force, or β.
+    #[must_use]
+    pub fn at(self, measure: &Measure, frequency: Frequency) -> Self {
+        match measure.scale_at(frequency.omega) {
+            Some(scale) if measure.fall() != 0 => match self.force {
+                Some(force) if self.is_force => Self::of_force(force, scale),
+                _ => Self::of_ratio(self.beta, Some(scale)),
+            },
+            _ => self,
+        }
+    }
+
+    /// Returns the exponent n with which β grows over frequency, as rⁿ, under a load whose amplitude may depend on
+    /// frequency. It is 0 if β was given.
+    #[must_use]
+    pub fn rise(&self, measure: &Measure) -> i32 {
+        if self.is_force { measure.fall() } else { 0 }
     }
 
     /// Returns the friction force if the load is known, and otherwise β.

@@ -24,6 +24,7 @@ struct MotionGroups {
     fundamental_phase: Option<f64>,
     monoharmonic: Option<f64>,
     rates: Option<(f64, f64)>,
+    contact: Option<(f64, f64)>,
     harmonics: Vec<Complex<f64>>,
 }
 
@@ -42,6 +43,7 @@ impl MotionGroups {
             fundamental_phase: response.fundamental_phase(of),
             monoharmonic: response.monoharmonic(of),
             rates: if part.has_rate() { rates() } else { None },
+            contact: Some((response.contact_force(), response.friction_work())),
             harmonics: harmonics.collect::<Option<_>>().unwrap_or_default(),
         }
     }
@@ -59,6 +61,7 @@ impl MotionGroups {
             fundamental_phase: fundamental_phase(motion.harmonic(1), centred),
             monoharmonic: None,
             rates: Some((motion.largest_velocity(), motion.largest_acceleration())),
+            contact: None,
             harmonics: orders.iter().map(|order| motion.harmonic(*order)).collect(),
         }
     }
@@ -110,6 +113,7 @@ impl MotionGroups {
             fundamental_phase: self.fundamental_phase,
             monoharmonic: self.monoharmonic,
             rates: self.rates,
+            contact: self.contact,
             harmonics: &self.harmonics,
         }
     }

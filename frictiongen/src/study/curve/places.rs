@@ -48,7 +48,11 @@ impl CurvePlace {
 /// Returns the first frequency ratios of a curve in ascending order. They are both ends of the range, resonances, their
 /// sub-harmonics, a grid, and both sides of every cut.
 pub(super) fn places(system: &System, request: &CurveRequest, beta: f64) -> Vec<CurvePlace> {
-    let search = PlaceSearch { system, beta };
+    let search = PlaceSearch {
+        system,
+        request,
+        beta,
+    };
     let (mut poles, mut subharmonics) = (Vec::new(), Vec::new());
     let mut grid = grid(request);
     for resonance in search.resonances() {
@@ -102,6 +106,7 @@ fn grid(request: &CurveRequest) -> Vec<f64> {
 
 struct PlaceSearch<'a> {
     system: &'a System,
+    request: &'a CurveRequest,
     beta: f64,
 }
 
@@ -117,7 +122,12 @@ impl PlaceSearch<'_> {
     fn is_pole(&self, resonance: f64, of: &[Of]) -> bool {
         let largest = |distance: f64| -> Option<f64> {
             let r = resonance * (1.0 - distance);
-            let response = self.system.at(r).ok()?.response(self.beta).ok()?;
+            let response = self
+                .system
+                .at(r)
+                .ok()?
+                .response(self.request.beta_at(self.beta, r))
+                .ok()?;
             let sizes = of
                 .iter()
                 .filter_map(|of| Some(response.swing(*of)?.amplitude));
@@ -136,7 +146,7 @@ impl PlaceSearch<'_> {
         match self.system.at(r) {
             Ok(at) => {
                 let limits = at.limits();
-                let over = |limit: f64| (self.beta / limit).ln();
+                let over = |limit: f64| (self.request.beta_at(self.beta, r) / limit).ln();
                 (over(limits.continuous), over(limits.sliding))
             }
             Err(_) => (f64::NAN, f64::NAN),
@@ -144,7 +154,8 @@ impl PlaceSearch<'_> {
     }
 
     fn regime(&self, r: f64) -> Option<Regime> {
-        self.system.at(r).ok()?.limits().regime(self.beta).ok()
+        let limits = self.system.at(r).ok()?.limits();
+        limits.regime(self.request.beta_at(self.beta, r)).ok()
     }
 
     /// Returns the first frequency ratios of a curve, with both sides of every regime boundary and pole added.

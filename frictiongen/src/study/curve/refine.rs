@@ -71,6 +71,7 @@ impl<'a> Refine<'a> {
                 accuracy: request.accuracy,
                 scales: Vec::new(),
                 offsets_jump: offsets_jump(system),
+                fall: request.fall,
             },
         }
     }
@@ -88,7 +89,7 @@ impl<'a> Refine<'a> {
 
     fn answer(&self, r: f64) -> (Result<CurvePoint, Error>, usize) {
         let at = self.system.at(r).map_err(Error::from);
-        let response = at.and_then(|at| at.response(self.beta));
+        let response = at.and_then(|at| at.response(self.request.beta_at(self.beta, r)));
         let work = work(self.system, r, response.as_ref().map_err(|error| *error));
         let point = response.and_then(|response| {
             CurvePoint::of(r, &response, self.request).ok_or_else(|| OutOfDomain::Mass.into())
@@ -101,8 +102,10 @@ impl<'a> Refine<'a> {
     pub(super) fn scales(&self, nodes: &[CurveNode]) -> Vec<f64> {
         let median = |index: usize| {
             let points = nodes.iter().filter_map(|node| node.answer.as_ref().ok());
-            let sizes =
-                points.filter_map(|point| Some(point.movements.get(index)?.swing.amplitude));
+            let sizes = points.filter_map(|point| {
+                let amplitude = point.movements.get(index)?.swing.amplitude;
+                Some(amplitude * self.straight.unit(point))
+            });
             // Points at which nothing moves are left out, because they say nothing about the size of the motion.
             let mut sizes: Vec<f64> = sizes.filter(|size| 0.0 < *size).collect();
             sizes.sort_by(f64::total_cmp);

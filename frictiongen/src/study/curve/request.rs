@@ -46,6 +46,12 @@ pub struct CurveRequest {
     pub work: usize,
     /// The start of the motion at each point.
     pub start: CurveStart,
+    /// Exponent n with which the friction ratio grows along the curve: β·rⁿ. It is 0 for a load of constant amplitude. A
+    /// constant friction force has n = 2 under a base motion of constant acceleration, and n = −2 under an unbalance.
+    pub rise: i32,
+    /// Exponent n with which the amplitude of the load falls along the curve, as r⁻ⁿ. The curve is refined for
+    /// displacements under this load.
+    pub fall: i32,
 }
 
 impl CurveRequest {
@@ -63,7 +69,14 @@ impl CurveRequest {
             turned: false,
             work: WORK,
             start: CurveStart::Rest,
+            rise: 0,
+            fall: 0,
         }
+    }
+
+    /// Returns the friction ratio at r.
+    pub(super) fn beta_at(&self, beta: f64, r: f64) -> f64 {
+        beta * r.powi(self.rise)
     }
 
     pub(super) fn check(&self, system: &System) -> Result<(), CurveError> {

@@ -15,9 +15,16 @@ pub(super) struct Straight {
     /// True with μ > 1 or without damping. The offset of a stuck contact then depends on every slip, and jumps from
     /// point to point. More points do not help, so that the centred amplitude is compared instead.
     pub offsets_jump: bool,
+    /// Exponent n with which the amplitude of the load falls over frequency, as r⁻ⁿ.
+    pub fall: i32,
 }
 
 impl Straight {
+    /// Returns the unit of displacement at a point, over that at r = 1.
+    pub(super) fn unit(&self, point: &CurvePoint) -> f64 {
+        point.r.powi(-self.fall)
+    }
+
     /// Returns true if the straight line from a to b passes m within the requested accuracy.
     pub(super) fn is_straight(&self, a: &CurvePoint, m: &CurvePoint, b: &CurvePoint) -> bool {
         let accuracy = self.accuracy;
@@ -59,6 +66,7 @@ impl Straight {
                     if self.offsets_jump && point.regime == Regime::Stuck {
                         swing.amplitude = movement.centred;
                     }
+                    swing.amplitude *= self.unit(point);
                 }
                 Some((swings, *scale))
             })

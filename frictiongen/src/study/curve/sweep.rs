@@ -79,7 +79,9 @@ impl Refine<'_> {
     /// Returns the response at r of a motion that starts from a state, or from rest.
     fn step(&self, r: f64, start: Option<&Carried>) -> Step {
         let found = self.system.at(r).map_err(Error::from).and_then(|at| {
-            let (response, carried) = at.response_from(self.beta, start)?;
+            let beta = self.request.beta_at(self.beta, r);
+            let start = start.map(|state| state.under(self.request.fall, r));
+            let (response, carried) = at.response_from(beta, start.as_ref())?;
             let point = CurvePoint::of(r, &response, self.request).ok_or(OutOfDomain::Mass)?;
             Ok((point, carried, work(self.system, r, Ok(&response))))
         });

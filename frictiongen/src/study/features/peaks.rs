@@ -3,8 +3,8 @@
 use super::places::{changes, merge, samples, steps};
 use super::sensed::Sensed;
 use super::{FeatureError, Features, check_friction, check_range};
-use crate::study::optimum::FrictionAmount;
 use crate::study::optimum::peaks::AmplitudeBand;
+use crate::study::optimum::{FrictionAmount, Objective};
 use crate::study::physical::swing;
 use crate::study::sensitivity::{Sensitive, Varied};
 use crate::{Of, Regime};
@@ -122,7 +122,7 @@ impl Features<'_> {
     }
 
     fn true_peak(&self, of: Of, beta: f64, range: [f64; 2]) -> Option<TruePeak> {
-        let band = AmplitudeBand::new(self.system, of, range);
+        let band = AmplitudeBand::new(self.system, Objective::displacement(of), range);
         let peaks = band.peaks(FrictionAmount::Ratio(beta));
         let best = peaks.first().filter(|peak| !peak.edge)?;
         let none = |value: f64| Sensed {

@@ -81,7 +81,7 @@ pub(super) struct Variations {
 
 impl Variations {
     pub fn new(system: &System, load: Option<Load>) -> Result<Self, LoadError> {
-        let scale = load.map(|load| system.load_scale(load)).transpose()?;
+        let scale = load.map(|load| system.constant_scale(load)).transpose()?;
         let point = match load {
             Some(load) => OperatingPoint::Physical {
                 hertz: 1.0,
@@ -272,13 +272,13 @@ fn units(system: &System, load: Option<Load>, parameter: Parameter) -> [Sensitiv
     let own = parameter == Parameter::Load;
     match load {
         None => [Sensitive::constant(1.0); 2],
-        Some(Load::Force(force)) => {
-            let force = number(force, own);
-            [force, force / stiffness]
-        }
-        Some(Load::Base(length)) => {
-            let length = number(length, own);
+        Some(load) if load.is_base_motion() => {
+            let length = number(load.amplitude(), own);
             [stiffness * length, length]
+        }
+        Some(load) => {
+            let force = number(load.amplitude(), own);
+            [force, force / stiffness]
         }
     }
 }

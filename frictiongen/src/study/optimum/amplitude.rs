@@ -1,28 +1,33 @@
 //! Computes the amplitude that an optimum minimises, at one frequency ratio and one friction ratio.
 
+use super::objective::Objective;
 use super::places::beside;
 use crate::study::physical::swing;
 use crate::study::sensitivity::Varied;
 use crate::study::system::System;
 use crate::study::work::work;
 use crate::study::{response::SystemResponse, sensitivity::Sensitive};
-use crate::{Error, NoOrbit, NotContinuous, Of, Regime};
+use crate::{Error, NoOrbit, NotContinuous, Regime};
 use std::cell::Cell;
 
-/// The amount of friction: a friction ratio, or so much friction that the contact never slides.
+/// Relative step in r and in friction of a central difference.
+const DIFFERENCE: f64 = 1e-6;
+
+/// The amount of friction: a given friction, or so much friction that the contact never slides.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::study) enum FrictionAmount {
-    /// A given friction ratio β.
+    /// A given friction: the friction force over the load's unit of force at r = 1. For a load of constant amplitude it
+    /// is the friction ratio β.
     Ratio(f64),
     /// Enough friction that the contact never slides.
     Locked,
 }
 
-/// The amplitude of one motion of a system as a function of frequency and friction. It counts its evaluations and
+/// The asked quantity of a system, called its amplitude, as a function of frequency and friction. It counts its evaluations and
 /// their work.
 pub(in crate::study) struct Amplitude<'s> {
     pub system: &'s System,
-    pub of: Of,
+    pub objective: Objective,
     unvaried: Varied,
     /// Number of evaluations of the amplitude.
     pub asked: Cell<usize>,
@@ -37,10 +42,10 @@ pub(in crate::study) struct Amplitude<'s> {
 }
 
 impl<'s> Amplitude<'s> {
-    pub(super) fn new(system: &'s System, of: Of) -> Self {
+    pub(super) fn new(system: &'s System, objective: Objective) -> Self {
         Self {
             system,
-            of,
+            objective,
             unvaried: system.unvaried(),
             asked: Cell::new(0),
             work: Cell::new(0),
@@ -60,7 +65,7 @@ impl<'s> Amplitude<'s> {
     fn response(&self, r: f64, friction: FrictionAmount) -> Result<SystemResponse<'s>, Error> {
         let at = self.system.at(r)?;
         match friction {
-            FrictionAmount::Ratio(beta) => at.response(beta),
+            FrictionAmount::Ratio(friction) => at.response(self.objective.beta(friction, r)),
             FrictionAmount::Locked => at.locked(),
         }
     }
@@ -89,16 +94,16 @@ impl<'s> Amplitude<'s> {
     /// Below both limits the result is the amplitude of the closed form. With μ > 1, motion from rest may end in
     /// another state, whose amplitude [`followed`](Self::followed) returns.
     pub(super) fn at(&self, r: f64, friction: FrictionAmount) -> f64 {
-        if let FrictionAmount::Ratio(beta) = friction
+        if let FrictionAmount::Ratio(force) = friction
             && (!self.follows.get() || self.is_spent())
             && let Ok(at) = self.system.at(r)
+            && let beta = self.objective.beta(force, r)
             && let Ok(motion) = at.motion(beta)
             && beta < at.sliding_limit()
         {
             self.asked.set(self.asked.get() + 1);
             self.spend_work(1);
-            let motion = motion.motion_of(self.of);
-            return motion.map_or(f64::NAN, |motion| motion.amplitude());
+            return self.value(r, &SystemResponse::Continuous(motion));
         }
         self.followed(r, friction)
     }
@@ -109,7 +114,7 @@ impl<'s> Amplitude<'s> {
         let found = self.response(r, friction);
         self.spend(r, found.as_ref().map_err(|error| *error));
         match found {
-            Ok(response) => self.swing(&response),
+            Ok(response) => self.value(r, &response),
             Err(Error::NotContinuous(NotContinuous::Unbounded)) => f64::INFINITY,
             // The motion is unbounded, or the contact is stuck on a resonance.
             Err(Error::NoOrbit(NoOrbit::Unbounded) | Error::StuckResonance(_)) => {
@@ -122,9 +127,9 @@ impl<'s> Amplitude<'s> {
         }
     }
 
-    fn swing(&self, response: &SystemResponse<'_>) -> f64 {
-        let swing = response.swing(self.of);
-        swing.map_or(f64::NAN, |swing| swing.amplitude)
+    fn value(&self, r: f64, response: &SystemResponse<'_>) -> f64 {
+        let value = self.objective.of_response(response);
+        value.map_or(f64::NAN, |value| value * self.objective.factor(r))
     }
 
     /// Returns the amplitude on an undamped resonance of the chain with its contact stuck. The amplitude is finite if
@@ -132,7 +137,7 @@ impl<'s> Amplitude<'s> {
     fn beside_resonance(&self, r: f64, friction: FrictionAmount) -> f64 {
         beside(r, |r| {
             let response = self.response(r, friction);
-            response.map_or(f64::INFINITY, |response| self.swing(&response))
+            response.map_or(f64::INFINITY, |response| self.value(r, &response))
         })
     }
 
@@ -144,10 +149,19 @@ impl<'s> Amplitude<'s> {
 
     /// Returns the exact derivatives of the amplitude with respect to r and β. `None` if a derivative does not exist.
     pub(super) fn slopes(&self, r: f64, beta: f64) -> Option<[f64; 2]> {
+        if !self.objective.has_derivatives() {
+            return self.differences(r, beta);
+        }
         let response = self.response(r, FrictionAmount::Ratio(beta)).ok()?;
         let (fixed_r, fixed_beta) = (Sensitive::fixed(r.into()), Sensitive::fixed(beta.into()));
         let slope = |r: Sensitive, beta: Sensitive| {
-            let known = swing(&self.unvaried, &response, (r, beta), self.of, false);
+            let known = swing(
+                &self.unvaried,
+                &response,
+                (r, beta),
+                self.objective.of,
+                false,
+            );
             let slope = known.ok()?.0.slope.to_f64();
             slope.is_finite().then_some(slope)
         };
@@ -156,11 +170,32 @@ impl<'s> Amplitude<'s> {
             slope(fixed_r, Sensitive::variable(beta.into()))?,
         ])
     }
+
+    /// Returns central differences instead of derivatives, for a quantity whose exact derivatives are not available.
+    /// `None` where the response changes its regime within a difference, so that the quantity may jump.
+    fn differences(&self, r: f64, beta: f64) -> Option<[f64; 2]> {
+        let [along_r, along_beta] = [DIFFERENCE * r, DIFFERENCE * beta];
+        let at = |r: f64, beta: f64| {
+            let friction = FrictionAmount::Ratio(beta);
+            (self.at(r, friction), self.regime(r, friction))
+        };
+        let slope = |[below, above]: [(f64, Regime); 2], step: f64| {
+            let slope = (above.0 - below.0) / (step + step);
+            (below.1 == above.1 && slope.is_finite()).then_some(slope)
+        };
+        Some([
+            slope([at(r - along_r, beta), at(r + along_r, beta)], along_r)?,
+            slope(
+                [at(r, beta - along_beta), at(r, beta + along_beta)],
+                along_beta,
+            )?,
+        ])
+    }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Amplitude, FrictionAmount};
+    use super::{Amplitude, FrictionAmount, Objective};
     use crate::Of;
     use crate::study::System;
 
@@ -172,7 +207,7 @@ mod tests {
             springs: { base - a: 1, a - b: 1, b - c: 1, c - wall: 1 } }";
         let system: System = text.parse().unwrap();
         let limits = system.at(0.5).unwrap().limits();
-        let amplitude = Amplitude::new(&system, Of::Mass(0));
+        let amplitude = Amplitude::new(&system, Objective::displacement(Of::Mass(0)));
         let slides = FrictionAmount::Ratio(0.5 * limits.continuous);
         assert!(amplitude.at(0.5, slides).is_finite());
         assert_eq!((amplitude.asked.get(), amplitude.silent.get()), (1, 0));

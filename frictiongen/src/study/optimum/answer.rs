@@ -14,6 +14,9 @@ pub enum OptimumKind {
     NoFriction,
     /// The smallest amplitude is that of the stuck contact, and more friction changes nothing.
     Stuck,
+    /// The answer is trivial: the contact is stuck over the whole band, so that the requested quantity rests. For the
+    /// contact force, there is no friction.
+    Trivial,
 }
 
 /// A frequency at which the amplitude reaches its maximum over the band.
@@ -21,7 +24,7 @@ pub enum OptimumKind {
 pub struct OptimumPeak {
     /// Frequency ratio r of the peak.
     pub r: f64,
-    /// Amplitude at this frequency, in units of P/k₁, for base motion of Y.
+    /// Amplitude at this frequency, in the unit of [`Optimum::amplitude`].
     pub amplitude: f64,
     /// Regime of the contact at the frequency of the peak.
     pub regime: Regime,
@@ -60,10 +63,17 @@ pub enum OptimumEnd {
 /// The best friction: with it, the largest amplitude over a band of frequencies is smallest.
 #[derive(Clone, Debug)]
 pub struct Optimum {
-    /// Best friction ratio β.
+    /// Best friction ratio β. Under a load whose amplitude depends on frequency it is the ratio at r = 1.
     pub beta: f64,
-    /// Largest amplitude over the band with this friction, in units of P/k₁, for base motion of Y.
+    /// Largest value of the requested quantity over the band with this friction.
+    ///
+    /// For a displacement the unit is P/k₁, for base motion Y. For a velocity it is that unit times ω₁ = √(k₁/m₁), for
+    /// an acceleration times ω₁². For a force it is P, for base motion k₁Y. A load whose amplitude depends on frequency
+    /// is taken at r = 1.
     pub amplitude: f64,
+    /// Angular frequency at r = 1, rad/s.
+    #[doc(hidden)]
+    pub reference: f64,
     /// The reason why no other friction gives a smaller amplitude.
     pub kind: OptimumKind,
     /// The cause that ended the search.

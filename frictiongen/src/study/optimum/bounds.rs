@@ -4,7 +4,6 @@
 use super::line;
 use super::look::PLACE;
 use super::peaks::{AmplitudeBand, POLE};
-use super::places::limits;
 
 /// Number of bisection steps for a frequency ratio at which β_lim or β*_lim equals β.
 const HALVINGS: usize = 36;
@@ -13,7 +12,7 @@ impl AmplitudeBand<'_> {
     /// Returns the frequency ratios of the band next to those at which β_lim or β*_lim equals β. One is just below and
     /// one just above each crossing.
     pub(super) fn bounds(&self, beta: f64) -> Vec<f64> {
-        let system = self.amplitude.system;
+        let (system, objective) = (self.amplitude.system, &self.amplitude.objective);
         let mut bounds = Vec::new();
         for places in self.places.windows(2) {
             let [low, high] = places else {
@@ -28,7 +27,7 @@ impl AmplitudeBand<'_> {
                 let (mut a, mut b) = (low.r, high.r);
                 for _ in 0..HALVINGS {
                     let middle = 0.5 * (a + b);
-                    if below(&limits(system, middle)) == below(&low.limits) {
+                    if below(&objective.limits(system, middle)) == below(&low.limits) {
                         a = middle;
                     } else {
                         b = middle;
@@ -43,7 +42,7 @@ impl AmplitudeBand<'_> {
     /// Returns two friction ratios. Beyond the first one the contact stops somewhere in the band. From the second one
     /// on, a stuck state exists over the whole band.
     pub(super) fn limits(&self) -> [f64; 2] {
-        let system = self.amplitude.system;
+        let (system, objective) = (self.amplitude.system, &self.amplitude.objective);
         let extreme = |sign: f64, of: &dyn Fn(&[f64; 2]) -> f64| {
             let value = |limits: &[f64; 2]| sign * of(limits);
             let mut best = f64::NEG_INFINITY;
@@ -62,7 +61,7 @@ impl AmplitudeBand<'_> {
                 let ends = sides.map(|side| side.map_or(here.r, |(r, _)| r));
                 let [a, b] = ends;
                 if own.is_finite() && a < b {
-                    let f = |r: f64| value(&limits(system, r));
+                    let f = |r: f64| value(&objective.limits(system, r));
                     best = best.max(line::largest(f, ends, (here.r, own), PLACE).1);
                 }
             }

@@ -10,6 +10,7 @@ mod flat;
 mod grid;
 mod line;
 mod look;
+mod objective;
 pub(in crate::study) mod peaks;
 mod places;
 mod problem;
@@ -22,6 +23,7 @@ mod verified;
 use super::system::System;
 pub(in crate::study) use amplitude::FrictionAmount;
 pub use answer::{Optimum, OptimumEnd, OptimumKind, OptimumPeak, Tolerance};
+pub(in crate::study) use objective::Objective;
 use problem::OptimumProblem;
 pub use request::{FrequencyBand, OptimumError, OptimumRequest};
 pub use tuned::{Tunable, TunedOptimum, TunedPoint, Tuning, UnknownTunable};
@@ -50,7 +52,7 @@ impl System {
     /// higher.
     ///
     /// ```
-    /// use frictiongen::study::{System, optimum::{FrequencyBand, OptimumKind, OptimumRequest}, units::Load};
+    /// use frictiongen::study::{System, optimum::{FrequencyBand, OptimumKind, OptimumRequest}, response::Size, units::Load};
     ///
     /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
     /// let frame: System = "struct Frame {
@@ -63,6 +65,7 @@ impl System {
     /// .parse()?;
     /// let request = OptimumRequest {
     ///     of: frame.motion_named("upper")?,
+    ///     size: Size::Displacement,
     ///     band: FrequencyBand::Hertz(1.5, 3.0),
     ///     load: Some(Load::Base(0.003)), // m
     /// };

@@ -12,8 +12,8 @@ use super::line;
 use super::look::{
     BandPeak, Closely, KnownAmplitude, Look, OpenBand, PLACE, SeenFrequency, Top, sorted, tops,
 };
+use super::objective::Objective;
 use super::places::{BandPlace, places};
-use crate::Of;
 use crate::study::system::System;
 use std::cell::{Cell, RefCell};
 
@@ -51,9 +51,13 @@ pub(in crate::study) struct AmplitudeBand<'s> {
 }
 
 impl<'s> AmplitudeBand<'s> {
-    pub(in crate::study) fn new(system: &'s System, of: Of, [from, to]: [f64; 2]) -> Self {
-        let places = places(system, from, to);
-        let amplitude = Amplitude::new(system, of);
+    pub(in crate::study) fn new(
+        system: &'s System,
+        objective: Objective,
+        [from, to]: [f64; 2],
+    ) -> Self {
+        let places = places(system, &objective, [from, to]);
+        let amplitude = Amplitude::new(system, objective);
         let all = |friction: FrictionAmount| -> Vec<f64> {
             let values = places.iter();
             values
@@ -109,14 +113,22 @@ impl<'s> AmplitudeBand<'s> {
                 closed,
             }
         };
-        let system = self.amplitude.system;
+        let (system, objective) = (self.amplitude.system, &self.amplitude.objective);
         let mut places = self.places.clone();
         let learned = self.learned.borrow();
-        places.extend(learned.iter().map(|r| BandPlace::new(system, *r, true)));
+        places.extend(
+            learned
+                .iter()
+                .map(|r| BandPlace::new(system, objective, *r, true)),
+        );
         let mut expected = 0.0_f64;
         if let FrictionAmount::Ratio(beta) = friction {
             let bounds = self.bounds(beta);
-            places.extend(bounds.into_iter().map(|r| BandPlace::new(system, r, true)));
+            places.extend(
+                bounds
+                    .into_iter()
+                    .map(|r| BandPlace::new(system, objective, r, true)),
+            );
             let held = self.places.iter().zip(&self.held);
             let held = held.filter(|(place, _)| place.limits[1] <= beta);
             expected = held.fold(0.0, |most, (_, held)| most.max(*held));
@@ -293,7 +305,16 @@ impl<'s> AmplitudeBand<'s> {
     ) -> Vec<(usize, f64)> {
         let followed = open.seen.iter().enumerate();
         let followed = followed.filter(|(_, seen)| !seen.closed && taken(seen));
+        let unbounded = |seen: &SeenFrequency| match open.friction {
+            FrictionAmount::Ratio(friction) => {
+                self.amplitude.objective.depends_on_offset() && seen.place.limits[1] <= friction
+            }
+            FrictionAmount::Locked => false,
+        };
         let promise = |seen: &SeenFrequency| {
+            if unbounded(seen) {
+                return f64::INFINITY;
+            }
             let known = self.nearest(seen.place.r).map(Cell::get);
             known.map_or(f64::INFINITY, |known| known.promise(open.friction, closely))
         };

@@ -4,6 +4,7 @@
 //! The first evaluation of the band at a friction ratio follows motions only at some of the places.
 
 use super::amplitude::FrictionAmount;
+use super::objective::Objective;
 use crate::study::system::System;
 
 /// Smallest relative distance from a pole at which the test for a pole evaluates a function. The function at this
@@ -23,15 +24,15 @@ const APART: f64 = 0.01;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct BandPlace {
     pub r: f64,
-    /// The limits β_lim and β*_lim at this frequency ratio.
+    /// The limits β_lim and β*_lim at this frequency ratio, as frictions.
     pub limits: [f64; 2],
     /// True if the first evaluation of the band includes this frequency, even if a motion has to be followed there.
     pub first: bool,
 }
 
 impl BandPlace {
-    pub(super) fn new(system: &System, r: f64, first: bool) -> Self {
-        let limits = limits(system, r);
+    pub(super) fn new(system: &System, objective: &Objective, r: f64, first: bool) -> Self {
+        let limits = objective.limits(system, r);
         Self { r, limits, first }
     }
 
@@ -76,7 +77,11 @@ pub(super) fn beside(r: f64, function: impl Fn(f64) -> f64) -> f64 {
 }
 
 /// Returns the frequencies of a band that are evaluated at any friction, ascending.
-pub(super) fn places(system: &System, from: f64, to: f64) -> Vec<BandPlace> {
+pub(super) fn places(
+    system: &System,
+    objective: &Objective,
+    [from, to]: [f64; 2],
+) -> Vec<BandPlace> {
     let mut places = vec![(from, true), (to, true)];
     let steps = GRID as f64;
     let ratio = (to / from).ln();
@@ -123,7 +128,7 @@ pub(super) fn places(system: &System, from: f64, to: f64) -> Vec<BandPlace> {
         if first {
             last = r;
         }
-        BandPlace::new(system, r, first)
+        BandPlace::new(system, objective, r, first)
     });
     placed.collect()
 }

@@ -3,15 +3,17 @@
 use super::amplitude::FrictionAmount;
 use super::answer::{Optimum, OptimumEnd, OptimumKind, OptimumPeak};
 use super::flat;
+use super::objective::Objective;
 use super::peaks::AmplitudeBand;
 use super::request::{FrequencyBand, OptimumError, OptimumRequest};
 use super::scan::{self, Scanned};
 use super::search::{self, Least, MinimumKind, SearchEnd};
+use crate::Regime;
 use crate::study::parameter::{OperatingPoint, Parameter, Slope};
 use crate::study::physical::ResponseSensitivities;
+use crate::study::response::Size;
 use crate::study::system::System;
 use crate::study::units::{Load, angular_frequency};
-use crate::{Of, Regime};
 
 /// Bound on the work of completing the result of an optimum.
 const WORK_OF_A_REPORT: usize = 60_000;
@@ -23,10 +25,10 @@ const EQUAL: f64 = 1e-9;
 /// A request for the best friction after all checks, with the system and the band of frequencies.
 pub(super) struct OptimumProblem<'s> {
     pub system: &'s System,
-    of: Of,
-    load: Option<Load>,
-    /// Bounds of the band, as frequency ratios r.
-    ends: [f64; 2],
+    pub objective: Objective,
+    pub load: Option<Load>,
+    /// Ends of the band, as frequency ratios r.
+    pub ends: [f64; 2],
 }
 
 impl<'s> OptimumProblem<'s> {
@@ -44,8 +46,14 @@ impl<'s> OptimumProblem<'s> {
         if !(from < to) {
             return Err(OptimumError::Width);
         }
-        if !system.has_motion(request.of) {
-            return Err(OptimumError::NoSuchMotion(request.of));
+        let fall = request.load.map_or(0, |load| load.fall());
+        let (of, size) = (request.of, request.size);
+        if !system.has_motion(of) {
+            return Err(OptimumError::NoSuchMotion(of));
+        }
+        let objective = Objective { of, size, fall };
+        if !objective.is_sound() {
+            return Err(OptimumError::Size);
         }
         let modal = system.modal();
         let constants = modal.damping_ratios.iter().zip(&modal.loads);
@@ -61,14 +69,14 @@ impl<'s> OptimumProblem<'s> {
         }
         Ok(Self {
             system,
-            of: request.of,
+            objective,
             load: request.load,
             ends,
         })
     }
 
     pub(super) fn band(&self) -> AmplitudeBand<'s> {
-        AmplitudeBand::new(self.system, self.of, self.ends)
+        AmplitudeBand::new(self.system, self.objective, self.ends)
     }
 
     /// Returns the friction with which the largest amplitude is smallest. The search covers all friction, within a
@@ -100,7 +108,7 @@ impl<'s> OptimumProblem<'s> {
             peaks.first().map_or(f64::NAN, |peak| peak.value)
         };
         let without_friction = largest(FrictionAmount::Ratio(0.0));
-        if without_friction == 0.0 {
+        if without_friction == 0.0 && self.objective.size != Size::Force {
             return Err(OptimumError::AtRest);
         }
         let beta = least.at.beta;
@@ -112,10 +120,11 @@ impl<'s> OptimumProblem<'s> {
             FrictionAmount::Ratio(beta)
         };
         let peaks = equal_peaks(band, (&least.at, least.kind), friction);
+        let smooth = self.objective.has_derivatives();
         let sensitivities = match least.end {
-            SearchEnd::Converged => self.sensitivities(beta, &peaks).unwrap_or_default(),
+            SearchEnd::Converged if smooth => self.sensitivities(beta, &peaks).unwrap_or_default(),
             // Derivatives exist only for a minimum that moves smoothly with a parameter. A minimum at a jump does not.
-            SearchEnd::Jump | SearchEnd::Spent => Vec::new(),
+            _ => Vec::new(),
         };
         // Friction ratios of an unfinished search are not verified, so an interval of them is not either.
         let verified = EXCESSES.iter().filter(|_| least.end != SearchEnd::Spent);
@@ -129,7 +138,16 @@ impl<'s> OptimumProblem<'s> {
         Ok(Optimum {
             beta,
             amplitude: least.at.value,
+            reference: self.system.angular_frequency(1.0),
             kind: match least.kind {
+                MinimumKind::Held
+                    if self.objective.rests_if_stuck(self.system) && least.locked_from <= beta =>
+                {
+                    OptimumKind::Trivial
+                }
+                MinimumKind::Held | MinimumKind::Without if least.at.value == 0.0 => {
+                    OptimumKind::Trivial
+                }
                 MinimumKind::Crossing => OptimumKind::EqualPeaks,
                 MinimumKind::Smooth => OptimumKind::SinglePeak,
                 MinimumKind::Without => OptimumKind::NoFriction,
@@ -144,7 +162,7 @@ impl<'s> OptimumProblem<'s> {
             beyond_jump,
             tolerances,
             peaks,
-            unbounded_to: scan::unbounded_to(self.system, self.ends),
+            unbounded_to: scan::unbounded_to(band),
             free_of_sticking: least.free_to,
             locked: least.locked_from,
             without_friction,
@@ -189,7 +207,7 @@ impl<'s> OptimumProblem<'s> {
                 friction: scale.friction(beta),
                 load,
             };
-            system.response_sensitivities(point, self.of).ok()
+            system.response_sensitivities(point, self.objective.of).ok()
         };
         peaks.iter().map(of).collect()
     }

@@ -2,6 +2,7 @@
 
 use crate::Of;
 use crate::study::error::{InvalidScene, UnknownMass};
+use crate::study::response::Size;
 use crate::study::units::{Load, LoadError};
 use crate::study::words;
 
@@ -14,11 +15,13 @@ pub enum FrequencyBand {
     Hertz(f64, f64),
 }
 
-/// The motion, the band and the load for which the best friction is wanted.
+/// The quantity, the band and the load for which the best friction is wanted.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OptimumRequest {
-    /// The motion whose largest amplitude is minimised.
+    /// The motion whose quantity is minimised.
     pub of: Of,
+    /// The quantity of the motion: its displacement, velocity or acceleration, or the force of the contact.
+    pub size: Size,
     /// The band of frequencies, both bounds included, above 0 and finite.
     pub band: FrequencyBand,
     /// The load. It is needed for forces in N and lengths in m.
@@ -53,6 +56,9 @@ pub enum OptimumError {
     Interval,
     /// The scene is invalid with a tuned number at a bound of its interval.
     Scene(InvalidScene),
+    /// The requested size is not one of the motion: only the contact has a contact force and an energy, and a force has
+    /// neither a velocity nor an acceleration.
+    Size,
 }
 
 impl std::fmt::Display for OptimumError {
@@ -79,6 +85,9 @@ impl std::fmt::Display for OptimumError {
             }
             Self::Interval => "both bounds of an interval must be finite, the second above the first",
             Self::Scene(error) => return error.fmt(f),
+            Self::Size => {
+                "only the contact has a contact force and an energy, and a force has neither a velocity nor an acceleration"
+            }
         })
     }
 }

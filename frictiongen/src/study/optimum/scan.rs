@@ -4,7 +4,6 @@
 use super::amplitude::FrictionAmount;
 use super::look::{BandPeak, Closely, Look, OpenBand};
 use super::peaks::AmplitudeBand;
-use crate::study::system::System;
 
 /// Number of intervals of the scan over friction. The intervals are shorter near zero friction.
 const SCAN: usize = 40;
@@ -58,13 +57,16 @@ pub(super) struct Scanned {
 
 /// Returns the friction ratio up to which the amplitude at an undamped resonance of the band is unbounded. The result
 /// is 0 without such a resonance.
-pub(super) fn unbounded_to(system: &System, [from, to]: [f64; 2]) -> f64 {
+pub(super) fn unbounded_to(band: &AmplitudeBand<'_>) -> f64 {
+    let (system, [from, to]) = (band.amplitude.system, band.ends());
     let modal = system.modal();
     let modes = modal.damping_ratios.iter().zip(system.resonances());
     let modes = modes.zip(system.resonance_thresholds());
     modes
         .filter(|((zeta, resonance), _)| zeta.is_zero() && from <= **resonance && **resonance <= to)
-        .filter_map(|(_, threshold)| threshold)
+        .filter_map(|((_, resonance), threshold)| {
+            Some(threshold? / band.amplitude.objective.beta(1.0, *resonance))
+        })
         .fold(0.0, f64::max)
 }
 
@@ -77,7 +79,7 @@ pub(super) fn best(scan: &[Scanned]) -> f64 {
 /// Computes the scan: the largest amplitude over the band at friction ratios from none to so much that nothing slides.
 pub(super) fn scanned(band: &AmplitudeBand<'_>, free_to: f64, locked_from: f64) -> Vec<Scanned> {
     let system = band.amplitude.system;
-    let unbounded_to = unbounded_to(system, band.ends());
+    let unbounded_to = unbounded_to(band);
     let mut top = if locked_from.is_finite() {
         locked_from
     } else {

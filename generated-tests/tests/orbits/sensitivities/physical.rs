@@ -105,6 +105,9 @@ fn shifted(
     let load_by = |by| match load {
         Load::Force(force) => Load::Force(force + by),
         Load::Base(length) => Load::Base(length + by),
+        Load::BaseVelocity(velocity) => Load::BaseVelocity(velocity + by),
+        Load::BaseAcceleration(acceleration) => Load::BaseAcceleration(acceleration + by),
+        Load::Unbalance(unbalance) => Load::Unbalance(unbalance + by),
     };
     let still = scene.clone();
     match parameter {

@@ -123,7 +123,9 @@ fn changed(text: &str, load: Load, parameter: Parameter, factor: f64) -> (System
         }
         Parameter::Friction => friction *= factor,
         Parameter::Load => {
-            let (Load::Force(amplitude) | Load::Base(amplitude)) = &mut load;
+            let (Load::Force(amplitude) | Load::Base(amplitude)) = &mut load else {
+                panic!("a load of constant amplitude")
+            };
             *amplitude *= factor;
         }
         Parameter::Frequency => panic!("no parameter of a feature"),

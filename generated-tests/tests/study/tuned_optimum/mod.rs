@@ -16,6 +16,7 @@ use case::{ABSORBER, BLOCK, FIRST_SPRING, SHARP};
 use frictiongen::study::optimum::{
     FrequencyBand, OptimumError, OptimumKind, OptimumRequest, Tuning,
 };
+use frictiongen::study::response::Size;
 use std::time::Instant;
 
 fn off(a: f64, b: f64) -> f64 {
@@ -117,7 +118,8 @@ fn one_mass_as_by_brute_force() {
 fn one_mass([values, forces]: [u32; 2]) {
     let tuned = BLOCK.tuned(1.0);
     assert!(tuned.at_end && tuned.value == 0.1, "{}", tuned.value);
-    assert_ne!(tuned.optimum.kind, OptimumKind::Stuck);
+    let kind = tuned.optimum.kind;
+    assert!(!matches!(kind, OptimumKind::Stuck | OptimumKind::Trivial));
     let [force, amplitude] = BLOCK.physical(1.0, &tuned);
     let mut tried = Tried::new(&BLOCK, tuned.value);
     let (best, least) = tried.least(force);
@@ -157,6 +159,7 @@ fn whatever_is_described() {
     let system = FIRST_SPRING.system(point.value);
     let request = OptimumRequest {
         of: system.motion_named("a").expect("a"),
+        size: Size::Displacement,
         band: FrequencyBand::Ratio(
             FIRST_SPRING.band[0] / point.value.sqrt(),
             FIRST_SPRING.band[1] / point.value.sqrt(),
@@ -179,6 +182,7 @@ fn what_makes_no_sense() {
     let system = ABSORBER.system(0.085);
     let request = OptimumRequest {
         of: system.motion_named("a").expect("a"),
+        size: Size::Displacement,
         band: FrequencyBand::Ratio(0.5, 1.6),
         load: None,
     };

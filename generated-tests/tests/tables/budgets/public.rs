@@ -149,6 +149,7 @@ const WHOLE_SCENES: [(&str, &[&str]); 4] = [
             "response::coefficients::Chain::stuck_loaded",
             "response::motion::Chain::contact_wave",
             "response::motion::Chain::mass_wave",
+            "response::motion::Motion::acceleration",
             "response::motion::Motion::amplitude_monoharmonic",
             "response::motion::Motion::displacement",
             "response::motion::Motion::harmonic",

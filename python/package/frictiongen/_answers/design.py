@@ -15,6 +15,7 @@ class Optimum(Table):
     """The friction that makes the largest amplitude over a frequency band as small as possible.
 
     * `friction_N` and `beta`: the best friction.  `amplitude` (`amplitude_m`): the largest amplitude at this friction.
+    * `value`: the optimised number of the description, if `vary` was given.
     * `kind`: the reason that limits the amplitude.  `end`: the way the search ended.
     * `bracket_from`, `bracket_to`: the frictions between which the least amplitude lies.
     * `beyond_jump`: the largest amplitude beyond the jump at which the search ended.  NaN without a jump.
@@ -47,7 +48,7 @@ class Optimum(Table):
         tolerances: dict[str, Any],
         sensitivities: dict[str, Any],
     ) -> None:
-        super().__init__(columns)
+        super().__init__({name: value for name, value in columns.items() if value is not None})
         self.peaks = Table(peaks)
         self.tolerances = Table(tolerances)
         self.sensitivities = Table(sensitivities)

@@ -26,12 +26,16 @@ class Design(Base):
         r: tuple[float, float] | None = None,
         hz: tuple[float, float] | None = None,
         omega: tuple[float, float] | None = None,
-        force: float | None = None,
-        base: float | None = None,
+        force: float | str | None = None,
+        base: float | str | None = None,
+        vary: tuple[str, float, float] | None = None,
     ) -> Optimum:
-        """Finds the friction that makes the largest amplitude of a motion over a frequency band as small as possible.
+        """Finds the friction that makes the largest value of a quantity over a frequency band as small as possible.
 
-        :param of: name of the mass whose amplitude is kept small, or `contact`.
+        :param of: quantity whose largest value is minimised: the name of a mass, `contact`, `roof-base`, `accel(roof)`, `shear`.
+        :param base: amplitude of the base motion in m, or text such as `"0.2g"`, `"2 m/s2"`, `"0.1 m/s"`.
+        :param force: amplitude of the force in N, or an unbalance such as `"0.02 kg m"`.
+        :param vary: a number of the description that is chosen too, with its interval.
 
         >>> import frictiongen
         >>> frame = frictiongen.System(frictiongen.FRAME)
@@ -39,7 +43,7 @@ class Design(Base):
         >>> round(float(best.friction_N), 2), round(1e3 * float(best.amplitude_m), 2)  # N, mm
         (1.54, 2.26)
         """
-        return Optimum(*_native.optimum(self._native, of, (r, hz, omega), (force, base)))
+        return Optimum(*_native.optimum(self._native, of, (r, hz, omega), (force, base), vary))
 
     def sensitivities(
         self,

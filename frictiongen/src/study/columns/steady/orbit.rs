@@ -127,6 +127,7 @@ impl<'a> OrbitTable<'a> {
         frequency: Frequency,
         friction: Friction,
     ) -> Result<OrbitRow, OutOfDomain> {
+        let friction = friction.at(&self.setting.measure, frequency);
         let beta = friction.beta;
         match at.orbit_or_last_cycles(beta) {
             Ok(orbit) => {
@@ -161,6 +162,7 @@ impl<'a> OrbitTable<'a> {
         frequency: Frequency,
         friction: Friction,
     ) -> Result<Vec<OrbitRow>, OutOfDomain> {
+        let friction = friction.at(&self.setting.measure, frequency);
         let states = at.states(friction.beta)?;
         let rows = states.map(|orbit| self.found(at, (frequency, friction), &orbit));
         Ok(rows.collect())
@@ -177,17 +179,19 @@ impl<'a> OrbitTable<'a> {
             friction,
             regime: words::regime(at.regime_of(orbit)),
             state: words::state(orbit),
-            steady: Some(self.steady(orbit)),
+            steady: Some(self.steady(at, orbit)),
         }
     }
 
-    fn steady(&self, orbit: &SystemOrbit<'_>) -> SteadyData {
+    fn steady(&self, at: &SystemAt<'_>, orbit: &SystemOrbit<'_>) -> SteadyData {
         let measure = &self.setting.measure;
+        let contact = at.contact_of(orbit);
         let motions = self.setting.parts.iter().map(|part| {
             let motion = orbit.ask_of(part.of, |motion| {
                 MotionGroups::of_orbit(motion, self.orders)
             });
             let mut motion = motion.unwrap_or_default();
+            motion.contact = contact;
             if measure.turns(part.of) {
                 motion.turn(Some(orbit.reversed_contact_phase()));
             }

@@ -78,6 +78,7 @@ impl<'a> ResponseTable<'a> {
         // The limits do not depend on β, so that one search suffices.
         let limits = at.limits();
         frictions
+            .map(|friction| friction.at(&self.setting.measure, frequency))
             .map(|friction| self.row(&at, &limits, frequency, friction))
             .collect()
     }

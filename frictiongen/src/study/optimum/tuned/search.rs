@@ -50,7 +50,7 @@ impl TunedSearch<'_> {
                     ..found
                 };
             }
-            let groups = GroupRatios::new(self.described, &varied);
+            let groups = GroupRatios::new(self.request, self.described, &varied);
             let gained = least.at.value * groups.length < best.amplitude * (1.0 - 1e-9);
             if gained && again < AGAIN {
                 tried.push(self.tried(best.value, None)?);

@@ -8,6 +8,7 @@ use crate::study::optimum::problem::{OptimumProblem, equal_peaks, slope, weights
 use crate::study::optimum::search::{self, Least, MinimumKind};
 use crate::study::optimum::{FrequencyBand, Optimum, OptimumError, OptimumRequest};
 use crate::study::parameter::Parameter;
+use crate::study::response::Size;
 use crate::study::system::System;
 use crate::study::units::{Load, angular_frequency};
 use frictiongen_model::scene::Excitation;
@@ -25,7 +26,7 @@ const MARGIN: f64 = 1e-3;
 /// A request, after all checks, for the best friction together with one number of the description.
 pub(super) struct TunedSearch<'s> {
     pub(super) described: &'s System,
-    request: &'s OptimumRequest,
+    pub(super) request: &'s OptimumRequest,
     pub(super) tuning: Tuning,
     pub(super) asked: AtomicUsize,
 }
@@ -53,19 +54,35 @@ pub(super) struct GroupRatios {
 }
 
 impl GroupRatios {
-    pub(super) fn new(described: &System, varied: &System) -> Self {
+    pub(super) fn new(request: &OptimumRequest, described: &System, varied: &System) -> Self {
         let stiffer = varied.scene().first_stiffness() / described.scene().first_stiffness();
         let (beta, length) = match described.scene().excitation {
             Excitation::Base => (stiffer, 1.0),
             Excitation::Force(_) => (1.0, 1.0 / stiffer),
         };
         let r = varied.reference / described.reference;
-        Self { r, beta, length }
+        // The load, velocities and accelerations are taken at r = 1, whose frequency changes with m₁ and k₁.
+        let fall = request.load.map_or(0, |load| load.fall());
+        let load = r.powi(-fall);
+        let length = match request.size {
+            Size::Displacement if request.of.is_force() => beta,
+            Size::Displacement => length,
+            Size::Velocity => length * r,
+            Size::Acceleration => length * r * r,
+            Size::Force => beta,
+            Size::Energy => beta * length * load,
+        };
+        Self {
+            r,
+            beta: beta * load,
+            length: length * load,
+        }
     }
 
     pub(super) fn of(&self, mut optimum: Optimum) -> Optimum {
         optimum.beta *= self.beta;
         optimum.bracket = optimum.bracket.map(|beta| beta * self.beta);
+        optimum.reference /= self.r;
         optimum.amplitude *= self.length;
         optimum.beyond_jump = optimum.beyond_jump.map(|size| size * self.length);
         for peak in &mut optimum.peaks {
@@ -124,7 +141,7 @@ impl<'s> TunedSearch<'s> {
 
     /// Returns the request with the same band in the groups of the scene with another value of the number.
     pub(super) fn request_for(&self, varied: &System) -> OptimumRequest {
-        let groups = GroupRatios::new(self.described, varied);
+        let groups = GroupRatios::new(self.request, self.described, varied);
         let ratio = |r: f64| r / groups.r;
         let hertz = |hertz: f64| ratio(self.described.frequency_ratio(angular_frequency(hertz)));
         let band = match self.request.band {
@@ -181,7 +198,7 @@ impl<'s> TunedSearch<'s> {
             Err(OptimumError::Undamped(_)) => return Ok(tried),
             problem => problem?,
         };
-        let groups = GroupRatios::new(self.described, &varied);
+        let groups = GroupRatios::new(self.request, self.described, &varied);
         let band = problem.band();
         let found = window
             .and_then(|window| search::near(&band, window.map(|beta| beta / groups.beta)))
@@ -223,6 +240,9 @@ impl<'s> TunedSearch<'s> {
         } else {
             beta
         };
+        if !problem.objective.has_derivatives() {
+            return None;
+        }
         let load = self.load();
         let all = problem.slopes(load, beta, &peaks)?;
         let relative = |which: usize, parameter: Parameter| {

@@ -1,0 +1,113 @@
+//! Texts of loads with units, such as `0.2g`.
+
+use super::measure::Dimension;
+use crate::study::units::Load;
+
+/// Standard acceleration of gravity, m/s².
+const GRAVITY: f64 = 9.80665;
+
+/// Units with their dimension and their size in SI units.
+const UNITS: [(&str, Dimension, f64); 14] = [
+    ("m", Dimension::Length, 1.0),
+    ("cm", Dimension::Length, 1e-2),
+    ("mm", Dimension::Length, 1e-3),
+    ("um", Dimension::Length, 1e-6),
+    ("µm", Dimension::Length, 1e-6),
+    ("m/s", Dimension::Velocity, 1.0),
+    ("mm/s", Dimension::Velocity, 1e-3),
+    ("cm/s", Dimension::Velocity, 1e-2),
+    ("m/s2", Dimension::Acceleration, 1.0),
+    ("m/s²", Dimension::Acceleration, 1.0),
+    ("m/s^2", Dimension::Acceleration, 1.0),
+    ("mm/s2", Dimension::Acceleration, 1e-3),
+    ("g", Dimension::Acceleration, GRAVITY),
+    ("mg", Dimension::Acceleration, 1e-3 * GRAVITY),
+];
+
+/// Splits a text into a number and its unit. The number is `None` if the text does not begin with one.
+fn number_and_unit(text: &str) -> (Option<f64>, &str) {
+    let text = text.trim();
+    // The unit begins after the longest start of the text that is a number.
+    let ends = text
+        .char_indices()
+        .map(|(index, _)| index)
+        .chain([text.len()]);
+    let mut found = (None, text);
+    for end in ends {
+        let (number, unit) = text.split_at_checked(end).unwrap_or((text, ""));
+        if let Ok(value) = number.trim().parse::<f64>()
+            && !number.trim_end().ends_with(char::is_alphabetic)
+        {
+            found = (Some(value), unit.trim());
+        }
+    }
+    found
+}
+
+/// Returns the motion of the base that a text describes: `0.003` or `3 mm`, `0.1 m/s`, `2 m/s2` or `0.2g`.
+///
+/// # Errors
+/// The reason in words, to follow the text.
+pub fn base_load(text: &str) -> Result<Load, String> {
+    let (number, unit) = number_and_unit(text);
+    let number = number.ok_or_else(|| "it is not a number".to_owned())?;
+    if unit.is_empty() {
+        return Ok(Load::Base(number));
+    }
+    let known = UNITS.iter().find(|(name, ..)| *name == unit);
+    let wrong = || {
+        format!(
+            "the unit of a base motion is m, mm, m/s, m/s2 or g, not `{unit}`; a number without a unit is in m"
+        )
+    };
+    let (_, dimension, factor) = known.ok_or_else(wrong)?;
+    match dimension {
+        Dimension::Length => Ok(Load::Base(number * factor)),
+        Dimension::Velocity => Ok(Load::BaseVelocity(number * factor)),
+        Dimension::Acceleration => Ok(Load::BaseAcceleration(number * factor)),
+        _ => Err(wrong()),
+    }
+}
+
+/// Returns the unbalance of a rotor, mass times eccentricity, that a text describes: `0.02` or `0.02 kg m`.
+///
+/// # Errors
+/// The reason in words, to follow the text.
+pub fn unbalance(text: &str) -> Result<Load, String> {
+    match number_and_unit(text) {
+        (Some(number), "" | "kg m" | "kg*m" | "kg·m") => Ok(Load::Unbalance(number)),
+        (Some(number), "g mm" | "g*mm" | "g·mm") => Ok(Load::Unbalance(1e-6 * number)),
+        (Some(_), unit) => Err(format!(
+            "the unit of an unbalance is kg m or g mm, not `{unit}`; a number without a unit is in kg m"
+        )),
+        (None, _) => Err("it is not a number".to_owned()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{base_load, number_and_unit};
+    use crate::study::units::Load;
+
+    #[test]
+    fn texts_of_loads() {
+        let cases = [
+            ("0.003", Load::Base(0.003)),
+            ("3 mm", Load::Base(0.003)),
+            ("3mm", Load::Base(0.003)),
+            ("1e-3", Load::Base(0.001)),
+            ("1e-1 m/s", Load::BaseVelocity(0.1)),
+            ("2 m/s2", Load::BaseAcceleration(2.0)),
+            ("2 m/s²", Load::BaseAcceleration(2.0)),
+            ("0.5g", Load::BaseAcceleration(4.903325)),
+        ];
+        for (text, load) in cases {
+            assert_eq!(base_load(text), Ok(load), "{text}");
+        }
+        for wrong in ["", "mm", "3 N", "3 furlongs", "inf m/s3", "nan kg"] {
+            assert!(base_load(wrong).is_err(), "{wrong}");
+        }
+        assert_eq!(number_and_unit(" 5 mm "), (Some(5.0), "mm"));
+        assert_eq!(number_and_unit("-2e3N"), (Some(-2000.0), "N"));
+    }
+}

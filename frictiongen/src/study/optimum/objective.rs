@@ -1,0 +1,87 @@
+//! The quantity whose largest value over a band is minimised, and the load under which it is compared between
+//! frequencies.
+
+use super::places;
+use crate::Of;
+use crate::study::response::{Size, SystemResponse};
+use crate::study::system::System;
+
+/// A quantity of a motion under a load whose amplitude may depend on frequency.
+///
+/// Its values at different frequencies are comparable. The unit of displacement is that of the load at r = 1, and the
+/// unit of time is that of the scene, √(m₁/k₁). Friction is the friction force over the load's unit of force at r = 1.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::study) struct Objective {
+    pub of: Of,
+    pub size: Size,
+    /// Exponent n with which the load falls over frequency: its amplitude is proportional to r⁻ⁿ. The friction ratio of
+    /// a constant friction force is then proportional to rⁿ.
+    pub fall: i32,
+}
+
+impl Objective {
+    /// The displacement of a motion under a load of constant amplitude.
+    pub fn displacement(of: Of) -> Self {
+        Self {
+            of,
+            size: Size::Displacement,
+            fall: 0,
+        }
+    }
+
+    /// Returns true if the exact derivatives of the response apply: for displacements under a load of constant
+    /// amplitude.
+    pub fn has_derivatives(&self) -> bool {
+        self.size == Size::Displacement && self.fall == 0 && !self.of.is_force()
+    }
+
+    /// Returns true if the motion has this quantity.
+    pub fn is_sound(&self) -> bool {
+        match self.size {
+            Size::Displacement => true,
+            Size::Velocity | Size::Acceleration => !self.of.is_force(),
+            Size::Force | Size::Energy => self.of == Of::Contact,
+        }
+    }
+
+    /// Returns true if the offset of a stuck contact may decide the value: the force in springs. Such a value passes
+    /// through 0 with friction, so that the value at one friction does not bound the value at another one.
+    pub fn depends_on_offset(&self) -> bool {
+        self.of.is_force()
+    }
+
+    /// Returns the friction ratio at r of a friction.
+    pub fn beta(&self, friction: f64, r: f64) -> f64 {
+        friction * r.powi(self.fall)
+    }
+
+    /// Returns the factor by which a value at r is multiplied, so that values at different frequencies are comparable.
+    pub fn factor(&self, r: f64) -> f64 {
+        let rate = match self.size {
+            Size::Velocity => 1,
+            Size::Acceleration => 2,
+            // Energy is a product of a force and a displacement.
+            Size::Energy => -self.fall,
+            Size::Displacement | Size::Force => 0,
+        };
+        r.powi(rate - self.fall)
+    }
+
+    /// Returns the quantity of a response, in the units of r. `None` if the scene has no such motion.
+    pub fn of_response(&self, response: &SystemResponse<'_>) -> Option<f64> {
+        response.largest(self.of, self.size)
+    }
+
+    /// Returns the limits of friction at r, β_lim and β*_lim, as frictions.
+    pub fn limits(&self, system: &System, r: f64) -> [f64; 2] {
+        let factor = r.powi(self.fall);
+        places::limits(system, r).map(|limit| limit / factor)
+    }
+
+    /// Returns true if the quantity is constant while the contact is stuck: the contact's own motion.
+    pub fn rests_if_stuck(&self, system: &System) -> bool {
+        let own = |of: Of| system.simplest(of) == Of::Contact;
+        let turned = matches!(self.of, Of::Relative(of, to) if own(Of::Relative(to, of)));
+        self.size != Size::Force && (own(self.of) || turned)
+    }
+}
