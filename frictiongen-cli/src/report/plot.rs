@@ -5,8 +5,8 @@ use frictiongen_plot::{Colour, Figure, Label, Layer, Page, PanelFrame, Scale, St
 use maud::{Markup, PreEscaped, html};
 use serde_json::{Value as Json, json};
 
-/// Largest distance between the curve and straight lines through its data. It is a sum: the first number times the
-/// value, plus the second number times the largest value.
+/// Largest distance between the curve and the straight lines that join its data. It is the first number times the value
+/// there, plus the second number times the largest value of the curve.
 const STRAYS: [f64; 2] = [5e-4, 2e-5];
 
 /// A curve of a panel as it was drawn, in the units of the axes.

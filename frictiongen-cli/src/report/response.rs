@@ -207,7 +207,7 @@ impl Responses {
     }
 
     /// Returns the bounds of the amplitude axis. They include all values. If an amplitude is unbounded, the upper bound
-    /// is a multiple of the values on an even grid.
+    /// is a fixed multiple of the amplitudes at evenly spaced frequencies.
     fn ends(&self, part: usize, words: &Words) -> (f64, f64) {
         let sizes = |level: &Level| -> Vec<f64> {
             let points = level.curve.pieces.iter().flat_map(|piece| &piece.points);

@@ -84,7 +84,8 @@ pub(super) fn emit(emission: &Emission<'_>) -> Stage {
     }
 }
 
-/// Additional lines where damping acts on velocities relative to the moving base.
+/// Lines that the documentation of emitted code has in addition if damping acts on velocities relative to the moving
+/// base.
 const FROM_BASE: [&str; 3] = [
     " Damping acts relative to the base: to residue·`response` in V comes i(φᵀw)·2ζλΓ/x·`response` with Γ = φᵀΓ1, and on a moving",
     " base `static_residue` − 2iζx·wall takes the place of `static_residue`·(1 − 2iζx), wall being `static_residue` − (φᵀw)Γ.",

@@ -180,7 +180,7 @@ struct Coefficients<'g> {
     modal: Vec<Option<ModalCoefficients<Expr<'g>>>>,
 }
 
-/// Returns the documentation line about the work besides the counted operations.
+/// Returns the documentation line about the work that the number of operations does not include.
 fn waves_about(emission: &Emission<'_>) -> String {
     let modes = emission.modes();
     let plural = if modes == 1 { "" } else { "s" };

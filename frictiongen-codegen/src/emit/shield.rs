@@ -1,8 +1,8 @@
 //! Keeps the user's constants out of emitted patterns.
 //!
 //! A pattern `let r` refers to a constant `r` if the user's module has one. A function of the same name hides that
-//! constant, and a pattern may hide the function. The library defines such functions for the names of most scenes. This
-//! file emits the remaining ones.
+//! constant, and a pattern may hide the function. The library defines such functions for the variables that the code of
+//! most scenes has. This file emits the functions for all other variables.
 
 use frictiongen_kernel::emitted::locals::NAMES;
 use frictiongen_model::validate::is_keyword;

@@ -7,8 +7,8 @@ use frictiongen_kernel::emitted::check::{mixed, with};
 /// Why the checksum has this form, for the emitted files.
 pub(super) const ABOUT: &str = "A step is a bijection of the sum, so one changed word always changes the result.  Several changed words go unseen in one of 2^32 cases.";
 
-/// Returns the checksum of numbers in the precision of a file: the bits of an `f32`, or the low and the high half of
-/// those of an `f64`.
+/// Returns the checksum of numbers in the precision of a file. An `f32` enters as its 32 bits. An `f64` enters as two
+/// halves of 32 bits, the low half first.
 #[allow(clippy::cast_possible_truncation, reason = "the scalar is f32")]
 pub(super) fn of_numbers(numbers: Numbers, values: impl IntoIterator<Item = f64>) -> u32 {
     // The files write no negative zero.

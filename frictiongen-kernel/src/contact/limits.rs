@@ -24,7 +24,8 @@ impl<S: Scalar + PartialEq> Chain<S> {
 
 impl<S: Scalar> Chain<S> {
     /// Returns the limit of the velocity constraint for τ → 0, multiplied by r² and by the scale E. The result is (m* +
-    /// H_c r²)·E, with the inverse effective mass m* and the damping term H_c (5.58, 7.52).
+    /// H_c r²)·E, with the inverse effective mass m* and the damping term H_c (equations 5.58 and
+    /// 7.52 of the thesis).
     #[inline]
     pub fn start_constraint(&self, contact: &ContactAt<S>) -> S {
         if self.damped {

@@ -48,8 +48,8 @@ impl<S: Copy> Quadratures<S> for &[[S; 2]] {
 }
 
 impl<S: Scalar> Mode<S> {
-    /// Returns the response of the mode to the load, times `factor`: the load in phase with the excitation, and the load
-    /// in quadrature if there is one.
+    /// Returns the response of the mode to its load, multiplied by `factor`. The load has a part in phase with the
+    /// excitation, and possibly a part in quadrature.
     #[inline]
     pub(crate) fn driven(
         &self,

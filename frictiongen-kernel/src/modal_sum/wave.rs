@@ -71,7 +71,7 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
     }
 
     /// Returns true if the rounding of x alone can shift the phase xτ by a radian before the free motion has decayed.
-    /// It is also true if the contact does not drive the mode, which means that `forced` and `forced_slope` are 0.
+    /// Returns true also if the contact does not drive the mode. Then `forced` and `forced_slope` are 0.
     pub(crate) fn turns_unknown(&self) -> bool {
         let zero = S::constant(0.0);
         let lasts = S::pi().min(S::constant(1.0) / (self.decay.zeta() * self.x));

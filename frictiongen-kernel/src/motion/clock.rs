@@ -56,7 +56,7 @@ impl<S: Float> Clock<S> {
         }
     }
 
-    /// Returns the phase a time τ = `passed` later.
+    /// Returns the phase after a further time τ = `passed`.
     pub(crate) fn moved(self, passed: Total<S>) -> Self {
         let (turns, error) = two_product(passed.value, S::inverse_pi());
         let error = error + passed.value * inverse_pi_low() + passed.low * S::inverse_pi();

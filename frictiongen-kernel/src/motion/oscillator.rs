@@ -184,7 +184,8 @@ impl<S: Float> Part<S> {
     }
 
     /// Returns y and its first three derivatives for the motion that starts from rest under y″ + 2ζxy′ + x²y =
-    /// Re(force·e^{i(θ + τ)}). The excitation is near the resonance.
+    /// Re(force·e^{i(θ + τ)}). The call is for an excitation near the resonance. `t` is
+    /// τ, and `phase` is (cos θ, sin θ).
     pub(crate) fn grown(&self, t: S, phase: (S, S)) -> [S; 4] {
         let at = Instant::new(t);
         let (x, one) = (self.x, S::constant(1.0));

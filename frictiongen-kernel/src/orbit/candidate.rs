@@ -87,7 +87,7 @@ pub(super) enum CandidateVerdict<S> {
 
 pub(super) struct Candidate<S> {
     pub map: PeriodMap,
-    /// Events of the motion during the last application of the map.
+    /// Events of the motion during the last period that was followed. A steady state must have the same events.
     pub wanted: EventPattern,
     /// Events of the motion in the last cycle of the excitation.
     pub recent: EventPattern,

@@ -214,8 +214,8 @@ where
         })
     }
 
-    /// Returns contact state and friction force over P at the phase τ, counted from the instant at which the contact's
-    /// relative motion leaves its maximum. While the contact slides, the force is β times the sign of the velocity.
+    /// Returns the contact state, and the friction force divided by P, at the phase τ. The phase is 0 at the instant at
+    /// which the contact leaves its largest relative displacement. While the contact slides, the force is β times the sign of the velocity.
     /// While the contact sticks, the force keeps the contact at rest. A positive force opposes positive sliding.
     pub fn friction(&self, tau: S) -> (Contact, S) {
         let Some((mut segments, mark, since)) = Segments::at(self, tau) else {

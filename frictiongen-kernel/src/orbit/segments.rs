@@ -16,7 +16,7 @@ pub(super) struct Segments<'o, 'a, S, P, V, C, K> {
     orbit: &'o Orbit<'a, S, P, V, C, K>,
     /// The oscillators for the segment returned last, once the caller has requested their states.
     parts: Option<P>,
-    /// True if the oscillators have the state at the start of the segment returned last.
+    /// True if the oscillators have the state at the start of `last`.
     placed: bool,
     /// The segment returned last.
     last: Option<SegmentStart<S>>,

@@ -19,8 +19,8 @@ const MAX_CYCLES_NEAR: u32 = 128;
 const MOST_TRIED: u32 = 3;
 /// Number of cycles after which the search first looks for a subharmonic state.
 const FIRST_ASKED: u32 = 16;
-/// Largest distance of the motion from its earlier state, relative to the size of the motion, at which a number of
-/// cycles counts as a possible period.
+/// If the motion after n cycles is within this distance of its earlier state, n cycles is a possible period. The
+/// distance is relative to the size of the motion.
 const NEARLY_BACK: f64 = 1e-2;
 /// Largest ratio of two distances of the motion from its earlier state at which a number of cycles counts as a possible
 /// period. The ratio is the distance after this number of cycles, divided by the smallest distance after fewer cycles.

@@ -180,7 +180,8 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: Level<'a, S>, K: C
         self.contact_state.contact
     }
 
-    /// Returns the present motion of a mass, by its index in the description.  An index without a mass gives rest.
+    /// Returns the present motion of a mass, by its index in the description.  If no mass has this index,
+    /// displacement and velocity are 0.
     #[must_use]
     pub fn mass(&self, index: usize) -> Moment<S> {
         let shape = self.setting.dynamics.shape(index);

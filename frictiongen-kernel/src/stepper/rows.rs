@@ -113,9 +113,9 @@ pub(super) fn moments<S: Float, const D: usize>(
 /// Rewrites the weights of y and u over a sub-interval as three shears.
 ///
 /// A product of shears has the determinant 1, whatever the weights are. With these weights the product is a rotation in
-/// coordinates that differ from y and u by roundings. Without damping the product therefore conserves a quadratic form
-/// close to the energy exactly. The weight `loss` sets the determinant to e^(−2ζΩ), and so the energy that damping
-/// dissipates.
+/// coordinates that equal y and u up to rounding errors. Without damping the product therefore conserves exactly a
+/// quadratic form that is nearly the energy. The weight `loss` sets the determinant to e^(−2ζΩ). The determinant sets
+/// the energy that damping dissipates.
 fn shear<S: Float, const D: usize>((angle, zeta): (S, S), rows: &mut [[HeldRow<S, D>; D]; 2]) {
     let (zero, one) = (S::constant(0.0), S::constant(1.0));
     let [rises, turns] = rows;

@@ -17,7 +17,7 @@ pub struct StoreMut<'s, S, const D: usize> {
     pub scratch: &'s mut [[S; 2]],
     /// Polynomials of the inputs over the present sub-interval.
     pub drive: &'s mut [[S; D]],
-    /// The forces at the last sample, over k₁.
+    /// The forces at the last sample, divided by k₁.
     pub last: &'s mut [S],
 }
 

@@ -183,8 +183,8 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         dynamics.project(receptance, states, (zero, rate), held);
     }
 
-    /// Changes the state from sticking to sliding. Computes the chain's modes from the modes of the chain with its
-    /// contact stuck.
+    /// Changes the state from sticking to sliding. Computes the modal coordinates of the sliding chain from those of the
+    /// chain with its contact stuck.
     pub(super) fn start_sliding(&mut self) {
         let [base, rate] = self.base_now();
         let lifted = (self.status.stuck_at + base, rate);

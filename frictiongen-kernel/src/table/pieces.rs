@@ -68,8 +68,8 @@ impl<S: Float, B: Copy + Into<usize>, const F: usize, const C: usize> Table<'_, 
         }
     }
 
-    /// Returns the polynomial piece that contains r. The function halves the pieces from index `first` on, `halvings`
-    /// times in a loop.
+    /// Returns the polynomial piece that contains r. A bisection of the list of pieces finds it, from
+    /// index `first` on, in `halvings` steps.
     fn onwards(&self, first: usize, r: S) -> Option<&Piece<S, F, C>> {
         let mut index = first;
         let mut halving = self.halvings;

@@ -40,7 +40,7 @@ fn denominator(modal: &Modal, mode: usize, s: Complex<Dd>) -> Option<Complex<Dd>
     ))
 }
 
-/// Contact force and modal amplitudes while the contact is stuck, at one frequency ratio and to the last digits.
+/// Contact force and modal amplitudes with the contact stuck, at one frequency ratio, computed in double-double.
 pub(super) struct HeldAt {
     /// V/H, the force that keeps the contact stuck.
     pub force: Complex<Dd>,

@@ -128,7 +128,7 @@ pub(super) struct Products<S> {
     pub worst: Worst,
     /// Number of frequency ratios at which the products were compared with exact values.
     pub points: usize,
-    /// Proof that the product for β*_lim is accurate enough, and the same proof for |V|.
+    /// Proofs that the stored product from which β*_lim is computed is accurate enough, and that |V| is.
     pub proofs: [Proof; 2],
 }
 

@@ -19,7 +19,7 @@ use crate::rounded;
 use crate::scene::{Accuracy, Provide, Proving, Scene};
 use frictiongen_kernel::Float;
 
-/// Divisor of the allowed bytes. The responses with the contact stuck may use at most the quotient.
+/// The responses with the contact stuck may use at most the allowed bytes divided by this number.
 const STUCK_PART: usize = 4;
 /// Length of the range of r, divided by the trial length of the first piece.
 const FIRST: f64 = 16.0;
@@ -254,7 +254,8 @@ impl<S: Float> Tables<S> {
     }
 
     /// Returns the finest accuracy that a table can meet. The method tries accuracies that are 10, 100, … times as
-    /// coarse as the request. Returns `None` if it can meet none.
+    /// coarse as the request. Returns `None` if the table
+    /// meets none of them.
     fn reached(exact: &mut Exact<'_>, request: Request) -> Option<f64> {
         let mut accuracy = request.accuracy;
         while accuracy < COARSEST {

@@ -246,7 +246,7 @@ impl Scales {
         }
     }
 
-    /// Returns the legend name of a friction, such as a value of β or of F.
+    /// Returns the legend entry of one friction, for example `β = 0.3`.
     #[must_use]
     pub fn friction_name(&self, beta: f64) -> Label {
         self.swept_name(beta, "")

@@ -139,7 +139,7 @@ fn rayleigh(
     }
 }
 
-/// Parses the numbers in parentheses. Fails if after an error the position of an entry is unknown.
+/// Parses the numbers in parentheses. Fails if an error makes it unknown which entry of the list a number is.
 fn arguments(mut inside: Inside<'_>, problems: &mut Problems) -> Result<Vec<Number>, Reported> {
     let list = numbers(&mut inside.reader, problems);
     if list.complete {

@@ -1,4 +1,4 @@
-//! The steady motion of a scene in a recording: driving frequency, transmissibilities, phases and harmonics.
+//! The steady motion that a recording shows: driving frequency, transmissibilities, phases and harmonics.
 
 use super::recording::Dimension;
 use super::tone::{FEWEST_CYCLES, HARMONICS, Tone, ToneBasis, frequency};

@@ -215,9 +215,9 @@ impl<S: Float> System<S> {
         self.combined(&self.terms(of), own, modes, || self.exact_shapes())
     }
 
-    /// Returns a combination of masses and base, with its component in each mode. `own` has the components of all
-    /// masses, mass after mass. `exact` returns them to about 30 digits, so that the difference of two masses that move
-    /// almost alike keeps its digits.
+    /// Returns a weighted sum of the motions of masses and base, with its component in each mode. `own` has the
+    /// components of the first mass, then those of the second, and so on. `exact` returns the same components to about 30
+    /// digits. With them, the difference of two masses that move almost alike keeps its digits.
     fn combined<'e>(
         &self,
         terms: &Terms,

@@ -113,7 +113,7 @@ pub enum StudyError {
     UnknownMass(UnknownMass),
     /// A name is not the name of a motion.
     UnknownMotion(UnknownMotion),
-    /// The scene lacks the mass or the spring of a motion.
+    /// The requested motion names a mass or a spring that the scene does not have.
     NoSuchMotion(Of),
     /// Derivatives of spring forces are not available.
     ForceHasNoDerivative,

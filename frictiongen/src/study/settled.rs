@@ -172,7 +172,7 @@ impl<'a> SystemAt<'a> {
     }
 
     /// Returns the response with so much friction that the contact never leaves its initial position. A rigid contact on
-    /// a moving base stays at the relative displacement −Y. Any other contact stays at its centre.
+    /// a moving base stays at the relative displacement −Y. Any other contact stays at the relative displacement 0.
     pub(super) fn locked(&self) -> Result<SystemResponse<'a>, Error> {
         let offset = offset_from_rest(self.scene());
         Ok(SystemResponse::Stuck(self.held(offset, f64::INFINITY)?))

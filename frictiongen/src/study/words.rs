@@ -262,8 +262,7 @@ pub fn condition(point: &InvariantPoint) -> &'static str {
     }
 }
 
-/// Returns the word for the bound of an inversion. An inversion is a range of r in which more friction enlarges a
-/// motion.
+/// Returns the words for what ends an inversion. An inversion is a range of r in which more friction enlarges a motion.
 #[must_use]
 pub fn edge(edge: Edge) -> &'static str {
     match edge {

@@ -47,7 +47,7 @@ fn text_load(
     read(text).map_err(|problem| domain(format_args!("{argument} `{text}`: {problem}")))
 }
 
-/// Returns the units under a load of constant amplitude, for a question that needs one.
+/// Returns the units under a load. Fails if the amplitude of the load varies with frequency.
 pub fn constant(system: &System, load: &LoadArguments<'_>) -> PyResult<Measure> {
     let measure = of(system, load)?;
     if let Some(load) = measure.load() {
