@@ -44,6 +44,13 @@ fn printed(line: &str, folder: &Path) -> String {
     lines.collect()
 }
 
+/// Returns the first number in a line of printed text that follows `name`.
+fn value(printed: &str, name: &str) -> f64 {
+    let mut lines = printed.lines().filter_map(|line| line.strip_prefix(name));
+    let line = lines.next().unwrap_or_else(|| panic!("{name}: {printed}"));
+    line.split_whitespace().next().unwrap().parse().unwrap()
+}
+
 #[test]
 fn start_has_what_its_commands_print() {
     let page = page("start.md");
@@ -90,11 +97,6 @@ fn start_has_what_its_commands_print() {
 /// Checks the numbers in the text of docs/start.md against the output of its commands for the best friction: with a
 /// load, and with twice that load.
 fn what_start_says_is_true(text: &str, printed: &[String]) {
-    let value = |printed: &str, name: &str| -> f64 {
-        let mut lines = printed.lines().filter_map(|line| line.strip_prefix(name));
-        let line = lines.next().unwrap_or_else(|| panic!("{name}: {printed}"));
-        line.split_whitespace().next().unwrap().parse().unwrap()
-    };
     let [one, two] = printed else {
         panic!("{}", printed.len());
     };
@@ -147,6 +149,41 @@ fn commands_of_desk_run() {
     assert!(folder.join("curve.csv").exists() && folder.join("curve.json").exists());
     std::fs::remove_dir_all(&folder).unwrap();
     assert_eq!(run, 8);
+}
+
+/// Checks that the best frictions of five storeys on docs/desk.md are right.
+#[test]
+#[ignore = "three optima without optimisation: ten seconds"]
+fn the_five_storeys_of_desk() {
+    let folder = folder("storeys");
+    let scene = concat!(env!("CARGO_MANIFEST_DIR"), "/scenes/five.friction");
+    std::fs::copy(scene, folder.join("five.friction")).unwrap();
+    let page = page("desk.md");
+    let mut compared = 0;
+    for (quantity, factor) in [("f2-f1", 1e3), ("accel(f5)", 1.0), ("shear", 1e-3)] {
+        let row = page
+            .lines()
+            .find(|line| line.contains(&format!(", `{quantity}` |")));
+        let cells: Vec<&str> = row.unwrap().split('|').map(str::trim).collect();
+        let [_, _, friction, amplitude, _] = cells[..] else {
+            panic!("{cells:?}");
+        };
+        let number = |text: &str| text.split(' ').next().unwrap().parse::<f64>().unwrap();
+        let command =
+            format!("frictiongen optimum five.friction --hz 0.5:4 --base 0.2g --of {quantity}");
+        let found = printed(&command, &folder);
+        // The page has four digits of the amplitude, and whole newtons.
+        let name = format!("largest amplitude of {quantity} ");
+        assert!(
+            (value(&found, "friction ") - number(friction)).abs() < 1.0,
+            "{found}"
+        );
+        let ratio = factor * value(&found, &name) / number(amplitude);
+        assert!((ratio - 1.0).abs() < 2e-4, "{found}");
+        compared += 2;
+    }
+    std::fs::remove_dir_all(&folder).unwrap();
+    assert_eq!(compared, 6);
 }
 
 /// Checks that the numbers of the tuned frame on docs/desk.md are right.
