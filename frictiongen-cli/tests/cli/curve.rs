@@ -264,6 +264,27 @@ fn pictures() {
     std::fs::remove_dir_all(folder).unwrap();
 }
 
+/// Runs the command, sends Ctrl-C after some milliseconds, and returns the error output. The exit status must be 2.
+#[cfg(target_os = "linux")]
+fn interrupted(arguments: &[&str], milliseconds: u64) -> String {
+    let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_frictiongen"));
+    command
+        .args(arguments)
+        .stdin(std::process::Stdio::null())
+        .stderr(std::process::Stdio::piped());
+    let run = command.spawn().unwrap();
+    std::thread::sleep(std::time::Duration::from_millis(milliseconds));
+    let pressed = std::process::Command::new("kill")
+        .args(["-INT", &run.id().to_string()])
+        .status()
+        .unwrap();
+    assert!(pressed.success());
+    let output = run.wait_with_output().unwrap();
+    let told = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(2), "{told}");
+    told
+}
+
 /// Checks that Ctrl-C in the middle of a map keeps whole columns, and that the command reports their number.
 #[cfg(target_os = "linux")]
 #[test]
@@ -284,21 +305,7 @@ fn an_interrupted_map_is_kept() {
         "-o",
         out.to_str().unwrap(),
     ];
-    let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_frictiongen"));
-    command
-        .args(arguments)
-        .stdin(std::process::Stdio::null())
-        .stderr(std::process::Stdio::piped());
-    let run = command.spawn().unwrap();
-    std::thread::sleep(std::time::Duration::from_secs(3));
-    let pressed = std::process::Command::new("kill")
-        .args(["-INT", &run.id().to_string()])
-        .status()
-        .unwrap();
-    assert!(pressed.success());
-    let output = run.wait_with_output().unwrap();
-    let told = String::from_utf8(output.stderr).unwrap();
-    assert_eq!(output.status.code(), Some(2), "{told}");
+    let told = interrupted(&arguments, 3000);
     let words = told
         .strip_prefix("frictiongen: stopped: ")
         .expect("that it was stopped");
@@ -321,24 +328,20 @@ fn interrupted_curves_are_kept() {
     let folder = folder("interrupted-curves");
     let (scene, out) = (folder.join("block.friction"), folder.join("curves.csv"));
     std::fs::write(&scene, BLOCK).unwrap();
-    let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_frictiongen"));
-    command
-        .args(["curve", scene.to_str().unwrap(), "--r", "0.5:1.5"])
-        .args(["--beta", "0.01:0.00002:0.9", "-o", out.to_str().unwrap()])
-        .stdin(std::process::Stdio::null())
-        .stderr(std::process::Stdio::piped());
-    let run = command.spawn().unwrap();
-    std::thread::sleep(std::time::Duration::from_millis(1500));
-    let pressed = std::process::Command::new("kill")
-        .args(["-INT", &run.id().to_string()])
-        .status()
-        .unwrap();
-    assert!(pressed.success());
-    let output = run.wait_with_output().unwrap();
-    let told = String::from_utf8(output.stderr).unwrap();
-    assert_eq!(output.status.code(), Some(2), "{told}");
-    let words = told.strip_prefix("frictiongen: stopped: ");
-    let words = words.expect("that it was stopped");
+    let arguments = [
+        "curve",
+        scene.to_str().unwrap(),
+        "--r",
+        "0.5:1.5",
+        "--beta",
+        "0.01:0.00002:0.9",
+        "-o",
+        out.to_str().unwrap(),
+    ];
+    let told = interrupted(&arguments, 1500);
+    let words = told
+        .strip_prefix("frictiongen: stopped: ")
+        .expect("that it was stopped");
     let done: usize = words.split(' ').next().unwrap().parse().unwrap();
     assert!(
         words.ends_with("of 44501 curves are done and written\n"),

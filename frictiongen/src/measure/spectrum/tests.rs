@@ -99,8 +99,9 @@ fn a_half_sine_has_its_shock_spectrum() {
     }
 }
 
-/// The same motion as velocity and displacement gives the same spectrum. Between the samples of a velocity the
-/// acceleration is constant, which differs by (π/4000)²/12 of a half sine, and a spline by less.
+/// Checks that one motion of the base gives one spectrum, recorded as velocity or as displacement. Between two samples of
+/// a velocity the acceleration is taken as constant. This changes a half sine by (π/4000)²/12. The spline through
+/// displacements changes it by less.
 #[test]
 fn velocities_and_displacements_give_the_same_spectrum() {
     let samples = 4000_u32;

@@ -1,39 +1,39 @@
-//! What masses and contacts do in a period.
+//! Amplitudes of the masses, and stops, slip, force and energy of the contacts, over one period of a motion.
 
 use super::model::Model;
 use super::roots::{first_negative, value};
 use super::run::{STUCK, State, Transition};
 use super::series::{Poly, Series, TERMS};
 
-/// What a contact does in a period.
+/// Events, slip, force and energy of one contact over a period.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ContactCycle {
-    /// Transitions from sliding to sticking.
+    /// Number of transitions from sliding to sticking.
     pub stops: usize,
-    /// Transitions from sliding in one direction to sliding in the other.
+    /// Number of transitions from sliding in one direction to sliding in the other.
     pub reversals: usize,
     /// Fraction of the period in which the contact sticks.
     pub stuck_fraction: f64,
-    /// Way of the slider.
+    /// Distance that the slider travels, in both directions together.
     pub slip: f64,
     /// Largest absolute force.
     pub force: f64,
-    /// Energy that the slider takes in.
+    /// Energy that friction dissipates in the contact.
     pub energy: f64,
 }
 
-/// What masses and contacts do in a period.
+/// Amplitudes of the masses, and results of each contact, over a period.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Cycle {
     /// Largest |x| of each mass.
     pub amplitudes: Vec<f64>,
-    /// The contacts.
+    /// Result of each contact, in the order of the chain.
     pub contacts: Vec<ContactCycle>,
-    /// Events.
+    /// Number of instants with an event.
     pub events: usize,
 }
 
-/// Gathers a period.
+/// Collects the results of a period, stretch by stretch.
 #[derive(Clone, Debug, Default)]
 pub struct Watch {
     ends: Vec<(usize, usize)>,
@@ -56,12 +56,12 @@ impl Watch {
         }
     }
 
-    /// Says which contacts have slid.
+    /// Returns for each contact whether it has slid.
     pub fn slides(&self) -> Vec<bool> {
         self.slides.clone()
     }
 
-    /// Takes in a stretch.
+    /// Adds a stretch of the motion, from its start to `end`.
     pub fn see(&mut self, series: &Series, end: f64, state: &State) {
         for (mass, amplitude) in self.cycle.amplitudes.iter_mut().enumerate() {
             let most = largest(
@@ -91,7 +91,7 @@ impl Watch {
         }
     }
 
-    /// Takes in the events of a cycle.
+    /// Adds the events of a cycle.
     pub fn events(&mut self, events: &[Transition]) {
         self.cycle.events += events.len();
         for event in events {
@@ -103,7 +103,7 @@ impl Watch {
         }
     }
 
-    /// Ends a period of this length.
+    /// Returns the results after a period of this length.
     pub fn cycle(mut self, length: f64) -> Cycle {
         for contact in &mut self.cycle.contacts {
             contact.stuck_fraction /= length;

@@ -35,10 +35,10 @@ pub struct Decision<'a> {
     pub broke: Vec<(usize, i8)>,
 }
 
-/// What a pattern gives.
+/// Result of one pattern.
 struct Outcome {
     fits: bool,
-    /// Force or acceleration by which each contact asked misses or fits, for pivots.
+    /// The first contact that does not fit, by its place in the group, and the phase with which `pivot` tries it next.
     first_wrong: Option<(usize, i8)>,
 }
 
@@ -170,7 +170,7 @@ impl Decision<'_> {
         Ok(false)
     }
 
-    /// Says whether a pattern of a group fits, and the first contact that does not.
+    /// Tests whether a pattern of a group fits, and finds the first contact that does not.
     fn try_pattern(&self, group: &[usize], pattern: &[i8]) -> Outcome {
         let (accelerations, holds) = self.accelerations(group, pattern);
         let mut outcome = Outcome {

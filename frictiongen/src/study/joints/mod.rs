@@ -89,12 +89,12 @@ impl Wave {
         }
     }
 
-    /// Says whether the value is 0 at every instant.
+    /// Returns true if the value is 0 at every instant.
     pub fn is_zero(&self) -> bool {
         self.constant == 0.0 && self.slope == 0.0 && self.amplitude == 0.0
     }
 
-    /// Says whether all its numbers are finite.
+    /// Returns true if all numbers of the function are finite.
     fn is_finite(&self) -> bool {
         let numbers = [
             self.constant,
@@ -131,7 +131,7 @@ pub struct Chain {
     pub dashpots: Vec<(Node, Node, f64)>,
     /// The matrix of modal or Rayleigh damping by rows, or no rows.
     pub damping: Vec<Vec<f64>>,
-    /// Whether this matrix acts on velocities relative to the base, instead of on absolute velocities.
+    /// True if this matrix acts on velocities relative to the base. False if it acts on absolute velocities.
     pub damping_from_base: bool,
     /// The contacts.
     pub contacts: Vec<Joint>,

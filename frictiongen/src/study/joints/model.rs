@@ -23,7 +23,7 @@ pub struct Contact {
 }
 
 impl Contact {
-    /// Says whether the contact has no force at all.
+    /// Returns true if the contact has no force.
     pub fn is_free(&self) -> bool {
         self.level.is_zero()
     }
@@ -336,7 +336,7 @@ fn check_numbers(chain: &Chain) -> Result<(), JointError> {
     }
 }
 
-/// Says whether a contact, rigid or not, can have a level.
+/// Returns true if a contact, rigid or not, can have a level.
 pub fn level_fits(level: &Wave, rigid: bool) -> bool {
     level.is_finite()
         && if level.amplitude == 0.0 && level.slope == 0.0 {

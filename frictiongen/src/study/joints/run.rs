@@ -31,7 +31,8 @@ pub struct State {
     pub places: Vec<f64>,
     /// −1 and 1 for a contact that slides with that sign of ż, 0 for one that sticks, 2 for one without force.
     pub phases: Vec<i8>,
-    /// How many terms of the next event's polynomial are 0, and on which side.
+    /// For each contact, the number of leading terms that are 0 in the polynomial of its next event, and the direction
+    /// of sliding to which that polynomial belongs.
     pub(super) zeros: Vec<(usize, i8)>,
 }
 

@@ -44,22 +44,23 @@ pub struct Steady {
     pub period: usize,
     /// The state at a maximum of the load.
     pub state: State,
-    /// In how many ways the chain may be moved as a whole: place, and velocity, of what nothing holds. The steady state
-    /// keeps what the motion from rest has left.
+    /// Number of displacements and velocities of parts that nothing holds. The steady state keeps the values that the
+    /// motion from rest has reached.
     pub neutral: usize,
-    /// The multipliers of a period, largest first, without those of 1 that `marginal` and `neutral` tell of.
+    /// Floquet multipliers of a period, largest first. The multipliers of 1 that belong to `marginal` and `neutral` are
+    /// left out.
     pub multipliers: Vec<Complex<f64>>,
     /// The contacts that do not slide in the period. The steady state depends on their place, or on the force that the
     /// past left in them.
     pub marginal: Vec<usize>,
-    /// What masses and contacts do in a period.
+    /// Amplitudes of the masses and results of the contacts over a period.
     pub cycle: Cycle,
     /// Largest difference after a period, relative to the size of the state.
     pub residual: f64,
 }
 
 impl Steady {
-    /// Says whether every small change dies out, but for the marginal ones.
+    /// Returns true if every small change dies out, except for changes of `marginal` and `neutral`.
     pub fn is_stable(&self) -> bool {
         self.multipliers.iter().all(|m| m.norm() < 1.0 - 1e-9)
     }
@@ -97,7 +98,7 @@ pub fn steady_state(chain: &Chain, omega: f64) -> Result<Steady, JointError> {
     Err(JointError::NotSteady)
 }
 
-/// What a search for a periodic motion needs.
+/// Data of a search for a periodic motion.
 struct Shooting {
     /// Length of a cycle of the load.
     cycle: f64,
@@ -177,7 +178,7 @@ impl Shooting {
         Ok(())
     }
 
-    /// Says whether the motion goes on towards a periodic one, as fast as its multipliers say. A contact that has not
+    /// Returns true if the motion approaches a periodic motion as fast as its multipliers predict. A contact that has not
     /// slid for some cycles may slide again while the motion settles.
     fn confirm(&self, motion: &mut Motion, steady: &Steady) -> Result<bool, JointError> {
         let rate = steady.multipliers.first().map_or(0.0, |m| m.norm());
@@ -334,7 +335,7 @@ impl Shooting {
         Ok(matrix)
     }
 
-    /// Gathers what is told of a periodic motion.
+    /// Returns the result for a periodic motion.
     fn found(
         &self,
         start: &Motion,

@@ -36,7 +36,7 @@ fn links(value: &Value) -> Vec<(Node, Node, f64)> {
 }
 
 pub fn read() -> Value {
-    serde_json::from_str(include_str!("../joints.json")).expect("JSON")
+    serde_json::from_str(include_str!("joints.json")).expect("JSON")
 }
 
 /// The chain of an entry, at one frequency.
