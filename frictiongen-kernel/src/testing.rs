@@ -18,7 +18,7 @@ pub type TestWave = Wave<f64, Damped<f64>>;
 /// search.
 pub const ORDERS: usize = 18;
 
-/// Modal damping ratios of every kind, on both sides of each ζ at which the closed form changes.
+/// Modal damping ratios of every kind of damping. They lie on both sides of each ζ at which the closed form changes.
 pub const ZETAS: [f64; 12] = [
     0.0, 1e-6, 0.01, 0.1, 0.3, 0.49, 0.6, 0.9, 1.0, 1.2, 3.0, 20.0,
 ];
@@ -120,7 +120,7 @@ pub fn sum_derivative(sum: &Sum<'_, f64, Damped<f64>>, tau: f64, order: usize) -
 }
 
 /// Returns four or five test waves, each with a name. A wave is the term of one mode in a modal sum. In each of the
-/// first four, one coefficient is 1 and the others are 0. For a slow mode, a fifth wave is the whole response.
+/// first four waves, one coefficient is 1 and the others are 0. A slow mode adds a fifth wave with the whole response.
 pub fn parts(x: f64, zeta: f64) -> Vec<(&'static str, TestWave)> {
     let at_rest = at_rest(x, zeta);
     let mut parts = vec![
@@ -196,9 +196,9 @@ pub fn random_waves(
     waves
 }
 
-/// Returns a random motion that is like the motion of a chain: one term (wave) for each mode, and the cosine and sine
-/// coefficients of the fundamental component. The motion repeats with the opposite sign after half a period. A mode far
-/// below the excitation frequency has its whole response in one wave.
+/// Returns a random motion that resembles the motion of a chain. The result has one term (wave) for each mode, and the
+/// cosine and sine coefficients of the fundamental component. The motion repeats with the opposite sign after half a
+/// period. A mode far below the excitation frequency has its whole response in one wave.
 pub fn random_motion(
     random: &mut Lcg,
     (low, high): (f64, f64),
@@ -246,9 +246,9 @@ pub fn random_motion(
     (waves, cosine, sine)
 }
 
-/// Returns the terms of the modes (waves), the sine amplitude and the quotient for τ → 0 of a random velocity
-/// constraint. The sum of the waves vanishes together with sin τ at both ends of the half period. Without damping the
-/// sum is odd about the middle of the half period.
+/// Returns a random velocity constraint: the terms of the modes (waves), the sine amplitude, and the quotient for τ →
+/// 0. The sum of the waves and sin τ vanish together at both ends of the half period. Without damping the sum is odd
+/// about the middle of the half period.
 pub fn random_constraint(
     random: &mut Lcg,
     (low, high): (f64, f64),

@@ -11,13 +11,12 @@ use crate::contact::sums::{Chain, ContactAt, ModeAt};
 use crate::number::scalar::Float;
 use crate::oscillator::mode::Mode;
 
-/// Number of rounding units within which a modal sum counts as zero. A rounding unit is relative to the sum of the
-/// moduli of the modal terms.
+/// Number of rounding errors of its largest terms below which a modal sum counts as zero.
 const ROUNDINGS: f64 = 64.0;
 
-/// Returns the relative distance from a common zero of V (response to the load) and H (receptance) within which series
-/// are more accurate than the quotient V/H. The error of the series is the fourth power of the distance. The error of
-/// the quotient is one rounding divided by the distance.
+/// Returns the largest relative distance from an absorber frequency at which the series is more accurate than the
+/// quotient V/H. At an absorber frequency V (response to the load) and H (receptance) are both zero. The error of the
+/// series is the fourth power of the distance. The error of the quotient is one rounding divided by the distance.
 fn near<S: Float>() -> S {
     S::constant(S::EPSILON).sqrt().sqrt()
 }
@@ -78,9 +77,9 @@ impl<S: Float> Chain<S> {
         Some((v1 - v2 * d + v3 * d * d) / (h1 - h2 * d + h3 * d * d))
     }
 
-    /// Returns the amplitude of a mass in the stuck state under a contact force of amplitude `force`. The modal sum
-    /// contains no division by the receptance H, which is nearly zero here. `force` comes from
-    /// [`absorbed_force`](Self::absorbed_force).
+    /// Returns the amplitude of a mass in the stuck state under a contact force of amplitude `force`, which
+    /// [`absorbed_force`](Self::absorbed_force) computes. The formula does not divide by the receptance H, because H is
+    /// nearly zero close to an absorber frequency.
     #[must_use]
     pub fn stuck_under(
         &self,

@@ -1,4 +1,5 @@
-//! Searches for the velocity constraint S with a proof, and decides whether a continuous motion exists.
+//! Searches for the velocity constraint S, each with a proof that no larger value exists, and the decision whether a
+//! continuous motion exists.
 
 use crate::contact::regime::check_beta;
 use crate::contact::sums::{Chain, ContactAt, ModeAt};
@@ -10,11 +11,11 @@ use crate::number::scalar::Float;
 use crate::oscillator::decay::Decay;
 use crate::oscillator::mode::Mode;
 
-/// Distance, in rounding units, by which β must be below an approximate β_lim to be below the exact β_lim. The result
-/// of a search may be off by four units. The other units cover the rounding errors of β_lim, with a margin.
+/// Margin in rounding units. If β is below a computed β_lim by more than this margin, β is also below the exact β_lim.
+/// A search may be off by four units. The other units cover the rounding errors of β_lim.
 const CLEAR: f64 = 32.0;
-/// Largest phase error of a mode due to the rounding of r, as a fraction of a half turn. With a larger error, two
-/// searches may give different results.
+/// Largest phase error of a mode that the rounding of r may cause, as a fraction of a half turn. Beyond this error, two
+/// searches at the same r may give different results.
 const UNTURNED: f64 = 1e-4;
 
 /// Largest relative tolerance of a search for the velocity constraint S. Where β_lim hardly depends on S, a larger
@@ -22,9 +23,10 @@ const UNTURNED: f64 = 1e-4;
 const MOST_TOLERANCE: f64 = 1.0 / 4096.0;
 
 impl<S: Float> Chain<S> {
-    /// Finds the velocity constraint max(S, H_c + μm*/r²), multiplied by r² and by the scale E of [`ContactAt`]. A
-    /// search over the half period proves the result (5.54, 7.36, with the maximum of the sum). The search starts at
-    /// the break-away term H_c + μm*/r². `waves` is working space with one element for each mode.
+    /// Finds the velocity constraint max(S, H_c + μm*/r²), multiplied by r² and by the scale E of [`ContactAt`]. S is
+    /// the maximum of the sum over the modes (5.54, 7.36). A search over the half period finds S and proves that no
+    /// larger value exists. The search starts from the break-away term H_c + μm*/r². `waves` is working space with one
+    /// element for each mode.
     pub fn velocity_constraint<D: Decay<S>>(
         &self,
         contact: &ContactAt<S>,
@@ -57,13 +59,14 @@ impl<S: Float> Chain<S> {
         peak
     }
 
-    /// Returns true if the velocity constraint S equals its limit for τ → 0, so that no search is needed. Without
-    /// damping this holds if R ≥ 1/2 for every mode. `ratios` are x = 1/R of the modes.
+    /// Returns true if the velocity constraint S equals its limit for τ → 0, so that no search is needed. An undamped
+    /// chain meets this condition if R ≥ 1/2 for every mode. `ratios` are x = 1/R of the modes.
     pub(crate) fn start_decides(&self, mut ratios: impl Iterator<Item = S>) -> bool {
         !self.damped && ratios.all(|x| x <= S::constant(2.0))
     }
 
-    /// Returns the velocity constraint r²E·S minus `start`, its limit for τ → 0. The result is at least `above`.
+    /// Returns r²E·S − `start`, with the velocity constraint S and its limit `start` for τ → 0. If the difference is
+    /// below `above`, the function returns `above`.
     fn constraint_above<D: Decay<S>>(
         &self,
         contact: &ContactAt<S>,
@@ -112,9 +115,9 @@ impl<S: Float> Chain<S> {
         )
     }
 
-    /// Returns the velocity constraint max(S, H_c + μm*/r²), multiplied by r² and by the scale E, as the thesis prints
-    /// the velocity constraint: S is the sum of each mode's own maximum (5.55, 7.37). This S is an upper bound on the
-    /// exact S, which is the maximum of the sum over the modes.
+    /// Returns the approximation of the velocity constraint that the thesis prints, max(S, H_c + μm*/r²), multiplied by
+    /// r² and by the scale E. The thesis adds the maxima of the modes to get S (5.55, 7.37). This S is an upper bound
+    /// on the exact S, which is the maximum of the sum over the modes.
     pub fn constraint_per_mode<D: Decay<S>>(
         &self,
         contact: &ContactAt<S>,
@@ -137,8 +140,9 @@ impl<S: Float> Chain<S> {
         sum.max(self.break_away(contact))
     }
 
-    /// Returns true if β is below the exact limit of continuous motion. For most β a cheaper search suffices. It only
-    /// decides whether the velocity constraint exceeds the largest value that β allows.
+    /// Returns true if β is below the exact limit of continuous motion. For most β the function does not compute the
+    /// limit. It only decides by a cheaper search whether the velocity constraint exceeds the largest value that β
+    /// allows.
     pub fn is_continuous<D: Decay<S>>(
         &self,
         beta: S,
@@ -181,8 +185,8 @@ impl<S: Float> Chain<S> {
 
 impl<S: Float> Chain<S> {
     /// Returns β if a bounded continuous motion exists, which requires β < β_lim. Otherwise the error names the regime.
-    /// β*_lim does not decide, since with μ > 1 a stuck state may coexist with the motion. `unbounded` are the undamped
-    /// resonances that the load drives. `at_infinity` is β_lim for r → ∞.
+    /// The condition does not include β*_lim, because for μ > 1 a stuck state may coexist with the motion. `unbounded`
+    /// are the undamped resonances that the load drives. `at_infinity` is β_lim for r → ∞.
     ///
     /// # Errors
     /// Any variant of [`NotContinuous`].
@@ -244,7 +248,7 @@ impl<S: Float> Chain<S> {
     }
 }
 
-/// Writes the term of every mode in the velocity constraint into the working space `waves`.
+/// Writes the term of each mode in the velocity constraint to `waves`, the working space.
 fn fill<S: Float, D: Decay<S>>(
     contact: &ContactAt<S>,
     modes: &[Mode<S>],
@@ -258,10 +262,10 @@ fn fill<S: Float, D: Decay<S>>(
     }
 }
 
-/// Returns the term of a mode in the sum of the velocity constraint less `start`·sin τ, where `start` is the limit for
-/// τ → 0. The term is −m(1 + g)(sin τ − p) + mu((cos τ − p′) − 2ζx·sin τ), with m = (φᵀw)². The caller adds its last
-/// part, −2ζx·mu·sin τ, for all modes at once. Close to a resonance the sum and `start`·sin τ are nearly proportional.
-/// Their difference, computed from both, would be mainly rounding error.
+/// Returns the term of a mode in the difference between the velocity constraint's sum and `start`·sin τ. `start` is the
+/// limit of the constraint for τ → 0. The term is −m(1 + g)(sin τ − p) + mu((cos τ − p′) − 2ζx·sin τ), with m = (φᵀw)².
+/// The function leaves out −2ζx·mu·sin τ, which the caller adds for all modes at once. Close to a resonance the sum and
+/// `start`·sin τ are nearly proportional. The difference of the two would be mainly rounding error.
 fn constraint_wave<S: Float, D: Decay<S>>(
     mode: &Mode<S>,
     at: &ModeAt<S>,

@@ -1,10 +1,12 @@
-//! Modal sums V, U and H of the contact, without the own terms of the mode that outweighs all others.
+//! Modal sums V, U and H of the contact that leave out the terms of the dominant mode. The dominant mode outweighs all
+//! others.
 //!
-//! In the contribution of a mode to the motion of a mass, the mode's own terms in two of the sums cancel. Close to the
-//! mode's resonance these two terms outweigh all others, and their rounding errors would remain. This mode, the
-//! *dominant* mode, therefore gets sums over all other modes. All other modes use the full sums, and so have the same
-//! rounding errors. The motion of a mass far from the contact is a small difference of modal terms. A rounding error
-//! that all terms share cancels in this difference.
+//! The contribution of a mode to the motion of a mass contains a difference of two products of these sums. In this
+//! difference the terms of the mode itself cancel. Close to the mode's resonance these terms outweigh all others, and
+//! their rounding errors would remain. For this *dominant* mode the code therefore uses sums over all other modes.
+//!
+//! All other modes use the full sums, so that their rounding errors are equal. The motion of a mass far from the
+//! contact is a small difference of modal terms. Equal rounding errors cancel in this difference.
 //!
 //! One dominant mode is enough. Proof: two modes have the terms a, b in V and c, d in U, with ac ≥ bd. The products ad
 //! and bc remain in the contribution of the second mode. The larger of ad and bc is at least √(ac·bd) ≥ bd, and bd is
@@ -36,7 +38,7 @@ impl<S: Scalar> Terms<S> {
         }
     }
 
-    /// Returns the same terms, with names for their local variables in emitted code.
+    /// Names the terms in emitted code. The emitted code then has one local variable for each term.
     fn named(self, partner: Partner) -> Self {
         const V: [(&str, &str); 2] = [
             ("others_v_re", "Re of V of the other modes"),
@@ -71,8 +73,8 @@ impl<S: Scalar> Terms<S> {
     }
 }
 
-/// Modal sum that occurs together with V (the response to the load) in the contribution of a mode to a motion. The
-/// mode's own terms in both sums cancel.
+/// Selects the modal sum that is paired with V (the response to the load). The contribution of a mode to a motion
+/// contains both sums, and in it the mode's own terms cancel.
 #[derive(Clone, Copy)]
 pub(crate) enum Partner {
     /// The damping function U of the contact, for a continuous motion.
@@ -81,12 +83,12 @@ pub(crate) enum Partner {
     H,
 }
 
-/// Candidate for the dominant mode: among the modes visited so far, the mode whose terms in V and in U (or H) have the
-/// largest product.
+/// Candidate for the dominant mode. The product of its terms in V and in U (or H) is the largest of all modes visited
+/// so far.
 #[derive(Clone, Copy)]
 struct Heaviest<S> {
     weight: S,
-    /// Index of the mode, as a scalar, since emitted code finds the mode by comparison of scalars.
+    /// Index of the mode as a scalar. Emitted code finds the mode by comparing scalars.
     index: S,
     own: Terms<S>,
     static_residue: S,
@@ -103,7 +105,7 @@ impl<S: Scalar> Heaviest<S> {
     }
 }
 
-/// Identity of the dominant mode. Its terms outweigh all others, so that the modal sums for this mode leave them out.
+/// Identifies the dominant mode, whose terms outweigh those of all other modes.
 #[derive(Clone, Copy)]
 enum Which<S> {
     /// The only mode of the chain is dominant.
@@ -114,8 +116,8 @@ enum Which<S> {
     Numbered(S),
 }
 
-/// Modal sums V, U and H of the contact, once for the dominant mode (`own`) and once for all other modes (`others`).
-/// The terms of the dominant mode outweigh all others, and `own` leaves them out.
+/// Modal sums V, U and H of the contact. `own` leaves out the terms of the dominant mode, and serves this mode.
+/// `others` contains all terms, and serves all other modes.
 #[derive(Clone, Copy)]
 pub(crate) struct DominantSums<S> {
     which: Which<S>,
@@ -124,8 +126,8 @@ pub(crate) struct DominantSums<S> {
 }
 
 impl<S: Scalar> DominantSums<S> {
-    /// Adds the compliance of an elastic contact to the sums of H that do not have it yet, because they leave the own
-    /// term of a mode out.
+    /// Adds the compliance of an elastic contact to those sums of H that do not contain it. These are the sums without
+    /// the term of a mode.
     pub fn with_compliance(mut self, compliance: S) -> Self {
         self.own.h.re = self.own.h.re + compliance;
         if matches!(self.which, Which::First) {
@@ -134,10 +136,10 @@ impl<S: Scalar> DominantSums<S> {
         self
     }
 
-    /// Returns two responses V of the contact of a damped chain to the load. The phase of the dominant mode is measured
-    /// against the first response, the phases of the other modes against the second. A mode is in phase with its own
-    /// term of V. Therefore V without this term gives the same phase as the full V. The function takes the smaller of
-    /// the two, because it gives a more accurate phase.
+    /// Returns two values of V, the response of the contact of a damped chain to the load. The first value serves the
+    /// phase of the dominant mode, the second the phases of all other modes. A mode is in phase with its own term of V.
+    /// V without this term therefore gives the same phase as the full V. The function uses the smaller of both values,
+    /// because its phase is more accurate.
     pub fn turning(&self, contact: &ContactAt<S>) -> (Complex<S>, Complex<S>) {
         let size = |v| complex::size(v, true);
         let all = size(contact.v).named("v_size", "(|Re V| + |Im V|)·r²E", None);
@@ -337,8 +339,9 @@ impl<S: Scalar> Chain<S> {
         }
     }
 
-    /// Returns the sums V, U and H for one mode, given the sums `others` over the other modes. A mode that resonates
-    /// far below the excitation frequency has no term of U that could cancel. It therefore gets U over all modes.
+    /// Returns the sums V, U and H for one mode from `others`, the sums over the other modes. For a mass-controlled
+    /// mode the result contains the full U, because such a mode has no term of U that cancels. A mass-controlled mode
+    /// resonates far below the excitation frequency.
     fn in_full(
         &self,
         mode: &Mode<S>,
@@ -396,7 +399,8 @@ impl<S: Scalar> Chain<S> {
         }
     }
 
-    /// Returns the size of V, and the size of U or H as `partner` says. The size of a complex number is |Re| + |Im|.
+    /// Returns the size of V, and the size of U or H, as `partner` selects. The size of a complex number is |Re| +
+    /// |Im|.
     fn sizes(&self, sums: &Terms<S>, partner: Partner) -> (S, S) {
         let size = |value| complex::size(value, self.damped);
         let partner = match partner {

@@ -1,10 +1,10 @@
-//! Limits β_lim and β*_lim of an undamped chain at run time, without the search for the velocity constraint S. The
-//! module gathers the constants of the modes once, before the first frequency.
+//! Limits β_lim and β*_lim of an undamped chain for a run-time `System`, without the search for the velocity constraint
+//! S. Before the first frequency, the code copies the constants of the modes into packed arrays.
 //!
 //! In emitted code the constants of a scene are part of the instructions. At run time this module stores the constants
-//! of the modes in pairs, so that the compiler uses packed instructions. Modes that the contact does not drive
-//! contribute to no sum, and are left out. The formulas are those of [`Chain`], and the sums add one mode after the
-//! other. The results therefore have the same bits as those of all other modules.
+//! of the modes in pairs, so that the compiler uses packed instructions. The module leaves out the modes that the
+//! contact does not drive, because they contribute to no sum. The formulas are those of [`Chain`], and the sums add one
+//! mode after the other. The results therefore have the same bits as those of all other modules.
 
 use crate::contact::regime::Limits;
 use crate::contact::sums::{Chain, ContactAt};
@@ -27,8 +27,8 @@ struct Driven<S> {
     contact_squared: S,
 }
 
-/// The number x² − 1 and the damping function u of a mode. u is multiplied by R² and by |x² − 1|, not by the scale E of
-/// the chain.
+/// The number x² − 1 and the damping function u of a mode. The code stores u multiplied by R² and by |x² − 1|. This u
+/// does not yet contain the scale E of the chain.
 type Own<S> = [S; 2];
 
 /// Terms of a mode in V (response to the load), H (receptance) and U (damping function) of the contact, in this order.
@@ -202,9 +202,9 @@ fn of_two<S: Float>(modes: &Driven<Lanes<S>>, inverse_r: S, terms: &mut [[S; 2];
 
 impl<S: Float> Chain<S> {
     /// Returns the limits β_lim and β*_lim of an undamped chain at a finite 1/r > 0, and the receptance H of the
-    /// contact. β_lim contains the break-away term in place of the velocity constraint S. β*_lim is not corrected for
-    /// masses that act as an absorber. H is multiplied by r² and by the scale E of [`ContactAt`]. `is_one` states that
-    /// β*_lim is exactly 1 ([`sliding_limit_is_one`](Self::sliding_limit_is_one)).
+    /// contact. β_lim uses the break-away term in place of the velocity constraint S. β*_lim is not corrected for
+    /// masses that act as an absorber. H is multiplied by r² and by the scale E of [`ContactAt`]. If `is_one` is true,
+    /// the function returns β*_lim = 1 exactly ([`sliding_limit_is_one`](Self::sliding_limit_is_one)).
     #[inline]
     pub fn limits_of_driven(
         &self,

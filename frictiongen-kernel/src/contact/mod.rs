@@ -1,13 +1,16 @@
-//! The contact of the chain at one frequency: its sums over all modes, the limits of continuous and stuck motion, and
-//! the regime.
+//! Contact of the chain at one frequency: modal sums, limits of continuous and stuck motion, and the regime.
 //!
-//! [`sums`] defines the sums V, U, G, H and H_c over the modes, and [`pairs`] evaluates them for two modes at once.
-//! [`quadrature`] has the load due to damping relative to a moving base. `dominant` leaves out the largest modal terms
-//! where they would cancel. [`limits`] has the formulas of both limits. [`driven`] and `several` evaluate the limits
-//! faster where no search for S is wanted. [`driven`] serves an undamped chain, `several` serves several frequencies at
-//! once. [`constraint`] searches the velocity constraint S of the exact limit, and decides whether a continuous motion
-//! exists. [`absorber`] treats frequencies at which V and H are both zero. The module `response` computes the motions
-//! of the masses.
+//! * [`sums`] defines the modal sums V, U, G, H and H_c, and [`pairs`] evaluates them for two modes at once.
+//! * [`quadrature`] adds the load that damping relative to a moving base causes.
+//! * `dominant` leaves out the largest modal terms where they would cancel.
+//! * [`limits`] has the formulas of both limits.
+//! * [`driven`] (undamped chains) and `several` (several frequencies at once) compute the limits faster, if no search
+//!   for S is needed.
+//! * [`constraint`] searches for the velocity constraint S of the exact limit, and decides whether a continuous motion
+//!   exists.
+//! * [`absorber`] covers the frequencies at which V and H are both zero.
+//!
+//! The module `response` computes the motions of the masses.
 
 pub mod absorber;
 pub mod constraint;

@@ -1,9 +1,9 @@
-//! Modal sums of the contact at run time. The code computes two neighbouring modes at once.
+//! Modal sums of the contact for a run-time `System`, computed for two neighbouring modes at once.
 //!
-//! A processor computes two numbers with one packed instruction if the compiler sees the same operations on both. The
-//! compiler often sees them in emitted code, but not in a loop over modes. The formulas are therefore evaluated with
-//! `Lanes`, arrays of two numbers. Every operation is the same as for one mode alone, and the sums add one mode after
-//! the other. The results therefore have the same bits as emitted code.
+//! A processor computes two numbers with one packed instruction if the compiler finds the same operation on both. In
+//! emitted code the compiler often finds such pairs, but in a loop over modes it does not. The formulas are therefore
+//! evaluated with `Lanes`, arrays of two numbers. Every operation is the same as for one mode alone, and the sums add
+//! one mode after the other. The results therefore have the same bits as those of emitted code.
 
 use crate::contact::quadrature::{InPhase, Quadratures};
 use crate::contact::sums::{Chain, ContactAt, ModeAt};
@@ -12,7 +12,7 @@ use crate::number::lanes::Lanes;
 use crate::number::scalar::{Float, Scalar};
 use crate::oscillator::mode::{Kind, Mode};
 
-/// Kind of damping that all modes share, as a type parameter, so that no loop checks the kind.
+/// Kind of damping that all modes have, as a type parameter. A loop over the modes then does not check the kind.
 pub(super) trait Uniform {
     const KIND: Kind;
     const DAMPED: bool;
@@ -66,9 +66,8 @@ impl<S: Float> Chain<S> {
         }
     }
 
-    /// Returns the kind of damping that all modes share, if two modes can be computed at once. This requires that all
-    /// modes are undamped or all lightly damped, and that a processor can compute with two numbers of the scalar type
-    /// at once.
+    /// Returns the kind of damping of the modes if the code can compute two modes at once. All modes must be undamped,
+    /// or all must be lightly damped. The processor must compute with two numbers of the scalar type at once.
     #[inline(always)]
     pub(super) fn common_kind(&self, modes: &[Mode<S>]) -> Option<Kind> {
         if !S::PAIRS {
@@ -81,8 +80,8 @@ impl<S: Float> Chain<S> {
         }
     }
 
-    /// Computes the modal sums of the contact from one mode after the other. It is used for modes with different kinds
-    /// of damping, for programs optimised for size, and for unoptimised code such as a macro.
+    /// Computes the modal sums of the contact, one mode after the other. Modes with different kinds of damping need
+    /// this form. Programs optimised for size and unoptimised programs (such as a macro) use it as well.
     pub fn in_turn<const WITH_G: bool>(
         &self,
         modes: &[Mode<S>],
@@ -92,7 +91,8 @@ impl<S: Float> Chain<S> {
         self.loaded_in_turn::<WITH_G>((modes, InPhase), inverse_r, keep)
     }
 
-    /// Computes the modal sums of the contact as [`in_turn`](Self::in_turn) does, with loads in quadrature.
+    /// Computes the modal sums of the contact, one mode after the other, for modes with loads in quadrature. Without
+    /// such loads [`in_turn`](Self::in_turn) gives the same sums.
     pub fn loaded_in_turn<const WITH_G: bool>(
         &self,
         (modes, quadratures): (&[Mode<S>], impl Quadratures<S>),
@@ -169,8 +169,8 @@ impl<S: Float> Chain<S> {
     }
 }
 
-/// Returns the scale E of the modal sums, the smallest |x² − 1| + 2ζx of the modes that the contact drives. The scalars
-/// carry no derivatives, so that the order of equal numbers does not matter.
+/// Returns the scale E of the modal sums, the smallest |x² − 1| + 2ζx of the modes that the contact drives. The order
+/// of the modes does not matter, because `Float` scalars carry no derivatives.
 #[inline(always)]
 fn smallest<S: Float, U: Uniform>(modes: &[Mode<S>], inverse_r: S) -> S {
     let infinite = S::constant(f64::INFINITY);

@@ -1,9 +1,9 @@
 //! Loads in quadrature (90° out of phase) with the motion of the base.
 //!
-//! Damping on velocities relative to the moving base adds the load C·1·ẏ to K_b·y (section 1 of `docs/derivation.md`).
-//! The load of both on mode i, over the displacement of the base, is p_i + 2iζ_iλ_iΓ_i/x_i, with the participation
-//! factor Γ_i = φᵀΓ1 and x_i = √λ_i/r. A scene whose damping acts on absolute velocities has no load in quadrature. It
-//! uses the type [`InPhase`], so that its formulas have no additional cost.
+//! Damping on velocities relative to the moving base adds the load C·1·ẏ to the load K_b·y of the springs (section 1 of
+//! `docs/derivation.md`). Divided by the displacement of the base, the total load on mode i is p_i + 2iζ_iλ_iΓ_i/x_i.
+//! Here Γ_i = φᵀΓ1 is the participation factor, and x_i = √λ_i/r. If damping acts on absolute velocities, the scene has
+//! no load in quadrature. It then uses the type [`InPhase`], so that its formulas have no additional cost.
 
 use crate::contact::sums::{Chain, ModeAt};
 use crate::number::complex::{self, Complex};
@@ -13,10 +13,10 @@ use crate::oscillator::mode::Mode;
 /// Load of one mode in quadrature with the motion of the base.
 #[derive(Clone, Copy, Debug)]
 pub struct Quadrature<S> {
-    /// 2ζλΓ, the load in quadrature times x, with the participation factor Γ = φᵀΓ1.
+    /// 2ζλΓ: the imaginary part of the load on the mode, multiplied by x. Γ = φᵀΓ1 is the participation factor.
     pub load: S,
-    /// Static residue minus (φᵀw)Γ. It is 0 in a chain that only the base supports, because the static displacement is
-    /// then the displacement of the base.
+    /// Static residue of the mode minus (φᵀw)Γ. This difference is 0 in a chain that only the base supports, because
+    /// each static displacement then equals the displacement of the base.
     pub wall: S,
 }
 
@@ -37,8 +37,8 @@ impl<S> Quadratures<S> for InPhase {
     }
 }
 
-/// List of the fields of [`Quadrature`], one entry for each mode. An empty list means that no mode has a load in
-/// quadrature.
+/// List of [`Quadrature`] values, one for each mode. Each entry has the two fields. An empty list means that no mode
+/// has a load in quadrature.
 impl<S: Copy> Quadratures<S> for &[[S; 2]] {
     #[inline]
     fn of(self, mode: usize) -> Option<Quadrature<S>> {
@@ -74,9 +74,9 @@ impl<S: Scalar> Mode<S> {
 
 impl<S: Scalar> Chain<S> {
     /// Returns the term of a mode in V, the response of the contact to the load. On a moving base V is relative to the
-    /// base. The factor v − 1 = (1 − 2iζx)/(x² − 1 + 2iζx) then replaces v, so that the base motion is never
-    /// subtracted. If damping acts relative to the base, the base motion itself causes no damping force, and `wall`
-    /// replaces the static residue in the imaginary part.
+    /// base. The function then uses v − 1 = (1 − 2iζx)/(x² − 1 + 2iζx) in place of v, which avoids a difference of
+    /// nearly equal numbers. If damping acts relative to the base, the base motion itself causes no damping force. In
+    /// this case `wall` replaces the static residue in the imaginary part.
     #[inline]
     pub(crate) fn load_term(
         &self,

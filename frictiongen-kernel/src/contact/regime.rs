@@ -13,7 +13,7 @@ pub fn check_ratio<S: Float>(r: S) -> Result<S, OutOfDomain> {
     }
 }
 
-/// Factor by which resonances √λ may lie above or below 1 without a smaller range of r.
+/// Largest factor by which a resonance √λ may differ from 1. A resonance beyond this factor reduces the range of r.
 const ROOM: f64 = 1024.0;
 
 /// Returns the smallest and the largest 1/r at which the formulas of a chain are evaluated. `resonances` are √λ of the
@@ -142,8 +142,8 @@ pub fn margin<S: Float>(beta: S, continuous: S, sliding: S) -> S {
     }
 }
 
-/// Returns `limit` for a finite r > 0, `at_rest` for r = 0, and `at_infinity` for r = ∞. The modal sums cannot be
-/// evaluated at r = 0 and r = ∞, so that the caller passes these two limits.
+/// Returns `limit` for a finite r > 0, `at_rest` for r = 0, and `at_infinity` for r = ∞. The modal sums have no value
+/// at r = 0 and r = ∞, so that the caller passes these two limits.
 #[inline]
 pub fn with_ends<S: Float>(r: S, limit: S, at_rest: S, at_infinity: S) -> S {
     if r == S::constant(0.0) {

@@ -9,8 +9,8 @@ use crate::number::lanes::Lanes;
 use crate::number::scalar::{Float, Scalar};
 use crate::oscillator::mode::{Kind, Mode};
 
-/// Number of frequencies that are computed at once. The frequencies fill two packed registers of two numbers, or one
-/// register of eight numbers where the processor has it.
+/// Number of frequencies that the code computes at once. They fill two packed registers of two numbers, or one register
+/// of eight numbers if the processor has such registers.
 pub(crate) const SIDE_BY_SIDE: usize = if cfg!(target_feature = "avx512f") {
     8
 } else {
@@ -23,8 +23,8 @@ pub(crate) const SIDE_BY_SIDE: usize = if cfg!(target_feature = "avx512f") {
 pub(crate) struct Several<S> {
     pub continuous: [S; SIDE_BY_SIDE],
     pub sliding: [S; SIDE_BY_SIDE],
-    /// Real part of the receptance H of the contact, multiplied by r² and by the scale E of [`ContactAt`]. Callers
-    /// decide from `h` whether masses may act as an absorber.
+    /// Real part of the receptance H of the contact, multiplied by r² and by the scale E of [`ContactAt`]. A small `h`
+    /// tells the caller that masses may act as an absorber.
     pub h: [S; SIDE_BY_SIDE],
 }
 

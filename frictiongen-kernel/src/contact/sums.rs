@@ -56,11 +56,11 @@ pub struct ContactAt<S> {
     /// Response V of the relative displacement to the excitation, without friction. It is multiplied by r² and by the
     /// scale E.
     pub v: Complex<S>,
-    /// Damping function U of the contact, multiplied by r² and by the scale E. U is the slope of z̄ at the reversal in
-    /// the response to a square wave of friction.
+    /// Damping function U of the contact, multiplied by r² and by the scale E. A square wave of friction force causes a
+    /// response z̄, and U is the slope of this response at the reversal.
     pub u: S,
-    /// Damping function G of the contact, multiplied by r² and by the scale E. G is z̄ at the reversal in the response
-    /// to a square wave of friction.
+    /// Damping function G of the contact, multiplied by r² and by the scale E. A square wave of friction force causes a
+    /// response z̄, and G is this response at the reversal.
     pub g: S,
     /// H_c, the contribution of damping to the acceleration of the contact at a reversal. It is multiplied by r² and by
     /// the scale E.
@@ -71,7 +71,7 @@ pub struct ContactAt<S> {
 }
 
 impl<S: Scalar> ContactAt<S> {
-    /// Returns the compliance of an elastic contact as a term of H: multiplied by r² and by the scale E.
+    /// Returns the compliance of an elastic contact as a term of H. The term is multiplied by r² and by the scale E.
     #[inline]
     pub(crate) fn compliance(&self, compliance: S, inverse_r: S) -> S {
         compliance * self.scale / (inverse_r * inverse_r)
@@ -110,17 +110,16 @@ impl<S: Scalar> Chain<S> {
         Self::scale(modes.iter().map(|mode| (mode, mode.size(inverse_r))))
     }
 
-    /// Multiplies the response and damping functions of a mode by the scale E of the chain. E is the smallest
-    /// |x² − 1| + 2ζx of the modes that the contact drives, so that E is known only after a first pass over the modes.
+    /// Multiplies the response and damping functions of a mode by the scale E of the chain. E is the smallest |x² − 1|
+    /// + 2ζx of the modes that the contact drives. A first pass over the modes computes E.
     #[inline]
     pub fn at_scale(&self, mode: &ModeResponse<S>, scale: S) -> ModeAt<S> {
         self.scaled(mode, scale, false, 0)
     }
 
-    /// Multiplies the response and damping functions of a mode by the scale E of the chain. E is the smallest
-    /// |x² − 1| + 2ζx of the modes that the contact drives, so that E is known only after a first pass over the modes.
-    /// If `single` is true, E is the |x² − 1| + 2ζx of this mode itself. The code then takes E/(|x² − 1| + 2ζx) as
-    /// exactly 1.
+    /// Multiplies the response and damping functions of a mode by the scale E of the chain. E is the smallest |x² − 1|
+    /// + 2ζx of the modes that the contact drives. A first pass over the modes computes E. If `single` is true, E is
+    /// the |x² − 1| + 2ζx of this mode itself. The code then takes E/(|x² − 1| + 2ζx) as exactly 1.
     #[inline]
     pub fn scaled(
         &self,
@@ -210,7 +209,8 @@ impl<S: Scalar> Chain<S> {
         self.contact_loaded((modes, InPhase), responses, scale, inverse_r, with_g, keep)
     }
 
-    /// Computes the modal sums of the contact as [`contact_of`](Self::contact_of) does, with loads in quadrature.
+    /// Computes the modal sums V, H, U, G and H_c of the contact for modes with loads in quadrature. Without such loads
+    /// [`contact_of`](Self::contact_of) gives the same sums.
     #[inline]
     pub fn contact_loaded(
         &self,
@@ -233,8 +233,8 @@ impl<S: Scalar> Chain<S> {
         self.completed(&sum, inverse_r)
     }
 
-    /// Returns the modal sums V, H, U and H_c of the contact with the terms of the first mode only, and also G if
-    /// `with_g` is true. Call it only for a scene with several modes.
+    /// Returns the modal sums V, H, U and H_c of the contact over the first mode only, and also G if `with_g` is true.
+    /// Call this function only for a scene with several modes.
     #[inline(always)]
     pub fn begun_by(
         &self,
@@ -307,8 +307,8 @@ impl<S: Scalar> Chain<S> {
         sum
     }
 
-    /// Completes the modal sums of the contact after the last mode. On a moving base the response V then gets its
-    /// static term, and is multiplied by r².
+    /// Completes the modal sums of the contact after the last mode. On a moving base, the function adds the static term
+    /// to the response V, and multiplies V by r².
     #[inline]
     pub fn completed(&self, sum: &ContactAt<S>, inverse_r: S) -> ContactAt<S> {
         let mut sum = *sum;

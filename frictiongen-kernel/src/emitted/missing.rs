@@ -1,9 +1,9 @@
 //! Traits of methods that a scene does not provide. If a user calls such a method, the compiler message says what to
 //! add to the scene.
 //!
-//! Emitted code contains each such method all the same, but the method requires a trait of this module. No type
-//! implements the trait, so that a call does not compile. The compiler message names the text to add and the field of
-//! the scene that needs it.
+//! Emitted code contains each such method as well, but the method requires a trait of this module. No type implements
+//! the trait, so that a call does not compile. The compiler message names the text to add and the field of the scene
+//! that needs it.
 
 /// Trait that no type implements. The methods of a scene that need `limits` require it, if the scene provides only its
 /// motion in time. A call then does not compile, and the message says what to add.

@@ -39,9 +39,9 @@ pub use core::result::Result::{self, Err, Ok};
 pub use locals::*;
 pub use shapes::transposed;
 
-/// Writes the items of the trait `Scene` that every emitted scene has alike. The scene has the constants `NUMBERS` and
-/// `MODES`, and the function `functions`, unless it writes its own frequency stage (`in passes`). `functions` of a damped
-/// scene has a constant parameter that asks for G.
+/// Writes those items of the trait `Scene` that are the same in every emitted scene. The scene must have the constants
+/// `NUMBERS` and `MODES` and the function `functions`. It needs no `functions` if it writes its own frequency stage
+/// (`in passes`). In a damped scene, a constant parameter of `functions` selects whether the function computes G.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! scene_items {
@@ -70,7 +70,7 @@ macro_rules! scene_items {
             Self::NUMBERS
         }
 
-        /// Working space of the searches, and of the waves of a motion.
+        /// Returns empty working space for the searches and for the waves of a motion.
         #[inline]
         fn idle(&self) -> Self::Waves {
             Self::MODES.map(|mode| $crate::emitted::Wave::idle(&mode))
@@ -83,7 +83,7 @@ macro_rules! scene_items {
         }
     };
     (@ $scalar:ident, functions$(::<$all:literal, $but_g:literal>)?) => {
-        /// All functions of the contact at 1/r, and of its modes.
+        /// Returns all functions of the contact and of its modes at 1/r.
         #[inline]
         fn frequency_stage(
             &self,
@@ -92,7 +92,7 @@ macro_rules! scene_items {
             Self::functions$(::<$all>)?(inverse_r)
         }
 
-        /// The functions of the contact without G, which only a motion needs.
+        /// Returns the functions of the contact at 1/r without G. Only a motion needs G.
         #[inline]
         fn contact_without_g(&self, inverse_r: $scalar) -> $crate::emitted::ContactAt<$scalar> {
             Self::functions$(::<$but_g>)?(inverse_r).0
@@ -100,7 +100,7 @@ macro_rules! scene_items {
     };
 }
 
-/// Writes the functions of an emitted scene that ask at a frequency ratio. `At` answers from the formulas, `Compiled`
+/// Writes the functions of an emitted scene that take a frequency ratio. `At` answers from the formulas, `Compiled`
 /// from the tables of a declared accuracy.
 #[doc(hidden)]
 #[macro_export]
@@ -125,11 +125,11 @@ macro_rules! scene_functions {
             /// Evaluates the scene at the frequency ratio r = ω√(m₁/k₁), to the declared accuracy.
             ///
             /// # Errors
-            /// `OutOfDomain` for NaN and negative r, and out of the declared range, unless the scene declares
-            /// `beyond: exact`.
+            /// `OutOfDomain` for NaN and negative r. Also `OutOfDomain` outside the declared range, unless the scene
+            /// declares `beyond: exact`.
             ///
-            /// Worst case: comparisons of r with its range.  Beyond the range, if the scene declares `beyond: exact`, the
-            /// operations of the frequency stage.
+            /// Worst case: comparisons of r with its range.  If the scene declares `beyond: exact` and r is outside the
+            /// range: the operations of the frequency stage.
             #[inline]
             pub fn at(r: $scalar) -> ::core::result::Result<$at, $crate::errors::OutOfDomain> {
                 $crate::table::Compiled::new(Self, r).map(::core::convert::From::from)
@@ -139,14 +139,14 @@ macro_rules! scene_functions {
     };
     (@ $type:ident, $scalar:ident, $of:ident) => {
         impl $type {
-            /// Returns both limits without a search: |V|/√(U² + (H_c + μm*/r²)²) (5.64), an upper bound of β_lim that
-            /// leaves the velocity constraint S out, and β*_lim (6.11, 6.27, 6.33).
+            /// Returns an upper bound on β_lim and the exact β*_lim, without a search. The bound is |V|/√(U² + (H_c +
+            /// μm*/r²)²) (5.64), which leaves out the velocity constraint S. β*_lim is |V|/(μ|H|) (6.11, 6.27, 6.33).
             ///
             /// # Errors
             /// `OutOfDomain` for NaN and negative r.  At r = 0 and r = ∞ the limits take their limiting values.
             ///
-            /// Worst case: the operations of the frequency stage without G, and of both formulas of limits.  Where masses may
-            /// act as an absorber, the stage once more with a sum over the modes.
+            /// Worst case: the operations of the frequency stage without G, and of the formulas of both limits.  If
+            /// masses may act as an absorber: a second frequency stage with a sum over the modes.
             #[inline]
             pub fn limits_without_search(
                 r: $scalar,
@@ -155,11 +155,12 @@ macro_rules! scene_functions {
                 $crate::response::At::limits_without_search(&Self, r)
             }
 
-            /// Writes both limits at a slice of frequency ratios into slices of the same length.
+            /// Computes both limits at each frequency ratio of a slice, and writes them to two slices of the same
+            /// length.
             ///
             /// # Errors
-            /// `OutOfDomain` for slices of unequal lengths, before anything is written, and at the first r that `at`
-            /// refuses, after the limits before it are written.
+            /// `OutOfDomain` for slices of unequal lengths, which leaves both result slices unchanged. `OutOfDomain`
+            /// also at the first r for which `at` fails. The limits before that r are then already written.
             ///
             /// Worst case: for each r the work of `at` and `limits`.
             pub fn limits_into(

@@ -1,6 +1,6 @@
 //! Reorders the mode shapes of emitted code at compile time, from one row per mode to one row per mass.
 
-/// Transposes a matrix at compile time: it turns rows into columns.
+/// Transposes a matrix at compile time.
 #[doc(hidden)]
 #[must_use]
 #[allow(clippy::indexing_slicing, reason = "at compile time")]

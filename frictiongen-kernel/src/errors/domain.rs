@@ -18,7 +18,8 @@ pub enum OutOfDomain {
     FrictionRatio(Given),
     /// A frequency ratio or friction ratio outside the range for which the scene's tables were made.
     OutsideTables(Ratio),
-    /// A frequency or friction ratio that differs from the ratio of the orbit whose derivatives are computed.
+    /// A frequency or friction ratio that is not the ratio of the orbit. Derivatives exist only at the orbit's own
+    /// ratios.
     OtherPoint(Ratio),
     /// Initial state of the masses (displacements and velocities) that is invalid.
     State,
@@ -50,7 +51,7 @@ pub enum OutOfDomain {
     Friction(Given),
     /// Stiction μ, the ratio of the static to the kinetic friction force.
     Stiction(Given),
-    /// Input for the start of the first step, given only after that step.
+    /// Input for the first step of a stepper, such as an initial state. The caller gave it after that step.
     Begun,
     /// Saved state of a stepper that had another scene or another time step dt.
     Saved,
@@ -203,8 +204,8 @@ impl fmt::Display for Unsupported {
 }
 
 impl OutOfDomain {
-    /// Returns three texts for an argument outside its domain: its name, the number given, and the condition on it.
-    /// Returns `None` if the cause is not a single number.
+    /// Returns three texts about a number outside its domain: the name of the argument, the kind of number given, and
+    /// the condition. Returns `None` if the error is not about a single number.
     fn number(self) -> Option<(&'static str, Given, &'static str)> {
         const RATIO: &str = "the frequency ratio r";
         Some(match self {

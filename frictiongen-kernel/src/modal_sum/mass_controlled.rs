@@ -1,5 +1,5 @@
 //! Response of a mass-controlled mode to a unit force that changes its sign every half period. A mode is
-//! mass-controlled if it resonates far below the excitation frequency, so that its inertia outweighs its spring.
+//! mass-controlled if it resonates far below the excitation frequency. Its inertia then outweighs its spring.
 //!
 //! In a half period the response y obeys y″ + 2ζx y′ + x²y = 1. In the next half period y repeats with the opposite
 //! sign. The solution is y = Σ_{n≥2} h_{n−2} e_n with e_n(τ) = πⁿE_n(τ/π)/n!, where E_n are the Euler polynomials. The
@@ -8,17 +8,17 @@
 //! the rest of the series as one sinusoid in closed form.
 //!
 //! For all other modes y is the sum of three terms: the return from rest, the lag and the static displacement (see
-//! [`motion`](crate::response::coefficients)). Far above the resonance each of these three terms is of order 1. They
-//! are of order 1 even at the bounds of the half period, where y vanishes, and in its middle, where y′ vanishes. The
-//! rounding error of their sum would exceed the motion of a mass far from load and contact. The Euler polynomials have
-//! no such error, because they vanish at the same instants as y and y′.
+//! [`motion`](crate::response::coefficients)). Far above the resonance each of these terms is of order 1, while y
+//! itself is small. At the start and end of the half period y vanishes, and in the middle y′ vanishes, but the terms do
+//! not. The rounding error of their sum would exceed the motion of a mass far from load and contact. The Euler
+//! polynomials have no such error, because they vanish at the same instants as y and y′.
 
 use crate::number::complex::{self, Complex};
 use crate::number::scalar::{Float, Scalar};
 use crate::oscillator::decay::{Basis, Instant};
 use crate::oscillator::mode::Kind;
 
-/// Upper bound on x = √λ/r of a mass-controlled mode, a mode that resonates far below the excitation frequency. For an
+/// Upper bound on x = √λ/r of a mass-controlled mode. Such a mode resonates far below the excitation frequency. For an
 /// overdamped mode the bound applies to 2ζx.
 const SLOW: f64 = 0.5;
 /// Returns true if a mode is mass-controlled: its resonance x = √λ/r is far below the excitation frequency. For a
@@ -40,7 +40,7 @@ pub(crate) fn is_mass_controlled<S: Scalar>(kind: Kind, zeta: S, x: S) -> S::Con
 }
 
 /// Evaluates the response y of a mass-controlled mode to a unit force that changes its sign every half period. The
-/// result has y in `rise`, y′ in `free` and y″ in `slope`.
+/// result has y in the field `rise`, y′ in `free` and y″ in `slope`.
 pub(crate) fn basis<S: Float>(x: S, zeta: S, at: &Instant<S>) -> Basis<S> {
     let (zero, half, one) = (S::constant(0.0), S::constant(0.5), S::constant(1.0));
     let w = at.tau * (S::pi() * (one - at.t));
@@ -99,8 +99,8 @@ mod tests {
     use crate::oscillator::decay::{Damped, Decay};
     use crate::oscillator::mode::Mode;
 
-    /// Returns the response of a mode and the slope of the response in double-double. Both are sums of the return from
-    /// rest, the lag and the static displacement. Cancellation increases the relative error by at most a factor x⁻².
+    /// Returns the response of a mode and its slope in double-double. Each is the sum of the return from rest, the lag
+    /// and the static displacement. Cancellation in this sum increases the relative error by at most a factor x⁻².
     fn put_together(mode: &Mode<Dd>, x: Dd, t: Dd) -> (Dd, Dd) {
         let response = mode.response(x, 0);
         let (u, g) = (response.u / response.size, response.g / response.size);
@@ -137,8 +137,8 @@ mod tests {
     }
 
     /// Compares the response y of mass-controlled modes and its slope y′ with a reference in double-double. The
-    /// reference is the sum of the return from rest, the lag and the static displacement. Errors are relative to y and
-    /// y′, also close to the zeros of y and y′.
+    /// reference is the sum of the return from rest, the lag and the static displacement. The tolerance is relative to
+    /// y and y′, even close to their zeros.
     #[test]
     fn as_put_together() {
         for zeta in [0.0, 1e-9, 0.01, 0.3, 0.7, 1.0, 1.5, 9.0] {
@@ -162,8 +162,8 @@ mod tests {
     }
 
     /// Returns the third harmonic of the errors of a response and of its slope in `f32`, in units of `f32::EPSILON`.
-    /// The function samples so many instants that rounding errors average out. The error from the neglected orders of
-    /// the series appears mainly in the third harmonic.
+    /// The average over many instants removes the rounding errors. The neglected orders of the series mainly cause a
+    /// third harmonic.
     fn third_harmonic_of_the_error(x: f64, zeta: f64) -> (f64, f64) {
         const INSTANTS: u32 = 4096;
         let (mut sine, mut cosine) = ((0.0, 0.0), (0.0, 0.0));

@@ -22,8 +22,8 @@ pub struct Wave<S, D> {
     pub forced: S,
     /// Coefficient of (1 − d)/x², where d is the free motion that starts at rest from displacement 1.
     pub rise: S,
-    /// True for a mode that resonates far below the excitation frequency. `rise` is then the coefficient of the
-    /// response to a unit force that changes its sign every half period.
+    /// True for a mode that resonates far below the excitation frequency. For such a mode, `rise` is the coefficient of
+    /// the response to a unit force that changes its sign every half period.
     pub mass_controlled: bool,
     /// Residue φ_k(φᵀw)/r² from the contact to mass k. Only the harmonics of the motion need this residue.
     pub residue: S,
@@ -45,7 +45,7 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
         }
     }
 
-    /// Evaluates the functions of time of the mode at one instant: its free displacement p and the others of [`Basis`].
+    /// Evaluates the functions of time in [`Basis`] at one instant, such as the free displacement p of the mode.
     #[inline]
     pub(crate) fn basis(&self, at: &Instant<S>) -> Basis<S> {
         if self.mass_controlled {
@@ -55,8 +55,8 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
         }
     }
 
-    /// Returns the second derivative of sin τ − p, with the free displacement p. The function uses the equation of
-    /// motion of sin τ − p, because subtracting p″ would lose digits close to the resonance x = 1.
+    /// Returns the second derivative of sin τ − p, with the free displacement p. Close to the resonance x = 1, the
+    /// difference −sin τ − p″ would lose digits. The function therefore uses the equation of motion of sin τ − p.
     #[inline]
     pub(crate) fn forced_curve(&self, basis: &Basis<S>, at: &Instant<S>) -> S {
         let (one, x) = (S::constant(1.0), self.x);
@@ -71,7 +71,7 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
     }
 
     /// Returns true if the rounding of x alone can shift the phase xτ by a radian before the free motion has decayed.
-    /// Returns true also if the contact does not drive the mode. Then `forced` and `forced_slope` are 0.
+    /// Returns true also for a mode that the contact does not drive, whose `forced` and `forced_slope` are 0.
     pub(crate) fn turns_unknown(&self) -> bool {
         let zero = S::constant(0.0);
         let lasts = S::pi().min(S::constant(1.0) / (self.decay.zeta() * self.x));
@@ -209,8 +209,8 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
         jet
     }
 
-    /// Returns the modal sum and its derivative at τ = 0. The terms of most modes start from rest and contribute
-    /// nothing. Only modes that resonate far below the excitation frequency contribute.
+    /// Returns the modal sum and its derivative at τ = 0. Only modes that resonate far below the excitation frequency
+    /// contribute. The terms of all other modes start from rest.
     pub(crate) fn start(&self) -> (S, S) {
         let mut value = self.cosine;
         let mut slope = self.sine;
@@ -222,15 +222,14 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
         (value, slope)
     }
 
-    /// Returns the largest x(1 + 2ζ) of the modes in the sum. This rate bounds how fast any mode oscillates and how
-    /// fast any mode decays.
+    /// Returns the largest x(1 + 2ζ) of the modes in the sum. No mode oscillates or decays faster than this rate.
     pub(crate) fn fastest(&self) -> S {
         let waves = self.waves.iter();
         fastest(waves.map(|wave| (wave.x, wave.decay.zeta())))
     }
 
-    /// Returns an upper bound on the rounding error of the modal sum. It leaves out modes that resonate close to the
-    /// excitation frequency. Their terms are small differences with small rounding errors.
+    /// Returns an upper bound on the rounding error of the modal sum. The bound leaves out modes that resonate close to
+    /// the excitation frequency, because their terms are small differences with small rounding errors.
     pub(crate) fn rounding(&self) -> S {
         let (one, half) = (S::constant(1.0), S::constant(0.5));
         let mut sum = self.cosine.abs() + self.sine.abs();
@@ -264,8 +263,8 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
     }
 }
 
-/// Returns the largest x(1 + 2ζ) of several modes (x, ζ). This rate bounds how fast any of the modes oscillates and how
-/// fast any of the modes decays.
+/// Returns the largest x(1 + 2ζ) of several modes (x, ζ). None of these modes oscillates or decays faster than this
+/// rate.
 pub(crate) fn fastest<S: Float>(modes: impl Iterator<Item = (S, S)>) -> S {
     modes.fold(S::constant(0.0), |most, (x, zeta)| {
         most.max(x * (S::constant(1.0) + (zeta + zeta)))
@@ -281,8 +280,9 @@ fn curves<S: Float, D: Decay<S>>(wave: &Wave<S, D>, basis: &Basis<S>) -> (S, S) 
     (curve, -(x * (x * basis.slope + two_zeta * curve)))
 }
 
-/// Returns the second and third derivative of sin τ − p, given the derivatives of the free displacement p. Close to the
-/// resonance x = 1 a subtraction would lose digits. The function then uses the equation of motion of sin τ − p.
+/// Returns the second and third derivative of sin τ − p. `(p2, p3)` are the derivatives of the free displacement p.
+/// Close to the resonance x = 1 a subtraction would lose digits. The function then uses the equation of motion of sin τ
+/// − p.
 #[inline]
 fn differences<S: Float, D: Decay<S>>(
     wave: &Wave<S, D>,

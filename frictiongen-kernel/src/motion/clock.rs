@@ -1,5 +1,5 @@
-//! Phase of the excitation over a long run, and sums of many steps. Rounding errors do not accumulate in the phase or
-//! in the sums.
+//! Phase of the excitation over a long run, and sums of many steps. The code avoids accumulated rounding errors in the
+//! phase and in the sums.
 
 use crate::number::phase::within_cycle;
 use crate::number::scalar::Float;
@@ -56,7 +56,7 @@ impl<S: Float> Clock<S> {
         }
     }
 
-    /// Returns the phase after a further time τ = `passed`.
+    /// Returns the clock a time τ = `passed` later.
     pub(crate) fn moved(self, passed: Total<S>) -> Self {
         let (turns, error) = two_product(passed.value, S::inverse_pi());
         let error = error + passed.value * inverse_pi_low() + passed.low * S::inverse_pi();
@@ -151,8 +151,8 @@ fn split<S: Float>(a: S) -> (S, S) {
 mod tests {
     use super::{Clock, Total};
 
-    /// Checks the phase in single precision after n steps of 0.01, for n up to 200,000. It must equal the phase after
-    /// one step of 0.01n, except for the rounding of the phase itself.
+    /// Compares the phase after n steps of 0.01 in single precision with the phase after one step of 0.01n, for n up to
+    /// 200,000. The two may differ only by the rounding of the phase itself.
     #[test]
     fn steps_leave_no_rounding_in_the_phase() {
         let (mut clock, mut compared) = (Clock::<f32>::start(), 0);

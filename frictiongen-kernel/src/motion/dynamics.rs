@@ -18,10 +18,10 @@ pub struct HeldMode<S> {
     pub zeta: S,
     /// √|1 − ζ²|, the damped natural frequency over the undamped one.
     pub q: S,
-    /// Contact force per unit of the mode's displacement y, with the opposite sign.
+    /// Contact force per unit of the mode's displacement y, with opposite sign.
     pub force: S,
-    /// Symmetric matrix [m₁₁, m₁₂, m₂₂] that `state` uses. It converts the products of a motion with the mode's two
-    /// states into y and u.
+    /// Symmetric matrix [m₁₁, m₁₂, m₂₂] for `state`. The matrix converts two products into y and u. Each product
+    /// multiplies a motion with one of the mode's two states.
     pub inverse: [S; 3],
 }
 
@@ -35,15 +35,15 @@ pub struct Dynamics<'a, S, K = Chain<S>> {
     /// Modes of the chain with its contact stuck (stuck chain). If the contact drives n modes, the stuck chain has n −
     /// 1 modes for a rigid contact, and n for an elastic contact.
     pub held: &'a [HeldMode<S>],
-    /// Participation factors, for y and for u, of each mode that the contact drives in each mode of the chain with its
-    /// contact stuck.
+    /// Participation factors, for y and for u, in each mode of the chain with its contact stuck. Each mode that the
+    /// contact drives has one pair in each stuck mode.
     pub participations: &'a [[S; 2]],
     /// Mode shapes φ, mass after mass.
     pub shapes: &'a [S],
-    /// Products φᵀΓ, mode after mode. If damping acts relative to the moving base, the loads in quadrature follow
-    /// (`quadratures`).
+    /// Products φᵀΓ, mode after mode. If damping acts relative to the moving base, the list also contains the loads in
+    /// quadrature (`quadratures`).
     pub weights: &'a [S],
-    /// Index of the mass that rubs on a support, or `None` if two masses rub on each other.
+    /// Index of the mass that slides on a support, or `None` if two masses slide on each other.
     pub rubbing: Option<usize>,
 }
 
@@ -64,20 +64,20 @@ impl<'a, S: Copy, K> Dynamics<'a, S, K> {
 }
 
 impl<'a, S: Float, K: ContactChain<S>> Dynamics<'a, S, K> {
-    /// Constants of the chain that do not belong to the law of its contact.
+    /// Returns the constants of the chain that do not belong to the law of its contact.
     #[inline]
     pub(crate) fn chain(&self) -> &Chain<S> {
         self.chain.chain()
     }
 
-    /// Number of modes that the contact drives.
+    /// Returns the number of modes that the contact drives.
     #[must_use]
     pub fn in_contact(&self) -> usize {
         self.held.len() + self.chain.lost_modes()
     }
 
-    /// Number of scalars in a state of the motion: two for each mode that the contact drives, and those that the contact
-    /// remembers.
+    /// Returns the number of scalars in a state of the motion: two for each mode that the contact drives, and those
+    /// that the contact stores.
     #[must_use]
     pub fn state_size(&self) -> usize {
         2 * self.in_contact() + self.chain.remembered()
@@ -102,8 +102,9 @@ impl<'a, S: Float, K: ContactChain<S>> Dynamics<'a, S, K> {
         })
     }
 
-    /// The loads in quadrature with the motion of the base, as [`Quadratures`](crate::contact::quadrature) takes them.
-    /// The list is empty unless damping acts on velocities relative to the moving base.
+    /// Returns the loads in quadrature with the motion of the base, in the form of
+    /// [`Quadratures`](crate::contact::quadrature). The list is empty unless damping acts on velocities relative to the
+    /// moving base.
     pub(crate) fn quadratures(&self) -> &'a [[S; 2]] {
         let modes = self.modes.len();
         let (quadratures, _) = self
@@ -114,7 +115,7 @@ impl<'a, S: Float, K: ContactChain<S>> Dynamics<'a, S, K> {
         quadratures
     }
 
-    /// Complex amplitude of the load on a mode at the frequency ratio r.
+    /// Returns the complex amplitude of the load on a mode at the frequency ratio r.
     pub(crate) fn load(&self, mode: usize, r: S) -> Complex<S> {
         let zero = S::constant(0.0);
         let Some(constants) = self.modes.get(mode) else {
@@ -125,19 +126,20 @@ impl<'a, S: Float, K: ContactChain<S>> Dynamics<'a, S, K> {
         Complex::new(constants.load, quadrature)
     }
 
-    /// Components of a mass in all mode shapes, or an empty slice if there is no such mass.
+    /// Returns the components of a mass in all mode shapes, or an empty slice if no such mass exists.
     pub(crate) fn shape(&self, mass: usize) -> &'a [S] {
         let modes = self.modes.len();
         let mut shapes = self.shapes.chunks_exact(modes.max(1));
         shapes.nth(mass).unwrap_or_default()
     }
 
-    /// Returns true if this mass moves exactly as the contact does, because it rubs on a support at rest.
+    /// Returns true if this mass moves exactly as the contact does. This is so for a mass that slides on a support at
+    /// rest.
     pub(crate) fn moves_as_contact(&self, mass: usize) -> bool {
         self.chain().on_moving_base.is_none() && self.rubbing == Some(mass)
     }
 
-    /// Returns the modes of the chain with its contact stuck. Each mode comes with the participation factors of all
+    /// Returns the modes of the chain with its contact stuck. Each mode is paired with the participation factors of all
     /// modes that the contact drives.
     pub(crate) fn held_modes(&self) -> impl Iterator<Item = (&'a HeldMode<S>, &'a [[S; 2]])> {
         // The code uses ranges, because an iterator over chunks could panic if the compiler does not know their size.
@@ -162,7 +164,7 @@ impl<S: Float> HeldMode<S> {
     }
 }
 
-/// Returns the displacement of a mode per unit of displacement of the stuck contact, with all other forces zero.
+/// Returns the displacement of a mode per unit of displacement of the stuck contact, if no other force acts.
 pub(crate) fn lift<S: Float>(mode: &Mode<S>, receptance: S) -> S {
     mode.contact / (mode.resonance * mode.resonance * receptance)
 }

@@ -5,8 +5,8 @@
 //! contact sticks, every mode of the *stuck chain* moves independently. The stuck chain is the chain with its contact
 //! stuck. Emitted code calls its modes `held`. A [`Part`] is one oscillator in time, which is a mode of either chain.
 //!
-//! A *series* is a function of the contact over time, such as its velocity or its force. A *walk* is a search for the
-//! first zero of a series. `contact` has the law of the contact, which decides what follows an event.
+//! A *series* is a function of time that describes the contact, such as its velocity or its force. A *walk* is a search
+//! for the first zero of a series. `contact` has the law of the contact, which decides what follows an event.
 
 mod clock;
 pub(crate) mod contact;

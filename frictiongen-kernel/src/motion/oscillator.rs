@@ -10,9 +10,9 @@ use crate::number::scalar::Float;
 use crate::oscillator::decay::{Damped, Decay, Instant, Turn, multipliers, turn};
 use crate::oscillator::mode::{Kind, Mode};
 
-/// Bound of the region near a resonance, |D| < NEAR·x², with D = x² − 1 + 2iζx. In this region the forced motion is
-/// computed from differences that vanish with D. Elsewhere it is the steady motion plus a free motion, whose sum loses
-/// at most a factor 1/NEAR of the precision.
+/// Bound of the region near a resonance, |D| < NEAR·x², with D = x² − 1 + 2iζx. In this region the code computes the
+/// forced motion from differences that vanish with D. Elsewhere the forced motion is the steady motion plus a free
+/// motion, and this sum loses at most a factor 1/NEAR of the precision.
 const NEAR: f64 = 0.02;
 /// Smallest 1 − ζ² at which the amplitude of a free motion bounds the motion well enough.
 const OSCILLATES: f64 = 0.05;
@@ -33,11 +33,10 @@ pub struct Part<S> {
     /// Complex amplitude of the steady displacement, y = Re(steady·e^{iτ_e}). If `near` is true, it is the complex
     /// amplitude of the force instead.
     steady: Complex<S>,
-    /// Complex amplitude of φ/x = Re(direct·e^{iτ_e}). φ is the contribution to y′ that the excitation adds directly,
-    /// so that u = (y′ − φ)/x.
+    /// Complex amplitude of φ/x = Re(direct·e^{iτ_e}). The excitation adds φ to y′ directly, so that u = (y′ − φ)/x.
     direct: Complex<S>,
-    /// True if the excitation is near the resonance. The forced motion is then computed from differences that vanish at
-    /// the resonance.
+    /// True if the excitation is near the resonance. The code then computes the forced motion from differences that
+    /// vanish at the resonance.
     pub(crate) near: bool,
     /// Displacement about which the oscillator moves, due to the constant forces.
     pub(crate) centre: S,
@@ -47,14 +46,14 @@ pub struct Part<S> {
     pub(crate) u: S,
     /// Displacement y and scaled velocity u of the free motion, at the start of the segment.
     pub(crate) free: [S; 2],
-    /// Coefficients of the decaying cosine c and sine s ([`Turn`]) in the function of the contact that a search
-    /// examines. `slope` has the coefficients in the derivative of that function.
+    /// Coefficients of the decaying cosine c and sine s ([`Turn`]) in the function that a search examines. `slope` has
+    /// the coefficients in the derivative of that function.
     pub(crate) value: [S; 2],
     pub(crate) slope: [S; 2],
-    /// Upper bound on the oscillator's term in the third derivative of the searched function, at the start. The bound
+    /// Upper bound on the oscillator's term in the third derivative of the examined function, at the start. The bound
     /// of an oscillation decays as e^{−ζxτ}.
     pub(crate) bound: S,
-    /// Weights of the displacement y and the scaled velocity u in the function of the contact that a search examines.
+    /// Weights of the displacement y and the scaled velocity u in the function that a search examines.
     pub(crate) weight: [S; 2],
 }
 
@@ -136,13 +135,14 @@ impl<S: Float> Part<S> {
         };
     }
 
-    /// Returns the coefficients of the free motion after the time τ = πt.
+    /// Returns the coefficients of the free motion after the time τ = πt, with t in half-turns.
     #[inline]
     pub(crate) fn turn(&self, t: S, tau: S) -> Turn<S> {
         turn(self.kind, self.zeta, self.q, self.x, (t, tau))
     }
 
-    /// Returns displacement and velocity of the free motion `free` after the time of `turn`.
+    /// Returns the state [y, u] of a free motion a time later. `free` is the state before, and `turn` has the
+    /// coefficients for this time.
     #[inline]
     pub(crate) fn turned(&self, free: [S; 2], turn: &Turn<S>) -> [S; 2] {
         turn.moved(self.zeta, free)
@@ -184,8 +184,8 @@ impl<S: Float> Part<S> {
     }
 
     /// Returns y and its first three derivatives for the motion that starts from rest under y″ + 2ζxy′ + x²y =
-    /// Re(force·e^{i(θ + τ)}). The call is for an excitation near the resonance. `t` is
-    /// τ, and `phase` is (cos θ, sin θ).
+    /// Re(force·e^{i(θ + τ)}). Call it only if the excitation is near the resonance. `t` is τ, and `phase` is (cos θ,
+    /// sin θ).
     pub(crate) fn grown(&self, t: S, phase: (S, S)) -> [S; 4] {
         let at = Instant::new(t);
         let (x, one) = (self.x, S::constant(1.0));
@@ -230,8 +230,8 @@ impl<S: Float> Part<S> {
         )
     }
 
-    /// Adds the forced motion that [`grown`](Self::grown) computes to the derivatives of the searched function, at the
-    /// start of the segment.
+    /// Adds the forced motion of [`grown`](Self::grown) to the derivatives of the examined function, at the start of
+    /// the segment.
     pub(crate) fn grown_series(&self, phase: (S, S), terms: &mut [S]) {
         let zero = S::constant(0.0);
         let [of_y, of_u] = self.weight;
@@ -290,7 +290,7 @@ impl<S: Float> Part<S> {
         Some(())
     }
 
-    /// Returns an upper bound on the contribution of the free vibration to the searched function at any later time. The
+    /// Returns an upper bound on the contribution of the free vibration to the examined function at any later time. The
     /// free vibration is the present motion minus the steady motion. On an undamped resonance no steady motion exists,
     /// and the bound is `f64::MAX` converted to the number type.
     pub(crate) fn free_amplitude(&self, phase: (S, S)) -> S {
@@ -327,7 +327,7 @@ impl<S: Float> Part<S> {
         multipliers(self.kind, self.q, &turn)
     }
 
-    /// Returns the oscillator's contribution to the fundamental component of the searched function, as a complex
+    /// Returns the oscillator's contribution to the fundamental component of the examined function, as a complex
     /// amplitude relative to e^{iτ_e}.
     pub(crate) fn fundamental(&self) -> Complex<S> {
         let [of_y, of_u] = self.weight;
@@ -342,8 +342,8 @@ impl<S: Float> Part<S> {
         )
     }
 
-    /// Prepares a search: computes the coefficients of c and s in the searched function and in its derivative, and the
-    /// bound on its third derivative. The function is weight·(y, u), with the decaying cosine c and sine s.
+    /// Prepares a search of the function weight·(y, u). Computes the coefficients of the decaying cosine c and sine s
+    /// in this function and in its derivative, and the bound on its third derivative.
     #[inline]
     pub(crate) fn aim(&mut self) {
         let zeta = self.zeta;

@@ -8,7 +8,7 @@ use super::setting::Setting;
 use super::walk::{Walk, WalkStart, first_reach, first_zero};
 use crate::number::scalar::Float;
 
-/// Searches for the next event from a contact state, over at most the time `reach` in τ. Sets the oscillators to their
+/// Searches for the next event after a contact state, over at most the time `reach` in τ. Sets the oscillators to their
 /// state at the start of the segment.
 pub(crate) fn seek<S: Float, K: ContactChain<S>>(
     setting: &Setting<'_, S, K>,
@@ -60,9 +60,9 @@ pub(crate) fn seek<S: Float, K: ContactChain<S>>(
     sought
 }
 
-/// Adds derivatives to the instant at which a sum reaches its level, if the scalar carries derivatives. One Newton step
-/// from the known instant gives the derivatives. Without a level, no event ends the segment. An instant equal to the
-/// reach then keeps the derivatives of the reach, and an earlier instant has none.
+/// Adds derivatives to the instant `tau` at which a sum reaches its level, if the scalar carries derivatives. One
+/// Newton step from the known instant gives the derivatives. Without a level, no event ends the segment. `tau` then
+/// keeps the derivatives of the reach if it equals the reach, and otherwise has none.
 fn carried<S: Float>(sum: &OscillatorSum<'_, S>, tau: S, level: Option<S>) -> S {
     let Some(level) = level else {
         return if tau < sum.reach {
@@ -126,7 +126,7 @@ pub(crate) fn ended<S: Float, K: ContactChain<S>>(
 }
 
 /// Returns the time τ from a contact state to the next event, or `reach` if the event is later. The result is 0 if the
-/// contact cannot leave zero velocity.
+/// contact cannot start to move from zero velocity.
 pub(crate) fn span<S: Float, K: ContactChain<S>>(
     setting: &Setting<'_, S, K>,
     modes: &mut [Part<S>],

@@ -21,8 +21,8 @@ pub struct Setting<'a, S, K = Chain<S>> {
     /// wᵀΓ⁻¹p + s r²: the load on the stuck contact at a maximum of the excitation, times the inverse effective mass
     /// m*.
     pub(crate) load: S,
-    /// Load on the stuck contact in quadrature (90° out of phase) with the base's motion, times m*. The load contains
-    /// −`quadrature`·sin τ_e. The number is 0 unless damping acts relative to the moving base.
+    /// Load on the stuck contact in quadrature (90° out of phase) with the base's motion, times m*. This load adds
+    /// −`quadrature`·sin τ_e to the load. It is 0 unless damping acts relative to the moving base.
     pub(crate) quadrature: S,
     /// The contact's displacement per unit of steady contact force: wᵀK̄⁻¹w = Σ c_i/λ_i, plus the compliance of an
     /// elastic contact.

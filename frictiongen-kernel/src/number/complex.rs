@@ -1,7 +1,8 @@
 //! Complex operations that the formulas need, over any [`Scalar`].
 //!
-//! This module replaces the operators of num-complex, whose traits symbolic scalars cannot have. Without damping every
-//! imaginary part is the constant 0. The argument `damped` is then false, and the functions compute no imaginary part.
+//! The operators of num-complex require traits that symbolic scalars cannot implement. This module replaces these
+//! operators. Without damping every imaginary part is the constant 0. The argument `damped` is then false, and the
+//! functions compute no imaginary part.
 
 use crate::number::scalar::Scalar;
 pub use num_complex::Complex;
@@ -82,8 +83,8 @@ pub fn reciprocal<S: Scalar>(a: Complex<S>, damped: bool) -> Complex<S> {
     }
 }
 
-/// Returns 1/a for a complex a ≠ 0. Also returns two numbers of about 1/|a| whose product is 1/|a|², which avoids an
-/// overflow of the square.
+/// Returns 1/a for a complex a ≠ 0. Also returns two numbers of about 1/|a| whose product is 1/|a|². The square itself
+/// could overflow.
 #[inline(always)]
 pub(crate) fn inverse<S: Scalar>(a: Complex<S>) -> (Complex<S>, (S, S)) {
     let inverse = (S::constant(1.0) / size(a, true)).named(

@@ -77,7 +77,7 @@ fn split_large(a: f64) -> (f64, f64) {
     (hi / DOWN, lo / DOWN)
 }
 
-/// Returns the rounded product a·b and its rounding error, which is exact unless it underflows.
+/// Returns the rounded product a·b and its rounding error. The error is exact unless it underflows.
 #[inline]
 pub(crate) fn two_product(a: f64, b: f64) -> (f64, f64) {
     let product = a * b;
@@ -134,7 +134,7 @@ impl Dd {
         Self::finished(hi, lo)
     }
 
-    /// Creates a number, with `lo` replaced by 0 if `hi` is not finite. Otherwise `lo` would be NaN beside an infinite
+    /// Creates a number, and replaces `lo` by 0 if `hi` is not finite. `lo` would otherwise be NaN beside an infinite
     /// `hi`, and every later result would be NaN.
     #[inline]
     fn finished(hi: f64, lo: f64) -> Self {

@@ -1,11 +1,11 @@
 //! Coefficients of the Euler polynomials of even order, e_n(τ) = πⁿE_n(τ/π)/n!, as polynomials in w = τ(π − τ).
 //!
-//! The polynomials describe the motion of a free mass under a unit force that changes its sign every half period. They
-//! are used in `modal_sum::mass_controlled`.
+//! The polynomials describe the motion of a free mass under a unit force that changes its sign every half period.
+//! `modal_sum::mass_controlled` uses them.
 
 /// Number of Euler polynomials of even order that a response sums in `f64`. `SINGLE` is the number in `f32`. Each
-/// further polynomial reduces the third harmonic of the neglected remainder by a factor of at least six. The number is
-/// chosen so that (1/6)^(2·`DOUBLE`) is below the rounding error.
+/// further polynomial divides the third harmonic of the neglected remainder by at least six. With this number,
+/// (1/6)^(2·`DOUBLE`) is below the rounding error.
 const DOUBLE: usize = 11;
 const SINGLE: usize = 5;
 

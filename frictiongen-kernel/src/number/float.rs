@@ -283,9 +283,8 @@ real! {
 mod tests {
     use super::root;
 
-    /// Compares the square root of `f32` with the one of the standard library. The last bit of a root depends only on
-    /// the significand and on the parity of the exponent. The test therefore covers one even and one odd exponent
-    /// densely.
+    /// Compares the square root of `f32` with that of the standard library. The last bit of a root depends only on the
+    /// significand and on the parity of the exponent. The test therefore covers one even and one odd exponent densely.
     #[test]
     fn roots_of_single_precision_are_rounded_correctly() {
         let edges = [0, 1, 2, 0x007f_ffff, 0x0080_0000, 0x7f7f_ffff, 0x7f80_0000].into_iter();

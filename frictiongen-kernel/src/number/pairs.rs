@@ -1,6 +1,6 @@
 //! Iterators over the pairs (displacement, velocity) of a state vector. Standard chunk iterators divide by the chunk
-//! size, which the compiler does not always know. The compiled code may then contain a panic. The iterators here
-//! contain none.
+//! size. If the compiler does not know the size, the compiled code may contain a panic. The iterators in this module
+//! never contain a panic.
 
 /// Returns an iterator over the pairs (displacement, velocity) of a state vector.
 pub(crate) fn pairs<S>(numbers: &[S]) -> impl Iterator<Item = &[S]> + Clone {

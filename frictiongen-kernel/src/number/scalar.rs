@@ -8,8 +8,8 @@
 use core::f64::consts::FRAC_PI_4;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-/// Number that replaces an exact zero of x² − 1, where x is the resonance of a mode over the excitation frequency. The
-/// replacement is far below every other value of x² − 1 in any precision.
+/// Number that replaces an exact zero of x² − 1, where x is the resonance of a mode over the excitation frequency. In
+/// any precision it is far smaller than every other possible |x² − 1|.
 pub const NEXT_TO_POLE: f64 = 1.0 / (1u64 << 60) as f64;
 
 /// A number, or a symbol for a number, over which all closed forms are written.
@@ -23,7 +23,7 @@ pub trait Scalar:
 {
     /// Result of a comparison of two scalars: `bool` for numbers, a symbol or an array of `bool` for other scalars.
     type Condition: Copy;
-    /// True if the scalar has the Euler polynomials of [`Float::euler_terms`]. The motion of a mass then uses these
+    /// True if the scalar has the Euler polynomials of [`Float::euler_terms`]. The motion of a mass uses these
     /// polynomials for modes that resonate far below the excitation frequency.
     const MASS_CONTROLLED: bool = false;
 
@@ -67,8 +67,8 @@ pub trait Scalar:
     }
     /// Returns (sin πh, cos πh) with h = `self`. The function reduces h exactly before it multiplies by π.
     fn sin_cos_pi(self) -> (Self, Self);
-    /// Returns (sin π(h − d), cos π(h − d)) with h = `self`. The function reduces h before it subtracts d. The digits
-    /// of a small d are therefore kept, for a large h and close to a zero of the cosine.
+    /// Returns (sin π(h − d), cos π(h − d)) with h = `self`. The function reduces h before it subtracts d. The result
+    /// therefore keeps the digits of a small d, for a large h and close to a zero of the cosine.
     fn sin_cos_pi_minus(self, d: Self) -> (Self, Self);
     /// Returns 1 − sin(πz)/(πz) with z = `self` in half-turns. The result keeps its relative accuracy down to z = 0,
     /// where it is 0.
@@ -77,15 +77,15 @@ pub trait Scalar:
     /// down to a = 0, where it is 0.
     fn scaled_sinh_defect(self) -> Self;
 
-    /// Takes `self` as x² − 1 of an undamped mode, and returns [`NEXT_TO_POLE`] in place of an exact zero. Other
-    /// numbers are returned unchanged.
+    /// Takes `self` as x² − 1 of an undamped mode. Returns [`NEXT_TO_POLE`] if `self` is exactly zero, and otherwise
+    /// `self`.
     #[inline]
     #[must_use]
     fn detuning_off_pole(self) -> Self {
         Self::select(self.is_zero(), self.replaced(NEXT_TO_POLE), self)
     }
-    /// Takes `self` as cos(πx/2) of an undamped mode, and returns −π/4·[`NEXT_TO_POLE`] in place of an exact zero. The
-    /// factor −π/4 is the ratio of cos(πx/2) to x² − 1 close to x = 1.
+    /// Takes `self` as cos(πx/2) of an undamped mode. Returns −π/4·[`NEXT_TO_POLE`] if `self` is exactly zero, and
+    /// otherwise `self`. The factor −π/4 is the ratio of cos(πx/2) to x² − 1 close to x = 1.
     #[inline]
     #[must_use]
     fn cosine_off_pole(self) -> Self {
@@ -103,9 +103,9 @@ pub trait Scalar:
         Self::constant(value)
     }
     /// Names the local variable that emitted code uses for `self`. `about` explains the quantity and gives its equation
-    /// number. Emitted code has `about` as a comment above the variable. `mode` is the zero-based index of the mode to
-    /// which `self` belongs, if any. If a value is named twice, the first name counts. Numbers ignore the name and the
-    /// text, and return `self`.
+    /// number. Emitted code contains `about` as a comment above the variable. `mode` is the zero-based index of the
+    /// mode to which `self` belongs, if any. If a formula names a value twice, the first name counts. Scalars that are
+    /// numbers ignore the name and the text, and return `self`.
     #[inline(always)]
     #[must_use]
     fn named(self, name: &'static str, about: &'static str, mode: Option<usize>) -> Self {
@@ -124,16 +124,16 @@ pub trait Scalar:
     }
 }
 
-/// A scalar that has a numerical value, so that code can branch on it. Searches and iterations need such a scalar.
+/// Scalar that has a numerical value, so that code can branch on it. Searches and iterations require this trait.
 pub trait Float:
     Scalar<Condition = bool> + PartialOrd + core::fmt::Debug + Send + Sync + 'static
 {
     /// Distance from 1 to the next larger number of this precision.
     const EPSILON: f64;
-    /// Smallest relative difference between two values that a search can still distinguish in this precision.
+    /// Smallest relative difference between two values that a search can still detect in this precision.
     const RESOLUTION: f64 = Self::EPSILON;
-    /// True if the scalar carries a derivative next to its value. Iterations then make one more Newton step, which
-    /// makes the derivative correct too.
+    /// True if the scalar carries a derivative in addition to its value. Iterations then make one more Newton step,
+    /// because the derivative is correct one step later than the value.
     const CARRIES: bool = false;
     /// True if a processor can compute with two numbers of this type at once.
     const PAIRS: bool = false;
@@ -166,8 +166,8 @@ pub trait Float:
     fn vanishes(self) -> bool {
         self.is_zero()
     }
-    /// Returns `self` without its derivative. Code calls it for sample positions, which must not depend on the variable
-    /// of the derivative.
+    /// Returns `self` without its derivative. Searches use this function for positions, which must not depend on the
+    /// variable of the derivative.
     #[must_use]
     fn primal(self) -> Self {
         self
@@ -215,10 +215,10 @@ pub trait Float:
     }
 }
 
-/// A scalar that carries no derivative next to its value. Dual numbers are not plain.
+/// Scalar that carries no derivative in addition to its value. Dual numbers are not plain.
 ///
-/// Motions from rest and steady states are found by iteration. An iteration stops as soon as its value is correct, when
-/// a derivative may still be wrong. Functions that start such an iteration require this trait, so that the compiler
+/// Iterations find motions from rest and steady states. An iteration stops as soon as its value is correct, when a
+/// derivative may still be wrong. Functions that start such an iteration require this trait, so that the compiler
 /// rejects dual numbers. [`Orbit::carrying`](crate::orbit::Orbit::carrying) adds derivatives to a steady state that is
 /// already known.
 pub trait Plain: Float {}

@@ -1,13 +1,13 @@
 //! Sine and cosine of angles in half-turns, in `f64` ([`double`]) and `f32` ([`single`]).
 //!
 //! The argument h counts half-turns: `sin_pi(h)` is sin(πh). The functions subtract a multiple of 1/2 from h without
-//! rounding, before they multiply by π. The results therefore have full relative accuracy next to every zero. They are
-//! exactly 0 or ±1 wherever the mathematical value is. The functions use only `+`, `-` and `*`, so that every host
+//! rounding, before they multiply by π. The results therefore have full relative accuracy next to every zero. If the
+//! mathematical value is 0 or ±1, the result is exact. The functions use only `+`, `-` and `*`, so that every host
 //! returns the same bits. The coefficients of the minimax polynomials come from `tools/coefficients.py constants`.
 
-/// Evaluates a polynomial in u by Estrin's scheme, with the coefficient of the lowest power first. The scheme sums
-/// independent pairs of coefficients, which a processor can overlap. In Horner's scheme each step waits for the
-/// previous one.
+/// Evaluates a polynomial in u by Estrin's scheme. The coefficient of the lowest power comes first. The scheme sums
+/// independent pairs of coefficients, which a processor can compute at the same time. In Horner's scheme each step
+/// waits for the previous one.
 macro_rules! polynomial {
     (@pairs $u:ident, $square:ident, $last:expr $(,)?) => { $last };
     (@pairs $u:ident, $square:ident, $first:expr, $second:expr $(,)?) => {
@@ -38,16 +38,16 @@ macro_rules! half_turns {
     ) => {
         $(#[$doc])*
         pub mod $module {
-            /// π as a sum of two terms. The product of the first term with a number that keeps only its [`LEADING`]
+            /// π as a sum of two terms. The first term has so few bits that its product with a number of [`LEADING`]
             /// bits is exact.
             const PI: [$float; 2] = $pi;
             const HALF_PI_SQUARED: $float = $half_pi_squared;
             /// Mask that keeps the leading third of a significand and clears the other bits.
             const LEADING: $bits = $leading;
-            /// Large constant that rounds a smaller number to a multiple of 1/2 when it is added. The lowest bits of
-            /// the sum then contain the number of halves.
+            /// Large constant that rounds a smaller number to a multiple of 1/2 when the code adds it. The lowest bits
+            /// of the sum then contain the number of halves.
             const TO_HALVES: $float = $to_halves;
-            /// Large constant that rounds a smaller number to a multiple of 4 when it is added.
+            /// Large constant that rounds a smaller number to a multiple of 4 when the code adds it.
             const TO_FOURS: $float = $to_fours;
 
             /// Returns x with all bits after the leading third of its significand cleared.
@@ -80,8 +80,8 @@ macro_rules! half_turns {
 
             /// Returns sin πr and cos πr for |r| ≤ 1/4, each as a leading term and a small correction.
             ///
-            /// The leading product πr is split so that it has no rounding error. The cosine is 1 minus a number of at
-            /// most 0.3. Rounding errors of this number therefore matter little.
+            /// The code splits the leading product πr so that it has no rounding error. The cosine is 1 minus a number
+            /// of at most 0.3. Rounding errors of this number therefore have little influence.
             #[inline(always)]
             fn kernel(r: $float) -> ([$float; 2], [$float; 2]) {
                 let u = r * r;

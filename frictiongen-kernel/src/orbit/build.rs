@@ -57,11 +57,13 @@ where
         Self::answer(&question, parts, numbers, multipliers)
     }
 
-    /// Computes the steady state at r and β that a motion reaches from the given start, at a maximum of the excitation.
-    /// If the motion does not settle, the result may be its last cycles, for which [`Self::is_settled`] is false.
+    /// Computes the steady state at r and β that a motion reaches from the given start. The motion starts at a maximum
+    /// of the excitation. If `last` is true in the question and the motion does not settle, the result has its last
+    /// cycles, and [`Self::is_settled`] is false.
     ///
     /// # Errors
-    /// [`NoOrbit`] gives the reason why there is no steady state.  Slices of a wrong length give `OutOfDomain`.
+    /// [`NoOrbit`] gives the reason why no steady state exists or was found.  Slices of a wrong length give
+    /// `OutOfDomain`.
     pub fn answer(
         question: &OrbitQuestion<'a, '_, S, K>,
         mut parts: P,
@@ -145,7 +147,7 @@ where
     }
 }
 
-/// Follows the motion from the state in which the search ended, and records a period.
+/// Follows the motion from the state that the search has reached, and records a period.
 fn followed<S: Float, K: ContactChain<S>>(
     cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,
@@ -273,7 +275,7 @@ pub(super) fn stuck<S: Float, K: ContactChain<S>>(
     })
 }
 
-/// Sets every mode to its steady motion without friction, for β = 0.
+/// Sets every mode to its steady motion without friction. This is the steady state for β = 0.
 fn linear<S: Float, K: ContactChain<S>>(
     cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,
@@ -309,8 +311,8 @@ fn settle_free<S: Float, K: ContactChain<S>>(
     Ok(())
 }
 
-/// Advances to the next event of a period.  If there is no event up to the end of the period, the contact state does
-/// not change.
+/// Advances to the next event of a period.  If no event occurs before the end of the period, the contact state does not
+/// change.
 fn to_event<S: Float, K: ContactChain<S>>(
     cycle_map: &mut CycleMap<'_, '_, S, K>,
     period: u32,
@@ -340,8 +342,8 @@ fn to_event<S: Float, K: ContactChain<S>>(
     }
 }
 
-/// Returns true if the state half a period later is the opposite of the present state. If the period has an even number
-/// of cycles, the load has the same sign half a period later, so that no state is opposite.
+/// Returns true if the state half a period later is the present state with the opposite sign. If the period has an even
+/// number of cycles, the result is false, because the load has the same sign half a period later.
 fn is_symmetric<S: Float, K: ContactChain<S>>(
     cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,

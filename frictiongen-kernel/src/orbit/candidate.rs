@@ -1,4 +1,5 @@
-//! Tests whether a motion is near a fixed point of the half-period or period map, and whether it tends to that point.
+//! Tests whether a motion is near a fixed point of the half-period or period map, and whether it converges to that
+//! point.
 
 use super::cycle_map::{CycleMap, EventPattern};
 use super::newton::{PeriodMap, Workspace, multipliers, newton, same};
@@ -7,31 +8,31 @@ use crate::errors::NoOrbit;
 use crate::motion::{ContactChain, ContactState};
 use crate::number::scalar::Float;
 
-/// Distance from the unit circle, in roundings, below which a Floquet multiplier counts as lying on the circle.
+/// Distance from the unit circle below which a Floquet multiplier counts as lying on the circle, in rounding units.
 pub(super) const ON_CIRCLE: f64 = 4096.0;
 
 /// Upper bound on the period of a subharmonic motion, in cycles of the excitation.
 pub const MAX_PERIOD: u32 = 64;
 
-/// Largest number of cycles over which the test follows a motion, to see whether the motion approaches a fixed point.
+/// Largest number of cycles over which the test follows a motion to see whether it approaches a fixed point.
 const MOST_FOLLOWED: u32 = 64;
 
-/// Largest ratio of the size of a marginal steady state to the size of the motion that tends to it. The size of the
-/// motion counts as at least P/k₁. Away from a resonance both sizes are of the order of the excitation.
+/// Largest allowed ratio of two sizes: of a marginal steady state, and of the motion that converges to it. The size of
+/// the motion counts as at least P/k₁. Away from a resonance both sizes are of the order of the excitation.
 const MOST_GROWN: f64 = 64.0;
 
-/// Number of successive equal half cycles after which a motion counts as tending to a member of a continuum of steady
-/// states. Each cycle may have at most two stops or reversals, because a motion with more events may still end
-/// elsewhere.
+/// Number of successive equal half cycles after which a motion counts as converging to a member of a continuum of
+/// steady states. Each cycle may have at most two stops or reversals. A motion with more events may still converge to
+/// another state.
 const CALM: u32 = 64;
 
-/// Fraction of the initial distance from the fixed point at which the test stops. The multipliers predict when the
-/// distance reaches this fraction.
+/// Fraction of the initial distance from the fixed point at which the test stops. The multipliers predict the instant
+/// at which the distance reaches this fraction.
 const FAR_ENOUGH: f64 = 0.01;
-/// Allowance of the test: the distance from the fixed point may fall by this fraction less than the multipliers
+/// Tolerance of the test. The distance from the fixed point may fall by this fraction less than the multipliers
 /// predict.
 const SPARE: f64 = 0.1;
-/// Largest relative difference of the sticking times of two motions that count as having the same stops.
+/// Largest relative difference of the sticking times of two motions whose stops count as the same.
 const STICKS_ALIKE: f64 = 0.25;
 /// Distance from the fixed point, relative to the size of the state, below which the motion counts as having reached
 /// it.
@@ -61,7 +62,7 @@ pub(super) struct FoundState<S> {
     /// True if the state belongs to a continuum of steady states, or lies at the end of one.
     pub marginal: bool,
     /// Ratio of two contact offsets: the largest offset in the continuum of steady states, divided by the offset of
-    /// this state.
+    /// this state. `None` if the ratio is unknown.
     pub reach: Option<S>,
 }
 
@@ -79,21 +80,21 @@ impl<S> FoundState<S> {
 /// Result of the test of a fixed point.
 pub(super) enum CandidateVerdict<S> {
     Found(FoundState<S>),
-    /// The fixed point belongs to a continuum of steady states. The motion must be followed further to select one of
-    /// them.
+    /// The fixed point belongs to a continuum of steady states. The search must follow the motion further, because the
+    /// motion selects one state of the continuum.
     Wait,
     No,
 }
 
 pub(super) struct Candidate<S> {
     pub map: PeriodMap,
-    /// Events of the motion during the last period that was followed. A steady state must have the same events.
+    /// Events of the motion in the last period. A steady state must have the same events.
     pub wanted: EventPattern,
     /// Events of the motion in the last cycle of the excitation.
     pub recent: EventPattern,
-    /// Number of successive half cycles whose events equal those one cycle earlier.
+    /// Number of successive half cycles whose events equal those of the half cycle one cycle earlier.
     pub alike: u32,
-    /// True if the stiction μ is 1, so that the distance of two motions never grows.
+    /// True if the stiction μ is 1. The distance between two motions then never grows.
     pub monotone: bool,
     /// Number of cycles followed since the start of the motion.
     pub cycles: u32,
@@ -142,8 +143,8 @@ impl<S: Float> Candidate<S> {
     }
 
     /// Returns true if the motion keeps its events and approaches the fixed point as fast as the multipliers predict.
-    /// With μ > 1 other steady states may be close, so that a small distance proves nothing. The cycle map is at the
-    /// fixed point before the call, and also after a true result.
+    /// With μ > 1 other steady states may be close, so that a small distance proves nothing. The cycle map must be at
+    /// the fixed point before the call. If the result is true, it is again at the fixed point after the call.
     fn attracts<K: ContactChain<S>>(
         &mut self,
         cycle_map: &mut CycleMap<'_, '_, S, K>,
@@ -191,7 +192,8 @@ impl<S: Float> Candidate<S> {
         Ok(true)
     }
 
-    /// Tests a steady state that belongs to a continuum of steady states. The motion itself must select one of them.
+    /// Tests a steady state that belongs to a continuum of steady states. The motion itself selects one state of the
+    /// continuum.
     fn marginal<K: ContactChain<S>>(
         &self,
         cycle_map: &mut CycleMap<'_, '_, S, K>,

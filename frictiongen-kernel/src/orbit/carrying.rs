@@ -1,8 +1,8 @@
-//! Adds derivatives, with respect to one variable, to a known steady state.
+//! Adds derivatives with respect to one variable to a known steady state.
 //!
-//! A steady state is a fixed point x = P(x) of the period map P at a fixed phase. With dual numbers, following one
-//! period from x gives P(x) and the derivative b of P at fixed x. Then a Newton step adds (1 − DP)⁻¹b to the derivative
-//! of x. A second pass follows the segments from the resulting x, and gives every result its derivative.
+//! A steady state is a fixed point x = P(x) of the period map P at a fixed phase. With dual numbers, one period of
+//! motion from x gives P(x) and the derivative b of P at fixed x. A Newton step then adds (1 − DP)⁻¹b to the derivative
+//! of x. A second pass follows the segments from the new x, and adds the derivatives to every result.
 
 use super::build::{record_period, stuck};
 use super::closed;
@@ -19,8 +19,8 @@ use crate::number::pairs::pairs;
 use crate::number::scalar::Float;
 use core::fmt;
 
-/// Relative distance from a graze below which the derivative of an event's instant is unreliable. A graze is a motion
-/// at which an event appears or vanishes.
+/// Relative distance from a graze below which the derivative of an event's instant is unreliable. At a graze, an event
+/// of the contact appears or vanishes.
 const GRAZE: f64 = 1e-9;
 /// Largest relative difference between the derivatives from two successive Newton steps.
 const ALIKE: f64 = 1e-6;
@@ -39,13 +39,14 @@ pub enum NoDerivative {
     NoOrbit(NoOrbit),
     /// The motion does not repeat, and only its last cycles are known.
     Unsettled,
-    /// The state belongs to a continuum of steady states, or lies at its end. The initial state decides which of them
-    /// the motion reaches.
+    /// The state belongs to a continuum of steady states, or lies at its end. The initial state selects the state of
+    /// the continuum that the motion reaches.
     Marginal,
-    /// An event of the contact is about to appear or to vanish, so that the results have a kink.
+    /// An event of the contact is about to appear or to vanish. The results then have a kink.
     Graze,
-    /// The modes themselves have no derivative. Either two modes of the chain, free or with its contact stuck, have the
-    /// same constants. Or the contact is about to drive a mode that it does not drive now.
+    /// The modes themselves have no derivative. The reason may be two modes with the same constants, of the chain or of
+    /// the chain with its contact stuck. Another reason may be a mode that the contact does not drive, but would drive
+    /// after any small change.
     Degenerate,
 }
 
@@ -80,13 +81,14 @@ impl From<OutOfDomain> for NoDerivative {
 /// Memory for a steady state that carries derivatives.
 #[derive(Debug)]
 pub struct CarryingStorage<'m, S, P, V, C> {
-    /// One [`Part::empty`] for each mode of the chain, and one for each mode of the chain with its contact stuck.
+    /// Oscillators that the caller initialises with [`Part::empty`]: one for each mode of the chain, and one for each
+    /// mode of the chain with its contact stuck.
     pub parts: P,
     /// Room for the scalars of any orbit of the scene ([`numbers_of`](super::numbers_of)).
     pub numbers: V,
     /// Room for two scalars of each mass.
     pub masses: &'m mut [S],
-    /// Empty, because the multipliers carry no derivative.
+    /// Empty storage, because the multipliers carry no derivative.
     pub multipliers: C,
 }
 
@@ -98,8 +100,8 @@ where
     C: AsRef<[Complex<S>]> + AsMut<[Complex<S>]>,
     K: ContactChain<S>,
 {
-    /// Computes the steady state `plain` with a number type that carries derivatives. `dynamics`, r and β belong to the
-    /// same scene, and their values equal those of `plain`.
+    /// Computes the steady state `plain` with a number type that carries derivatives. `dynamics`, r and β describe the
+    /// same scene and point as `plain`, with derivatives.
     ///
     /// # Errors
     /// [`NoDerivative`] gives the reason why no derivatives exist.  Slices of a wrong length give `OutOfDomain`.
@@ -181,7 +183,7 @@ where
         Ok(orbit)
     }
 
-    /// Sets a cycle map to a state of this motion that closes over its period. The cycle map has a number type that
+    /// Sets a cycle map to a state of this motion that repeats after its period. The number type of the cycle map
     /// carries derivatives.
     fn close<U: Float, J: ContactChain<U>>(
         &self,
@@ -210,9 +212,9 @@ where
         self.stops == 0 && marks.all(|mark| mark.contact_state.contact == Contact::Stuck)
     }
 
-    /// Returns the relative displacement z̄ of a contact that sticks all the time, if it has never slid since the
-    /// start. Such a contact is at z̄ = 0, or at −1 on a moving base. After a slip the offset depends on every earlier
-    /// slip, and the state is marginal.
+    /// Returns the relative displacement z̄ of a contact that sticks all the time and has never slid since the start.
+    /// The contact is then at z̄ = 0, or at −1 on a moving base. After a slip the offset depends on every earlier slip,
+    /// and the function returns an error, because the state is marginal.
     fn offset_without_slip<U: Float>(&self) -> Result<U, NoDerivative> {
         let offset = self.offset();
         if offset.is_zero() || offset == -self.setting.base {
@@ -222,14 +224,14 @@ where
         }
     }
 
-    /// Returns true if the motion is that of the closed form: the contact slides all the time, with one reversal in
-    /// half a cycle.
+    /// Returns true if the closed form describes the motion: the contact slides all the time, with one reversal in half
+    /// a cycle.
     fn is_closed(&self) -> bool {
         let (zero, own) = (self.setting.beta.is_zero(), self.period == 1);
         own && self.stops == 0 && self.reversals == 2 && self.symmetric && (zero || !self.marginal)
     }
 
-    /// Sets a cycle map to this steady state, at the middle of the longest sliding segment. The cycle map may have
+    /// Sets a cycle map to this steady state, in the middle of the longest sliding segment. The cycle map may have
     /// another number type. `masses` has room for displacements and velocities.
     fn set_state<U: Float, J: ContactChain<U>>(
         &self,
@@ -321,8 +323,9 @@ fn check_same<S: Float>(given: S, known: impl Float, ratio: Ratio) -> Result<(),
     }
 }
 
-/// Closes the cycle from the state of the cycle map, with a number type that carries derivatives. The first Newton step
-/// brings the derivative to the precision of the value, and the second to the precision of the number type.
+/// Applies Newton steps until the motion of the cycle map repeats, with a number type that carries derivatives. The
+/// first step gives the derivative the precision of the value, and the second step gives it the precision of the number
+/// type.
 fn closed_in<S: Float, K: ContactChain<S>>(
     cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,

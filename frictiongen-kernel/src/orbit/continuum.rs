@@ -14,25 +14,25 @@ use crate::motion::ContactChain;
 use crate::number::pairs::{pairs, pairs_mut};
 use crate::number::scalar::Float;
 
-/// Rounding error of a member of the continuum over half a cycle, in roundings of the state.
+/// Rounding error of a member of the continuum over half a cycle, in rounding units of the state.
 const ROUNDINGS: f64 = 256.0;
 /// Number of bisections in the search for the end of a continuum.
 const BISECTIONS: u32 = 60;
-/// Largest number of doublings of the free vibration's amplitude in the search for the end of a continuum.
+/// Largest number of times that the search for the end of a continuum doubles the amplitude of the free vibration.
 const DOUBLINGS: u32 = 20;
 /// Difference from 1 of the shift in the inverse iteration. The iteration finds the eigenvector of the half-period map
 /// for the multiplier 1.
 const SHIFT: f64 = 1e-8;
 
-/// Sets the cycle map to the member of a continuum of steady motions to which the motion tends.
+/// Sets the cycle map to the member of a continuum of steady motions to which the motion converges.
 ///
 /// Before the call the cycle map is at the symmetric member, and `workspace.state` is the motion at the same phase. The
 /// *share* of a member is the amplitude of its free vibration. The *last member* has the largest share of all members
 /// without a stop. The result is the share of the last member, divided by the share of the selected member.
 ///
-/// `monotone` is true if μ = 1. Stops then become shorter from cycle to cycle, so that a motion with stops tends to the
-/// last member. With μ > 1 stops do not become shorter, because the contact sticks until the force has grown to μF. A
-/// motion with stops then tends to no member, and the function returns an error.
+/// `monotone` is true if μ = 1. Stops then become shorter from cycle to cycle, so that a motion with stops converges to
+/// the last member. With μ > 1 stops do not become shorter, because the contact sticks until the force has grown to μF.
+/// A motion with stops then converges to no member, and the function returns an error.
 pub(super) fn member<S: Float, K: ContactChain<S>>(
     cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,
@@ -134,8 +134,8 @@ pub(super) fn member<S: Float, K: ContactChain<S>>(
     Ok(one)
 }
 
-/// Finds by bisection the largest amplitude (share) of the free vibration with which the motion is still steady. The
-/// motion is steady with the share `inside`, and not steady with `outside`.
+/// Finds by bisection the largest share at which the motion is still steady. The share is the amplitude of the free
+/// vibration. The motion is steady with the share `inside`, and not steady with the share `outside`.
 fn last_inside<S: Float>(
     mut inside: S,
     mut outside: S,

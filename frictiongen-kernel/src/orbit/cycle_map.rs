@@ -27,7 +27,7 @@ impl EventPattern {
         }
     }
 
-    /// Divides each number of events by `parts`. Returns `None` if a number is not divisible.
+    /// Divides each number of events by `parts`. Returns `None` if the division of one of them leaves a remainder.
     pub(super) fn divided(self, parts: u32) -> Option<Self> {
         let part = |count: u32| {
             let part = count.checked_div(parts)?;
@@ -50,7 +50,7 @@ impl EventPattern {
     }
 }
 
-/// State of the motion at a fixed phase of the excitation (the *section*), with the data that advance the state.
+/// State of the motion at a fixed phase of the excitation (the *section*), with the data that advance this state.
 pub(super) struct CycleMap<'f, 'a, S, K> {
     pub setting: &'f Setting<'a, S, K>,
     pub modes: &'f mut [Part<S>],
@@ -60,15 +60,15 @@ pub(super) struct CycleMap<'f, 'a, S, K> {
     pub middle: S,
     /// Time in τ during which the contact stuck in the last half cycle.
     pub stuck: S,
-    /// Number of steps that the searches for events may still take.
+    /// Remaining number of steps for the searches for events.
     pub step_budget: u32,
     /// True if the contact has slid since the caller last set this flag to false.
     pub slid: bool,
 }
 
 impl<'f, 'a, S: Float, K: ContactChain<S>> CycleMap<'f, 'a, S, K> {
-    /// Creates the map from the oscillators, which are the modes of the chain and the modes of the chain with its
-    /// contact stuck. The step budget is still complete.
+    /// Creates the map from the oscillators: the modes of the chain, and the modes of the chain with its contact stuck.
+    /// The step budget starts at its full value.
     pub(super) fn new(
         setting: &'f Setting<'a, S, K>,
         (modes, stuck_modes): (&'f mut [Part<S>], &'f mut [Part<S>]),
@@ -87,17 +87,19 @@ impl<'f, 'a, S: Float, K: ContactChain<S>> CycleMap<'f, 'a, S, K> {
         }
     }
 
-    /// Number of scalars in a state.
+    /// Returns the number of scalars in a state.
     pub(super) fn size(&self) -> usize {
         self.setting.dynamics.state_size()
     }
 
-    /// Number of scalars that the contact remembers, such as its force. They follow the modes in a state vector.
+    /// Returns the number of scalars that the contact stores, such as its force. In a state vector they follow the
+    /// modes.
     pub(super) fn remembered(&self) -> usize {
         self.setting.dynamics.chain.remembered()
     }
 
-    /// Contact force in a state vector: the force that the contact remembers, or else the kinetic friction force.
+    /// Returns the contact force for a state vector: the force that the contact stores, or else the kinetic friction
+    /// force.
     pub(super) fn remembered_force(&self) -> S {
         let contact = self.contact_state.contact;
         if contact == Contact::Stuck {
@@ -107,15 +109,15 @@ impl<'f, 'a, S: Float, K: ContactChain<S>> CycleMap<'f, 'a, S, K> {
         }
     }
 
-    /// Index of the remembered contact force in a state vector. `None` if the contact remembers no force, or if the
-    /// vector contains the modes alone.
+    /// Returns the index of the stored contact force in a state vector. `None` if the contact stores no force, or if
+    /// the vector contains only the modes.
     pub(super) fn force_in(&self, state: &[S]) -> Option<usize> {
         let place = 2 * self.setting.dynamics.in_contact();
         (0 < self.remembered() && state.len() == self.size()).then_some(place)
     }
 
-    /// Difference between the remembered contact force and the force in a state vector. It is 0 if the contact
-    /// remembers none.
+    /// Returns the stored contact force minus the force in a state vector. The result is 0 if the contact stores no
+    /// force.
     fn force_difference(&self, state: &[S]) -> S {
         let there = self.force_in(state).and_then(|place| state.get(place));
         there.map_or(S::constant(0.0), |there| self.remembered_force() - *there)
@@ -130,7 +132,7 @@ impl<'f, 'a, S: Float, K: ContactChain<S>> CycleMap<'f, 'a, S, K> {
         Ok(())
     }
 
-    /// Advances the motion by half a cycle, and advances the deviations in `columns` by the linearised motion.
+    /// Advances the motion by half a cycle. The linearised motion advances the deviations in `columns`.
     pub(super) fn advance_half(
         &mut self,
         columns: Option<&mut [S]>,
@@ -207,8 +209,8 @@ impl<'f, 'a, S: Float, K: ContactChain<S>> CycleMap<'f, 'a, S, K> {
         }
     }
 
-    /// Sets the oscillators from a state vector. If the given contact state is stuck, it is kept. Otherwise the
-    /// velocities decide the contact state.
+    /// Sets the oscillators from a state vector. A given stuck contact state stays. For a given sliding state, the
+    /// velocities decide the new contact state.
     pub(super) fn restore(&mut self, state: &[S], contact_state: &ContactState<S>) {
         for (part, state) in self.modes.iter_mut().zip(pairs(state)) {
             if let [y, u] = state {
@@ -224,8 +226,8 @@ impl<'f, 'a, S: Float, K: ContactChain<S>> CycleMap<'f, 'a, S, K> {
         }
     }
 
-    /// Sets `state` to the present state times `sign`, minus `state`, and the oscillators to the former `state`.
-    /// Returns the remembered contact force of the former `state`.
+    /// Sets `state` to the present state times `sign`, minus `state`. Sets the oscillators to the former `state`, and
+    /// returns its stored contact force.
     pub(super) fn subtract(&mut self, state: &mut [S], sign: S) -> S {
         for (part, state) in self.modes.iter_mut().zip(pairs_mut(state)) {
             if let [y, u] = state {
@@ -242,8 +244,8 @@ impl<'f, 'a, S: Float, K: ContactChain<S>> CycleMap<'f, 'a, S, K> {
         start
     }
 
-    /// Adds the state of the oscillators and a remembered contact force to `step`. Returns the largest absolute value
-    /// in `step`.
+    /// Adds the state of the oscillators and a stored contact force to `step`. Returns the largest absolute value in
+    /// `step`.
     pub(super) fn add(&self, step: &mut [S], force: S) -> S {
         let mut largest = S::constant(0.0);
         for (part, state) in self.modes.iter().zip(pairs_mut(step)) {
@@ -310,7 +312,7 @@ impl<'f, 'a, S: Float, K: ContactChain<S>> CycleMap<'f, 'a, S, K> {
     }
 }
 
-/// Sets `columns` to the unit matrix: one deviation in each direction of the state.
+/// Sets `columns` to the unit matrix, which is one deviation in each direction of the state.
 pub(super) fn unit<S: Float>(columns: &mut [S], size: usize) {
     for (index, entry) in columns.iter_mut().enumerate() {
         let own = index.checked_rem(size + 1) == Some(0);

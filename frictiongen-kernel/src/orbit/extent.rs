@@ -14,7 +14,7 @@ where
     C: AsRef<[Complex<S>]> + AsMut<[Complex<S>]>,
     K: ContactChain<S>,
 {
-    /// Returns the middle of the contact's relative motion, (max z̄ + min z̄)/2, over P/k₁, for base motion over Y. It
+    /// Returns the middle of the contact's relative motion, (max z̄ + min z̄)/2, over P/k₁ (over Y for base motion). It
     /// is 0 for a symmetric motion. For a stuck contact it is the constant z̄.
     pub fn offset(&self) -> S {
         if self.symmetric {
@@ -33,7 +33,7 @@ where
     C: AsRef<[Complex<S>]> + AsMut<[Complex<S>]>,
     K: ContactChain<S>,
 {
-    /// Returns the smallest and the largest x̄ of the period, over P/k₁, for base motion over Y.
+    /// Returns the smallest and the largest x̄ of the period, over P/k₁ (over Y for base motion).
     pub fn extremes(&self) -> (S, S) {
         let largest = self.amplitude();
         if self.is_symmetric() {
@@ -59,8 +59,8 @@ where
         (-shifted(-largest), shifted(largest))
     }
 
-    /// Returns half the distance between the smallest and the largest x̄ of the period, over P/k₁, for base motion over
-    /// Y. It is the amplitude about the middle of the motion.
+    /// Returns half the distance between the smallest and the largest x̄ of the period, over P/k₁ (over Y for base
+    /// motion). This is the amplitude about the middle of the motion.
     pub fn centred_amplitude(&self) -> S {
         let (least, most) = self.extremes();
         (most - least) * S::constant(0.5)

@@ -1,6 +1,6 @@
 //! Nodes and weights of Gaussian quadrature, for the harmonics of a motion between two events.
 
-/// The positive nodes of the Gaussian rule with sixteen points on [−1, 1], and their weights.
+/// Positive nodes of the Gaussian rule with sixteen points on [−1, 1], and their weights.
 pub(super) const SIXTEEN: [(f64, f64); 8] = [
     (0.095_012_509_837_637_44, 0.189_450_610_455_068_5),
     (0.281_603_550_779_258_9, 0.182_603_415_044_923_58),

@@ -1,29 +1,29 @@
-//! Detects a contact that sticks for ever. For β ≥ β*_lim a motion may end with the contact stuck, with or without an
-//! offset.
+//! Detects a contact that sticks for ever. For β ≥ β*_lim the contact may stick for ever at the end of a motion, with
+//! or without an offset.
 //!
-//! Three forces act in a stuck contact. They are V/H of the forced motion, the constant force of an offset, and the
-//! force of the chain's free vibration. The contact never slides again if their sum can never exceed μβ.
+//! The force in a stuck contact is the sum of three parts: V/H of the forced motion, a constant force due to the
+//! offset, and the force of the chain's free vibration. The contact never slides again if this sum can never exceed μβ.
 
 use super::cycle_map::{CycleMap, EventPattern};
 use super::types::MAX_CYCLES;
 use crate::motion::{Contact, ContactChain, Law, phase};
 use crate::number::scalar::Float;
 
-/// Number of half cycles without an event after which the contact counts as stuck. Without damping the free vibration
-/// never decays, so that the test of the forces alone might never succeed. With damping the free vibration only
-/// decreases.
+/// Number of half cycles without an event after which the contact counts as stuck for ever. A test of the forces alone
+/// may never succeed, because an undamped free vibration never decays.
 const QUIET: u32 = 256;
-/// Number of cycles after which the present offset counts as final, with μ = 1 and without damping. In this case the
-/// slips become smaller from cycle to cycle, but never end.
+/// Number of cycles after which the present offset counts as final. This number applies with μ = 1 and without damping.
+/// The slips then become smaller from cycle to cycle, but never end.
 const UNDYING: u32 = 64;
-/// Rounding error of the force in a contact that barely sticks, in roundings of μβ.
+/// Rounding error of the force in a contact that barely sticks, in rounding units of μβ.
 const ROUNDINGS: f64 = 64.0;
-/// Ratio below which the offset counts as approaching its limit from one side. With μ = 1 the slips become ever
-/// smaller, and the offset tends to the value at which the contact barely sticks. The code compares the slip of a cycle
-/// and the free vibration with the distance of the offset from this value. All three are expressed as forces.
+/// Largest ratio at which the offset counts as approaching its limit from one side. With μ = 1 the slips become ever
+/// smaller, and the offset converges to the value at which the contact barely sticks. The ratio compares the slip of a
+/// cycle and the free vibration with the distance of the offset from this value. The code expresses all three as
+/// forces.
 const ONE_SIDED: f64 = 0.1;
 
-/// Watches a motion with β ≥ β*_lim, to find the instant after which the contact sticks for ever.
+/// Observer of a motion with β ≥ β*_lim. It finds the instant after which the contact sticks for ever.
 pub(super) struct Hold<S> {
     /// |V/H|, the amplitude of the contact force in the forced motion of the stuck chain.
     steady: S,
@@ -35,8 +35,8 @@ pub(super) struct Hold<S> {
     halves: u32,
     /// Constant contact force due to the offset, half a cycle ago and one cycle ago.
     before: [S; 2],
-    /// Relative displacement z̄ of a stuck contact, as first computed after it slid. The contact does not move, but z̄
-    /// computed again from the modes would drift by roundings.
+    /// Relative displacement z̄ of a stuck contact, computed once after it slid. A stuck contact does not move, but
+    /// rounding would change a z̄ that the code computes again from the modes.
     resting: Option<S>,
 }
 
@@ -53,15 +53,15 @@ impl<S: Float> Hold<S> {
         }
     }
 
-    /// Counts one more half cycle.
+    /// Updates the counters after one more half cycle.
     pub(super) fn note(&mut self, half: EventPattern) {
         self.halves = self.halves.saturating_add(1);
         let calm = half == EventPattern::default();
         self.quiet = if calm { self.quiet + 1 } else { 0 };
     }
 
-    /// Returns the offset z̄ of a contact that sticks and never slides again. Returns `None` as long as this is neither
-    /// certain nor [counts as certain](QUIET).
+    /// Returns the offset z̄ of a contact that sticks for ever. Returns `None` while this is neither proven nor
+    /// [assumed](QUIET).
     pub(super) fn lasting_offset<K: ContactChain<S>>(
         &mut self,
         cycle_map: &mut CycleMap<'_, '_, S, K>,

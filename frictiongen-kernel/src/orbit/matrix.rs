@@ -1,10 +1,10 @@
-//! Small square matrices, stored in a slice column after column. The module solves linear equations and computes
+//! Small square matrices, stored in a slice column by column. The module solves linear equations and computes
 //! eigenvalues.
 
 use crate::number::complex::Complex;
 use crate::number::scalar::Float;
 
-/// A square matrix in a slice, stored column after column.
+/// A square matrix in a slice, stored column by column.
 pub(super) struct SquareMatrix<'a, S> {
     entries: &'a mut [S],
     size: usize,
@@ -160,8 +160,8 @@ impl<'a, S: Float> SquareMatrix<'a, S> {
         }
     }
 
-    /// Returns the first row of the diagonal block that ends before row `end`. A negligible subdiagonal entry separates
-    /// the block from the rows above.
+    /// Returns the first row of the diagonal block whose last row is the one before `end`. A negligible subdiagonal
+    /// entry separates the block from the rows above.
     fn last_block(&mut self, end: usize) -> usize {
         for k in (1..end).rev() {
             let size = self.at(k - 1, k - 1).abs() + self.at(k, k).abs();

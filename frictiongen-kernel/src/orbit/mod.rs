@@ -1,12 +1,12 @@
-//! The steady state in any regime: a motion that repeats after one or several cycles of the excitation. It has the
-//! stops of the contact and the Floquet multipliers.
+//! Steady state in any regime: a motion that repeats after one or several cycles of the excitation. An [`Orbit`] has
+//! the motion, the stops of the contact and the Floquet multipliers.
 //!
 //! The search first follows the motion exactly ([`motion`](crate::motion)) from the start, until the pattern of events
 //! repeats from cycle to cycle. Newton's method then converges in a few steps. A symmetric steady state is a fixed
 //! point of the half-period map times −1. Other states are fixed points of the period map.
 //!
-//! A stored steady state is a list of *marks*. A mark is the start of a segment: the contact's state, the phase and the
-//! relative displacement z̄ at that instant. The *stuck chain* is the chain with its contact stuck.
+//! A stored steady state is a list of *marks*. A mark is the start of a segment, with the contact's state, the phase
+//! and the relative displacement z̄. The *stuck chain* is the chain with its contact stuck.
 
 mod build;
 mod candidate;
@@ -56,8 +56,9 @@ pub const fn numbers(modes: usize, driven: usize) -> usize {
     numbers_of(modes, 2 * driven)
 }
 
-/// Returns the number of scalars of memory that an orbit (steady state) needs. The scene has `modes` modes, and a state
-/// has `size` scalars: two for each mode that the contact drives, and one more if the contact is elastic.
+/// Returns the number of scalars of memory that an orbit (steady state) needs, for a scene with `modes` modes. `size`
+/// is the number of scalars in a state: two for each mode that the contact drives, and one more if the contact is
+/// elastic.
 #[must_use]
 pub const fn numbers_of(modes: usize, size: usize) -> usize {
     MAX_SEGMENTS * 2 * modes + size * size + 2 * size
@@ -126,7 +127,7 @@ where
         self.stops
     }
 
-    /// Returns how often the contact changes its sliding direction without a stop in a period.
+    /// Returns the number of reversals in a period. A reversal is a change of the sliding direction without a stop.
     #[must_use]
     pub fn reversals(&self) -> usize {
         self.reversals
@@ -140,8 +141,8 @@ where
         sum * S::inverse_pi() * S::constant(0.5) / self.cycles()
     }
 
-    /// Returns the distance that the contact slides in a period, ∮|dz̄|.  Friction dissipates β times this distance as
-    /// work.
+    /// Returns the distance that the contact slides in a period, ∮|dz̄|.  The work of friction in a period is β times
+    /// this distance.
     #[must_use]
     pub fn sliding_distance(&self) -> S {
         let zero = S::constant(0.0);
@@ -179,8 +180,8 @@ where
         t - (t / whole).floor() * whole
     }
 
-    /// Returns the excitation's phase at a mark (start of a segment), in half-turns. The phase is 0 at the maximum of
-    /// the excitation next to τ = 0.
+    /// Returns the excitation's phase at a mark (start of a segment), in half-turns. The phase 0 is the maximum of the
+    /// excitation closest to τ = 0.
     fn angle(&self, mark: &SegmentStart<S>) -> S {
         let one = S::constant(1.0);
         let past = if one < self.origin {
@@ -192,9 +193,9 @@ where
     }
 
     /// Returns the intervals in which the contact sticks, each as its start and its length in rad of the excitation.
-    /// The start is the excitation's phase, from 0 to 2π times the number of cycles in the period. The phase is 0 at a
-    /// maximum of the excitation. A subharmonic state has several maxima in a period. Its phase is 0 at the maximum
-    /// next to τ = 0 (see [`origin`](Self::origin)).
+    /// The start is the excitation's phase, from 0 to 2π times the number of cycles in the period. The phase 0 is a
+    /// maximum of the excitation. A subharmonic state has several maxima in a period. Its phase 0 is the maximum
+    /// closest to τ = 0 (see [`origin`](Self::origin)).
     pub fn sticking_intervals(&self) -> impl Iterator<Item = (S, S)> + '_ {
         let stuck = |contact: &Contact| *contact == Contact::Stuck;
         let intervals = self
@@ -203,10 +204,10 @@ where
         intervals.map(|(start, length, _)| (start, length))
     }
 
-    /// Returns the intervals between changes of the contact's state, in order, over the whole period. Each interval has
-    /// its start, its length and the contact state: stuck, or the direction of sliding. The start is defined as in
-    /// [`sticking_intervals`](Self::sticking_intervals). The last and the first interval may have the same contact
-    /// state.
+    /// Returns all intervals of the period, in order. In an interval the contact state is constant: stuck, or one
+    /// direction of sliding. Each interval has its start, its length and the contact state. The start has the
+    /// definition of [`sticking_intervals`](Self::sticking_intervals). The last and the first interval may have the
+    /// same contact state.
     pub fn intervals(&self) -> impl Iterator<Item = (S, S, Contact)> + '_ {
         self.segments().map(|mark| {
             let start = self.within(self.angle(&mark)) * S::pi();
@@ -214,9 +215,9 @@ where
         })
     }
 
-    /// Returns the contact state, and the friction force divided by P, at the phase τ. The phase is 0 at the instant at
-    /// which the contact leaves its largest relative displacement. While the contact slides, the force is β times the sign of the velocity.
-    /// While the contact sticks, the force keeps the contact at rest. A positive force opposes positive sliding.
+    /// Returns the contact state at the phase τ, and the friction force divided by P. At τ = 0 the contact leaves its
+    /// largest relative displacement. While the contact slides, the force is β times the sign of the velocity. While
+    /// the contact sticks, the force keeps the contact at rest. A positive force opposes positive sliding.
     pub fn friction(&self, tau: S) -> (Contact, S) {
         let Some((mut segments, mark, since)) = Segments::at(self, tau) else {
             return (Contact::Stuck, S::constant(0.0));
@@ -238,8 +239,8 @@ where
         self.symmetric
     }
 
-    /// Returns the Floquet multipliers: the factors by which small deviations grow in a period. Only deviations of
-    /// modes that the contact drives count. The slice is empty if the motion does not repeat.
+    /// Returns the Floquet multipliers, the factors by which small deviations grow in a period. They include only
+    /// deviations of modes that the contact drives. The slice is empty if the motion does not repeat.
     #[must_use]
     pub fn multipliers(&self) -> &[Complex<S>] {
         if self.settled {
@@ -263,24 +264,24 @@ where
             && self.largest_multiplier() <= S::constant(1.0 + candidate::ON_CIRCLE * S::EPSILON)
     }
 
-    /// Returns true if some small deviation never decays, or decays more slowly than exponentially. The steady state
-    /// then belongs to a continuum of steady states, or lies at the end of one.
+    /// Returns true if some small deviation does not decay exponentially. The steady state then belongs to a continuum
+    /// of steady states, or lies at the end of one.
     #[must_use]
     pub fn is_marginal(&self) -> bool {
         self.marginal
     }
 
-    /// Returns the largest |offset| of the contact in the continuum of steady states, over P/k₁, for base motion over
-    /// Y. Every state of the continuum has an offset between minus and plus this bound. A bound exists for a stuck
-    /// contact, and for a chain without damping at r = 1/2n. The result is `None` for other states, or if the bound is
+    /// Returns the largest |offset| of the contact in the continuum of steady states, over P/k₁ (over Y for base
+    /// motion). Every state of the continuum has an offset between minus and plus this bound. A bound exists for a
+    /// stuck contact, and for a chain without damping at r = 1/2n. Returns `None` for other states, or if the bound is
     /// unknown.
     #[must_use]
     pub fn offset_range(&self) -> Option<S> {
         self.offset_range
     }
 
-    /// Returns the excitation's phase at τ = 0, in rad. τ counts from the instant at which the contact's relative
-    /// motion leaves its maximum. The load is cos(τ + origin).
+    /// Returns the excitation's phase at τ = 0, in rad. At τ = 0 the contact's relative motion leaves its maximum. The
+    /// load is cos(τ + origin).
     #[must_use]
     pub fn origin(&self) -> S {
         let angle = self.origin * S::pi();
@@ -296,7 +297,7 @@ where
         OrbitMotion::of_contact(self)
     }
 
-    /// Returns the motion of a mass, by its index in the description.  An index without a mass gives rest.
+    /// Returns the motion of a mass, by its index in the description.  An invalid index gives a motion at rest.
     pub fn mass(&self, index: usize) -> OrbitMotion<'_, 'a, S, P, V, C, K> {
         let dynamics = &self.setting.dynamics;
         if dynamics.moves_as_contact(index) {
@@ -315,15 +316,15 @@ where
         OrbitMotion::of_reversed_contact(self)
     }
 
-    /// Returns the mode shapes of all masses, mass after mass, and the number of modes. The modes are those of the data
-    /// for motion in time.
+    /// Returns the mode shapes of all masses, mass after mass, and the number of modes. The modes are those of the
+    /// [`Dynamics`](crate::motion::dynamics::Dynamics) data.
     pub fn shapes(&self) -> (&'a [S], usize) {
         let dynamics = &self.setting.dynamics;
         (dynamics.shapes, dynamics.modes.len())
     }
 
     /// Returns the motion of a linear combination of masses and base. `combination` has the components in the modes of
-    /// the data for motion in time.
+    /// the [`Dynamics`](crate::motion::dynamics::Dynamics) data.
     pub fn combination<'o>(
         &'o self,
         combination: Combination<'o, S>,
@@ -331,7 +332,7 @@ where
         OrbitMotion::of_combination(self, combination)
     }
 
-    /// Returns the motion of a mass, by its index in the description, or `None` if there is no such mass.
+    /// Returns the motion of a mass, by its index in the description, or `None` for an invalid index.
     pub fn mass_at(&self, index: usize) -> Option<OrbitMotion<'_, 'a, S, P, V, C, K>> {
         let known = !self.setting.dynamics.shape(index).is_empty();
         known.then(|| self.mass(index))

@@ -11,10 +11,10 @@ use crate::number::complex::{self, Complex};
 use crate::number::phase::{within_cycle, wrapped};
 use crate::number::scalar::Float;
 
-/// Difference, in roundings, below which two amplitudes count as equal.
+/// Difference below which two amplitudes count as equal, in rounding units.
 const ROUNDINGS: f64 = 64.0;
-/// Difference, in rad, below which two lags count as equal. In `f32` the tolerance is [`ROUNDINGS`] roundings, because
-/// they exceed this number.
+/// Difference below which two lags count as equal, in rad. In `f32` the tolerance is [`ROUNDINGS`] rounding units,
+/// which is larger.
 const SAME_LAG: f64 = 1e-9;
 
 /// The steady motion of the contact or of a mass, in an [`Orbit`].
@@ -77,49 +77,47 @@ where
         }
     }
 
-    /// Returns the amplitude and its lag in rad from one search. The amplitude is the largest |x̄| over P/k₁ (for base
-    /// motion over Y).
+    /// Returns the amplitude and its lag in rad from one search. The amplitude is the largest |x̄| over P/k₁ (over Y
+    /// for base motion).
     pub fn largest(&self) -> (S, S) {
         let best = self.best();
         (best.value, best.lag.unwrap_or(S::constant(0.0)))
     }
 
-    /// Returns the largest |x̄| of the period, over P/k₁, for base motion over Y.
+    /// Returns the largest |x̄| of the period, over P/k₁ (over Y for base motion).
     pub fn amplitude(&self) -> S {
         self.best().value
     }
 
-    /// Returns the lag of the motion's largest |x̄| behind the excitation's maximum, rad, in (−π, π]. If x̄ is negative
-    /// at that instant, half a turn is added.
+    /// Returns the lag of the motion's largest |x̄| behind the excitation's maximum, in rad, in (−π, π]. If x̄ is
+    /// negative at that instant, the function adds half a turn.
     ///
     /// If the contact stops at its largest displacement, the lag belongs to the beginning of the stop. If several
-    /// maxima are equal, the lag of smallest size counts. Of two such lags with opposite signs, the positive lag
+    /// maxima are equal, the lag of smallest size counts. If two such lags have opposite signs, the positive lag
     /// counts.
     pub fn phase(&self) -> S {
         self.best().lag.unwrap_or(S::constant(0.0))
     }
 
-    /// Returns the lag of the motion's fundamental component behind the excitation, −arg X₁, rad, in (−π, π].
+    /// Returns the lag of the motion's fundamental component behind the excitation, −arg X₁, in rad, in (−π, π].
     pub fn fundamental_phase(&self) -> S {
         let fundamental = self.harmonic(1);
         wrapped(-fundamental.im.atan2(fundamental.re))
     }
 
-    /// Returns x̄ at the phase τ, over P/k₁, for base motion over Y. τ counts from the instant at which the contact's
-    /// relative motion leaves its maximum.
+    /// Returns x̄ at the phase τ, over P/k₁ (over Y for base motion). At τ = 0 the contact's relative motion leaves its
+    /// maximum.
     pub fn displacement(&self, tau: S) -> S {
         self.evaluate(tau, |sum, tau| sum.local(tau).value)
     }
 
-    /// Returns dx̄/dτ at the phase τ, counted from the instant at which the contact's relative motion leaves its
-    /// maximum.
+    /// Returns dx̄/dτ at the phase τ. At τ = 0 the contact's relative motion leaves its maximum.
     pub fn velocity(&self, tau: S) -> S {
         self.evaluate(tau, |sum, tau| sum.local(tau).slope)
     }
 
-    /// Returns d²x̄/dτ² at the phase τ, counted from the instant at which the contact's relative motion leaves its
-    /// maximum. The acceleration jumps where the contact reverses, stops or breaks away. At a jump the result is the
-    /// value just after the jump.
+    /// Returns d²x̄/dτ² at the phase τ. At τ = 0 the contact's relative motion leaves its maximum. The acceleration
+    /// jumps when the contact reverses, stops or breaks away. At a jump the result is the value just after the jump.
     pub fn acceleration(&self, tau: S) -> S {
         self.evaluate(tau, |sum, tau| sum.local(tau).curve)
     }
@@ -138,8 +136,8 @@ where
         largest
     }
 
-    /// Returns the complex amplitude X_n of a harmonic. It is defined by x̄ = Re Σ X_n e^{inτ_e}, where the phase τ_e
-    /// is counted from a maximum of the excitation. X_0 is the mean.
+    /// Returns the complex amplitude X_n of a harmonic, defined by x̄ = Re Σ X_n e^{inτ_e}. The phase τ_e is 0 at a
+    /// maximum of the excitation. X_0 is the mean.
     ///
     /// If a vibration has more than about 10⁴ periods within a segment, only the order of magnitude is correct. This
     /// concerns large n, and modes far above the excitation frequency.
@@ -151,7 +149,7 @@ where
 
     /// Returns the complex amplitude X of the component of order k/[`period`](Orbit::period). The component adds Re X
     /// e^{ikτ_e/period} to x̄, and has k oscillations in a period of the motion. If k is a multiple of the period, the
-    /// component is a [`harmonic`](Self::harmonic). τ_e counts from the maximum of the excitation next to τ = 0.
+    /// component is a [`harmonic`](Self::harmonic). τ_e is 0 at the maximum of the excitation closest to τ = 0.
     pub fn subharmonic(&self, k: u32) -> Complex<S> {
         let order = S::constant(f64::from(k)) / self.orbit.cycles();
         self.component(order, k == 0, |mark| self.orbit.angle(mark))
@@ -227,8 +225,8 @@ where
         self.is_contact() && self.orbit.setting.dynamics.chain.remembered() == 0
     }
 
-    /// Records the relative motion at all events, because the motion is largest where its velocity is zero. The end of
-    /// a stop is left out, because the motion reaches its largest displacement at the beginning of the stop.
+    /// Records the relative motion at all events, where its velocity is zero and |z̄| may be largest. The function
+    /// leaves out the end of a stop, because the displacement is the same at the beginning of the stop.
     fn at_events(&self, best: &mut LargestDisplacement<S>) {
         let (mut first, mut stuck) = (None, false);
         for mark in self.orbit.segments() {
@@ -269,7 +267,7 @@ where
         self.orbit.symmetric
     }
 
-    /// Returns a value of the contact's relative motion, with the sign that this motion has.
+    /// Returns a value with the sign of this motion: unchanged, or negated for the reversed relative motion.
     fn signed(&self, value: S) -> S {
         if self.reversed { -value } else { value }
     }

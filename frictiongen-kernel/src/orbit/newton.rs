@@ -12,19 +12,19 @@ const NEWTON_STEPS: u32 = 12;
 
 /// Relative difference below which two computations of the same state or instant count as equal.
 const AGREEMENT: f64 = 1e-9;
-/// Lower bound, in roundings, on the difference below which two computations count as equal. The roundings of all
-/// events of a cycle add up. This bound exceeds `AGREEMENT` in `f32` only.
+/// Lower bound on the difference below which two computations count as equal, in rounding units. It is so large because
+/// the rounding errors of all events of a cycle add up. This bound exceeds `AGREEMENT` in `f32` only.
 const AGREEING_ROUNDINGS: f64 = 1024.0;
 /// Size of a Newton step, relative to the state, below which the step is small.
 const SMALL_STEP: f64 = 1e-11;
-/// Lower bound, in roundings, on the size below which a Newton step is small. This bound exceeds `SMALL_STEP` in `f32`
-/// only.
+/// Lower bound on the size below which a Newton step is small, in rounding units. This bound exceeds `SMALL_STEP` in
+/// `f32` only.
 const SMALL_ROUNDINGS: f64 = 256.0;
-/// Shortest meaningful Newton step, in roundings of the state.
+/// Shortest meaningful Newton step, in rounding units of the state.
 const LEAST_ROUNDINGS: f64 = 4.0;
 /// Ratio of two successive Newton steps above which a small step is only rounding. The method then ends.
 const STALLED: f64 = 0.25;
-/// Size of a Newton step, relative to the state, below which the method may end by quadratic convergence. The step must
+/// Size of a Newton step, relative to the state, below which quadratic convergence may end the method. The step must
 /// also be no larger than the square of the previous step.
 const QUADRATIC: f64 = 1e-9;
 /// Lower bound on the size of a state, so that a division by that size stays finite.

@@ -21,8 +21,8 @@ impl<T: ProvidesOrbit> At<T> {
         T::settled(self, beta, Start::Rest, false)
     }
 
-    /// Returns the steady state as [`orbit`](Self::orbit) does, or the last 64 cycles of a motion from rest that does
-    /// not settle. For such cycles `is_settled()` is false, and an amplitude is the largest of these cycles.
+    /// Returns the steady state of [`orbit`](Self::orbit). If the motion from rest does not settle, returns its last 64
+    /// cycles. For such cycles `is_settled()` is false, and an amplitude is the largest of these cycles.
     ///
     /// # Errors
     /// [`NoOrbit`] if β is negative or not finite, if the motion is unbounded, or if an undamped mode never settles.
@@ -47,12 +47,12 @@ impl<T: ProvidesOrbit> At<T> {
         T::settled(self, beta, start, false)
     }
 
-    /// Returns the steady state as [`orbit_from`](Self::orbit_from) does, or the last 64 cycles of a motion that does
-    /// not settle, as in [`orbit_or_last_cycles`](Self::orbit_or_last_cycles).
+    /// Returns the steady state of [`orbit_from`](Self::orbit_from). If the motion does not settle, returns its last 64
+    /// cycles, as [`orbit_or_last_cycles`](Self::orbit_or_last_cycles) does.
     ///
     /// # Errors
-    /// Same errors as [`orbit_or_last_cycles`](Self::orbit_or_last_cycles), also for a state that does not have one
-    /// finite number for each mass.
+    /// Same errors as [`orbit_or_last_cycles`](Self::orbit_or_last_cycles). [`NoOrbit`] also for a state that does not
+    /// have one finite number for each mass.
     #[inline]
     pub fn orbit_or_last_cycles_from(
         &self,
@@ -63,11 +63,11 @@ impl<T: ProvidesOrbit> At<T> {
         T::settled(self, beta, start, true)
     }
 
-    /// Returns the stable steady states at β that a fixed list of starts leads to, one at a time.
+    /// Returns stable steady states at β, one at a time. The search starts from a fixed list of initial states.
     ///
-    /// The starts are rest, the stuck state, the closed form, and motions at neighbouring friction ratios. The first
-    /// result is the state of [`orbit`](Self::orbit), unless motion from rest does not settle. With μ = 1 only one
-    /// state, or one continuum of states, exists.
+    /// The initial states are rest, the stuck state, the closed form, and motions at neighbouring friction ratios. The
+    /// first result is the state of [`orbit`](Self::orbit), unless motion from rest does not settle. With μ = 1 only
+    /// one state, or one continuum of states, exists.
     ///
     /// # Errors
     /// [`OutOfDomain`] for NaN, negative and infinite β.
@@ -78,7 +78,7 @@ impl<T: ProvidesOrbit> At<T> {
 
 /// Steady states of a scene with tables. The exact formulas compute these states.
 impl<T: Tabled + ProvidesOrbit> Compiled<T> {
-    /// Returns the steady state at β = F/P that is reached from rest, in any regime.
+    /// Returns the steady state at β = F/P in which motion from rest ends, in any regime.
     ///
     /// # Errors
     /// [`NoOrbit`] gives the reason why there is no steady state.
@@ -107,7 +107,7 @@ impl<T: Tabled + ProvidesOrbit> Compiled<T> {
         self.exact().orbit_from(beta, state)
     }
 
-    /// Returns the stable steady states that a fixed list of starts leads to, as [`At::states`] does.
+    /// Returns stable steady states at β, as [`At::states`] does.
     ///
     /// # Errors
     /// Same errors as [`At::states`].

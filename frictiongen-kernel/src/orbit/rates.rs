@@ -1,20 +1,20 @@
 //! Finds the largest velocity and acceleration within a segment.
 //!
-//! The search samples sixteen instants in a half-turn of the fastest oscillation, and refines every local maximum
-//! between them. It can only miss a maximum within one sampling step of another maximum. Two such maxima differ by less
+//! The search samples sixteen instants in a half-turn of the fastest oscillation, and refines every local maximum of
+//! the samples. It can miss a maximum only within one sampling step of another maximum. Two such maxima differ by less
 //! than a thousandth of their value.
 
 use crate::motion::OscillatorSum;
 use crate::number::scalar::Float;
 
-/// Number of sampled instants in a half-turn of the fastest oscillation.
+/// Number of samples in a half-turn of the fastest oscillation.
 const PLACES: f64 = 16.0;
-/// Lower bound on the number of instants that are sampled in a segment.
+/// Lower bound on the number of samples in a segment.
 const FEWEST: f64 = 8.0;
-/// Upper bound on the number of instants that are sampled in a segment.
+/// Upper bound on the number of samples in a segment.
 const MOST: f64 = 4096.0;
-/// Number of steps of a golden-section search. Each step keeps 0.62 of the interval, so that only rounding is left
-/// after the last step.
+/// Number of steps of a golden-section search. Each step keeps 0.62 of the interval. The interval after the last step
+/// is only as long as a rounding error.
 const STEPS: usize = 40;
 
 /// Returns the largest |f′| over the searched length.

@@ -1,8 +1,8 @@
 //! Records a steady state, segment by segment.
 //!
 //! A record has room for [`MAX_SEGMENTS`] marks, where a mark is the start of a segment. If a period has more segments,
-//! the record keeps every second mark, then every fourth, and so on. The code computes the other segments again when it
-//! needs them.
+//! the record keeps every second mark, then every fourth, and so on. The code computes the segments without a mark
+//! again when it needs them.
 
 use super::cycle_map::CycleMap;
 use super::newton::agreement;
@@ -11,7 +11,7 @@ use crate::errors::NoOrbit;
 use crate::motion::{ContactChain, ContactState, Event, leap};
 use crate::number::scalar::Float;
 
-/// Record of a steady state while it is being written.
+/// Record of a steady state during the recording.
 pub(super) struct Record<'s, S> {
     marks: &'s mut [SegmentStart<S>; MAX_SEGMENTS],
     count: usize,
@@ -26,7 +26,7 @@ pub(super) struct Record<'s, S> {
     reversals: usize,
     /// Relative displacement z̄ at the end of the last recorded segment, if the contact sticks in that segment.
     stuck_at: Option<S>,
-    /// The start of the segment in which the relative displacement z̄ falls from its largest value.
+    /// Start of the segment in which the relative displacement z̄ begins to fall from its largest value.
     top: Option<SegmentStart<S>>,
 }
 
@@ -35,7 +35,7 @@ pub(super) struct RecordedPeriod<S> {
     pub count: usize,
     pub stops: usize,
     pub reversals: usize,
-    /// Phase in half-turns, and cycle of the excitation, at τ = 0.
+    /// Phase in half-turns, and number of the excitation's cycle, at τ = 0.
     pub origin: (S, S),
 }
 
@@ -219,13 +219,13 @@ impl<'s, S: Float> Record<'s, S> {
     }
 }
 
-/// Returns the tolerance in τ by which rounding may make a segment longer than the rest of the period.
+/// Returns the largest time in τ by which rounding may make a segment longer than the rest of the period.
 pub(super) fn slack<S: Float>() -> S {
     agreement()
 }
 
-/// Returns the length of a segment when `left` of the period remains. A segment that ends within a rounding tolerance
-/// of the period's end gets exactly the length `left`.
+/// Returns the length of a segment, given the remaining length `left` of the period. If the segment ends at the end of
+/// the period within rounding, the result is exactly `left`.
 pub(super) fn within<S: Float>(length: S, left: S) -> S {
     if left - slack() < length {
         left

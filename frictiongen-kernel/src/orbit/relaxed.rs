@@ -1,10 +1,10 @@
-//! The implicit Euler method from cycle to cycle. It serves motions that approach their steady state too slowly to be
-//! followed.
+//! Implicit Euler method from cycle to cycle. It serves motions that approach their steady state too slowly for a
+//! search that follows every cycle.
 //!
-//! Close to a resonance of the masses that the contact does not move, a motion needs many cycles to settle. For most of
-//! these cycles the events are not those of the steady state, so that Newton's method alone does not converge. With μ =
-//! 1 the distance of two motions never grows. Each step x′ = x + (F(x′) − x′)/σ, with the half-cycle map F, therefore
-//! has one solution. However long the step is, the solution is closer to the steady state than x.
+//! Such motions occur close to a resonance of the masses that the contact does not move. For most cycles the events are
+//! not those of the steady state, so that Newton's method alone does not converge. With μ = 1 the distance of two
+//! motions never grows. Each step x′ = x + (F(x′) − x′)/σ, with the half-cycle map F, therefore has exactly one
+//! solution. For any step length 1/σ, the solution is closer to the steady state than x.
 
 use super::cycle_map::{CycleMap, unit};
 use super::matrix::SquareMatrix;
@@ -22,14 +22,14 @@ const NEWTON_STEPS: u32 = 10;
 const SMALL: f64 = 1e-3;
 /// First value of σ. The Euler step is then 16 half cycles long.
 const FIRST_SHIFT: f64 = 0.0625;
-/// Factor on σ after a successful Euler step. It makes the next step longer.
+/// Factor on σ after a successful Euler step. A smaller σ makes the next step longer.
 const LONGER: f64 = 0.25;
-/// Factor on σ after a failed Euler step. It makes the next attempt shorter.
+/// Factor on σ after a failed Euler step. A larger σ makes the next attempt shorter.
 const SHORTER: f64 = 8.0;
 /// Largest σ. An Euler step with this σ is shorter than half a cycle.
 const LARGEST_SHIFT: f64 = 64.0;
-/// Change of the state over half a cycle, relative to the state, below which Newton's method on the half-cycle map
-/// takes over.
+/// Change of the state over half a cycle, relative to the state, below which the search changes to Newton's method on
+/// the half-cycle map.
 const NEAR: f64 = 1e-11;
 
 /// Moves the cycle map towards the symmetric steady state that repeats after one cycle. `last` has room for one state.

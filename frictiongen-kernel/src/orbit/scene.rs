@@ -12,7 +12,7 @@ use core::ops::Deref;
 /// Relative difference of amplitudes and stuck fractions below which two steady states count as the same.
 const ALIKE: f64 = 1e-6;
 
-/// Numbers of a steady state that identify it in a comparison.
+/// Numbers of a steady state for a comparison with another steady state.
 #[derive(Clone, Copy, Debug)]
 pub struct Print<S> {
     sticks: bool,
@@ -20,12 +20,12 @@ pub struct Print<S> {
     sizes: [S; 2],
 }
 
-/// A steady state as an item of [`States`](super::States).
+/// Steady state that [`States`](super::States) returns.
 pub trait Known {
     /// Scalar type of the steady state.
     type Scalar: Float;
 
-    /// Returns the numbers that identify the steady state.
+    /// Returns the numbers of the steady state for a comparison.
     fn print(&self) -> Print<Self::Scalar>;
 }
 
@@ -49,8 +49,8 @@ where
 }
 
 impl<S: Float> Print<S> {
-    /// Returns true if two steady states are the same.  All stuck states count as one, because they are one continuum
-    /// with various offsets.
+    /// Returns true if two steady states are the same.  Two stuck states always count as the same, because the stuck
+    /// states form one continuum with different offsets.
     pub(super) fn is_alike(&self, other: &Self) -> bool {
         let near = |(a, b): (&S, &S)| (*a - *b).abs() <= a.abs().max(b.abs()) * S::constant(ALIKE);
         let mut sizes = self.sizes.iter().zip(&other.sizes);
@@ -66,7 +66,7 @@ pub trait ProvidesOrbit: Scene {
     /// Type of the displacements or velocities of all masses, with one number for each mass.
     type State: AsRef<[Self::Scalar]> + ?Sized;
 
-    /// Returns the steady state that a motion from `start` reaches. If `last` is true and the motion does not settle,
+    /// Returns the steady state that a motion from `start` reaches. If the motion does not settle and `last` is true,
     /// returns its last 64 cycles.
     ///
     /// # Errors

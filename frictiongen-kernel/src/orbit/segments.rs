@@ -1,7 +1,7 @@
 //! Iterates over the segments of a steady state.
 //!
-//! A *mark* is a segment whose state at the start is stored. If a period has many segments, only some of them are
-//! marks. The iterator computes the other segments again.
+//! A *mark* is a segment whose initial state is stored. If a period has many segments, only some of them are marks. The
+//! iterator computes the other segments again.
 
 use super::cycle_map::MOST_EVENTS;
 use super::record::{passed, slack, within};
@@ -14,7 +14,7 @@ use crate::number::scalar::Float;
 /// Iterator over the segments of a steady state.
 pub(super) struct Segments<'o, 'a, S, P, V, C, K> {
     orbit: &'o Orbit<'a, S, P, V, C, K>,
-    /// The oscillators for the segment returned last, once the caller has requested their states.
+    /// Oscillators for the segment returned last. `None` until the caller has requested their states.
     parts: Option<P>,
     /// True if the oscillators have the state at the start of `last`.
     placed: bool,
@@ -95,7 +95,7 @@ where
         parts.as_mut()
     }
 
-    /// Returns true if the next segment has no mark. The iterator then computes it from the last segment.
+    /// Returns true if the next segment is not a mark. The iterator then computes it from the last segment.
     pub(super) fn follows(&self) -> bool {
         0 < self.more
     }

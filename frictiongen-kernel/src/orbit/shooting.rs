@@ -15,15 +15,15 @@ use crate::number::scalar::Float;
 /// Largest number of cycles that the search follows from a start that may be near a steady state. Such starts are the
 /// stuck state, the closed form, and a motion at a neighbouring friction ratio.
 const MAX_CYCLES_NEAR: u32 = 128;
-/// Largest number of periods that one search for a subharmonic state tries.
+/// Largest number of possible periods that one search for a subharmonic state tests.
 const MOST_TRIED: u32 = 3;
-/// Number of cycles after which the search first looks for a subharmonic state.
+/// Number of cycles after which the search first tests for a subharmonic state.
 const FIRST_ASKED: u32 = 16;
-/// If the motion after n cycles is within this distance of its earlier state, n cycles is a possible period. The
-/// distance is relative to the size of the motion.
+/// Distance between two states n cycles apart below which n cycles is a possible period. The distance is relative to
+/// the size of the motion.
 const NEARLY_BACK: f64 = 1e-2;
-/// Largest ratio of two distances of the motion from its earlier state at which a number of cycles counts as a possible
-/// period. The ratio is the distance after this number of cycles, divided by the smallest distance after fewer cycles.
+/// Largest ratio of two distances at which a number of cycles counts as a possible period. The first distance lies
+/// between the states this number of cycles apart. The second is the smallest such distance for fewer cycles.
 const NEARER: f64 = 0.1;
 
 impl<S> Start<'_, S> {
@@ -41,12 +41,12 @@ pub(super) enum Settled<S> {
     Found(FoundState<S>),
     /// The contact sticks for ever, at this relative displacement z̄.
     Stuck(S),
-    /// The search found no steady state within its largest number of cycles. The value is the reason.
+    /// The search found no steady state within its largest number of cycles. The value gives the reason.
     Not(NoOrbit),
 }
 
-/// Follows the motion until it reaches a steady state. Afterwards the cycle map is at that state, or still on the
-/// motion.
+/// Follows the motion until it reaches a steady state. Without success the cycle map is still on the motion, otherwise
+/// at the steady state.
 ///
 /// `holding` is |V/H|, the amplitude of the contact force in the stuck state, if β is large enough for this state.
 /// Otherwise it is `None`. The search follows at most `most` cycles. `spare` has room for two states.
@@ -238,9 +238,9 @@ fn several<S: Float, K: ContactChain<S>>(
     Ok(Settled::Not(failure))
 }
 
-/// Returns the smallest number of cycles, below `period`, after which the fixed point already repeats. Returns `None`
-/// if it has no smaller period. A slowly decaying free vibration can look like a longer period. The cycle map is at the
-/// fixed point before and after the call.
+/// Returns the smallest number of cycles below `period` after which the fixed point repeats. Returns `None` if no
+/// smaller number exists. A slowly decaying free vibration can look like a longer period. The cycle map is at the fixed
+/// point before and after the call.
 fn repeats_sooner<S: Float, K: ContactChain<S>>(
     cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,
@@ -262,7 +262,7 @@ fn repeats_sooner<S: Float, K: ContactChain<S>>(
 }
 
 /// Finds the number of cycles after which the motion returns close to its present state. The number is more than
-/// `after` and at most `most`. After fewer cycles the motion must not be as close. Returns the number, and the events
+/// `after` and at most `most`, and no smaller number brings the motion as close. Returns the number, and the events
 /// during these cycles.
 fn comes_back<S: Float, K: ContactChain<S>>(
     cycle_map: &mut CycleMap<'_, '_, S, K>,
@@ -288,9 +288,9 @@ fn comes_back<S: Float, K: ContactChain<S>>(
     Ok(None)
 }
 
-/// Returns the events that a map should have if a whole period has the events `total`. A symmetric map covers half a
+/// Returns the events that a map must have if a whole period has the events `total`. A symmetric map covers half a
 /// period, and has half of the events. If the period has an even number of cycles, the load has the same sign after
-/// half a period. No symmetric map exists then, and the result is `None`.
+/// half a period. No symmetric map then exists, and the result is `None`.
 fn wanted(total: EventPattern, symmetric: bool, period: u32) -> Option<EventPattern> {
     if !symmetric {
         return Some(total);

@@ -8,7 +8,7 @@ use crate::errors::{NoOrbit, OutOfDomain};
 use crate::motion::ContactChain;
 use crate::number::scalar::Float;
 
-/// Number of cycles for which a motion runs at a neighbouring friction ratio, before it continues at β.
+/// Number of cycles that a motion runs at a neighbouring friction ratio before it continues at β.
 const NEIGHBOURING: u32 = 64;
 
 /// Initial state of a motion, with the excitation at its maximum.
@@ -20,15 +20,16 @@ pub enum Start<'s, S> {
     State(&'s [S], &'s [S]),
     /// The stuck state with z̄ = 0, which exists for β ≥ β*_lim.
     Stuck,
-    /// The motion of the closed form at this friction ratio. It need not be a motion of the scene at the given β.
+    /// The state of the closed form at this friction ratio. At the given β the motion from this state may differ from
+    /// the closed form.
     ClosedForm(S),
-    /// Motion from rest that runs at this neighbouring friction ratio for some cycles.
+    /// State of a motion from rest that runs at this neighbouring friction ratio for some cycles.
     Neighbour(S),
 }
 
 impl<S: Float> Start<'_, S> {
-    /// Sets the oscillators and the contact of the cycle map to this initial state. The caller itself sets the initial
-    /// state `Stuck`.
+    /// Sets the oscillators and the contact of the cycle map to this initial state. It does not serve the initial state
+    /// `Stuck`, which the caller sets.
     pub(super) fn set_start<K: ContactChain<S>>(
         self,
         cycle_map: &mut CycleMap<'_, '_, S, K>,
@@ -73,7 +74,7 @@ impl<S: Float> Start<'_, S> {
         Ok(())
     }
 
-    /// Returns the initial state, or an error if it does not exist at this β.
+    /// Returns the initial state, or an error if this state does not exist at β.
     pub(super) fn checked(self, holds: bool) -> Result<Self, OutOfDomain> {
         if self == Self::Stuck && !holds {
             return Err(OutOfDomain::StuckStart);

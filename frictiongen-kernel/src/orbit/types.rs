@@ -42,14 +42,14 @@ impl<S: Float> SegmentStart<S> {
         }
     }
 
-    /// Returns the relative displacement z̄ at the end of a segment in which a rigid contact sticks. It equals z̄ at
-    /// the start to the last digit. Returns `None` if the contact slides or is elastic.
+    /// Returns the relative displacement z̄ at the end of a segment in which a rigid contact sticks. It has the same
+    /// bits as z̄ at the start. Returns `None` if the contact slides or is elastic.
     pub(super) fn stuck_at(&self) -> Option<S> {
         let rests = self.contact_state.contact == Contact::Stuck && !self.is_loaded();
         rests.then_some(self.relative)
     }
 
-    /// Returns true if an elastic contact sticks. Such a contact remembers its force, and its spring lets it move.
+    /// Returns true if an elastic contact sticks. Such a contact stores its force, and its spring lets it move.
     pub(super) fn is_loaded(&self) -> bool {
         self.contact_state.contact == Contact::Stuck && self.contact_state.memory.is_some()
     }
@@ -88,7 +88,7 @@ pub struct Orbit<'a, S, P, V, C, K = Chain<S>> {
     /// Largest |offset| of the contact among all states of the continuum to which this state belongs, if known.
     pub(super) offset_range: Option<S>,
     /// The excitation's phase in half-turns at τ = 0, where the relative displacement z̄ leaves its maximum.
-    /// `origin_cycle` is the cycle of that instant, counted as in [`SegmentStart`].
+    /// `origin_cycle` is the number of the cycle at that instant, counted as in [`SegmentStart`].
     pub(super) origin: S,
     pub(super) origin_cycle: S,
 }

@@ -6,7 +6,7 @@ use super::values::{
 use crate::number::scalar::{Float, Scalar};
 
 /// Evaluates the response and damping functions of a mode at ζ = 1. The formulas are of first order in q² = 1 − ζ². q²
-/// itself is 0, but a dual number may carry its derivative with respect to ζ.
+/// itself is 0, but a dual number may have a derivative of q² with respect to ζ.
 #[inline]
 pub(super) fn response<S: Scalar>(
     x: S,

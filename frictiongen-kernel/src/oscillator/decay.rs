@@ -1,8 +1,9 @@
-//! Free motion of one mode in time, in closed forms that agree at the bounds of their ranges of damping.
+//! Free motion of one mode in time. Each kind of damping has a closed form, and the forms agree at the bounds of their
+//! ranges of ζ.
 //!
 //! The free displacement that starts with unit speed from x̄ = 0 is p = e^{−ζxτ}·sin(qxτ)/(qx). The motion of a mode in
 //! a half period is a combination of p, its derivative p′ and three differences ([`Basis`]). Some of the differences
-//! vanish where p vanishes, others at the resonance of the mode. All are computed without cancellation.
+//! vanish where p vanishes, others at the resonance of the mode. The code computes all of them without cancellation.
 
 use super::mode::{Kind, Mode};
 pub(crate) use super::values::Turn;
@@ -53,7 +54,7 @@ impl<S: Float> Instant<S> {
 /// Damping of the modes of a scene. It is a type parameter, so that the code of undamped scenes contains no
 /// exponentials.
 pub trait Decay<S: Float>: Copy {
-    /// Takes kind of damping and modal damping ratio from the constants of a mode.
+    /// Creates the damping from the kind of damping and the modal damping ratio of a mode.
     fn of(mode: &Mode<S>) -> Self;
     /// Returns the kind of damping (undamped, underdamped, critical or overdamped), which selects the closed form.
     fn kind(&self) -> Kind;
@@ -151,7 +152,7 @@ impl<S: Float> Damped<S> {
     }
 }
 
-/// Returns the free motion, over the time τ = πt, of a mode whose natural frequency is x times the excitation
+/// Returns the free motion of a mode over the time τ = πt. The natural frequency of the mode is x times the excitation
 /// frequency.
 #[inline]
 pub(crate) fn turn<S: Float>(kind: Kind, zeta: S, q: S, x: S, (t, tau): (S, S)) -> Turn<S> {
@@ -163,8 +164,8 @@ pub(crate) fn turn<S: Float>(kind: Kind, zeta: S, q: S, x: S, (t, tau): (S, S)) 
     }
 }
 
-/// Returns the two factors e^{x(−ζ ± iq)τ} by which a free mode multiplies its two complex solutions over the time of
-/// `turn`.
+/// Returns the two factors e^{x(−ζ ± iq)τ} by which the free motion of a mode grows or decays. Each factor belongs to
+/// one of its two complex solutions. τ is the time of `turn`.
 pub(crate) fn multipliers<S: Float>(kind: Kind, q: S, turn: &Turn<S>) -> [Complex<S>; 2] {
     let im = q * turn.s;
     match kind {

@@ -1,9 +1,10 @@
 //! One mode of the chain, with its constants, and its response and damping functions at a frequency.
 //!
 //! Every function of a single mode depends on x = √λ/r, the natural frequency of the mode over the excitation
-//! frequency. x is rounded once. The response v and the half-period damping functions u and g (7.11, 7.12) therefore
-//! stay consistent close to x = 1, where undamped v and u have a pole. Sums over modes are multiplied by the *scale* E,
-//! the smallest |x² − 1 + 2iζx| of the chain. All sums are then finite on a resonance and close to it.
+//! frequency. The code rounds x once. The response v and the half-period damping functions u and g (7.11, 7.12)
+//! therefore stay consistent close to x = 1, where v and u of an undamped mode have a pole. The code multiplies sums
+//! over modes by the *scale* E, the smallest |x² − 1 + 2iζx| of the chain. All sums are then finite on a resonance and
+//! close to it.
 
 pub use super::values::ModeResponse;
 use super::values::denominator;
@@ -42,9 +43,9 @@ pub struct Mode<S> {
     pub q: S,
     /// 1 − q, to full relative accuracy. Only modes of [`Kind::Light`] use it.
     pub q_defect: S,
-    /// Product φᵀp of the mode shape and the load vector: the strength with which the load drives the mode.
+    /// Product φᵀp of the mode shape φ and the load vector p. The load drives the mode in proportion to it.
     pub load: S,
-    /// Product φᵀw of the mode shape and the contact direction: the strength with which the contact drives the mode.
+    /// Product φᵀw of the mode shape φ and the contact direction w. The contact drives the mode in proportion to it.
     pub contact: S,
     /// Residue (φᵀw)(φᵀp) of the mode from load to contact. It is λ times the static residue.
     pub residue: S,
@@ -79,8 +80,8 @@ impl<S: Scalar> Mode<S> {
         self.functions_of(self.kind, inverse_r, true, index)
     }
 
-    /// Evaluates the response and damping functions of the mode at r = 1/`inverse_r`. If `with_g` is false, the damping
-    /// function g is returned as 0. The limits of continuous and stuck motion do not need g, which is half of the work.
+    /// Evaluates the response and damping functions of the mode at r = 1/`inverse_r`. If `with_g` is false, the result
+    /// has g = 0, which saves half of the work. The limits of continuous and stuck motion do not need g.
     #[inline(always)]
     pub(crate) fn functions(&self, inverse_r: S, with_g: bool) -> ModeResponse<S> {
         self.functions_of(self.kind, inverse_r, with_g, 0)
@@ -108,7 +109,7 @@ impl<S: Scalar> Mode<S> {
         }
     }
 
-    /// Evaluates the response functions of an undamped mode at x = √λ/r.
+    /// Evaluates the response and damping functions of an undamped mode at x = √λ/r.
     #[inline(always)]
     pub(crate) fn undamped(x: S) -> ModeResponse<S> {
         undamped::response(x, None)

@@ -1,12 +1,11 @@
-//! Formulas of an overdamped mode, ζ > 1, with q = √(ζ² − 1). Its free motion is a sum of two decays without
-//! oscillation.
+//! Formulas of an overdamped mode, ζ > 1, with q = √(ζ² − 1). Its free motion is the sum of two decaying exponentials.
 
 use super::values::{Basis, Instant, ModeResponse, Turn, denominator};
 use crate::number::scalar::{Float, Scalar};
 use crate::number::special::exp_m1_minus;
 
-/// Evaluates the response and damping functions of a mode for ζ > 1. The two decays e^{−πx(ζ∓q)} are combined before
-/// either exponential can overflow.
+/// Evaluates the response and damping functions of a mode for ζ > 1. The function combines the exponentials
+/// e^{−πx(ζ∓q)} in a form in which neither can overflow.
 #[inline]
 pub(super) fn response<S: Scalar>(
     x: S,

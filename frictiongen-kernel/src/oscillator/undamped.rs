@@ -5,16 +5,17 @@ use crate::number::complex;
 use crate::number::scalar::{Float, Scalar};
 use crate::number::special::versine_beside;
 
-/// Returns x² − 1 of an undamped mode. An exact zero is replaced by a tiny number, so that it can be a divisor.
+/// Returns x² − 1 of an undamped mode. The result is a tiny number instead of an exact zero, so that it can be a
+/// divisor.
 #[inline]
 pub(super) fn detuning<S: Scalar>(x: S) -> S {
     let one = S::constant(1.0);
     ((x - one) * (x + one)).detuning_off_pole()
 }
 
-/// Evaluates the response functions of a mode for ζ = 0: v = x²/(x² − 1), u = x·tan(πx/2), g = 0. Both v and u have a
-/// pole at x = 1, and u has another one at every other odd x. Exact zeros of the two divisors are replaced by tiny
-/// numbers, so that no quotient is 0/0.
+/// Evaluates the response and damping functions of a mode for ζ = 0: v = x²/(x² − 1), u = x·tan(πx/2), g = 0. Both v
+/// and u have a pole at x = 1, and u has a pole at every other odd x as well. The function replaces exact zeros of the
+/// two divisors by tiny numbers, so that no quotient is 0/0.
 #[inline(always)]
 pub(super) fn response<S: Scalar>(x: S, at: Option<usize>) -> ModeResponse<S> {
     let zero = S::constant(0.0);

@@ -1,4 +1,4 @@
-//! Formulas of an underdamped mode, 0 < ζ < 1, with q = √(1 − ζ²). Its free motion is an oscillation that decays.
+//! Formulas of an underdamped mode, 0 < ζ < 1, with q = √(1 − ζ²). Its free motion is a decaying oscillation.
 
 use super::values::{
     Basis, Instant, ModeResponse, Turn, complement_and_factor, denominator, differences,
@@ -7,10 +7,9 @@ use super::values::{
 use crate::number::scalar::{Float, Scalar};
 use crate::number::special::versine_beside;
 
-/// Evaluates the response and damping functions of a mode for 0 < ζ < 1, as section 3 of `docs/derivation.md` derives
-/// them. Their denominator 1 + E, with E = e^{−πx(ζ−iq)}, is nearly 0 at some x. It is written as
-/// (1 + E)e^{−iθ/2} = (1 + e) cos(θ/2) − i m sin(θ/2), with θ = πqx, e = |E| and m = 1 − e, which keeps its digits
-/// there.
+/// Evaluates the response and damping functions of a mode for 0 < ζ < 1 (section 3 of `docs/derivation.md`). The
+/// denominator 1 + E, with E = e^{−πx(ζ−iq)}, is nearly 0 at some x. The code uses (1 + E)e^{−iθ/2} = (1 + e) cos(θ/2)
+/// − i m sin(θ/2), with θ = πqx, e = |E| and m = 1 − e. This form keeps its digits where the denominator is small.
 #[inline(always)]
 pub(super) fn response<S: Scalar>(
     x: S,
@@ -86,8 +85,8 @@ pub(super) fn response<S: Scalar>(
     }
 }
 
-/// Evaluates the functions of time of a mode at one instant, for 0 < ζ < 1/2. Close to the resonance x = 1 it avoids
-/// cancellation.
+/// Evaluates the functions of time of a mode at one instant, for 0 < ζ < 1/2. The formulas have no cancellation close
+/// to the resonance x = 1.
 pub(super) fn light<S: Float>(x: S, zeta: S, q: S, q_defect: S, at: &Instant<S>) -> Basis<S> {
     let (one, half) = (S::constant(1.0), S::constant(0.5));
     let decay = zeta * x * at.tau;

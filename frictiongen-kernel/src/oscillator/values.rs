@@ -1,11 +1,11 @@
-//! Types that the formulas of every kind of damping return, and steps that several kinds share.
+//! Result types of the formulas for every kind of damping, and calculation steps that several kinds share.
 
 use crate::number::complex::Complex;
 use crate::number::scalar::{Float, Scalar};
 use crate::number::special::exp_m1_minus;
 
-/// Response and damping functions of one mode at one frequency. The functions u, g and `reversal` are multiplied by
-/// `size`, so that they stay finite at the resonance x = 1.
+/// Response and damping functions of one mode at one frequency. The code multiplies u, g and `reversal` by `size`, so
+/// that they stay finite at the resonance x = 1.
 #[derive(Clone, Copy, Debug)]
 pub struct ModeResponse<S> {
     /// Natural frequency of the mode over the excitation frequency, x = √λ/r = 1/R.
@@ -14,14 +14,14 @@ pub struct ModeResponse<S> {
     pub denominator: Complex<S>,
     /// |Re| + |Im| of the denominator, which measures the distance from the resonance.
     pub size: S,
-    /// Damping function u: slope at the reversal of the response to a square wave of friction (7.11), multiplied by R²
-    /// and by `size`.
+    /// Damping function u (7.11), multiplied by R² and by `size`. A square wave of friction force causes a response,
+    /// and u is the slope of this response at the reversal.
     pub u: S,
-    /// Damping function g: displacement at the reversal of the response to a square wave of friction (7.12), multiplied
-    /// by `size`. Without damping g is 0.
+    /// Damping function g (7.12), multiplied by `size`. A square wave of friction force causes a response, and g is
+    /// this response at the reversal. Without damping g is 0.
     pub g: S,
-    /// Damping term g + 2ζRu of the mode in H_c, which enters the break-away condition at a reversal. The term is
-    /// multiplied by `size`, and is 0 without damping.
+    /// Damping term g + 2ζRu of the mode, multiplied by `size`. It contributes to H_c in the break-away condition at a
+    /// reversal. Without damping it is 0.
     pub reversal: S,
 }
 
@@ -58,8 +58,8 @@ pub struct Basis<S> {
 
 impl<S: Float> Basis<S> {
     /// Computes all functions of time from the free displacement p, from p′ and from 1 − d, where d = p′ + 2ζx·p. The
-    /// function computes cos τ − p′ from 1 − d, which keeps the digits at τ → 0, where the velocity constraint divides
-    /// by sin τ.
+    /// function computes cos τ − p′ from 1 − d, to keep the digits for τ → 0. The velocity constraint divides this
+    /// number by sin τ.
     #[inline]
     pub(super) fn damped(
         x: S,
@@ -79,8 +79,8 @@ impl<S: Float> Basis<S> {
     }
 }
 
-/// Free motion of one mode over a time τ: c = e^{−ζxτ}cos(qxτ) and s = e^{−ζxτ}sin(qxτ)/q. Both are entire functions of
-/// q², so that they also describe overdamped modes.
+/// Free motion of one mode over a time τ: c = e^{−ζxτ}cos(qxτ) and s = e^{−ζxτ}sin(qxτ)/q. Both depend only on q², so
+/// that they also describe overdamped modes, with a negative q².
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Turn<S> {
     pub c: S,
@@ -117,8 +117,8 @@ pub(super) fn denominator<S: Scalar>(x: S, zeta: S, at: Option<usize>) -> (Compl
     )
 }
 
-/// Returns 1 − e^{−decay} and e^{−decay}, both to full relative accuracy. Neither is computed as 1 minus the other,
-/// which would lose digits where the result is small.
+/// Returns 1 − e^{−decay} and e^{−decay}, both to full relative accuracy. The function does not subtract either result
+/// from 1, because a small result would lose digits.
 #[inline]
 pub(super) fn complement_and_factor<S: Scalar>(decay: S, at: Option<usize>) -> (S, S) {
     let half = (decay * S::constant(-0.5)).exp_m1();
@@ -132,8 +132,9 @@ pub(super) fn complement_and_factor<S: Scalar>(decay: S, at: Option<usize>) -> (
 }
 
 /// Returns x·sin τ − sin xτ and cos τ − cos xτ. Close to the resonance x = 1 both are differences of nearly equal
-/// terms, and are multiplied by damping functions that are large at a resonance. The function computes them as products
-/// there. It also keeps the digits of the second difference at τ → 0, where the velocity constraint divides by sin τ.
+/// terms, and the damping functions that multiply them are large. The function therefore computes products instead of
+/// differences. For τ → 0 it also keeps the digits of the second difference, because the velocity constraint divides
+/// this difference by sin τ.
 #[inline]
 pub(super) fn differences<S: Float>(x: S, sine_x: S, versine_x: S, at: &Instant<S>) -> (S, S) {
     let one = S::constant(1.0);
@@ -149,9 +150,9 @@ pub(super) fn differences<S: Float>(x: S, sine_x: S, versine_x: S, at: &Instant<
     }
 }
 
-/// Returns 1 − d, where d is the free motion that starts at rest from displacement 1. For a decay a = ζxτ below 1 it is
-/// e^{−a}[(e^a − 1 − a) + (1 − cos b) + a(1 − sin b/b)] with b = qxτ, a sum of terms of one sign. For larger decays the
-/// function returns `direct`, in which nothing cancels.
+/// Returns 1 − d, where d is the free motion that starts at rest from displacement 1. For a decay a = ζxτ below 1, the
+/// result is e^{−a}[(e^a − 1 − a) + (1 − cos b) + a(1 − sin b/b)] with b = qxτ. All terms of this sum have the same
+/// sign. For larger decays the function returns `direct`, in which no terms cancel.
 #[inline]
 pub(super) fn one_minus_d<S: Float>(
     decay: S,

@@ -28,7 +28,7 @@ impl<T: Scene + Copy> Copy for At<T> where T::Modes: Copy {}
 #[non_exhaustive]
 pub struct MostEvaluations {
     /// Upper bound for one search for β_lim, the limit of continuous motion. `continuous_limit`, `limits`, `regime` and
-    /// `margin` run one such search, `motion` runs one or two. The bound is 0 where β_lim needs no search.
+    /// `margin` each make one such search, `motion` makes one or two. The bound is 0 if β_lim needs no search.
     pub limit: u32,
     /// Upper bound for one search for the amplitude and phase of a mass.
     pub amplitude: u32,
@@ -100,7 +100,7 @@ impl<T: Scene> At<T> {
     }
 
     /// Returns both limits without a search. β_lim is then an upper bound. The call is faster than [`new`](Self::new),
-    /// since it stores nothing for a motion. The results are bit for bit those of
+    /// because it stores nothing for a motion. The results have the same bits as those of
     /// [`continuous_limit_without_search`](Self::continuous_limit_without_search) and
     /// [`sliding_limit`](Self::sliding_limit).
     ///
@@ -168,9 +168,9 @@ impl<T: Scene> At<T> {
         &self.modes
     }
 
-    /// Searches for the velocity constraint max(S, H_c + μm*/r²), which decides β_lim (5.54, 7.36). S is a maximum over
-    /// the half period. H_c + μm*/r² is the condition for break-away at a reversal. The result is multiplied by r² and
-    /// by the scale E of [`ContactAt`].
+    /// Searches for the velocity constraint max(S, H_c + μm*/r²), on which β_lim depends (5.54, 7.36). S is a maximum
+    /// over the half period. H_c + μm*/r² comes from the break-away condition at a reversal. The result is multiplied
+    /// by r² and by the scale E of [`ContactAt`].
     #[must_use]
     pub fn velocity_constraint(&self) -> Peak<T::Scalar> {
         let numbers = self.scene.numbers();
@@ -185,12 +185,12 @@ impl<T: Scene> At<T> {
     /// larger r.
     ///
     /// The bounds at the smallest r of a sweep are therefore valid for the whole sweep. For slow modes, the bound is
-    /// 256 evaluations for β_lim and 1024 for an amplitude. Both bounds grow by max √λ(1 + 2ζ)/16r, one evaluation for
-    /// 16 half turns of the fastest mode in a half period. Neither bound exceeds
+    /// 256 evaluations for β_lim and 1024 for an amplitude. Fast modes add max √λ(1 + 2ζ)/16r evaluations to both
+    /// bounds, which is one evaluation for 16 half turns of the fastest mode in a half period. Neither bound exceeds
     /// [`MAX_EVALUATIONS`](search::MAX_EVALUATIONS).
     ///
     /// A search counts its evaluations. It stops before it would exceed its bound, and then reports
-    /// [`Effort::Exceeded`]. In an undamped scene β_lim needs no search for r ≥ √λ_max/2. Searches usually take far
+    /// [`Effort::Exceeded`]. In an undamped scene β_lim needs no search for r ≥ √λ_max/2. Searches usually need far
     /// fewer evaluations than the bound. `docs/evidence.md` has measured numbers. In random scenes, only searches with
     /// more than 2·10⁴ half turns reached their bound (section 9 of `docs/derivation.md`).
     #[must_use]
@@ -222,14 +222,14 @@ impl<T: Scene> At<T> {
         self.scene.compliance().is_some()
     }
 
-    /// Returns the exact β_lim, the limit of continuous motion (5.65, 5.80, 5.96, 7.49). An elastic contact sticks after
-    /// each reversal, so that its β_lim is 0. A search with a guarantee
-    /// finds the velocity constraint S, a maximum over the half period. Without damping, the search is needed only
-    /// where the excitation is slower than half the natural frequency of some mode.
+    /// Returns the exact β_lim, the limit of continuous motion (5.65, 5.80, 5.96, 7.49). An elastic contact sticks
+    /// after each reversal, so that its β_lim is 0. A search finds the velocity constraint S, a maximum over the half
+    /// period, and proves that no larger value exists. Without damping, a search is needed only if the excitation is
+    /// slower than half the natural frequency of some mode.
     ///
     /// [`most_evaluations`](Self::most_evaluations) bounds the number of evaluations of the modal sum.
     /// [`limits_searched`](Self::limits_searched) reports how many evaluations the search took, and whether the search
-    /// was completed.
+    /// is complete.
     #[must_use]
     pub fn continuous_limit(&self) -> T::Scalar {
         if self.is_elastic() {
@@ -238,8 +238,7 @@ impl<T: Scene> At<T> {
         self.limited(self.velocity_constraint().value)
     }
 
-    /// Returns both limits, from one search. The regime and the margin at any β follow from these limits without
-    /// another search.
+    /// Returns both limits, by one search. `Limits` gives the regime and the margin at any β without another search.
     ///
     /// [`most_evaluations`](Self::most_evaluations) bounds the search at this r and at every larger r.
     /// [`limits_searched`](Self::limits_searched) also reports how many evaluations the search took.
@@ -267,16 +266,16 @@ impl<T: Scene> At<T> {
     }
 
     /// Returns an upper bound on β_lim without a search. The formula replaces the velocity constraint S by its limit
-    /// for τ → 0 (5.64). The bound equals β_lim wherever S has its maximum at the start of the half period.
+    /// for τ → 0 (5.64). The bound equals β_lim if S has its maximum at the start of the half period.
     #[inline]
     #[must_use]
     pub fn continuous_limit_without_search(&self) -> T::Scalar {
         self.limited(self.scene.break_away(&self.contact))
     }
 
-    /// Returns a lower bound on β_lim, as the thesis prints it (5.55, 7.37). The velocity constraint S is the maximum
-    /// of a sum over the modes. The printed formula replaces S by the sum of the modes' own maxima. The call makes one
-    /// search for each mode.
+    /// Returns the lower bound on β_lim that the thesis prints (5.55, 7.37). The exact velocity constraint S is the
+    /// maximum of a sum over the modes. The printed formula uses the sum of the modes' own maxima instead. The call
+    /// makes one search for each mode.
     #[must_use]
     pub fn continuous_limit_per_mode(&self) -> T::Scalar {
         let numbers = self.scene.numbers();
@@ -288,9 +287,8 @@ impl<T: Scene> At<T> {
     }
 
     /// Returns β*_lim, the limit of sliding, which is the smallest β at which a stuck state exists (6.11, 6.27, 6.33).
-    /// The formula is |V|/(μ|H|), with V the response of the contact to the load and H its receptance, which includes
-    /// the spring of an elastic contact. With μ > 1,
-    /// motion from rest may continue to slide at a larger β.
+    /// The formula is |V|/(μ|H|). V is the response of the contact to the load. H is the receptance of the contact,
+    /// including the spring of an elastic contact. With μ > 1, motion from rest may continue to slide at a larger β.
     #[inline]
     #[must_use]
     pub fn sliding_limit(&self) -> T::Scalar {
@@ -328,7 +326,7 @@ impl<T: Scene> At<T> {
         Ok(regime::regime(beta, continuous, sliding))
     }
 
-    /// Returns β/min(β_lim, β*_lim) − 1. This margin is negative where β is below both limits, so that the closed form
+    /// Returns the margin β/min(β_lim, β*_lim) − 1. If it is negative, β is below both limits and the closed form
     /// exists. With μ = 1 the closed form is then the only steady state. With μ > 1 a stick-slip state may coexist.
     /// Each call searches for β_lim, as [`regime`](Self::regime) does.
     ///

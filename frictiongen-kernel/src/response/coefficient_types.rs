@@ -12,9 +12,9 @@ pub struct Friction<S> {
     /// load, and βU the velocity that friction contributes. Q is multiplied by r² and by the scale E of
     /// [`ContactAt`](crate::contact::sums::ContactAt).
     pub root: S,
-    /// Amplitude Z of the contact's relative motion, in units of P/k₁ (for base motion Y).
+    /// Amplitude Z of the contact's relative motion, in units of P/k₁ (of Y for base motion).
     pub amplitude: S,
-    /// Lag φ of the contact's relative motion behind the excitation, rad, in (−π, π].
+    /// Lag φ of the contact's relative motion behind the excitation, in rad, in (−π, π].
     pub phase: S,
     /// Factor 1/(r²E) that turns sums over the modes into displacements. E is the scale of [`ContactAt`](crate::contact::sums::ContactAt).
     pub unscale: S,
@@ -27,7 +27,7 @@ pub struct Fundamental<S> {
     pub cosine: S,
     /// Coefficient of sin τ in the displacement.
     pub sine: S,
-    /// Complex response V_k of the mass to the load, without friction.
+    /// Complex response V_k of mass k to the load, without friction.
     pub response: Complex<S>,
 }
 
@@ -45,17 +45,17 @@ impl<S: Scalar> Fundamental<S> {
     }
 }
 
-/// Coefficients of one mode's functions of τ in a motion. The functions are d and q̃, the free vibration of the mode
-/// after a unit displacement and after a unit velocity.
+/// Coefficients of one mode's functions of τ in a motion. The functions contain d and q̃, the free vibrations of the
+/// mode after a unit displacement and after a unit velocity.
 #[derive(Clone, Copy, Debug)]
 pub struct ModalCoefficients<S> {
     /// Coefficient of (1 − d)/x², the mode's response from rest to a constant force. Here x = 1/R is the natural
     /// frequency of the mode divided by the frequency of the excitation.
     pub rise: S,
-    /// Coefficient of cos τ − d, by which the mode's static displacement lags behind the excitation. This term adds a
-    /// cos τ, which the fundamental component subtracts again. The coefficient is 0 without damping.
+    /// Coefficient of cos τ − d, the lag of the mode's static displacement behind the excitation. The fundamental
+    /// component subtracts the cos τ of this term again. The coefficient is 0 without damping.
     pub fall: S,
-    /// Coefficient of sin τ − R q̃, by which the mode lags behind the excitation. R is the frequency of the excitation
+    /// Coefficient of sin τ − R q̃, the lag of the mode behind the excitation. R is the frequency of the excitation
     /// divided by the natural frequency of the mode.
     pub forced: S,
     /// φ_k(φᵀw)/r², the residue of the mode in the response of mass k to a force in the contact. Only the harmonics

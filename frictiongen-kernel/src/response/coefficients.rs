@@ -2,9 +2,9 @@
 //!
 //! The response of mode i has a term with V, the response to the load, and a term with friction. Both terms have a pole
 //! at the mode's resonance, and the poles partly cancel. The formulas therefore use ν = p v/V and κ = (p v U − w u
-//! V)/V. They use U and V without the terms of mode i wherever these would cancel. No cancellation then remains: x̄_k =
-//! Re[Q ρ e^{iτ}] + β Im[κ e^{iτ}] + β Σ φ_k w [ (1 − d) − g d + uR²(sin τ − …) ], with ρ = V_k/V and Q = √(|V|² −
-//! β²U²).
+//! V)/V. In these two, U and V leave out the terms of mode i if the terms would cancel. The result is free of
+//! cancellation: x̄_k = Re[Q ρ e^{iτ}] + β Im[κ e^{iτ}] + β Σ φ_k w [ (1 − d) − g d + uR²(sin τ − …) ], with ρ = V_k/V
+//! and Q = √(|V|² − β²U²).
 //!
 //! Close to a damped resonance, g d and Qρ are large and nearly proportional to cos τ. The code therefore moves −g cos
 //! τ into the fundamental component, and keeps the small term g (cos τ − d).
@@ -19,10 +19,10 @@ use crate::number::phase::wrapped;
 use crate::number::scalar::Scalar;
 use crate::oscillator::mode::Mode;
 
-/// Explanation of the factor of a mode in the response of mass k to a force in the contact.
+/// Explanation, for emitted code, of the factor of a mode in the response of mass k to a force in the contact.
 const BY_CONTACT: &str = "φ_k(φᵀw), from the contact to mass k";
 
-/// Names of a mode's term in the response V_k of mass k to the load.
+/// Names, for emitted code, of a mode's term in the response V_k of mass k to the load.
 const DRIVEN: [(&str, &str); 2] = [
     ("driven_re", "Re of the own term of V_k"),
     ("driven_im", "Im of the own term of V_k"),
@@ -76,8 +76,8 @@ impl<S: Scalar> Chain<S> {
         }
     }
 
-    /// Returns the fundamental component of the contact's own motion. At τ = 0 the contact is at its maximum, so only
-    /// the cosine with the contact's amplitude remains.
+    /// Returns the fundamental component of the contact's own motion. It is a cosine with the contact's amplitude,
+    /// because the contact is at its maximum at τ = 0.
     #[inline]
     pub fn contact_fundamental(
         &self,
@@ -118,8 +118,9 @@ impl<S: Scalar> Chain<S> {
     }
 
     /// Returns the coefficients of one mode in the motion of a mass, for
-    /// [`mass_wave`](crate::response::motion::mass_wave). The response of a mass-controlled mode (resonance far below
-    /// the excitation) stays one function, so that no cancelling terms are added (see `modal_sum::mass_controlled`).
+    /// [`mass_wave`](crate::response::motion::mass_wave). For a mass-controlled mode (resonance far below the
+    /// excitation) the whole response is one function, because separate terms would cancel (see
+    /// `modal_sum::mass_controlled`).
     #[inline]
     #[allow(clippy::too_many_arguments, reason = "a mode, and all it rests on")]
     pub fn mass_coefficients(
@@ -136,7 +137,7 @@ impl<S: Scalar> Chain<S> {
         self.modal_coefficients(&at, residue, contact, friction, inverse_r, index)
     }
 
-    /// Returns the functions u and g of a mode, with both set to 0 for a mass-controlled mode (resonance far below the
+    /// Returns the functions of a mode, with u and g set to 0 for a mass-controlled mode (resonance far below the
     /// excitation). The response of such a mode is a single function that already contains u and g.
     fn without_parts(&self, mode: &Mode<S>, at: &ModeAt<S>, index: usize) -> ModeAt<S> {
         let (slow, zero) = (
@@ -177,7 +178,8 @@ impl<S: Scalar> Chain<S> {
         self.fundamental_loaded(shape, (modes, InPhase), at, contact, friction, inverse_r)
     }
 
-    /// Returns the fundamental component as [`fundamental`](Self::fundamental) does, with loads in quadrature.
+    /// Returns the fundamental component of the motion of mass k for modes with loads in quadrature. Without such loads
+    /// [`fundamental`](Self::fundamental) gives the same component.
     pub fn fundamental_loaded(
         &self,
         shape: &[S],
@@ -345,9 +347,9 @@ impl<S: Scalar> Chain<S> {
         }
     }
 
-    /// Returns x̄*_k = V_k − H_k V/H, the complex amplitude of mass k while the contact is stuck (P/k₁; for base motion
-    /// Y). V/H is the force that keeps the contact stuck, and H_k the response of mass k to a unit force in the
-    /// contact.
+    /// Returns x̄*_k = V_k − H_k V/H, the complex amplitude of mass k while the contact is stuck, in units of P/k₁ (of
+    /// Y for base motion). V/H is the force that keeps the contact stuck. H_k is the response of mass k to a unit force
+    /// in the contact.
     pub fn stuck(
         &self,
         shape: &[S],
@@ -359,7 +361,8 @@ impl<S: Scalar> Chain<S> {
         self.stuck_loaded(shape, (modes, InPhase), at, contact, inverse_r)
     }
 
-    /// Returns the complex amplitude as [`stuck`](Self::stuck) does, with loads in quadrature.
+    /// Returns the complex amplitude of mass k while the contact is stuck, for modes with loads in quadrature. Without
+    /// such loads [`stuck`](Self::stuck) gives the same amplitude.
     pub fn stuck_loaded(
         &self,
         shape: &[S],
@@ -374,8 +377,8 @@ impl<S: Scalar> Chain<S> {
         self.stuck_with(shape, (modes, quadratures), at, (contact, &sums), inverse_r)
     }
 
-    /// Returns the complex amplitude as [`stuck_loaded`](Self::stuck_loaded) does, for an elastic contact.  H in
-    /// `contact` includes the compliance.
+    /// Returns the complex amplitude of mass k while an elastic contact is stuck, for modes with loads in quadrature.
+    /// H in `contact` includes the compliance.
     pub(crate) fn stuck_elastic(
         &self,
         shape: &[S],
@@ -392,7 +395,8 @@ impl<S: Scalar> Chain<S> {
         self.stuck_with(shape, (modes, quadratures), at, (contact, &sums), inverse_r)
     }
 
-    /// Returns the complex amplitude of a mass from the sums without the own term of the dominant mode.
+    /// Returns the complex amplitude of a mass while the contact is stuck. `sums` leave out the terms of the dominant
+    /// mode for this mode, because the terms would cancel.
     #[inline]
     fn stuck_with(
         &self,

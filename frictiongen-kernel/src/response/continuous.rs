@@ -14,7 +14,7 @@ pub type MotionOf<T> = Motion<<T as Scene>::Scalar, <T as Scene>::Decay, <T as S
 
 /// Trait of a scene that provides `motion`, the exact continuous motion.
 ///
-/// The default bodies are valid for every chain. A generator writes its own bodies where these are faster.
+/// The default bodies are valid for every chain. The code generator writes faster bodies for some scenes.
 pub trait ProvidesMotion: Scene {
     /// Type that `motion` returns. In emitted code this type has one method for each mass.
     type Motion: From<Continuous<Self>>;
@@ -33,7 +33,8 @@ pub trait ProvidesMotion: Scene {
         Motion::of_contact(*friction, fundamental, waves)
     }
 
-    /// Returns the motion of a mass that is not the contact's own mass. Returns `None` if the scene has no such mass.
+    /// Returns the motion of a mass that does not move exactly as the contact does. Returns `None` if the scene has no
+    /// such mass.
     #[inline]
     fn mass_motion(
         at: &At<Self>,
@@ -119,8 +120,8 @@ impl<T: ProvidesMotion> At<T> {
     }
 
     /// Returns the closed form of the continuous motion at any β with 0 ≤ β < |V|/|U|, without a check of the regime.
-    /// At larger β the formula has no real value. The closed form is a steady state only where [`motion`](Self::motion)
-    /// returns it.
+    /// At larger β the formula has no real value. The closed form is a steady state only if [`motion`](Self::motion)
+    /// returns it too.
     #[inline]
     #[must_use]
     pub fn closed_form(self, beta: T::Scalar) -> Continuous<T> {
@@ -155,9 +156,9 @@ impl<T: ProvidesMotion> Continuous<T> {
         &self.friction
     }
 
-    /// Returns the relative motion of the contact. For a mass on a wall this is x̄ of the mass. For a mass on a base,
-    /// this is x̄ of the mass minus the motion of the base. For two masses, this is x̄ of the later mass minus x̄ of
-    /// the earlier mass.
+    /// Returns the relative motion of the contact. For a mass on a wall it is x̄ of the mass. For a mass on a base it
+    /// is x̄ of the mass minus the motion of the base. For two masses it is x̄ of the later mass in the description
+    /// minus x̄ of the earlier mass.
     #[inline]
     #[must_use]
     pub fn contact(&self) -> MotionOf<T> {

@@ -3,8 +3,7 @@
 //! [`Scene`] provides the constants of a scene, and formulas that a generator may specialise. [`At`] evaluates the sums
 //! over the modes at one r and derives both limits and the regime from them. [`Continuous`] is the motion at one β
 //! while the contact slides all the time. [`Stuck`] is the response while the contact is stuck. Emitted solvers and the
-//! run-time system use the same types over their own scenes. This module knows neither time integration, nor events,
-//! nor text.
+//! run-time system use the same types over their own scenes. This module contains no time integration and no events.
 
 mod at;
 mod coefficient_types;

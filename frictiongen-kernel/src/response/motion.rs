@@ -12,8 +12,8 @@ use crate::oscillator::decay::{Decay, Instant};
 use crate::oscillator::mode::Mode;
 use crate::response::coefficients::{Friction, Fundamental, ModalCoefficients};
 
-/// Tolerance for the comparison of two lags, in roundings of a radian. The phase of the contact and the position of a
-/// maximum each have errors of a few roundings.
+/// Tolerance for the comparison of two lags, in rounding units of a radian. The phase of the contact and the position
+/// of a maximum each have an error of a few rounding units.
 const ALIKE: f64 = 64.0;
 
 /// Steady motion of one mass, or relative motion of the contact, while the contact slides all the time.
@@ -32,9 +32,9 @@ pub struct Motion<S, D, W> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Largest<S> {
-    /// Exact maximum of |x̄| over the period, in units of P/k₁ (for base motion Y).
+    /// Exact maximum of |x̄| over the period, in units of P/k₁ (of Y for base motion).
     pub amplitude: S,
-    /// Lag of the motion's maximum behind the maximum of the excitation, rad, in (−π, π].
+    /// Lag of the motion's maximum behind the maximum of the excitation, in rad, in (−π, π].
     pub phase: S,
     /// Number of evaluations of the modal sum that the search took.
     pub effort: Effort,
@@ -117,9 +117,9 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
     }
 
     /// Returns the amplitude and the phase by a search that begins at a predicted maximum. Previous searches of a sweep
-    /// over r or β give the prediction. The closer the steps of the sweep, the fewer evaluations the search takes. The
-    /// result is still the largest value over the whole period. The amplitude may differ from that of
-    /// [`largest`](Self::largest) by four roundings of the motion's modal terms.
+    /// over r or β give the prediction. A sweep with smaller steps needs fewer evaluations per search. The result is
+    /// still the largest value over the whole period. The amplitude may differ from that of [`largest`](Self::largest)
+    /// by four rounding units of the motion's modal terms.
     pub fn largest_near(&self, neighbour: &mut Neighbour<S>) -> Largest<S> {
         if self.is_contact {
             return self.largest();
@@ -139,8 +139,8 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
         }
     }
 
-    /// Returns the exact maximum of |x̄| over the period (P/k₁; for base motion Y). Each call runs a new search.
-    /// [`largest`](Self::largest) also reports whether the search was completed.
+    /// Returns the exact maximum of |x̄| over the period, in units of P/k₁ (of Y for base motion). Each call makes a
+    /// new search. [`largest`](Self::largest) also reports whether the search is complete.
     pub fn amplitude(&self) -> S {
         if self.is_contact {
             self.friction.amplitude
@@ -181,9 +181,9 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
         }
     }
 
-    /// Returns the lag of the motion's maximum behind the maximum of the excitation, rad, in (−π, π]. If several maxima
-    /// are equal, the one with the smallest |lag| counts. Of two lags ±φ, the positive one counts. Each call runs a new
-    /// search, as [`largest`](Self::largest) does.
+    /// Returns the lag of the motion's maximum behind the maximum of the excitation, in rad, in (−π, π]. If several
+    /// maxima are equal, the one with the smallest |lag| counts. Of two lags ±φ, the positive one counts. Each call
+    /// makes a new search, as [`largest`](Self::largest) does.
     pub fn phase(&self) -> S {
         if self.is_contact {
             return self.friction.phase;
@@ -211,31 +211,31 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
         best.unwrap_or(self.friction.phase)
     }
 
-    /// Returns the displacement x̄ at the phase τ, counted from a maximum of the contact's relative motion.
+    /// Returns the displacement x̄ at the phase τ. At τ = 0 the contact's relative motion has its maximum.
     pub fn displacement(&self, tau: S) -> S {
         let (at, negative) = instant(tau);
         let value = self.sum().value(&at);
         if negative { -value } else { value }
     }
 
-    /// Returns the velocity dx̄/dτ at the phase τ, counted from a maximum of the contact's relative motion.
+    /// Returns the velocity dx̄/dτ at the phase τ. At τ = 0 the contact's relative motion has its maximum.
     pub fn velocity(&self, tau: S) -> S {
         let (at, negative) = instant(tau);
         let value = self.sum().slope(&at);
         if negative { -value } else { value }
     }
 
-    /// Returns the acceleration d²x̄/dτ² at the phase τ, counted from a maximum of the contact's relative motion. The
-    /// acceleration jumps where the contact reverses. At a jump the result is the value just after the jump.
+    /// Returns the acceleration d²x̄/dτ² at the phase τ. At τ = 0 the contact's relative motion has its maximum. The
+    /// acceleration jumps when the contact reverses. At a jump the result is the value just after the jump.
     pub fn acceleration(&self, tau: S) -> S {
         let (at, negative) = instant(tau);
         let value = self.sum().jet(&at).curvature;
         if negative { -value } else { value }
     }
 
-    /// Returns X_n, the complex amplitude of harmonic n. It is defined by x̄ = Re Σ X_n e^{inτ_e}, where the phase τ_e
-    /// is counted from a maximum of the excitation (section 5 of `docs/derivation.md`). X_n is 0 for n = 0 and for even
-    /// n, since the motion repeats with the opposite sign after half a period.
+    /// Returns X_n, the complex amplitude of harmonic n, defined by x̄ = Re Σ X_n e^{inτ_e}. The phase τ_e is 0 at a
+    /// maximum of the excitation (section 5 of `docs/derivation.md`). X_n is 0 for n = 0 and for even n, because the
+    /// motion repeats with the opposite sign after half a period.
     pub fn harmonic(&self, n: u32) -> Complex<S> {
         let zero = S::constant(0.0);
         if n.is_multiple_of(2) {

@@ -16,7 +16,7 @@ pub struct Ends<S> {
     pub sliding_at_infinity: S,
 }
 
-/// All constants that the steady response of a scene depends on.
+/// All constants on which the steady response of a scene depends.
 #[derive(Clone, Copy, Debug)]
 pub struct Numbers<'a, S> {
     /// Modes that the load or the contact drives, in ascending order of resonance.
@@ -27,8 +27,8 @@ pub struct Numbers<'a, S> {
     pub ends: Ends<S>,
     /// Index of the mass that slides on a wall or base. `None` if two masses slide on each other.
     pub rubbing: Option<usize>,
-    /// True if the masses beyond a stuck contact may act as an absorber. V and H, the responses of the contact to the
-    /// load and to a contact force, may then vanish at the same frequency.
+    /// True if the masses beyond a stuck contact may act as an absorber. V and H may then vanish at the same frequency.
+    /// V and H are the responses of the contact to the load and to a contact force.
     pub absorbs: bool,
     /// Frequency ratios of the undamped resonances that the load drives. The response at these resonances may be
     /// unbounded.
@@ -38,7 +38,8 @@ pub struct Numbers<'a, S> {
 }
 
 impl<S: Float> Numbers<'_, S> {
-    /// Returns true if this mass moves exactly as the contact does. Only a mass that slides on a support at rest does.
+    /// Returns true if this mass moves exactly as the contact does. This is so only for a mass that slides on a support
+    /// at rest.
     #[inline]
     #[must_use]
     pub fn moves_as_contact(&self, mass: usize) -> bool {

@@ -1,4 +1,5 @@
-//! Trait that a scene implements so that this crate can compute its steady response.
+//! Trait of a scene. An implementation gives the constants of the scene, from which this crate computes the steady
+//! response.
 
 use super::numbers::Numbers;
 use crate::contact::regime::{self, Limits};
@@ -7,10 +8,10 @@ use crate::modal_sum::wave::Wave;
 use crate::number::scalar::Float;
 use crate::oscillator::decay::Decay;
 
-/// Constants of a scene for its steady response, and the formulas that a generator may specialise.
+/// Constants of a scene for its steady response, and formulas that the code generator may replace.
 ///
-/// The default bodies are valid for every chain. A generator writes its own bodies where constants save work. The
-/// results of both have the same bits.
+/// The default bodies are valid for every chain. The code generator writes its own bodies if the constants of the scene
+/// save work. The results of both have the same bits.
 pub trait Scene: Clone {
     /// Number type of the scene: `f64`, `f32`, or a wider scalar.
     type Scalar: Float;
@@ -23,28 +24,30 @@ pub trait Scene: Clone {
         + AsMut<[Wave<Self::Scalar, Self::Decay>]>
         + Clone;
 
-    /// Returns all constants that the steady response depends on.
+    /// Returns all constants on which the steady response depends.
     fn numbers(&self) -> Numbers<'_, Self::Scalar>;
 
     /// Returns the component of a mass in each mode shape. Returns `None` if the scene has no such mass, or provides
     /// nothing for this mass.
     fn shape(&self, mass: usize) -> Option<&[Self::Scalar]>;
 
-    /// Returns the loads in quadrature with the motion of the base, as [`Quadratures`](crate::contact::quadrature) takes
-    /// them. The list is empty unless damping acts on velocities relative to the moving base.
+    /// Returns the loads in quadrature with the motion of the base, in the form of
+    /// [`Quadratures`](crate::contact::quadrature). The list is empty unless damping acts on velocities relative to the
+    /// moving base.
     #[inline]
     fn quadratures(&self) -> &[[Self::Scalar; 2]] {
         &[]
     }
 
     /// Returns the compliance ρ of an elastic contact: k₁ over the stiffness of the spring in series with its slider.
-    /// `None` for a rigid contact.  ρ is added to the receptance H of the contact.
+    /// Returns `None` for a rigid contact.  ρ is a term of the contact's receptance H.
     #[inline]
     fn compliance(&self) -> Option<Self::Scalar> {
         None
     }
 
-    /// Returns true if the scene provides the motion of a mass. The result counts only for a mass that `shape` knows.
+    /// Returns true if the scene provides the motion of a mass. The result is valid only for a mass for which `shape`
+    /// returns components.
     #[inline]
     fn moves(&self, mass: usize) -> bool {
         let _ = mass;
@@ -62,9 +65,9 @@ pub trait Scene: Clone {
     /// Returns the contact's sums over all modes at 1/r, and the frequency functions of each mode.
     fn frequency_stage(&self, inverse_r: Self::Scalar) -> (ContactAt<Self::Scalar>, Self::Modes);
 
-    /// Returns the contact's sums as [`frequency_stage`](Self::frequency_stage) does, without the functions of the
-    /// modes. The sum G (displacement of the contact that friction causes at a reversal) is left out, because the
-    /// limits do not need it.
+    /// Returns the contact's sums as [`frequency_stage`](Self::frequency_stage) does, but without the functions of the
+    /// modes and without the sum G. The limits do not need G, the displacement of the contact that friction causes at a
+    /// reversal.
     #[inline]
     fn contact_without_g(&self, inverse_r: Self::Scalar) -> ContactAt<Self::Scalar> {
         self.frequency_stage(inverse_r).0
@@ -74,31 +77,30 @@ pub trait Scene: Clone {
     /// mode in a sum over the modes.
     fn idle(&self) -> Self::Waves;
 
-    /// Copies the functions of the modes, so that a motion can own the copy. A generator writes a plain copy. If a
-    /// compiler optimises for size, `clone` becomes a loop over the modes, which costs time.
+    /// Copies the functions of the modes, so that a motion can own the copy. The code generator writes a plain copy,
+    /// because `clone` becomes a slow loop over the modes if a compiler optimises for size.
     #[inline]
     fn kept(modes: &Self::Modes) -> Self::Modes {
         modes.clone()
     }
 
-    /// Runs a search with one [`Wave`] per mode as working space. All coefficients of the waves are 0 at the start. The
-    /// waves are dropped after the search.
+    /// Calls `search` with one [`Wave`] per mode as working space. All coefficients of the waves are 0 at the start.
     #[inline]
     fn with_idle<R>(&self, search: impl FnOnce(&mut [Wave<Self::Scalar, Self::Decay>]) -> R) -> R {
         search(self.idle().as_mut())
     }
 
-    /// Returns H_c + μm*/r², which decides whether the contact breaks away at a reversal (5.63, 7.47). The result is
-    /// multiplied by r² and by the scale E of [`ContactAt`].
+    /// Returns the break-away term H_c + μm*/r² (5.63, 7.47). The contact breaks away at a reversal if its acceleration
+    /// exceeds β times this term. The result is multiplied by r² and by the scale E of [`ContactAt`].
     #[inline]
     fn break_away(&self, contact: &ContactAt<Self::Scalar>) -> Self::Scalar {
         self.numbers().chain.break_away(contact)
     }
 
     /// Returns β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²), the limit of continuous motion (5.65, 5.80, 5.96, 7.49). V is
-    /// the response of the contact to the load, U its velocity from friction at a reversal, and S the velocity
-    /// constraint. The argument `constraint` is max(S, H_c + μm*/r²), multiplied by r² and by the scale E of
-    /// [`ContactAt`].
+    /// the response of the contact to the load. U is the velocity of the contact that friction causes at a reversal. S
+    /// is the velocity constraint. The argument `constraint` is max(S, H_c + μm*/r²), multiplied by r² and by the scale
+    /// E of [`ContactAt`].
     #[inline]
     fn continuous_limit(
         &self,
@@ -108,17 +110,17 @@ pub trait Scene: Clone {
         self.numbers().chain.continuous_limit(contact, constraint)
     }
 
-    /// Returns β*_lim = |V|/(μ|H|), the limit of sliding (6.11, 6.27, 6.33), without regard to an absorber. V is the
-    /// response of the contact to the load, H its receptance.
+    /// Returns β*_lim = |V|/(μ|H|), the limit of sliding (6.11, 6.27, 6.33). V is the response of the contact to the
+    /// load, H its receptance. The result is not corrected for masses that act as an absorber.
     #[inline]
     fn sliding_limit(&self, contact: &ContactAt<Self::Scalar>) -> Self::Scalar {
         self.numbers().chain.sliding_limit(contact)
     }
 
-    /// Returns both limits without a search: an upper bound on β_lim, and β*_lim without regard to an absorber. The
-    /// value of r must be neither 0 nor infinite. The second result is the real part of H, the receptance of the
-    /// contact, multiplied by r² and by the scale E of [`ContactAt`]. The caller decides from this number whether
-    /// masses may act as an absorber.
+    /// Returns both limits without a search: an upper bound on β_lim, and β*_lim. The latter is not corrected for
+    /// masses that act as an absorber. r must be neither 0 nor infinite. The second result is the real part of H, the
+    /// receptance of the contact, multiplied by r² and by the scale E of [`ContactAt`]. If it is small, masses may act
+    /// as an absorber.
     #[inline]
     fn limits_without_search(
         &self,

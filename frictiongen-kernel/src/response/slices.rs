@@ -9,12 +9,11 @@ use crate::number::scalar::{Float, Scalar};
 use crate::oscillator::mode::Kind;
 
 impl<T: Scene> At<T> {
-    /// Computes both limits at every frequency ratio of a slice, and writes the limits into two slices of the same
-    /// length.
+    /// Computes both limits at every frequency ratio of a slice, and writes them to two slices of the same length.
     ///
     /// # Errors
     /// [`OutOfDomain`] if the slices have different lengths, which leaves both result slices unchanged. [`OutOfDomain`]
-    /// also at the first NaN or negative r, after writing the limits at the preceding frequency ratios.
+    /// also at the first NaN or negative r. The limits before that r are then already written.
     pub fn limits_into(
         scene: T,
         rs: &[T::Scalar],
@@ -27,13 +26,12 @@ impl<T: Scene> At<T> {
     }
 
     /// Computes both limits [without search](Self::limits_without_search) at every frequency ratio of a slice, and
-    /// writes the limits into two slices of the same length. Each limit has the same bits as in a call for a single
-    /// frequency ratio. If all modes are undamped or all are lightly damped, the call computes several frequency ratios
-    /// side by side.
+    /// writes them to two slices of the same length. Each limit has the same bits as in a call for a single frequency
+    /// ratio. If all modes are undamped or all are lightly damped, the call computes several frequency ratios at once.
     ///
     /// # Errors
     /// [`OutOfDomain`] if the slices have different lengths, which leaves both result slices unchanged. [`OutOfDomain`]
-    /// also at the first NaN or negative r, after writing the limits at the preceding frequency ratios.
+    /// also at the first NaN or negative r. The limits before that r are then already written.
     pub fn limits_without_search_into(
         scene: &T,
         rs: &[T::Scalar],

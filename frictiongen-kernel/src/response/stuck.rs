@@ -13,7 +13,7 @@ pub trait ProvidesStuck: Scene {
 
     /// Returns x̄* = V_k − H_kV/H, the complex amplitude of mass k while the contact is stuck (6.11, 6.27, 6.33). V/H
     /// is the contact force in the stuck state. The mass must not be the mass that the stuck contact fixes to its
-    /// support. The default body is valid for every chain. A generator replaces it where constants save work.
+    /// support. The default body is valid for every chain. The code generator replaces it if constants save work.
     #[inline]
     fn stuck_mass(at: &At<Self>, mass: usize) -> Option<Complex<Self::Scalar>> {
         let numbers = at.scene.numbers();
@@ -103,8 +103,8 @@ impl<T: ProvidesStuck> Stuck<T> {
         complex::mul(sums.v, complex::reciprocal(sums.h, true), true)
     }
 
-    /// Returns the complex amplitude of a mass as [`mass_at`](Self::mass_at) does. Returns 0 if the scene has no such
-    /// mass.
+    /// Returns the complex amplitude of a mass while the contact is stuck, or 0 if the scene has no such mass.
+    /// [`mass_at`](Self::mass_at) returns `None` instead of 0.
     #[inline]
     #[must_use]
     pub fn mass(&self, mass: usize) -> Complex<T::Scalar> {

@@ -1,4 +1,5 @@
-//! The exact motion in time: closed forms between events of the contact, and events located to rounding.
+//! Exact motion in time. Between events of the contact the motion has a closed form. The simulation locates the events
+//! to rounding.
 //!
 //! The simulation makes no time steps. It searches for the next event: a zero of the relative velocity, or the instant
 //! at which the force in the stuck contact reaches μβ.

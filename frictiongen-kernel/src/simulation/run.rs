@@ -44,8 +44,8 @@ impl<S: Float> Moment<S> {
     }
 }
 
-/// An exact simulation in time, from event to event. It is an iterator over segments of the motion. A segment without
-/// an event within a cycle is returned in pieces of one cycle.
+/// An exact simulation in time, from event to event. It is an iterator over segments of the motion. If a segment lasts
+/// longer than a cycle without an event, the iterator returns pieces of one cycle.
 ///
 /// `P` owns the oscillators: an array in emitted code, a vector at run time.  `L` is the kinetic friction:
 /// [`Constant`], or [`Lines`] over the speed.  `K`, the constants of the chain, selects the law of the contact.
@@ -59,9 +59,9 @@ pub struct Simulation<'a, S, P, L = Constant, K = Chain<S>> {
     /// Phase of the excitation at the start of the segment (`start`), and at the present instant (`now`).
     start: Clock<S>,
     now: Clock<S>,
-    /// The current segment once its end has been found, and the time in τ that has passed in the segment. The
-    /// simulation searches for the end only once, however short the steps of the caller are. A second search close to
-    /// an event would find the same event again.
+    /// The current segment after the search for its end, and the time in τ that has passed in the segment. The
+    /// simulation makes this search only once, even if the caller advances in many short steps. A second search close
+    /// to an event would find the same event again.
     sought: Option<Sought<S>>,
     passed: Total<S>,
 }
@@ -74,22 +74,21 @@ pub type FixedLinesSimulation<S, const PARTS: usize> =
     Simulation<'static, S, [Part<S>; PARTS], Lines<'static, S>>;
 
 /// Upper bound on the pieces of motion that one call follows if the kinetic friction changes with the speed. A piece
-/// ends at an event, or where the speed reaches the next straight line of the friction law. It also ends where the
-/// power series of the motion no longer converges. A call that reaches the bound returns, and the motion continues in
-/// another segment.
+/// ends at an event, or when the speed reaches the next straight line of the friction law. It also ends where the power
+/// series of the motion no longer converges. A call that reaches the bound returns, and the motion continues in another
+/// segment.
 pub const MAX_STRETCHES: u32 = 4096;
 
 impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, K: ContactChain<S>>
     Simulation<'a, S, P, Constant, K>
 {
     /// Creates a simulation from a state at a maximum of the excitation, τ = 0. The state has the displacements x̄ of
-    /// the masses and their velocities dx̄/dτ. Without a state the motion starts from rest. `parts` has one
-    /// [`Part::empty`] for each mode of the chain, and one for each mode of the chain with its contact stuck.
+    /// the masses and their velocities dx̄/dτ. Without a state the motion starts from rest. `parts` must contain a
+    /// [`Part::empty`] for each mode of the chain, and for each mode of the chain with its contact stuck.
     ///
     /// # Errors
-    /// [`OutOfDomain`] for r that is not positive and finite, and for β or μβ that is NaN, negative or infinite.  A
-    /// state without one finite displacement and velocity for each mass, and a wrong number of `parts`, give the same
-    /// error.
+    /// [`OutOfDomain`] if r is not positive and finite, or if β or μβ is NaN, negative or infinite.  A state without
+    /// one finite displacement and velocity for each mass, and a wrong number of `parts`, give the same error.
     pub fn new(
         dynamics: Dynamics<'a, S, K>,
         r: S,
@@ -107,12 +106,12 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, K: ContactChain<S>>
 impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, K: ContactChain<S>>
     Simulation<'a, S, P, Lines<'a, S>, K>
 {
-    /// Creates a simulation whose kinetic friction changes with the speed, in straight `lines`.
+    /// Creates a simulation whose kinetic friction changes with the speed, along straight `lines`.
     ///
     /// # Errors
-    /// Same errors as [`new`](Simulation::new). [`OutOfDomain::LoadAmplitude`] for a load that takes the law's speeds
-    /// out of the scalar's range. [`OutOfDomain::Steepness`] for a law that is too steep: it changes the motion more
-    /// than [`MAX_STEEPNESS`](super::MAX_STEEPNESS) times as fast as the fastest mode does.
+    /// Same errors as [`new`](Simulation::new). [`OutOfDomain::LoadAmplitude`] if the load makes the law's speeds
+    /// overflow or underflow in the number type. [`OutOfDomain::Steepness`] if the law is too steep: it changes the
+    /// motion more than [`MAX_STEEPNESS`](super::MAX_STEEPNESS) times as fast as the fastest mode does.
     pub fn along(
         dynamics: Dynamics<'a, S, K>,
         r: S,
@@ -174,14 +173,14 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: Level<'a, S>, K: C
         self.now.t * S::pi()
     }
 
-    /// Returns the state of the contact from the present instant on.
+    /// Returns the state of the contact just after the present instant.
     #[must_use]
     pub fn contact(&self) -> Contact {
         self.contact_state.contact
     }
 
-    /// Returns the present motion of a mass, by its index in the description.  If no mass has this index,
-    /// displacement and velocity are 0.
+    /// Returns the present motion of a mass, by its index in the description.  For an invalid index, displacement and
+    /// velocity are 0.
     #[must_use]
     pub fn mass(&self, index: usize) -> Moment<S> {
         let shape = self.setting.dynamics.shape(index);
@@ -221,7 +220,7 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: Level<'a, S>, K: C
 
     /// Advances to the next event, or by at most `reach` in τ. A reach of 0 changes nothing.
     ///
-    /// The events of a simulation do not depend on the size of its steps. Rounding errors of the steps do not
+    /// The events of a simulation do not depend on the lengths of these advances, and rounding errors do not
     /// accumulate.
     ///
     /// # Errors
@@ -269,7 +268,7 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: Level<'a, S>, K: C
         segment
     }
 
-    /// Returns the current segment. If the end of the segment is unknown, searches for it over at least a cycle.
+    /// Returns the current segment. If its end is unknown, searches for the end over at least a cycle.
     fn find_end(&mut self, reach: S) -> Sought<S> {
         if let Some(sought) = self.sought {
             return sought;
@@ -292,8 +291,8 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: Level<'a, S>, K: C
         sought
     }
 
-    /// Advances within the current segment by at most `reach`. Returns the length advanced. At the end of the segment,
-    /// also returns the event that ends it. The inner `None` means an end without an event.
+    /// Advances within the current segment by at most `reach`. The first result is the length advanced. At the end of
+    /// the segment, the second result has the event that ends it, with an inner `None` for an end without an event.
     fn advance_within(&mut self, reach: S) -> (S, Option<Option<Event>>) {
         let sought = self.find_end(reach);
         let parts = self.parts.as_mut();

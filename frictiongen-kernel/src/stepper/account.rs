@@ -1,4 +1,4 @@
-//! Work and energy of a stepper's run, the terms of its energy balance.
+//! Energy balance of a stepper: work and energy since the start.
 
 use super::law::StepContact;
 use super::state::Store;
@@ -16,8 +16,8 @@ pub struct Work<S> {
     pub load: S,
     /// Work dissipated by friction.
     pub friction: S,
-    /// Work dissipated by modal damping. It is computed from the balance: the work of the load, minus friction, minus
-    /// stored energy.
+    /// Work dissipated by modal damping, computed from the balance: the work of the load, minus the work of friction,
+    /// minus the stored energy.
     pub damping: S,
     /// Increase of kinetic and elastic energy since the start.
     pub stored: S,
@@ -55,8 +55,8 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepContact<S
         }
     }
 
-    /// Returns the kinetic and elastic energy of the chain, over k₁. The contribution of the base's displacement is
-    /// left out; [`pull`](Self::pull) returns it.
+    /// Returns the kinetic and elastic energy of the chain, over k₁. The result leaves out the contribution of the
+    /// base's displacement, which [`pull`](Self::pull) returns.
     pub(super) fn energy(&self) -> S {
         let half = S::constant(0.5);
         let modes = self.scene.dynamics.modes.iter().enumerate();
@@ -73,7 +73,7 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepContact<S
         sum * half
     }
 
-    /// Returns the energy that the springs to the moving base store due to the base's displacement, over k₁.
+    /// Returns the energy in the springs to the moving base that comes from the base's displacement, over k₁.
     pub(super) fn pull(&self) -> S {
         let zero = S::constant(0.0);
         if !self.scene.on_base {

@@ -1,5 +1,5 @@
-//! Advances through one sub-interval of a step. The stepper uses its constant tables if the contact certainly has no
-//! event, and searches for events otherwise.
+//! Advances through one sub-interval of a step. The stepper uses its constant tables if the contact provably has no
+//! event, and otherwise searches for events.
 
 use super::interval::StepInterval;
 use super::law::StepContact;
@@ -31,10 +31,10 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         }
     }
 
-    /// Advances without friction. The contact is then never at rest under a force, so that its reversals are no events.
+    /// Advances without friction. The contact then carries no force, so that its reversals are not events.
     ///
     /// The stepper uses its constant tables for the whole sub-interval. Power series about events have rounding errors,
-    /// which would break the energy balance of an undamped chain.
+    /// which would violate the energy balance of an undamped chain.
     fn advance_without_friction(&mut self) {
         if self.status.contact == Contact::Stuck && !self.status.unknown {
             self.start_sliding();

@@ -1,4 +1,5 @@
-//! Upper bounds on the cost of a step in floating-point operations, computed from the lengths of its loops.
+//! Upper bounds on the cost of a step in floating-point operations. The module computes them from the lengths of the
+//! step's loops.
 
 use super::{MAX_EVENTS, MAX_STRETCHES};
 use crate::motion::WALK;
@@ -10,7 +11,7 @@ pub struct Extent {
     pub modes: u64,
     /// Number of modes that the contact drives.
     pub driven: u64,
-    /// Number of modes that the chain loses while the contact sticks.
+    /// Number of modes of the chain minus number of modes of the chain with its contact stuck.
     pub lost: u64,
     /// Number of inputs.
     pub inputs: u64,
@@ -18,13 +19,13 @@ pub struct Extent {
     pub coefficients: u64,
     /// Number of terms of a power series.
     pub terms: u64,
-    /// Number of sub-intervals into which a step is cut.
+    /// Number of sub-intervals in a step.
     pub parts: u64,
     /// True if the contact rubs on a moving base.
     pub on_moving_base: bool,
     /// True if damping acts relative to the moving base.
     pub damped_from_base: bool,
-    /// True if the friction law has at least two lines. A second search then looks for the end of each line.
+    /// True if the friction law has at least two lines. A second search then finds the end of each line.
     pub lines: bool,
 }
 
@@ -38,10 +39,10 @@ pub struct Extent {
 pub struct Cost {
     /// Cost of a step without a search for events, in operations.
     pub tables: u64,
-    /// Cost of a step with one event, in operations. All other sub-intervals use the constant tables, and each search
-    /// takes [`Cost::WALK`] evaluations.
+    /// Cost of a step with one event, in operations. The estimate assumes [`Cost::WALK`] evaluations in each search,
+    /// and constant tables in all other sub-intervals.
     pub one_event: u64,
-    /// Upper bound on the cost of any step, in operations. The bound counts [`MAX_STRETCHES`] pieces in every
+    /// Upper bound on the cost of any step, in operations. The bound assumes [`MAX_STRETCHES`] pieces in every
     /// sub-interval, and the largest permitted number of evaluations in each search.
     pub most: u64,
 }
@@ -78,8 +79,8 @@ impl Cost {
 }
 
 impl Extent {
-    /// Returns the cost of advancing one sub-interval with the constant tables. The stepper has this cost also if the
-    /// contact turns out to have an event.
+    /// Returns the cost of advancing one sub-interval with the constant tables. The stepper makes this attempt first,
+    /// even in a sub-interval with an event.
     const fn attempt(&self) -> u64 {
         let Self {
             modes,

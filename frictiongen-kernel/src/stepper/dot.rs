@@ -1,10 +1,10 @@
-//! Sums over the few coefficients of an input, written without loops. On a microcontroller a loop would cost more than
-//! the sum.
+//! Sums over the few coefficients of an input. The code writes them out without loops, because on a microcontroller a
+//! loop would cost more than the sum.
 
 use crate::number::scalar::Float;
 
-/// Returns start + Σ a·b. The products are summed first, because they cancel if an input changes its sign within a
-/// sub-interval. If each product were added to `start`, the rounding errors could exceed the sum of the products.
+/// Returns start + Σ a·b. The function sums the products first, because they cancel if an input changes its sign within
+/// a sub-interval. If each product were added to `start`, the rounding errors could exceed the sum of the products.
 #[inline(always)]
 pub(super) fn dot<S: Float, const D: usize>(start: S, a: &[S; D], b: &[S; D]) -> S {
     match (a.as_slice(), b.as_slice()) {
@@ -43,8 +43,7 @@ pub(super) fn add<S: Float, const D: usize>(sum: &mut [S; D], factor: S, terms: 
     }
 }
 
-/// Returns two upper bounds over a sub-interval: on the absolute value of a drive polynomial, and on that of its
-/// derivative.
+/// Returns two upper bounds over a sub-interval, for the absolute values of a drive polynomial and of its derivative.
 #[inline(always)]
 pub(super) fn sizes<S: Float, const D: usize>(drive: &[S; D]) -> (S, S) {
     let (two, three) = (S::constant(2.0), S::constant(3.0));
@@ -68,7 +67,7 @@ pub(super) fn sizes<S: Float, const D: usize>(drive: &[S; D]) -> (S, S) {
     }
 }
 
-/// Computes all moments except the first, each from its row of the constant table.
+/// Computes all moments except the first. `rows` has the rows of the constant table, one for each moment.
 #[inline(always)]
 pub(super) fn later<S, R, const D: usize>(
     moments: &mut [S; D],

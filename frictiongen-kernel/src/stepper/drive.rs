@@ -57,7 +57,7 @@ impl<S: Float> Sample<'_, S> {
     }
 }
 
-/// A sub-interval of a step, in fractions of the step.
+/// A sub-interval of a step, as start and length in fractions of the step.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SubInterval<S> {
     /// Start of the sub-interval, from 0 to 1.

@@ -1,9 +1,9 @@
 //! An elastic contact within a step: a spring in series with the slider.
 //!
-//! While the contact sticks, `stuck_at` of the status is the place of the slider, and the contact may move.  The force of
-//! the spring is `contact_force` of the status at the end of every sub-interval, also while the slider moves.  The slider
-//! has no mass.  Where the kinetic friction force falls below the force of the spring, the slider jumps, and friction
-//! dissipates the energy that the spring loses.
+//! The field `stuck_at` of the status is the displacement of the slider while the contact sticks. The contact itself
+//! may move.  The field `contact_force` is the force of the spring at the end of every sub-interval, also while the
+//! slider moves.  The slider has no mass.  If the kinetic friction force falls below the force of the spring, the
+//! slider jumps. Friction then dissipates the energy that the spring loses.
 
 use super::interval::StepInterval;
 use super::law::StepContact;
@@ -47,8 +47,8 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         0 < self.scene.dynamics.chain.remembered()
     }
 
-    /// Adapts a sliding elastic contact to a kinetic friction force that has changed since the last step.  Under a larger
-    /// force the contact sticks, and its spring is loaded further.
+    /// Updates a sliding elastic contact after a change of the kinetic friction force between steps.  If the force has
+    /// become larger, the contact sticks, and the load on its spring increases further.
     pub(super) fn adapt_to_level(&mut self) {
         if self.status.contact == Contact::Stuck || self.status.unknown {
             return;
@@ -71,8 +71,8 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         self.status.contact_force = to;
     }
 
-    /// The slider moves off, where the force of the spring has reached μF or is beyond μF.  If the contact moves against
-    /// the force, the slider jumps only, and the contact sticks under F.
+    /// Starts the motion of the slider, when the force of the spring has reached or exceeded μF.  If the contact moves
+    /// against the force, the slider only jumps, and the contact then sticks under F.
     pub(super) fn yield_under(&mut self, force: S, contact: Contact) {
         let kinetic = self.law().kinetic(contact);
         self.start_sliding();
@@ -98,9 +98,9 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         }
     }
 
-    /// Changes to sticking under a force of the spring.  The state of the modes becomes the state of the stuck chain's
-    /// modes.  The stiffest of these takes the displacement that gives the force, because the force of a stiff spring is
-    /// a small difference of displacements.
+    /// Changes the state to sticking under a given force of the spring.  Computes the stuck chain's modes from the
+    /// modes of the chain.  With a stiff spring, the force is a small difference of displacements. The function
+    /// therefore corrects the stiffest stuck mode so that the modes give this force.
     pub(super) fn start_sticking_under(&mut self, force: S) {
         let zero = S::constant(0.0);
         let dynamics = &self.scene.dynamics;

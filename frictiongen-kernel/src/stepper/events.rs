@@ -28,8 +28,8 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         }
     }
 
-    /// Advances over the rest of the sub-interval without events, so that no energy is created. A contact at rest stays
-    /// stuck, and a sliding contact slides without friction.
+    /// Advances over the rest of the sub-interval without events. A contact at rest stays stuck, and a sliding contact
+    /// slides without friction, so that the energy cannot grow.
     fn pass_without_events(&mut self, departing: Option<Departure<S>>) {
         self.exceeded = true;
         let left = S::constant(1.0) - self.progress;

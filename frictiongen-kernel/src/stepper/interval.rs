@@ -7,7 +7,7 @@ use super::table::View;
 use crate::motion::ContactChain;
 use crate::number::scalar::Float;
 
-/// Bound on the rounding error of a sum over modes, in roundings of the sum of the absolute values of its terms.
+/// Bound on the rounding error of a sum over modes, in rounding units of the sum of the absolute values of its terms.
 pub(super) const ROUNDINGS: f64 = 8.0;
 /// Factor 1/8: over a unit of time, a function differs from its chord by at most this factor times its largest second
 /// derivative.
@@ -19,7 +19,8 @@ pub struct StepInterval<'t, 'a, S, const D: usize, K> {
     pub table: View<'t, S, D>,
     pub store: StoreMut<'t, S, D>,
     pub status: &'t mut Status<S>,
-    /// The base's displacement over the sub-interval as a polynomial. It matters only if the contact rubs on the base.
+    /// The base's displacement over the sub-interval as a polynomial. The stepper uses it only if the contact slides on
+    /// the base.
     pub base: [S; 4],
     /// Progress through the sub-interval, from 0 to 1. The inputs' polynomials have their origin at this instant.
     pub progress: S,
@@ -29,7 +30,7 @@ pub struct StepInterval<'t, 'a, S, const D: usize, K> {
     pub exceeded: bool,
 }
 
-/// The contact at the instant at which it starts to slide from zero velocity.
+/// The contact at an instant at which it starts to slide from zero velocity.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Departure<S> {
     /// Relative acceleration in the direction of sliding.

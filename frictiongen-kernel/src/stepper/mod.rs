@@ -1,16 +1,16 @@
-//! The motion under a force that is known at samples, in time steps of a fixed length.
+//! Motion under a force that is known at samples, in time steps of a fixed length.
 //!
-//! A step is divided into equal sub-intervals, called `parts` in the code. In a sub-interval, no oscillator advances by
-//! more than a radian. A power series over a sub-interval therefore converges, and its cost is bounded.
+//! The stepper divides a step into equal sub-intervals, called `parts` in the code. In a sub-interval, no oscillator
+//! advances by more than a radian. A power series over a sub-interval therefore converges, and its cost is bounded.
 //!
 //! Over a sub-interval the input is a polynomial, and each oscillator has a closed-form response. A constant table
-//! advances the oscillator's state from the start of the sub-interval to its end. If the contact certainly keeps
-//! sliding, or certainly keeps sticking, one product with this table gives the motion over the sub-interval.
+//! advances the oscillator's state from the start of the sub-interval to its end. If the contact provably keeps
+//! sliding, or provably keeps sticking, one product with this table gives the motion over the sub-interval.
 //!
-//! Otherwise the stepper searches the sub-interval for events, and follows the motion in *pieces* between them. The
-//! contact's velocity, or the force in the stuck contact, is then a power series about an instant. The search of the
-//! simulation finds the first zero of this series. The *stuck chain* is the chain with its contact stuck. The code
-//! calls its modes `held`. Section 11 of docs/derivation.md derives the method.
+//! Otherwise the stepper searches the sub-interval for events, and follows the motion in *pieces* between them. In a
+//! piece, the contact's velocity or the force in the stuck contact is a power series about an instant. The search that
+//! the simulation uses finds the first zero of this series. The *stuck chain* is the chain with its contact stuck. The
+//! code calls its modes `held`. Section 11 of docs/derivation.md derives the method.
 
 mod account;
 mod advance;
@@ -55,8 +55,8 @@ pub use types::{ContactNow, FixedStepper, MassNow, Stepped, Stepper};
 pub const MAX_EVENTS: u32 = 8;
 
 /// Upper bound on the pieces of motion that the stepper follows in one sub-interval of a step.  A piece ends at an
-/// event, or where the speed reaches the next straight line of the friction law.  It also ends where the power series
-/// of a steep law stops converging.
+/// event, or when the speed reaches the next straight line of the friction law.  It also ends where the power series of
+/// a steep law stops converging.
 pub const MAX_STRETCHES: u32 = 8 * MAX_EVENTS;
 
 /// Upper bound on the sub-intervals of one step.

@@ -1,4 +1,5 @@
-//! Results that a stepper returns: the present motion of masses and contact, and the friction force.
+//! Results that a stepper returns: the motion of masses and contact at the end of the last step, and the friction
+//! force.
 
 use super::cost::Cost;
 use super::interval::ROUNDINGS;
@@ -102,7 +103,8 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepContact<S
         }
     }
 
-    /// Returns the present motion of a mass, by its index in the description.  An index without a mass gives rest.
+    /// Returns the motion of a mass at the end of the last step, by its index in the description.  An invalid index
+    /// gives a motion at rest.
     #[must_use]
     pub fn mass(&self, index: usize) -> MassNow<S> {
         if self.rests() && self.scene.dynamics.moves_as_contact(index) {

@@ -2,12 +2,12 @@
 
 use crate::number::scalar::Float;
 
-/// Division of a step into sub-intervals, with constants of the scene that belong to it.
+/// Division of a step into sub-intervals, and constants that depend on this division.
 #[derive(Clone, Copy, Debug)]
 pub struct Pace<S> {
     /// The step, in seconds.
     pub step: S,
-    /// Number of sub-intervals into which the step is cut.
+    /// Number of sub-intervals in a step.
     pub parts: u32,
     /// Length of a sub-interval in the time t√(k₁/m₁).
     pub span: S,
@@ -24,7 +24,7 @@ pub struct Pace<S> {
 }
 
 impl<S: Float> Pace<S> {
-    /// Returns a division whose numbers are all 0, to be filled.
+    /// Returns a division whose numbers are all 0, as the initial content of a field.
     #[must_use]
     pub fn zero() -> Self {
         let zero = S::constant(0.0);

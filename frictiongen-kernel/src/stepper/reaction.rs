@@ -1,8 +1,8 @@
 //! Work of damping forces on the moving base, if damping acts relative to the base.
 //!
-//! The damping load C·1·ẏ on the masses has an opposite reaction on the base. The base also feels the force 1ᵀC1·ẏ. The
-//! work of the base against both forces is 1ᵀC1∫ẏ²dt − ∫ẏ·1ᵀC·ẋ dt. The sums over the inputs count ∫ẏ·1ᵀC·ẋ dt as work
-//! of the load on the masses. The code therefore subtracts twice this integral.
+//! The damping load C·1·ẏ on the masses has an opposite reaction on the base. The damping force 1ᵀC1·ẏ also acts on the
+//! base. The work of the base against both forces is 1ᵀC1∫ẏ²dt − ∫ẏ·1ᵀC·ẋ dt. The sums over the inputs add ∫ẏ·1ᵀC·ẋ dt
+//! as work of the load on the masses. The code therefore subtracts twice this integral.
 
 use super::dot::add;
 use super::drive::derived;
@@ -40,7 +40,7 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         self.account(-(work + work), S::constant(0.0));
     }
 
-    /// Returns twice the product of a mode's damping load and the moments of its velocity.
+    /// Returns twice the work of a mode's damping load, from the moments of the mode's velocity.
     pub(super) fn reaction(&self, mode: usize, rises: &[S; D]) -> S {
         let load = self.base_load(mode);
         let terms = load.iter().zip(rises);
@@ -50,7 +50,7 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         done + done
     }
 
-    /// Returns the rate of a mode's scaled velocity u that the velocity of the base causes through damping.
+    /// Returns the contribution of the base's velocity, through damping, to the rate of a mode's scaled velocity u.
     fn base_load(&self, mode: usize) -> [S; D] {
         let mut sum = [S::constant(0.0); D];
         let load = self.table.loads_of(mode).get(1);

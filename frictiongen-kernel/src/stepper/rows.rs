@@ -1,5 +1,5 @@
-//! Constant tables of an oscillator over a sub-interval of a step. The oscillator's state and its drive are multiplied
-//! by these constants.
+//! Constant tables of an oscillator over a sub-interval of a step. The stepper multiplies the oscillator's state and
+//! its drive by these constants.
 
 use super::dot::dot;
 use crate::motion::TERMS;
@@ -8,7 +8,7 @@ use crate::number::scalar::Float;
 /// One row of a mode's table. It has the weights of the mode's displacement y, of its scaled velocity u, and of the
 /// coefficients of its drive.
 ///
-/// The first row of `moments` and the row `turn` are written as three shears, so that rounded weights create no energy.
+/// The first row of `moments` and the row `turn` are stored as three shears, so that rounded weights create no energy.
 /// First y increases by before·u, then u by turn·y + loss·u, then y by after·u. The `state` of the first moment is
 /// [before, after], and the `state` of `turn` is [turn, loss]. See docs/decisions/0001-passive-step.md.
 #[derive(Clone, Copy, Debug)]
@@ -19,9 +19,9 @@ pub struct Row<S, const D: usize> {
     pub drive: [S; D],
 }
 
-/// One row of the table of a mode of the chain with its contact stuck. It has weights of the mode's state, and of the
-/// coefficients of the drives of y′ and u′. The first moment and the first of `turns` are three shears, as [`Row`]
-/// describes.
+/// One row of the table of a mode of the chain with its contact stuck. It has the weights of the mode's state, and of
+/// the coefficients of the drives of y′ and u′. The first moment and the first of `turns` are stored as three shears,
+/// as in [`Row`].
 #[derive(Clone, Copy, Debug)]
 pub struct HeldRow<S, const D: usize> {
     /// Weights of y and u at the start of the sub-interval.
@@ -38,7 +38,7 @@ pub struct ModeStep<S, const D: usize> {
     pub angle: S,
     /// ζ, the modal damping ratio.
     pub zeta: S,
-    /// Rate u′ that a unit force on the mode causes: Ω/σ². σ is the natural frequency of the mode as a frequency ratio.
+    /// Rate u′ per unit force on the mode: Ω/σ². σ is the natural frequency of the mode as a frequency ratio.
     pub per_force: S,
     /// φᵀw, the component of the mode in the contact's displacement.
     pub contact: S,
@@ -49,18 +49,18 @@ pub struct ModeStep<S, const D: usize> {
     pub moments: [Row<S, D>; D],
 }
 
-/// Table of a mode of the chain with its contact stuck, over a sub-interval of a step: y′ = Ωu + drive, u′ = −Ω(y +
-/// 2ζu) + drive. The two drives are different.
+/// Table of a mode of the chain with its contact stuck, over a sub-interval of a step. The mode obeys y′ = Ωu + drive
+/// and u′ = −Ω(y + 2ζu) + drive, with two different drives.
 #[derive(Clone, Copy, Debug)]
 pub struct HeldStep<S, const D: usize> {
     /// Ω, the phase by which the mode would advance in a sub-interval without damping, in rad.
     pub angle: S,
     /// ζ, the modal damping ratio.
     pub zeta: S,
-    /// Contact force per unit of the displacement y, with the opposite sign.
+    /// Contact force per unit of the displacement y, with opposite sign.
     pub force: S,
-    /// Rates of the mode's displacement y and scaled velocity u per unit of velocity of a moving base, then per unit of
-    /// its acceleration. They apply while the contact sticks to the base.
+    /// Rates of the mode's displacement y and scaled velocity u while the contact sticks to a moving base. The first
+    /// pair is per unit of the base's velocity, the second per unit of its acceleration.
     pub from_base: [[S; 2]; 2],
     /// Weights that give ∫ sʲ y′ ds over the sub-interval.
     pub moments: [HeldRow<S, D>; D],
@@ -68,8 +68,8 @@ pub struct HeldStep<S, const D: usize> {
     pub turns: [HeldRow<S, D>; D],
 }
 
-/// Returns the next coefficients of y and u in the power series of an oscillator, each multiplied by its order. They
-/// follow from the present coefficients of y and u, and of the drives of y′ and u′.
+/// Returns the next coefficients of y and u in the power series of an oscillator, each multiplied by its order. The
+/// arguments are the present coefficients of y and u, and of the drives of y′ and u′.
 #[inline]
 pub(super) fn next<S: Float>(
     (angle, zeta): (S, S),
@@ -81,7 +81,8 @@ pub(super) fn next<S: Float>(
     [rise, turn]
 }
 
-/// Computes the moments ∫ sʲ y′ ds and ∫ sʲ u′ ds of an oscillator from 0 to `place`, for a state at 0 and a drive.
+/// Computes the moments ∫ sʲ y′ ds and ∫ sʲ u′ ds of an oscillator from 0 to `place`, from the state at 0 and the
+/// drive.
 pub(super) fn moments<S: Float, const D: usize>(
     of: (S, S),
     mut state: [S; 2],
@@ -112,10 +113,10 @@ pub(super) fn moments<S: Float, const D: usize>(
 
 /// Rewrites the weights of y and u over a sub-interval as three shears.
 ///
-/// A product of shears has the determinant 1, whatever the weights are. With these weights the product is a rotation in
+/// A product of shears has the determinant 1 for any weights. With these weights the product is a rotation in
 /// coordinates that equal y and u up to rounding errors. Without damping the product therefore conserves exactly a
-/// quadratic form that is nearly the energy. The weight `loss` sets the determinant to e^(−2ζΩ). The determinant sets
-/// the energy that damping dissipates.
+/// quadratic form that is nearly the energy. The weight `loss` makes the determinant e^(−2ζΩ), which is the factor by
+/// which damping reduces the energy.
 fn shear<S: Float, const D: usize>((angle, zeta): (S, S), rows: &mut [[HeldRow<S, D>; D]; 2]) {
     let (zero, one) = (S::constant(0.0), S::constant(1.0));
     let [rises, turns] = rows;
@@ -191,8 +192,8 @@ impl<S: Float, const D: usize> HeldStep<S, D> {
         step
     }
 
-    /// Computes the weights of all moments. Each weight is the moment of the motion that a unit of one state, or of one
-    /// coefficient of a drive, causes.
+    /// Computes the weights of all moments. A weight is the moment of the motion that one quantity of size 1 causes.
+    /// This quantity is y, u or a coefficient of a drive.
     fn rows(of: (S, S)) -> [[HeldRow<S, D>; D]; 2] {
         let (zero, one) = (S::constant(0.0), S::constant(1.0));
         let mut rows = [[HeldRow::zero(); D]; 2];

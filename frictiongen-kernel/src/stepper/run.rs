@@ -85,8 +85,8 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepConta
     }
 
     /// Sets the input at the start of the first step. Without this call that input is 0. A linear input begins at this
-    /// value. [`contact`](Self::contact) responds to the sample at once. If the base moves, `contact` assumes a
-    /// constant velocity of the base.
+    /// value. [`contact`](Self::contact) then returns the force under this sample. For a moving base, `contact` assumes
+    /// a constant velocity of the base.
     ///
     /// # Errors
     /// Same errors as [`advance`](Self::advance), and [`OutOfDomain::Begun`] after the first step.
@@ -188,8 +188,8 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepConta
         Ok(stepped)
     }
 
-    /// Advances through one sub-interval of a step. Returns the number of events. The flag is true if the bound on
-    /// events left some of them out.
+    /// Advances through one sub-interval of a step. Returns the number of events. The flag is true if the stepper
+    /// ignored further events because of their bound.
     // The compiler must not inline this function into the loop. The inlined code would prepare addresses for further
     // sub-intervals in every step, although most steps have only one.
     #[inline(never)]
@@ -225,7 +225,7 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepConta
         }
     }
 
-    /// Applies a jump of the base at the start of a step with zero-order hold. A mass that rubs on the base does not
+    /// Applies a jump of the base at the start of a step with zero-order hold. A mass that slides on the base does not
     /// jump with the base.
     fn jump_base(&mut self, [place, velocity]: [S; 2]) {
         if !self.scene.rubs_on_base() || self.status.unknown {
@@ -244,15 +244,15 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepConta
         self.status.unknown = true;
     }
 
-    /// While the contact sticks, computes the state of the chain's modes from the modes of the chain with its contact
-    /// stuck.
+    /// Computes the state of the chain's modes from the modes of the chain with its contact stuck, if the contact
+    /// sticks.
     fn release(&mut self) {
         let lifted = self.lifted();
         let receptance = self.tables.view().pace.receptance;
         self.store.change().release(&self.scene, receptance, lifted);
     }
 
-    /// Writes the inputs over a sub-interval as polynomials, and returns the polynomial of the base's motion.
+    /// Writes the inputs over a sub-interval as polynomials, and returns the base's motion as a polynomial.
     fn write_inputs(
         &mut self,
         sample: &Sample<'_, S>,

@@ -1,4 +1,4 @@
-//! Saving and restoring the state of a stepper.
+//! Saves and restores the state of a stepper.
 
 use super::input::Input;
 use super::law::StepContact;
@@ -33,11 +33,10 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepContact<S
         }
     }
 
-    /// Restores a saved state. The same steps after this state then give the same bits.
+    /// Restores a saved state. From this state, the same inputs give results with the same bits.
     ///
     /// # Errors
-    /// [`OutOfDomain::Saved`] if the state comes from a stepper of another scene or step, according to a hash of
-    /// both.
+    /// [`OutOfDomain::Saved`] if the state comes from a stepper of another scene or step. A hash of both detects this.
     pub fn restore(&mut self, saved: &Saved<S, V>) -> Result<(), OutOfDomain>
     where
         V: Clone,
@@ -94,7 +93,8 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepContact<S
     }
 }
 
-/// A hash of numbers: FNV-1a over words of 64 bits.  After each word the upper half is combined with the lower half.
+/// A hash of numbers: FNV-1a over words of 64 bits.  After each word the code combines the upper half with the lower
+/// half.
 struct Hash(u64);
 
 impl Hash {

@@ -21,7 +21,7 @@ pub struct Units<S> {
 /// Data of a scene that a stepper needs.
 #[derive(Clone, Copy, Debug)]
 pub struct StepScene<'a, S, K = Chain<S>> {
-    /// The modes of the chain, and the modes of the chain whose contact sticks.
+    /// Modes of the chain, and modes of the chain with its contact stuck.
     pub dynamics: Dynamics<'a, S, K>,
     /// Factors that convert non-dimensional groups to the units of the scene.
     pub units: Units<S>,
@@ -32,7 +32,7 @@ pub struct StepScene<'a, S, K = Chain<S>> {
     /// Interpolation of the input between two samples.
     pub input: Input,
     /// Points (v, f) of Stribeck's law, with v ascending. v is the speed in the scene's unit. f is the kinetic friction
-    /// force over its value at zero speed. The list is empty for Coulomb's law.
+    /// Indices, in the description, of the masses on which a force acts.  The excited mass is the first.
     pub law: &'a [[S; 2]],
 }
 
@@ -95,8 +95,8 @@ impl<S: Float, K: ContactChain<S>> StepScene<'_, S, K> {
         modes.chain(held).fold(S::constant(0.0), S::max)
     }
 
-    /// Returns the number of coefficients of an input's polynomial over a step in emitted tables. Tables of a run-time
-    /// system may have room for more.
+    /// Returns the number of coefficients of an input's polynomial over a step, as emitted tables have it. Tables of a
+    /// run-time system may have room for more.
     fn coefficients(&self) -> usize {
         match (self.input, self.on_base) {
             (Input::Hold, false) => 1,

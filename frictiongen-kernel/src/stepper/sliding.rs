@@ -10,8 +10,8 @@ use crate::motion::{KineticLine, Law, Power, Walk, WalkStart, first_zero, line};
 use crate::number::scalar::Float;
 
 impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> {
-    /// Returns the straight line of the friction law on which the present speed lies. Its speeds are in units of length
-    /// per sub-interval.
+    /// Returns the straight line of the friction law for the present speed. The speeds of the line are in units of
+    /// length per sub-interval.
     #[inline]
     pub(super) fn line(&self) -> KineticLine<S> {
         let mut line = line(self.scene.law, self.status.line);
@@ -26,7 +26,8 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         line
     }
 
-    /// Returns the rate that the inputs add to the scaled velocity u of a mode, as a polynomial over the sub-interval.
+    /// Returns the contribution of the inputs to the rate of a mode's scaled velocity u, as a polynomial over the
+    /// sub-interval.
     #[inline]
     pub(super) fn load(&self, mode: usize) -> [S; D] {
         let mut sum = [S::constant(0.0); D];
@@ -46,7 +47,7 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         [velocity[0], at(&velocity, S::constant(1.0))]
     }
 
-    /// Advances the sub-interval with the constant tables, if the contact certainly keeps sliding.  Returns true if it
+    /// Advances the sub-interval with the constant tables, if the contact provably keeps sliding.  Returns true if it
     /// advanced.
     pub(super) fn slide_by_tables(&mut self) -> bool {
         let zero = S::constant(0.0);
@@ -109,8 +110,8 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         true
     }
 
-    /// Advances the sliding motion to the first of these instants: the contact stops, the speed reaches the next line
-    /// of the law, or the sub-interval or the power series ends.
+    /// Advances the sliding motion to the first of four instants: the contact stops, the speed reaches the next line of
+    /// the law, the sub-interval ends, or the power series ends.
     pub(super) fn slide_to_event(
         &mut self,
         departing: Option<Departure<S>>,
@@ -189,7 +190,7 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         }
     }
 
-    /// Returns the contact force that would keep the relative velocity constant, while the contact slides.
+    /// Returns the contact force that would keep the relative velocity of the sliding contact constant.
     fn holding(&self) -> S {
         let two = S::constant(2.0);
         let mut sum = S::constant(0.0);
@@ -305,7 +306,7 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
     }
 }
 
-/// Returns one coefficient of the rate that the inputs add to the scaled velocity u of a mode.
+/// Returns one coefficient of the inputs' contribution to the rate of a mode's scaled velocity u.
 #[inline]
 fn load_term<S: Float, const D: usize>(loads: &[S], inputs: &[[S; D]], place: usize) -> S {
     let zero = S::constant(0.0);

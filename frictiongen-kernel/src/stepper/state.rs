@@ -7,11 +7,11 @@ use crate::number::scalar::Float;
 /// Mutable view of all numbers of a stepper.
 #[derive(Debug)]
 pub struct StoreMut<'s, S, const D: usize> {
-    /// Displacement y and scaled velocity u of each mode of the chain. While the contact sticks, only the modes that
-    /// the contact does not drive are up to date.
+    /// Displacement y and scaled velocity u of each mode of the chain. While the contact sticks, these numbers are
+    /// valid only for modes that the contact does not drive.
     pub modes: &'s mut [[S; 2]],
-    /// Displacement y and scaled velocity u of each mode of the chain with its contact stuck. They are up to date while
-    /// the contact sticks.
+    /// Displacement y and scaled velocity u of each mode of the chain with its contact stuck. These numbers are valid
+    /// only while the contact sticks.
     pub held: &'s mut [[S; 2]],
     /// Working space, with one entry for each mode.
     pub scratch: &'s mut [[S; 2]],
@@ -22,8 +22,8 @@ pub struct StoreMut<'s, S, const D: usize> {
 }
 
 impl<S: Float, const D: usize> StoreMut<'_, S, D> {
-    /// Writes the state of the modes that the contact drives. It follows from the modes of the chain with its contact
-    /// stuck, and from displacement and velocity of the stuck contact.
+    /// Writes the state of the modes that the contact drives. The function computes it from the modes of the chain with
+    /// its contact stuck, and from displacement and velocity of the stuck contact.
     pub(super) fn release<K: ContactChain<S>>(
         &mut self,
         scene: &StepScene<'_, S, K>,
@@ -115,17 +115,18 @@ impl<S: Float, const D: usize, const MODES: usize, const HELD: usize, const INPU
     }
 }
 
-/// State of a stepper, except the states of its oscillators.
+/// State of a stepper without the states of its oscillators.
 #[derive(Clone, Copy, Debug)]
 pub struct Status<S> {
     /// State of the contact: stuck, or its direction of sliding.
     pub contact: Contact,
-    /// True while the contact's state must still be derived from its velocity and from the force in it.
+    /// True if the stepper must still derive the contact's state from its velocity and from its force.
     pub unknown: bool,
-    /// True if the contact has just failed to slide. A contact force that exceeds μF by rounding alone must then not
-    /// start sliding.
+    /// True if the contact has just failed to start sliding. A contact force that exceeds μF only by rounding must then
+    /// not start sliding again.
     pub wedged: bool,
-    /// Relative displacement of the contact while it sticks.  In an elastic contact it is the place of the slider.
+    /// Relative displacement of the contact while it sticks.  For an elastic contact it is the displacement of the
+    /// slider.
     pub stuck_at: S,
     /// Index of the line of the friction law on which the contact's speed lies.
     pub line: usize,
@@ -138,8 +139,8 @@ pub struct Status<S> {
     pub steps: u64,
     /// Number of steps in which a sub-interval reached the bound on events or pieces of motion.
     pub exceeded: u64,
-    /// The contact force at the end of the last step, over k₁, if the contact sticks or its state is unknown.  It is the
-    /// force of the spring of an elastic contact, also while the slider moves.
+    /// Contact force at the end of the last step, over k₁, if the contact sticks or its state is unknown.  For an
+    /// elastic contact it is the force of the spring, also while the slider moves.
     pub contact_force: S,
     /// Work of the load since the start, divided by k₁.
     pub load: Total<S>,
@@ -148,8 +149,8 @@ pub struct Status<S> {
     /// Energy of the chain at the start of the first step, divided by k₁.
     pub energy: S,
     pub pull: S,
-    /// Sum of the absolute values of the terms of the contact's velocity in the given initial state. It is the size to
-    /// which the velocity's rounding error is relative. After the first step it is zero.
+    /// Sum of the absolute values of the terms of the contact's velocity in the given initial state. The rounding error
+    /// of this velocity is relative to this sum. After the first step it is zero.
     pub given: S,
 }
 

@@ -9,7 +9,7 @@ use crate::motion::{Contact, Law, Walk, WalkStart, first_reach, lift};
 use crate::number::scalar::Float;
 
 impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> {
-    /// Advances the sub-interval with the constant tables, if the contact certainly keeps sticking.  Returns true if it
+    /// Advances the sub-interval with the constant tables, if the contact provably keeps sticking.  Returns true if it
     /// advanced.
     pub(super) fn stick_by_tables(&mut self) -> bool {
         let zero = S::constant(0.0);
@@ -144,8 +144,9 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         self.shift_inputs(tau);
     }
 
-    /// Changes the state from sliding to sticking, at the displacement `place`, or without it at the displacement that
-    /// the modes give. Computes the modes of the chain with its contact stuck from the chain's modes.
+    /// Changes the state from sliding to sticking. Computes the modes of the chain with its contact stuck from the
+    /// chain's modes. The contact sticks at the displacement `place`, or at the displacement of the modes if `place` is
+    /// `None`.
     pub(super) fn start_sticking(&mut self, place: Option<S>) {
         if self.is_elastic() {
             return self.start_sticking_under(self.status.contact_force);

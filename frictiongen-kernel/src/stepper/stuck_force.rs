@@ -10,9 +10,9 @@ use crate::motion::Power;
 use crate::number::scalar::Float;
 
 impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> {
-    /// Returns the rates that the inputs add to one mode of the chain with its contact stuck, as polynomials. The first
-    /// rate belongs to the displacement y of the mode, the second to its scaled velocity u. The base on which the
-    /// contact sticks counts as an input.
+    /// Returns the contribution of the inputs to the rates of one mode of the chain with its contact stuck, as
+    /// polynomials. The first rate belongs to the displacement y of the mode, the second to its scaled velocity u. The
+    /// base to which the contact sticks counts as an input.
     #[inline]
     pub(super) fn held_load(&self, mode: usize, step: &HeldStep<S, D>) -> [[S; D]; 2] {
         let mut sum = [[S::constant(0.0); D]; 2];
@@ -34,7 +34,7 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         sum
     }
 
-    /// Returns velocity and acceleration of the base as polynomials, if the contact rubs on the base.
+    /// Returns velocity and acceleration of the base as polynomials, if the contact slides on the base.
     fn moving_base(&self) -> Option<[[S; 4]; 2]> {
         let velocity = derived(self.base);
         let motions = [velocity, derived(velocity)];
@@ -115,7 +115,7 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
     }
 
     /// Returns the work of the inputs from the present instant to `place`, while the contact sticks to a moving base.
-    /// The contribution of the modes is left out.
+    /// The result does not contain the contribution of the modes.
     pub(super) fn carried_work(&self, still: Option<&[S; 4]>, place: S) -> S {
         let zero = S::constant(0.0);
         if !self.scene.rubs_on_base() {
@@ -132,8 +132,8 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         work - product(&still, &velocity, place)
     }
 
-    /// Returns the work that the inputs do through one mode of the chain with its contact stuck, during a motion up to
-    /// `place`. It follows from the moments of the mode over that motion.
+    /// Returns the work of the inputs through one mode of the chain with its contact stuck, during a motion up to
+    /// `place`. The function computes the work from the moments of the mode over that motion.
     pub(super) fn held_work(
         &self,
         mode: usize,
@@ -163,8 +163,8 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
     }
 }
 
-/// Returns one coefficient of the rates that the inputs add to one mode of the chain with its contact stuck. The first
-/// result belongs to the displacement y of the mode, the second to its scaled velocity u.
+/// Returns one coefficient of the inputs' contribution to the rates of one mode of the chain with its contact stuck.
+/// The first result belongs to the displacement y of the mode, the second to its scaled velocity u.
 #[inline]
 fn held_load_term<S: Float, const D: usize>(
     loads: &[HeldLoad<S>],

@@ -8,7 +8,7 @@ use crate::errors::{Given, OutOfDomain, Slice};
 use crate::motion::{ContactChain, TERMS, lift};
 use crate::number::scalar::Float;
 
-/// A power series ends before the term that is smaller than a rounding divided by this factor.
+/// Margin of a power series: the first neglected term is smaller than a rounding unit divided by this factor.
 const BELOW_ROUNDING: f64 = 16.0;
 
 /// Coupling of one input with one mode of the chain with its contact stuck.
@@ -16,8 +16,9 @@ const BELOW_ROUNDING: f64 = 16.0;
 pub struct HeldLoad<S> {
     /// Rates of the mode's displacement y and scaled velocity u per unit of the input.
     pub drive: [S; 2],
-    /// Displacement of the input's point of action per unit of y, and per unit of u, for the work of the input. For the
-    /// velocity of the base it has the opposite sign, because damping relative to the base has a reaction on the base.
+    /// Displacement of the input's point of action per unit of y, and per unit of u. The work of the input follows from
+    /// it. For the velocity of the base it has the opposite sign, because damping relative to the base has a reaction
+    /// on the base.
     pub reach: [S; 2],
 }
 
@@ -26,7 +27,7 @@ pub struct HeldLoad<S> {
 pub struct Channel<S> {
     /// wᵀΓ⁻¹p, the contact's acceleration per unit of the input.
     pub acceleration: S,
-    /// Displacement of the input's point of action per unit of displacement of the stuck contact, with the same sign as
+    /// Displacement of the input's point of action per unit of displacement of the stuck contact. The sign is that of
     /// [`HeldLoad::reach`].
     pub lift: S,
 }
@@ -69,7 +70,7 @@ fn row<T>(entries: &[T], index: usize, length: usize) -> &[T] {
     entries.get(start..start + length).unwrap_or_default()
 }
 
-/// Storage of the tables, in arrays, a constant, or vectors.
+/// Storage of the tables: arrays, constants or vectors.
 pub trait Tables<S, const D: usize> {
     /// Returns a view of all tables.
     fn view(&self) -> View<'_, S, D>;
@@ -156,13 +157,13 @@ impl<S, const D: usize, T: Tables<S, D>> Tables<S, D> for &T {
 
 /// Fills the tables of a scene for a time step in seconds.
 ///
-/// The slices need these numbers of entries. `modes` has one for each mode, and `held` one for each mode of the chain
-/// with its contact stuck. `loads` and `held_loads` have one for each pair of such a mode and an input. `channels` has
-/// one for each input.
+/// Each slice must have a fixed number of entries. `modes` has one for each mode, and `held` one for each mode of the
+/// chain with its contact stuck. `loads` and `held_loads` have one for each pair of such a mode and an input.
+/// `channels` has one for each input.
 ///
 /// # Errors
-/// [`OutOfDomain::Step`] for a step that is not positive and finite, or in which the fastest oscillator advances by
-/// more than [`MAX_PARTS`] radians. [`OutOfDomain::Length`] for slices of a wrong length.
+/// [`OutOfDomain::Step`] if the step is not positive and finite, or if the fastest oscillator advances by more than
+/// [`MAX_PARTS`] radians in it. [`OutOfDomain::Length`] for slices of a wrong length.
 pub fn fill<S: Float, const D: usize, K: ContactChain<S>>(
     scene: &StepScene<'_, S, K>,
     step: S,
@@ -240,8 +241,9 @@ pub fn fill<S: Float, const D: usize, K: ContactChain<S>>(
     Ok(pace)
 }
 
-/// Returns the number of terms that a power series needs over a sub-interval in which the fastest oscillator advances
-/// by `rate`, at most 1 rad. The neglected terms are below a sixteenth of the number type's rounding.
+/// Returns the number of terms that a power series needs over a sub-interval. `rate` is the angle by which the fastest
+/// oscillator advances in it, at most 1 rad. The neglected terms are below a sixteenth of the number type's rounding
+/// unit.
 #[must_use]
 pub fn series_terms<S: Float>(rate: S, epsilon: f64) -> u32 {
     let one = S::constant(1.0);

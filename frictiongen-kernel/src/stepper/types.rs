@@ -48,8 +48,8 @@ pub struct Stepped<S> {
     pub force: S,
     /// Number of stops, break-aways and reversals in the step.
     pub events: u32,
-    /// True if a sub-interval of the step reached the bound on events or pieces of motion.  The rest of that
-    /// sub-interval was then simplified.
+    /// True if a sub-interval of the step reached the bound on events or pieces of motion.  In the rest of that
+    /// sub-interval the stepper followed no further events.
     pub exceeded: bool,
 }
 

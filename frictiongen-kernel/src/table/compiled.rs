@@ -12,12 +12,14 @@ pub struct Domain<S> {
     pub r: (S, S),
     /// Smallest and largest friction ratio β that a caller may pass.
     pub beta: (S, S),
-    /// True if the exact formulas compute the results beyond this range. If false, a call beyond the range is an error.
+    /// True if the exact formulas compute the results outside the range. If false, a call outside the range is an
+    /// error.
     pub exact_beyond: bool,
     /// True if β_lim exceeds every friction ratio of the range, at every frequency ratio of the range. The code then
     /// uses the closed form of the continuous motion without a comparison with β_lim.
     pub always_continuous: bool,
-    /// True if β*_lim, the limit of sliding, exceeds every friction ratio of the range. β*_lim is then not evaluated.
+    /// True if β*_lim, the limit of sliding, exceeds every friction ratio of the range. The code then does not evaluate
+    /// β*_lim.
     pub never_stuck: bool,
 }
 
@@ -25,10 +27,10 @@ pub struct Domain<S> {
 pub trait Tabled: Scene {
     /// Returns the range of r and β in which the tables are valid.
     fn domain(&self) -> Domain<Self::Scalar>;
-    /// Returns β_lim, the limit of continuous motion, from the table. The caller keeps r within the domain.
+    /// Returns β_lim, the limit of continuous motion, from the table. r must be within the domain.
     fn tabled_limit(&self, r: Self::Scalar) -> Self::Scalar;
     /// Returns β*_lim, the limit of sliding, from the table. Returns `None` if only the exact formulas reach the
-    /// declared accuracy. The caller keeps r within the domain.
+    /// declared accuracy. r must be within the domain.
     fn tabled_sliding_limit(&self, r: Self::Scalar) -> Option<Self::Scalar>;
 }
 
@@ -46,8 +48,8 @@ impl<T: Tabled> Compiled<T> {
     /// Creates the scene at the frequency ratio r = ω√(m₁/k₁), and checks whether the tables are valid at r.
     ///
     /// # Errors
-    /// [`OutOfDomain`] for NaN and negative r. [`OutOfDomain`] also beyond the range of the tables, unless the domain
-    /// lets the exact formulas answer there.
+    /// [`OutOfDomain`] for NaN and negative r. [`OutOfDomain`] also outside the range of the tables, unless the domain
+    /// has `exact_beyond`.
     #[inline]
     pub fn new(scene: T, r: T::Scalar) -> Result<Self, OutOfDomain> {
         let Domain {
@@ -68,12 +70,11 @@ impl<T: Tabled> Compiled<T> {
         Ok(Self { scene, r, within })
     }
 
-    /// Computes both limits at every frequency ratio of a slice, and writes the limits into two slices of the same
-    /// length.
+    /// Computes both limits at every frequency ratio of a slice, and writes them to two slices of the same length.
     ///
     /// # Errors
     /// [`OutOfDomain`] if the slices have different lengths, which leaves both result slices unchanged. [`OutOfDomain`]
-    /// also at the first r outside the domain, after writing the limits at the preceding frequency ratios.
+    /// also at the first r outside the domain. The limits before that r are then already written.
     pub fn limits_into(
         scene: T,
         rs: &[T::Scalar],
@@ -106,8 +107,7 @@ impl<T: Tabled> Compiled<T> {
         self.within
     }
 
-    /// Returns the scene at the same frequency ratio, where all results come from the exact formulas instead of the
-    /// tables.
+    /// Returns the scene at the same frequency ratio, with all results from the exact formulas.
     #[must_use]
     pub fn exact(&self) -> At<T> {
         At::known(self.scene.clone(), self.r)
@@ -157,8 +157,8 @@ impl<T: Tabled> Compiled<T> {
         self.exact().continuous_limit_without_search()
     }
 
-    /// Returns a lower bound on β_lim (5.55, 7.37), from the exact formulas. The velocity constraint S is the maximum
-    /// of a sum over the modes. The bound replaces S by the sum of each mode's own maximum.
+    /// Returns a lower bound on β_lim (5.55, 7.37), from the exact formulas. The exact velocity constraint S is the
+    /// maximum of a sum over the modes. The bound uses the sum of the modes' own maxima instead.
     #[must_use]
     pub fn continuous_limit_per_mode(&self) -> T::Scalar {
         self.exact().continuous_limit_per_mode()
@@ -188,14 +188,14 @@ impl<T: Tabled> Compiled<T> {
         asked && (domain.always_continuous || beta < limit)
     }
 
-    /// Returns true if β is below β*_lim, the limit of sliding. The caller has checked that β is within the domain.
+    /// Returns true if β is below β*_lim, the limit of sliding. β must be within the domain.
     #[inline]
     pub(super) fn slides(&self, beta: T::Scalar) -> bool {
         self.scene.domain().never_stuck || beta < self.sliding_limit()
     }
 
     /// Returns true if β is below β*_lim, for a β below β_lim. With μ ≤ 1 the result is always true, because β_lim is
-    /// then the smaller limit. A stuck state cannot exist beside a motion that slides all the time, because the
+    /// then the smaller limit. A stuck state and a motion that slides all the time cannot both exist, because the
     /// difference of both motions would lose energy for ever.
     #[inline]
     fn slides_if_admitted(&self, beta: T::Scalar) -> bool {
@@ -203,11 +203,11 @@ impl<T: Tabled> Compiled<T> {
         self.scene.numbers().chain.stiction <= one || self.slides(beta)
     }
 
-    /// Returns the regime at the friction ratio β = F/P. It may be the wrong regime only if β is as close to a limit as
-    /// the declared accuracy.
+    /// Returns the regime at the friction ratio β = F/P. If β is as close to a limit as the declared accuracy, the
+    /// result may be the regime on the other side of this limit.
     ///
     /// # Errors
-    /// [`OutOfDomain`] for NaN, negative and infinite β, and for β beyond the declared range.
+    /// [`OutOfDomain`] for NaN, negative and infinite β, and for β outside the declared range.
     pub fn regime(&self, beta: T::Scalar) -> Result<Regime, OutOfDomain> {
         let beta = self.checked(beta)?;
         if !self.within {
@@ -223,8 +223,8 @@ impl<T: Tabled> Compiled<T> {
         Ok(regime::regime_of(admitted, slides))
     }
 
-    /// Returns β/min(β_lim, β*_lim) − 1. This margin is negative where β is below both limits, so that the closed form
-    /// of the continuous motion exists.
+    /// Returns the margin β/min(β_lim, β*_lim) − 1. If it is negative, β is below both limits and the closed form of
+    /// the continuous motion exists.
     ///
     /// # Errors
     /// Same errors as [`regime`](Self::regime).

@@ -1,5 +1,5 @@
-//! Responses of the chain while the contact is stuck, as rational functions of s = ir. Each function is given by its
-//! zeros and poles.
+//! Responses of the chain while the contact is stuck, as rational functions of s = ir. The zeros and poles of each
+//! function define it.
 
 use super::quotient::Quotient;
 use crate::number::complex::{self, Complex};
@@ -73,8 +73,8 @@ impl<S: Float> Transfer<'_, S> {
     }
 }
 
-/// Returns the product of all factors at the frequency ratio r. Returns `None` if there are no factors. The first
-/// twelve factors are multiplied without a loop, so that constant factors compile to plain arithmetic.
+/// Returns the product of all factors at the frequency ratio r, or `None` if there are no factors. The code multiplies
+/// the first twelve factors without a loop, so that constant factors compile to plain arithmetic.
 #[inline(always)]
 fn product<S: Float>(roots: &[Root<S>], r: S) -> Option<Complex<S>> {
     let mut product = roots.first()?.value(r);
@@ -104,13 +104,13 @@ fn times<S: Float>(product: Complex<S>, roots: &[Root<S>], place: usize, r: S) -
     }
 }
 
-/// Response of one mass or of the contact force while the contact is stuck, as a function of r.
+/// Response of one mass, or of the contact force, while the contact is stuck, as a function of r.
 #[derive(Clone, Copy, Debug)]
 pub enum HeldResponse<'a, S> {
-    /// Response that does not depend on r. The stuck contact fixes the mass to its support, or cuts the mass off from
-    /// the load.
+    /// Response that does not depend on r. The reason is that the stuck contact fixes the mass to its support, or
+    /// isolates the mass from the load.
     Fixed(S),
-    /// Response of an undamped chain. The response is real, and its sign is kept.
+    /// Response of an undamped chain. The response is real, with its sign.
     Undamped(Quotient<'a, S>),
     /// Response of a damped chain, which is complex.
     Damped(Transfer<'a, S>),

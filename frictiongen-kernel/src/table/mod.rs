@@ -1,12 +1,13 @@
-//! Results of a declared accuracy for one scene over a range of frequency ratios. They come from piecewise polynomials.
+//! Piecewise polynomials (tables) for one scene over a range of frequency ratios. Their results have a declared
+//! accuracy.
 //!
 //! For one scene the limit of continuous motion β_lim is a function of r alone. Three further functions of r give the
-//! contact's amplitude and phase at any β. A generator computes all four functions exactly and writes [`Table`]s of
-//! them. It writes the limit of sliding β*_lim and |V| (amplitude of the contact without friction) as [`Quotient`]s of
-//! products. It writes the responses of the chain with its contact stuck as [`HeldResponse`]s.
+//! contact's amplitude and phase at any β. The code generator computes all four functions exactly and writes [`Table`]s
+//! of them. It writes the limit of sliding β*_lim and |V| (amplitude of the contact without friction) as [`Quotient`]s
+//! of products. It writes the responses of the chain with its contact stuck as [`HeldResponse`]s.
 //!
 //! [`Compiled`] is a scene at one r whose results come from its tables. It calls the exact formulas for all results
-//! that the tables do not contain. This module does not build tables, and does not know how accurate they are.
+//! that the tables do not contain. `frictiongen-model` builds the tables and checks their accuracy.
 
 mod compiled;
 mod held;

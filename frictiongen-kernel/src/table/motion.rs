@@ -1,5 +1,5 @@
-//! Continuous motion of a scene with tables. The motion of the contact comes from the tables, the motion of each mass
-//! from the exact formulas.
+//! Continuous motion of a scene with tables. The tables give the motion of the contact, and the exact formulas give the
+//! motion of each mass.
 
 use super::compiled::{Compiled, Tabled};
 use crate::errors::NotContinuous;
@@ -23,13 +23,13 @@ pub struct ContactTable<S> {
     pub displacement: S,
     /// Modulus |V| of the relative motion that the excitation causes without friction.
     pub excitation: S,
-    /// Argument arg V of the relative motion that the excitation causes without friction, rad.
+    /// Argument arg V of the relative motion that the excitation causes without friction, in rad.
     pub direction: S,
 }
 
 impl<S: Float> ContactTable<S> {
     /// Creates the table values of an undamped chain from β_lim, a·sgn V and V, where V is the response of the contact
-    /// without friction. V has a sign here instead of a phase.
+    /// without friction. V is real in an undamped chain, with a sign instead of a phase.
     #[inline]
     #[must_use]
     pub fn undamped([limit, quadrature]: [S; 2], excitation: S) -> Self {
@@ -78,8 +78,8 @@ impl<S: Float> ContactTable<S> {
         ((one - quadrature) * (one + quadrature)).abs().sqrt()
     }
 
-    /// Returns Z, the amplitude of the contact's relative motion at β (2.21, 5.35, 7.20), in units of P/k₁ (for base
-    /// motion Y).
+    /// Returns Z, the amplitude of the contact's relative motion at β (2.21, 5.35, 7.20), in units of P/k₁ (of Y for
+    /// base motion).
     #[inline]
     #[must_use]
     pub fn amplitude(&self, beta: S) -> S {
@@ -87,7 +87,7 @@ impl<S: Float> ContactTable<S> {
         self.excitation * (self.in_phase(share) - share * self.displacement)
     }
 
-    /// Returns φ, the lag of the contact's relative motion behind the excitation, rad, in (−π, π] (5.38, 7.21).
+    /// Returns φ, the lag of the contact's relative motion behind the excitation, in rad, in (−π, π] (5.38, 7.21).
     #[inline]
     #[must_use]
     pub fn phase(&self, beta: S) -> S {
@@ -198,7 +198,8 @@ impl<T: TabledMotion> Moving<T> {
     }
 }
 
-/// Relative motion of the contact. Its amplitude and phase come from tables, all other results from the exact formulas.
+/// Relative motion of the contact. The tables give its amplitude and phase, and the exact formulas give all other
+/// results.
 #[derive(Clone, Copy, Debug)]
 pub struct SteadyContact<T: TabledMotion> {
     moving: Moving<T>,
@@ -226,7 +227,7 @@ impl<T: TabledMotion> SteadyContact<T> {
         }
     }
 
-    /// Returns the maximum of |z̄| over the period (P/k₁; for base motion Y).
+    /// Returns the maximum of |z̄| over the period, in units of P/k₁ (of Y for base motion).
     #[inline]
     #[must_use]
     pub fn amplitude(&self) -> T::Scalar {
@@ -244,7 +245,7 @@ impl<T: TabledMotion> SteadyContact<T> {
         self.amplitude()
     }
 
-    /// Returns the lag of the contact's relative motion behind the excitation, rad, in (−π, π].
+    /// Returns the lag of the contact's relative motion behind the excitation, in rad, in (−π, π].
     #[inline]
     #[must_use]
     pub fn phase(&self) -> T::Scalar {
@@ -254,20 +255,20 @@ impl<T: TabledMotion> SteadyContact<T> {
         }
     }
 
-    /// Returns the relative displacement z̄ at the phase τ, counted from a maximum of z̄.
+    /// Returns the relative displacement z̄ at the phase τ. At τ = 0, z̄ has its maximum.
     #[must_use]
     pub fn displacement(&self, tau: T::Scalar) -> T::Scalar {
         self.exact().displacement(tau)
     }
 
-    /// Returns the relative velocity dz̄/dτ at the phase τ, counted from a maximum of z̄.
+    /// Returns the relative velocity dz̄/dτ at the phase τ. At τ = 0, z̄ has its maximum.
     #[must_use]
     pub fn velocity(&self, tau: T::Scalar) -> T::Scalar {
         self.exact().velocity(tau)
     }
 
-    /// Returns Z_n, the complex amplitude of harmonic n. It is defined by z̄ = Re Σ Z_n e^{inτ_e}, where the phase τ_e
-    /// is counted from a maximum of the excitation.
+    /// Returns Z_n, the complex amplitude of harmonic n, defined by z̄ = Re Σ Z_n e^{inτ_e}. The phase τ_e is 0 at a
+    /// maximum of the excitation.
     #[must_use]
     pub fn harmonic(&self, n: u32) -> Complex<T::Scalar> {
         self.exact().harmonic(n)

@@ -1,5 +1,5 @@
-//! Tables of piecewise polynomials in r. Each table divides its range of r into buckets of equal width. The bucket of r
-//! and a few halvings of its pieces find the polynomial that is valid at r.
+//! Tables of piecewise polynomials in r. Each table divides its range of r into buckets of equal width. A lookup takes
+//! the bucket of r, and halves the list of its pieces a few times to find the polynomial that is valid at r.
 
 use crate::number::scalar::Float;
 
@@ -8,8 +8,8 @@ use crate::number::scalar::Float;
 pub struct Piece<S, const F: usize, const C: usize> {
     /// Smallest r of the interval. The interval ends where the next one begins.
     pub from: S,
-    /// Origin of the piece: its polynomials are in r − `origin`. Near a zero of a function, the origin is that zero, so
-    /// that the relative accuracy is kept up to the zero.
+    /// Origin of the piece: its polynomials are in r − `origin`. Near a zero of a function the origin is that zero, so
+    /// that the piece keeps its relative accuracy up to the zero.
     pub origin: S,
     /// Polynomial coefficients of each function, from the constant term upwards.
     pub coefficients: [[S; C]; F],
@@ -55,8 +55,8 @@ impl<S: Float, B: Copy + Into<usize>, const F: usize, const C: usize> Table<'_, 
         }
     }
 
-    /// Returns the polynomial piece that contains r. The function looks at `W` pieces from index `first` on, or at the
-    /// last `W` pieces of the table.
+    /// Returns the polynomial piece that contains r. The function searches among `W` pieces from index `first` on, or
+    /// among the last `W` pieces of the table.
     #[inline(always)]
     fn among<const W: usize>(&self, first: usize, r: S) -> Option<&Piece<S, F, C>> {
         let first = first.min(self.pieces.len().saturating_sub(W));
@@ -68,8 +68,8 @@ impl<S: Float, B: Copy + Into<usize>, const F: usize, const C: usize> Table<'_, 
         }
     }
 
-    /// Returns the polynomial piece that contains r. A bisection of the list of pieces finds it, from
-    /// index `first` on, in `halvings` steps.
+    /// Returns the polynomial piece that contains r, by bisection of the list of pieces from index `first` on, in
+    /// `halvings` steps.
     fn onwards(&self, first: usize, r: S) -> Option<&Piece<S, F, C>> {
         let mut index = first;
         let mut halving = self.halvings;
@@ -106,7 +106,7 @@ impl<S: Float, B: Copy + Into<usize>, const F: usize, const C: usize> Table<'_, 
         values
     }
 
-    /// Returns the value at r of the first function in the table. The value is NaN if the table has no pieces.
+    /// Returns the value at r of the first function in the table, or NaN if the table has no pieces.
     #[inline(always)]
     #[must_use]
     pub fn first(&self, r: S) -> S {
@@ -142,7 +142,7 @@ fn halved<S: Float, const F: usize, const C: usize, const W: usize>(
     half(pieces, r).first()
 }
 
-/// Returns the first or the second half of the given polynomial pieces, whichever contains r.
+/// Returns the half of the given polynomial pieces that contains r, either the first or the second.
 #[inline(always)]
 fn half<S: Float, const F: usize, const C: usize>(
     pieces: &[Piece<S, F, C>],
@@ -207,10 +207,10 @@ fn put<S: Float, const F: usize, const C: usize>(
     }
 }
 
-/// Returns the polynomial Σ c_k t^k. It forms the pairs c_2k + c_2k+1·t, and multiplies by t² from the highest pair
-/// downwards.
+/// Returns the polynomial Σ c_k t^k. The function forms the pairs c_2k + c_2k+1·t, and multiplies by t² from the
+/// highest pair downwards.
 ///
-/// Up to degree 9 the sum is written out, so that code compiled for size has no loop.
+/// Up to degree 9 the code writes out the sum, so that code compiled for size has no loop.
 #[inline(always)]
 #[must_use]
 pub fn polynomial<S: Float>(coefficients: &[S], t: S) -> S {
@@ -229,8 +229,8 @@ pub fn polynomial<S: Float>(coefficients: &[S], t: S) -> S {
     sum.unwrap_or(S::constant(0.0))
 }
 
-/// Returns one step of the evaluation of a polynomial: the pair c_k + c_k+1·t, plus t² times `higher`, the sum of the
-/// higher pairs. k is `first`. Returns `higher` unchanged if there is no coefficient c_k.
+/// Returns one step of the evaluation of a polynomial: c_k + c_k+1·t + t²·`higher`. `higher` is the sum of the higher
+/// pairs, and k is `first`. If the polynomial has no coefficient c_k, returns `higher`.
 #[inline(always)]
 fn below<S: Float>(
     coefficients: &[S],

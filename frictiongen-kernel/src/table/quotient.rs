@@ -1,10 +1,10 @@
-//! Real rational functions of r, written as quotients of products over zeros and poles. Close to a zero or pole, each
+//! Real rational functions of r, stored as quotients of products over zeros and poles. Close to a zero or pole, each
 //! factor keeps its digits.
 
 use crate::number::scalar::Float;
 
-/// Real factor of a rational function of r². It belongs to one zero or pole, or to a pair of them. In a damped chain
-/// the factor belongs to the squared modulus. A zero is s = x + iy, with s = ir.
+/// Real factor of a rational function of r². The factor belongs to one zero or pole s = x + iy, with s = ir, or to a
+/// pair of them. In a damped chain the function is the squared modulus of a response.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Factor<S> {
     /// Factor (r − y)(r + y) of a zero on the imaginary axis. It stores y as a rounded value and a rounding error, so
@@ -60,8 +60,8 @@ impl<S: Float> Factor<S> {
 pub struct Quotient<'a, S> {
     /// Constant factor of the function.
     pub gain: S,
-    /// True if the factors belong to the square of the wanted function. The quotient is then replaced by its square
-    /// root.
+    /// True if the factors belong to the square of the wanted function. The code then takes the square root of the
+    /// quotient.
     pub squared: bool,
     /// Factors of the numerator, one for each zero or pair of zeros of the function.
     pub numerator: &'a [Factor<S>],
@@ -96,8 +96,8 @@ impl<S: Float> Quotient<'_, S> {
     }
 }
 
-/// Returns the product of all factors at r. The first twelve factors are multiplied without a loop, so that constant
-/// factors compile to plain arithmetic.
+/// Returns the product of all factors at r. The code multiplies the first twelve factors without a loop, so that
+/// constant factors compile to plain arithmetic.
 #[inline(always)]
 fn product<S: Float>(factors: &[Factor<S>], r: S) -> S {
     let mut product = S::constant(1.0);

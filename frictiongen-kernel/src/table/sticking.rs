@@ -6,9 +6,10 @@ use crate::number::complex::{self, Complex};
 use crate::number::scalar::Scalar;
 use crate::response::{ProvidesStuck, Stuck};
 
-/// A scene whose response with the contact stuck is written as products over zeros and poles.
+/// A scene whose response with the contact stuck is stored as products over zeros and poles.
 ///
-/// The default bodies of these methods use the exact formulas. A scene with products writes its own bodies.
+/// The default bodies of these methods use the exact formulas. The code generator replaces them for a scene with
+/// products.
 pub trait TabledStuck: Tabled + ProvidesStuck {
     /// Type that `stuck` returns. In emitted code this type has one method for each mass.
     type Sticking: From<Sticking<Self>>;
@@ -27,14 +28,14 @@ pub trait TabledStuck: Tabled + ProvidesStuck {
         &[]
     }
 
-    /// Returns x̄*, the complex amplitude of a mass while the contact is stuck, for r within the domain. Returns `None`
-    /// if the scene has no such mass.
+    /// Returns x̄*, the complex amplitude of a mass while the contact is stuck. r must be within the domain. Returns
+    /// `None` if the scene has no such mass.
     #[inline]
     fn tabled_stuck(&self, _mass: usize, _r: Self::Scalar) -> Option<Complex<Self::Scalar>> {
         None
     }
 
-    /// Returns V/H, the complex amplitude of the force that keeps the contact stuck, for r within the domain.
+    /// Returns V/H, the complex amplitude of the force that keeps the contact stuck. r must be within the domain.
     #[inline]
     fn tabled_holding_force(&self, _r: Self::Scalar) -> Option<Complex<Self::Scalar>> {
         None
@@ -108,8 +109,8 @@ impl<T: TabledStuck> Sticking<T> {
         }
     }
 
-    /// Returns the complex amplitude of a mass as [`mass_at`](Self::mass_at) does. Returns 0 if the scene has no such
-    /// mass.
+    /// Returns the complex amplitude of a mass while the contact is stuck, or 0 if the scene has no such mass.
+    /// [`mass_at`](Self::mass_at) returns `None` instead of 0.
     #[inline]
     #[must_use]
     pub fn mass(&self, mass: usize) -> Complex<T::Scalar> {

@@ -15,8 +15,8 @@ pub struct Known<S, const MASSES: usize, const FORCES: usize> {
     pub limits: [S; 2],
     /// The motion at one friction ratio, if the scene provides motions.
     pub motion: Option<KnownMotion<S, MASSES>>,
-    /// Real and imaginary part of the response of each mass while the contact is stuck, then of the force that holds the
-    /// contact. Empty unless the scene provides them.
+    /// Real and imaginary part of each response while the contact is stuck. The displacements of the masses precede the
+    /// force that holds the contact. The list is empty if the scene does not provide stuck responses.
     pub stuck: [[S; 2]; FORCES],
 }
 
@@ -25,9 +25,9 @@ pub struct Known<S, const MASSES: usize, const FORCES: usize> {
 pub struct KnownMotion<S, const MASSES: usize> {
     /// Friction ratio.
     pub beta: S,
-    /// Reason why no continuous motion exists. `None` if one exists.
+    /// Reason why no continuous motion exists, or `None` if one exists.
     pub error: Option<NotContinuous>,
-    /// Amplitude and phase of the contact. 0 where there is no continuous motion.
+    /// Amplitude and phase of the contact. Both are 0 if no continuous motion exists.
     pub contact: [S; 2],
     /// Displacement and velocity of each provided mass one radian after a maximum of the contact's motion.
     pub masses: [[S; 2]; MASSES],
@@ -38,7 +38,8 @@ fn is_near<S: Float>(own: S, known: S, error: S) -> bool {
     (own.to_f64() - known.to_f64()).abs() <= error.to_f64()
 }
 
-/// Compares two parts of a complex number, or a displacement and a velocity, relative to the sum of their moduli.
+/// Compares two pairs of numbers relative to the sum of the moduli of a pair. A pair is a complex number, or a
+/// displacement and a velocity.
 fn compared<S: Float>(
     name: &'static str,
     own: [S; 2],
@@ -56,7 +57,7 @@ fn compared<S: Float>(
 }
 
 impl<S: Float, const MASSES: usize, const FORCES: usize> Known<S, MASSES, FORCES> {
-    /// Compares both limits. Each may differ by `tolerance` of its value.
+    /// Compares both computed limits with the known limits. Each may differ by `tolerance` of its value.
     ///
     /// # Errors
     /// [`Fault::Answer`] if a limit differs by more.
@@ -71,7 +72,8 @@ impl<S: Float, const MASSES: usize, const FORCES: usize> Known<S, MASSES, FORCES
         }
     }
 
-    /// Compares a response while the contact is stuck. `place` is the index of the response in [`stuck`](Self::stuck).
+    /// Compares a computed response of the stuck chain with the known response. `place` is the index of the response in
+    /// [`stuck`](Self::stuck).
     ///
     /// # Errors
     /// [`Fault::Answer`] if the response differs by more than `tolerance` of its size.
@@ -88,11 +90,11 @@ impl<S: Float, const MASSES: usize, const FORCES: usize> Known<S, MASSES, FORCES
 }
 
 impl<S: Float, const MASSES: usize> KnownMotion<S, MASSES> {
-    /// Returns the motion if the scene computes one and the known answer has one. Returns `None` if neither has one,
-    /// for the same reason.
+    /// Returns the computed motion if the known answer also has a motion. Returns `None` if neither has a motion, for
+    /// the same reason.
     ///
     /// # Errors
-    /// [`Fault::Answer`] if the scene computes a motion where none is known, or gives another reason.
+    /// [`Fault::Answer`] if only one of them has a motion, or if the reasons differ.
     pub fn found<M>(&self, own: Result<M, NotContinuous>) -> Result<Option<M>, Fault> {
         match (own, self.error) {
             (Ok(motion), None) => Ok(Some(motion)),
@@ -101,7 +103,7 @@ impl<S: Float, const MASSES: usize> KnownMotion<S, MASSES> {
         }
     }
 
-    /// Compares amplitude and phase of the contact.
+    /// Compares the computed amplitude and phase of the contact with the known ones.
     ///
     /// # Errors
     /// [`Fault::Answer`] if the amplitude differs by more than `tolerance` of its value, or the phase by more than
@@ -115,7 +117,8 @@ impl<S: Float, const MASSES: usize> KnownMotion<S, MASSES> {
         }
     }
 
-    /// Compares displacement and velocity of a mass. `place` is the index of the mass in [`masses`](Self::masses).
+    /// Compares the computed displacement and velocity of a mass with the known ones. `place` is the index of the mass
+    /// in [`masses`](Self::masses).
     ///
     /// # Errors
     /// [`Fault::Answer`] with the name of the mass, if one of the two numbers differs by more than `tolerance` of their

@@ -11,7 +11,8 @@ use crate::stepper::{
 };
 use crate::table::{Domain, Factor, HeldResponse, Piece, Quotient, Root, Table, Transfer};
 
-/// A constant whose numbers can be listed. The generator lists the same numbers in a wider scalar.
+/// Constant of emitted code that can list its numbers. The generator lists the same numbers in a wider scalar to
+/// compute the checksum.
 pub trait Listed<S> {
     /// Calls `see` with each number of the constant, in the order of the fields.
     fn list(&self, see: &mut impl FnMut(S));

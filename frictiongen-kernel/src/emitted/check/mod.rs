@@ -1,5 +1,5 @@
-//! Self-check of emitted code. It compares the checksums of the emitted constants, and computed answers, with known
-//! values.
+//! Self-check of emitted code. It compares checksums of the emitted constants with known checksums, and computed
+//! answers with known answers.
 
 mod known;
 mod listed;
@@ -16,7 +16,7 @@ use core::fmt;
 pub enum Fault {
     /// The numbers of this constant, or group of constants, differ from the numbers that the generator wrote.
     Numbers(&'static str),
-    /// The answer of this method, or of the method for this mass, differs from the known answer.
+    /// The answer of this method, or the motion of the mass with this name, differs from the known answer.
     Answer(&'static str),
 }
 
@@ -42,8 +42,8 @@ pub const MULTIPLIER: u32 = 0x9e37_79b1;
 /// Bits by which a step of the checksum rotates the sum.
 pub const TURN: u32 = 5;
 
-/// Adds a word of 32 bits to a checksum. For one word the step is a bijection of the sum, and for one sum a bijection of
-/// the word. One changed word therefore always changes the result.
+/// Adds a word of 32 bits to a checksum. For a fixed word the step is a bijection of the sum, and for a fixed sum a
+/// bijection of the word. One changed word therefore always changes the result.
 #[must_use]
 pub const fn mixed(sum: u32, word: u32) -> u32 {
     (sum.rotate_left(TURN) ^ word).wrapping_mul(MULTIPLIER)
@@ -86,7 +86,7 @@ pub fn compare<S: Float>(
 mod tests {
     use super::{compare, mixed, sum, with};
 
-    /// Checks that every changed bit of one word changes the checksum, whatever words follow.
+    /// Checks that a change of any bit of one word changes the checksum, for any words after it.
     #[test]
     fn one_changed_word_is_seen() {
         for bit in 0..u32::BITS {

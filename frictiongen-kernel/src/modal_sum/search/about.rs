@@ -1,6 +1,8 @@
-//! Closes grid cells around a local maximum of the modal sum: it proves that no value in a cell exceeds the maximum.
-//! Near the maximum Taylor's theorem bounds the sum. Farther away a cubic through the value and slope of the next node
-//! bounds it (section 9 of `docs/derivation.md`). A *summit* is a position from which one Newton step leads to the
+//! Closes grid cells around a local maximum of the modal sum. A cell is closed once the code has proven that no value
+//! in it exceeds the largest value found.
+//!
+//! Near the maximum, Taylor's theorem bounds the sum. Farther away, a cubic through the value and slope of the next
+//! node bounds it (section 9 of `docs/derivation.md`). A *summit* is a position from which one Newton step leads to the
 //! maximum.
 
 use super::grid::{Grid, Node, Open};
@@ -9,25 +11,26 @@ use super::{Search, Weight};
 use crate::number::scalar::Float;
 use crate::oscillator::decay::Decay;
 
-/// Factor ρ = 97, tried before the smaller factor `REACH`. A local maximum closes cells around it only if the sum is
-/// concave within ρ times the last Newton step. With a larger ρ, a flatter maximum can close cells.
+/// First value tried for the factor ρ. If the proof fails with this value, the code tries the smaller `REACH`. A local
+/// maximum closes cells around it only if the sum is concave within ρ times the last Newton step. A larger ρ can close
+/// cells around a flatter maximum.
 const FAR: f64 = 97.0;
 
 /// Excess E of a modal sum over a level, near a local maximum. E is ±sum − level, or ±sum − level·sin τ. A cell of the
 /// grid is closed once E ≤ 0 is proven in the cell.
 struct Excess<S> {
-    /// Phase τ near the local maximum, at which `cubic` has the derivatives.
+    /// Phase τ near the local maximum, at which `cubic` gives the derivatives.
     tau: S,
     cubic: Cubic<S>,
     /// Upper bound on the fourth derivative of E = ±sum − level.
     fourth: S,
     /// Negative bound 2E″/(ρ − 1) on the quadratic coefficient of the cubic between `tau` and a node. If the
-    /// coefficient is below the bound, the slope at `tau` does not matter beyond ρ times the Newton step.
+    /// coefficient is below this bound, the slope at `tau` has no influence beyond ρ times the Newton step.
     curvature: S,
 }
 
-/// Node of a grid, with E = ±sum − level there. The cells from a local maximum to the node are closed if E ≤ 0 is
-/// proven in them.
+/// Node of a grid, with the excess E = ±sum − level at the node. The cells from a local maximum to the node are closed
+/// if the code proves E ≤ 0 in them.
 #[derive(Clone, Copy)]
 struct Beyond<S> {
     tau: S,
@@ -38,7 +41,8 @@ struct Beyond<S> {
 }
 
 impl<S: Float> Cubic<S> {
-    /// Returns the value and the derivatives of f(τ)/τ at `tau`. `self` has the value and the derivatives of f there.
+    /// Returns the value and the derivatives of f(τ)/τ at `tau`. `self` contains the value and the derivatives of f at
+    /// `tau`.
     fn over(self, tau: S) -> Self {
         let value = self.value / tau;
         let slope = (self.slope - value) / tau;
@@ -53,8 +57,8 @@ impl<S: Float> Cubic<S> {
 }
 
 impl<S: Float> Excess<S> {
-    /// Creates E = ±sum − level near a local maximum, from the value and derivatives of E at `tau`. Returns `None` if E
-    /// may be positive within ρ times the Newton step to the maximum.
+    /// Creates E = ±sum − level near a local maximum, from its value and derivatives at `tau`. Returns `None` if E may
+    /// be positive within ρ times the Newton step to the maximum.
     fn new(tau: S, cubic: Cubic<S>, fourth: S) -> Option<Self> {
         let step = cubic.step();
         let reach = [S::constant(FAR), S::constant(REACH)]
@@ -78,8 +82,8 @@ impl<S: Float> Excess<S> {
         self.is_near(distance) || self.is_below(node, distance)
     }
 
-    /// Returns true if the derivatives of E = ±sum − level at `tau` prove that E stays below 0 up to a distance. Within
-    /// the distance, the higher terms are at most a third of the curvature term.
+    /// Returns true if the derivatives of E = ±sum − level at `tau` prove that E stays below 0 up to the given
+    /// distance. The proof requires that the higher terms are at most a third of the curvature term.
     fn is_near(&self, distance: S) -> bool {
         let Cubic {
             curvature, third, ..
@@ -104,9 +108,9 @@ impl<S: Float> Excess<S> {
 }
 
 impl<S: Float, D: Decay<S>> Search<'_, S, D> {
-    /// Returns those cells around a local maximum that stay open, because the sum may exceed the maximum in them. The
-    /// other cells are closed for the sign that the sum has at the maximum. A Newton step across the end of the half
-    /// period may have changed the sign.
+    /// Returns the cells around a local maximum that stay open, because the sum may exceed the maximum in them. The
+    /// function closes the other cells, but only for the sign that the sum has at the maximum. A Newton step across the
+    /// end of the half period may have changed this sign.
     pub(super) fn about(&self, summit: &Summit<S>, grid: &Grid<S>, open: Open) -> Open {
         let zero = S::constant(0.0);
         // The bounds on the derivatives hold only from the first node on.
@@ -172,8 +176,8 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         }
     }
 
-    /// Returns the value and first three derivatives of E = ±sum − `level` near a local maximum. For a search of
-    /// sum/sin τ, E is ±sum − `of_sine`·sin τ.
+    /// Returns the value and the first three derivatives of E = ±sum − `level` near a local maximum. For a search of
+    /// sum/sin τ, the function uses E = ±sum − `of_sine`·sin τ.
     fn cubic_about(&self, summit: &Summit<S>, level: S, of_sine: S) -> Cubic<S> {
         let Summit { jet, negative, .. } = summit;
         let node = Node {

@@ -1,23 +1,24 @@
-//! Upper bounds on the derivatives of a modal sum from an instant on, and the state of each mode at that instant.
+//! Upper bounds on the derivatives of a modal sum after a given instant, and the state of each mode at this instant.
 //!
-//! The motion of a mode is split into a free motion and a forced motion, which is a constant plus sinusoids. Some modes
-//! are not split and *keep their forcing*: their state contains the whole motion. The equation of the mode gives the
-//! later motion from the state (section 9 of `docs/derivation.md`).
+//! The code splits the motion of a mode into a free motion and a forced motion. The forced motion is a constant plus
+//! sinusoids. For some modes it does not split the motion. These modes *keep their forcing*: their state contains the
+//! whole motion, and the later motion follows from this state by the equation of the mode (section 9 of
+//! `docs/derivation.md`).
 
 use crate::modal_sum::wave::{Sum, Wave};
 use crate::number::scalar::Float;
 use crate::oscillator::decay::{Basis, Decay, Instant};
 
-/// Distance from the resonance x = 1 within which a mode is not split into free and forced motion. Close to x = 1 both
-/// motions are large and nearly cancel, so that their sum would be mainly rounding error.
+/// Distance of x from the resonance x = 1 below which the code does not split a mode into free and forced motion. Close
+/// to x = 1 both motions are large and nearly cancel. Their sum would be mainly rounding error.
 const NEAR_EXCITATION: f64 = 0.125;
 /// Bound on the rounding error of a mode at a grid node, in rounding units of the mode's amplitude. The same bound
 /// applies to sin τ and cos τ. The matrix of one step from node to node has three roundings, and its fourth power has
-/// twelve. A grid applies the fourth power seven times. The errors partly cancel, so that 64 is enough.
+/// twelve. A grid applies the fourth power seven times. 64 suffices, because the errors partly cancel.
 const ROUNDINGS: f64 = 64.0;
 
-/// State of one mode at an instant, and the force that drives the mode from the instant on: y″ + 2ζx y′ + x²y =
-/// constant + cosine·cos τ + sine·sin τ.
+/// State of one mode at an instant, and the force that then acts on the mode: y″ + 2ζx y′ + x²y = constant + cosine·cos
+/// τ + sine·sin τ.
 pub(super) struct Track<S> {
     /// Natural frequency of the mode over the excitation frequency, x = √λ/r.
     pub x: S,
@@ -99,9 +100,9 @@ impl<S: Float> Track<S> {
     }
 }
 
-/// Returns true if a mode is not split into free and forced motion. Modes that resonate close to the excitation
-/// frequency or far below it are not split. For modes far below, the factor 1/x² of the forced motion would outweigh
-/// the whole motion.
+/// Returns true if the motion of a mode is not split into free and forced motion. This applies to modes that resonate
+/// close to the excitation frequency or far below it. For modes far below, the factor 1/x² of the forced motion would
+/// outweigh the whole motion.
 pub(super) fn keeps_forcing<S: Float, D: Decay<S>>(wave: &Wave<S, D>, all: bool) -> bool {
     let slow = wave.x < S::constant(0.5) && !wave.rise.is_zero();
     all || wave.mass_controlled
@@ -109,11 +110,12 @@ pub(super) fn keeps_forcing<S: Float, D: Decay<S>>(wave: &Wave<S, D>, all: bool)
         || (wave.x - S::constant(1.0)).abs() < S::constant(NEAR_EXCITATION)
 }
 
-/// Upper bounds on the derivatives of a modal sum from an instant on, with bounds on the sum's size and rounding error.
+/// Upper bounds on the derivatives of a modal sum after a given instant, with bounds on the sum's size and rounding
+/// error.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Bounds<S> {
     /// Second derivative of the sum at the instant. The field `third` has the third derivative. Only a search of
-    /// sum/sin τ needs both numbers. They leave out mass-controlled modes, which such a sum does not contain.
+    /// sum/sin τ needs both. They do not include mass-controlled modes, because such a sum does not contain any.
     pub second: S,
     pub third: S,
     pub fourth: S,
@@ -123,7 +125,7 @@ pub(super) struct Bounds<S> {
     /// Upper bound on the rounding error of the sum at a node.
     pub rounding: S,
     /// Upper bound on the rounding error of the sum, per unit of τ since the instant. The bound is valid if all modes
-    /// are at rest at the instant, and none is split into free and forced motion.
+    /// are at rest at the instant and all keep their forcing.
     pub drift: S,
 }
 

@@ -1,10 +1,10 @@
-//! Search of a modal sum by grids. The search closes every cell (interval between two nodes) in which no value can
-//! exceed the largest value found.
+//! Search of a modal sum by grids. A cell is the interval between two nodes of a grid. The search closes a cell once it
+//! has proven that no value in the cell exceeds the largest value found.
 //!
-//! In a cell, the sum is approximated by a cubic with the values and slopes of the sum at both nodes. The largest
-//! Bernstein coefficient of the cubic, plus a bound from the fourth derivative, is an upper bound on the sum. The
-//! search refines local maxima by Newton's method, starting in the highest open cell. A finer grid divides the cells
-//! that remain open. The division ends when only rounding errors keep cells open (section 9 of `docs/derivation.md`).
+//! In each cell a cubic approximates the sum, with the values and slopes of the sum at both nodes. An upper bound on
+//! the sum is the largest Bernstein coefficient of the cubic plus an error from the fourth derivative. The search
+//! refines local maxima by Newton's method, starting in the highest open cell. A finer grid divides the cells that
+//! remain open. The division ends when the bounds are limited by rounding errors (section 9 of `docs/derivation.md`).
 
 use super::bounds::Bounds;
 use super::grid::{Grid, Node, Open, Stretch};
@@ -13,17 +13,17 @@ use super::{EQUAL, Search, Weight};
 use crate::number::scalar::Float;
 use crate::oscillator::decay::{Decay, Instant};
 
-/// Allowed error of the cubic in a cell, relative to the largest value. It sets the width of the cells. A smaller error
-/// needs more nodes, a larger error leaves more cells open.
+/// Allowed error of the cubic in a cell, relative to the largest value. This error sets the width of the cells. A
+/// smaller error needs more nodes. A larger error leaves more cells open.
 const SLACK: f64 = 2e-3;
 /// Smallest estimate of the largest value, as a fraction of the sum of the modal amplitudes. The estimate sets the cell
-/// width of the first grid. The fraction matters where the terms of the modes nearly cancel.
+/// width of the first grid. This lower bound applies if the terms of the modes nearly cancel.
 const CANCELLED: f64 = 1e-3;
 /// Cost of evaluating one grid, counted as this number of evaluations of the modal sum.
 const COST: u32 = 2;
 /// Largest number of local maxima that the search refines by Newton's method on one grid.
 const SUMMITS: u32 = 6;
-/// Number of cells into which a finer grid divides one cell. It applies if at most three adjacent cells are open.
+/// Number of cells into which a finer grid divides one cell, if at most three adjacent cells are open.
 const FINER: f64 = 10.0;
 
 const NONE: Open = [0, 0];
@@ -87,8 +87,8 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         }
     }
 
-    /// Searches an interval of adjacent open cells by finer grids. The cells of an interval of at most three are
-    /// divided more finely.
+    /// Searches an interval of adjacent open cells by finer grids. An interval of at most three cells gets a finer
+    /// division than a longer one.
     fn divide(&mut self, from: S, to: S, width: S, bounds: &Bounds<S>) {
         let few = to - from < width * S::constant(3.5);
         let share = S::constant(if few { 1.0 / FINER } else { 0.25 });
@@ -106,7 +106,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         !(to < self.problem.end) && !(to < S::pi() * S::constant(0.75))
     }
 
-    /// Evaluates the sum at the nodes of a grid and at its highest local maxima. Returns the cells that may still
+    /// Evaluates the sum at the nodes of a grid, and refines its highest local maxima. Returns the cells that may still
     /// contain a larger value.
     #[inline(never)]
     pub(super) fn open_cells(&mut self, stretch: &Stretch<S>, bounds: &Bounds<S>) -> Open {
@@ -157,7 +157,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         self.problem.weight == Weight::One && self.peak.value.is_zero()
     }
 
-    /// Returns those cells of `among` in which the sum, or its negative, may exceed the largest value found.
+    /// Returns the cells of `among` in which the sum or its negative may exceed the largest value found.
     fn open(&self, grid: &Grid<S>, among: Open) -> Open {
         let mut open = NONE;
         for (open, (&negative, among)) in open.iter_mut().zip(self.signs().iter().zip(among)) {
@@ -168,8 +168,8 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         open
     }
 
-    /// Returns the level that a value must exceed to keep its cell open. For a motion the level is slightly below the
-    /// largest value found, so that the search also finds equal maxima.
+    /// Returns the level above which a value keeps its cell open. For a motion the level is slightly below the largest
+    /// value found, so that the search also finds equal maxima.
     fn bar(&self, negative: bool) -> S {
         match self.problem.weight {
             // No value has been found yet. A sum that consists of rounding errors only must still return its largest
@@ -203,7 +203,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         }
     }
 
-    /// Returns those cells of `among` in which the sum may exceed the level. In such a cell a Bernstein coefficient of
+    /// Returns the cells of `among` in which the sum may exceed the level. In such a cell a Bernstein coefficient of
     /// the cubic exceeds the level minus the error of the cubic. The coefficients are the values at both nodes, and
     /// value ± slope·h/3.
     pub(super) fn open_of(&self, grid: &Grid<S>, negative: bool, among: u32) -> u32 {
@@ -261,9 +261,9 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         most + slack <= S::constant(0.0)
     }
 
-    /// Returns true if ±sum/sin τ is proven to stay below the level `bar` in the first cell, where the sum and its
-    /// slope vanish at τ = 0. The function first bounds sum/τ², a parabola except for the fifth derivative. If this
-    /// bound is too large, it bounds (sum − bar·sin τ)/τ by a cubic.
+    /// Returns true if ±sum/sin τ is proven to stay below the level `bar` in the first cell. At τ = 0 the sum and its
+    /// slope vanish. The function first bounds sum/τ², which is a parabola apart from a term with the fifth derivative.
+    /// If this bound is too large, the function bounds (sum − bar·sin τ)/τ by a cubic.
     fn starts_below(&self, grid: &Grid<S>, negative: bool, bar: S) -> bool {
         let (zero, half) = (S::constant(0.0), S::constant(0.5));
         let third = S::constant(1.0 / 3.0);

@@ -14,7 +14,7 @@ use crate::oscillator::decay::{Basis, Decay, Instant};
 /// Largest number of rows of a grid. A row has four nodes.
 const ROWS: usize = 8;
 
-/// Open cells of a grid as two sets of bits, one bit for each cell. The first set is for the sum, the second for its
+/// Open cells of a grid as two sets of bits, one bit for each cell. The first set belongs to the sum, the second to its
 /// negative.
 pub(super) type Open = [u32; 2];
 
@@ -26,8 +26,8 @@ pub(super) struct Stretch<S> {
     pub width: S,
     /// Number of rows of four nodes.
     rows: usize,
-    /// True if all modes are at rest at the start, and none is split into free and forced motion. The rounding error of
-    /// the sum is then 0 at the start and grows with time.
+    /// True if all modes are at rest at the start and keep their forcing (are not split into free and forced motion).
+    /// The rounding error of the sum is then 0 at the start and grows with time.
     pub keeps_forcing: bool,
     /// Phase τ of the last node.
     pub to: S,
@@ -278,8 +278,8 @@ impl<S: Float> Grid<S> {
         }
     }
 
-    /// Calls `visit` for both nodes of each given cell, in ascending order. `visit` gets the bit of the cell that
-    /// follows the node, the phase τ of the node, and the node.
+    /// Calls `visit` for both nodes of each given cell, in ascending order. `visit` gets the bit of the cell after the
+    /// node, the phase τ of the node, and the node.
     pub fn beside(&self, cells: u32, mut visit: impl FnMut(u32, S, Node<S>)) {
         let values = self.value.as_flattened().iter();
         let slopes = self.slope.as_flattened();

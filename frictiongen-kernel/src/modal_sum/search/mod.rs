@@ -26,14 +26,14 @@ use crate::oscillator::decay::Decay;
 /// A search that reaches its bound returns the best value that it has found.
 pub const MAX_EVALUATIONS: u32 = 20_000;
 
-/// Number of evaluations that a search of sum/sin τ may take if all modes are slow. The number is five times the
-/// largest measured number.
+/// Upper bound on the evaluations in a search of sum/sin τ if all modes are slow. The bound is five times the largest
+/// measured number.
 const OVER_SINE: u32 = 256;
-/// Number of evaluations that a search of a motion may take if all modes are slow. The number is three times the
-/// largest measured number. A motion may be the small difference of modal terms that nearly cancel.
+/// Upper bound on the evaluations in a search of a motion if all modes are slow. The bound is three times the largest
+/// measured number. A search of a motion needs more evaluations because the terms of the modes may nearly cancel.
 const OF_MOTION: u32 = 1024;
-/// A search may take one more evaluation for this number of half turns of the fastest mode. Measured searches need at
-/// most one evaluation for 120 half turns.
+/// Number of half turns of the fastest mode that allow a search one more evaluation. Measured searches need at most one
+/// evaluation for 120 half turns.
 const HALF_TURNS: usize = 16;
 
 /// Returns the upper bound on the number of evaluations in one search. `fastest` is the largest √λ(1 + 2ζ)/r of the
@@ -62,9 +62,9 @@ const SAME_MAXIMUM: f64 = 0.05;
 /// Divisor of the modal sum in a search: 1 or sin τ.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Weight {
-    /// The sum itself is searched, as for the amplitude of a motion.
+    /// Divides by 1. The search finds the maximum of the sum, such as the amplitude of a motion.
     One,
-    /// The sum divided by sin τ is searched, as in the velocity constraint.
+    /// Divides by sin τ. The search finds the maximum of sum/sin τ, such as the velocity constraint.
     Sine,
 }
 
@@ -75,7 +75,7 @@ pub struct Problem<S> {
     pub weight: Weight,
     /// True if the search also covers the negative of the sum, for the largest absolute value.
     pub both_signs: bool,
-    /// End of the searched interval 0 < τ ≤ `end`: π, or π/2 for a sum that is odd about π/2.
+    /// End of the searched interval 0 < τ ≤ `end`. It is π/2 for a sum that is odd about π/2, otherwise π.
     pub end: S,
     /// Smallest value of interest. The search ignores smaller values.
     pub floor: S,
@@ -137,7 +137,7 @@ struct Search<'a, S, D> {
     sum: Sum<'a, S, D>,
     problem: Problem<S>,
     peak: Peak<S>,
-    /// Upper bound on the rounding error of the sum. Values of the sum below it carry no information.
+    /// Upper bound on the rounding error of the sum. A smaller value of the sum may be pure rounding error.
     rounding: S,
     /// Upper bound on the number of evaluations.
     most: u32,
@@ -153,7 +153,7 @@ pub fn largest<S: Float, D: Decay<S>>(sum: Sum<'_, S, D>, problem: Problem<S>) -
 }
 
 /// Finds the largest value as [`largest`] does, for one of a sequence of similar sums. `neighbour` predicts the
-/// position from the previous searches, and learns the position of this one.
+/// position of the maximum from the previous searches. The function then stores the new position in `neighbour`.
 pub fn largest_near<S: Float, D: Decay<S>>(
     sum: Sum<'_, S, D>,
     problem: Problem<S>,

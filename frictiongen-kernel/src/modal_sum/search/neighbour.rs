@@ -19,14 +19,15 @@ pub struct Neighbour<S> {
 /// Position of a largest value, and the frequency at which it was found.
 #[derive(Clone, Copy, Debug)]
 struct Known<S> {
-    /// Rate x(1 + 2ζ) of the fastest mode. The rate is proportional to 1/r, so that it identifies the frequency of the
+    /// Rate x(1 + 2ζ) of the fastest mode. This rate is proportional to 1/r, and so identifies the frequency in a
     /// sweep.
     speed: S,
     place: Maximiser<S>,
 }
 
 impl<S: Float> Neighbour<S> {
-    /// Creates a prediction without known positions. The first search of a sweep then starts from its grid.
+    /// Creates a prediction without known positions. The first search of a sweep then starts without a predicted
+    /// position.
     #[must_use]
     pub fn new() -> Self {
         Self { known: [None; 3] }

@@ -1,7 +1,7 @@
 //! Rows of four neighbouring nodes of a grid, which the code advances together.
 //!
-//! All operations on the four numbers are written out. In a loop, a compiler that optimises for size would spend half
-//! of the instructions on counting.
+//! The code writes out all operations on the four numbers. A compiler that optimises for size would keep a loop, and
+//! half of the instructions would count its passes.
 
 use crate::number::scalar::Float;
 
@@ -49,7 +49,7 @@ impl<S: Float> Matrix<S> {
 }
 
 /// Returns four consecutive pairs (displacement, velocity): the given start and the results of three steps. The closure
-/// `step` gets a pair and the number of its node, 0 to 2.
+/// `step` gets a pair and the index of its node, 0 to 2.
 #[inline(always)]
 pub(super) fn first_lanes<S: Float>(
     (u, v): (S, S),

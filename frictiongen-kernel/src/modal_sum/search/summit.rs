@@ -1,5 +1,5 @@
 //! Finds summits of a modal sum. A *summit* is a position from which one Newton step leads to a local maximum. From the
-//! highest node of a grid, two evaluations usually lead to a summit.
+//! highest node of a grid, the search usually needs two evaluations to reach a summit.
 
 use super::grid::{Grid, Node, Open};
 use super::{Maximiser, Search, Weight};
@@ -7,13 +7,14 @@ use crate::modal_sum::wave::Jet;
 use crate::number::scalar::Float;
 use crate::oscillator::decay::{Decay, Instant};
 
-/// Largest number of evaluations of the modal sum in one iteration to a local maximum.
+/// Largest number of evaluations of the modal sum in one Newton iteration to a local maximum.
 pub(super) const EVALUATIONS: u32 = 5;
-/// Multiple of the last Newton step within which the neglected terms must be small. Otherwise another Newton step
-/// follows.
+/// Number of lengths of the last Newton step within which the neglected terms must be small. If they are not, another
+/// Newton step follows.
 pub(super) const REACH: f64 = 7.0;
 
-/// Position from which one Newton step leads to a local maximum, with the modal sum and its derivatives there.
+/// Position from which one Newton step leads to a local maximum, with the modal sum and its derivatives at this
+/// position.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Summit<S> {
     pub tau: S,
@@ -23,7 +24,7 @@ pub(super) struct Summit<S> {
     pub level: S,
 }
 
-/// Value and first three derivatives of a function at a position, as its Taylor polynomial of third degree.
+/// Value and first three derivatives of a function at a position. They define its Taylor polynomial of third degree.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Cubic<S> {
     pub value: S,
@@ -49,7 +50,8 @@ impl<S: Float> Cubic<S> {
         newton * (S::constant(1.0) - bend.max(-half).min(half))
     }
 
-    /// Returns the height of the local maximum above the value at the position, for the step to the maximum.
+    /// Returns the height of the local maximum above the value at the present position. `step` is the step to the
+    /// maximum.
     pub fn rise(&self, step: S) -> S {
         let bend = self.curvature * S::constant(0.5) + self.third * step * S::constant(1.0 / 6.0);
         (self.slope + bend * step) * step
@@ -70,8 +72,8 @@ pub(super) fn beyond_cubic<S: Float>(fourth: S, step: S, reach: S) -> S {
 }
 
 impl<S: Float, D: Decay<S>> Search<'_, S, D> {
-    /// Returns the modal sum and its derivative at a node. For a search of sum/sin τ the results are the quotient and
-    /// the derivative of the quotient.
+    /// Returns the modal sum and its derivative at a node. A search of sum/sin τ instead gets the quotient and its
+    /// derivative.
     fn quotient_node(&self, node: &Node<S>) -> (S, S) {
         match self.problem.weight {
             Weight::One => (node.value, node.slope),
@@ -82,8 +84,8 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         }
     }
 
-    /// Estimates the position of the highest local maximum in the open cells: the maximum of the cubic next to the
-    /// highest node. Returns `None` if the open cells have no usable node.
+    /// Estimates the position of the highest local maximum in the open cells. The estimate is the maximum of the cubic
+    /// next to the highest node. Returns `None` if the open cells have no usable node.
     pub(super) fn highest(&self, grid: &Grid<S>, open: Open) -> Option<Maximiser<S>> {
         let zero = S::constant(0.0);
         let over_sine = self.problem.weight == Weight::Sine;
@@ -168,8 +170,8 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         })
     }
 
-    /// Finds a local maximum near a position by Newton's method, and records the maximum if it is the largest. Returns
-    /// `None` if the method does not converge from the position.
+    /// Finds a local maximum near a position by Newton's method. Records the maximum if it is the largest so far.
+    /// Returns `None` if the method does not converge from the position.
     pub(super) fn summit(&mut self, place: &Maximiser<S>, grid: &Grid<S>) -> Option<Summit<S>> {
         let (fourth, width) = (grid.bounds.fourth, grid.stretch.width);
         // The maximum is computed to within rounding, even if the tolerance of the search is larger.
@@ -237,8 +239,8 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         None
     }
 
-    /// Returns the modal sum, or sum/sin τ, from its derivatives at an instant. The first result is reduced by the
-    /// possible rounding error and serves comparisons. The second result has the value and three derivatives.
+    /// Returns the modal sum, or sum/sin τ, from its derivatives at an instant. The first result is the value minus the
+    /// possible rounding error, and serves for comparisons. The second result has the value and three derivatives.
     fn quotient_jet(&self, jet: &Jet<S>, negative: bool) -> (S, Cubic<S>) {
         let Jet {
             sine,
@@ -274,7 +276,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
 }
 
 /// Returns the position between 0 and 1 at which a cubic is largest. `up` is its slope at 0, `down` its slope at 1, and
-/// `rise` its value at 1 less its value at 0. Without a maximum in between the result is 0.
+/// `rise` its value at 1 minus its value at 0. If the cubic has no maximum between 0 and 1, the result is 0.
 fn top_between<S: Float>(up: S, down: S, rise: S) -> S {
     let zero = S::constant(0.0);
     if !(zero < up && down < zero) {

@@ -1,7 +1,7 @@
 //! Interface between the motion of a chain and the law of its contact.
 //!
 //! The type of the chain's constants selects the law: [`Chain`] has a rigid contact. Motion, simulation and steady
-//! states are generic over this type. A scene therefore contains only the code of its own law.
+//! states have this type as a type parameter. A scene therefore contains only the code of its own law.
 
 use super::kinetic::KineticLine;
 use super::state::{Contact, ContactState, SegmentEnd};
@@ -20,14 +20,14 @@ pub trait Law<S: Float>: Copy + Debug {
     /// Returns the largest contact force at which the contact sticks (static friction force).
     fn grip(self) -> S;
 
-    /// Returns true if the distance of two motions never grows, whatever their initial states are.
+    /// Returns true if the distance between two motions never grows, for any two initial states.
     fn is_contraction(self) -> bool;
 
     /// Decides what the contact does at zero relative velocity. `force` is the force that would keep the contact at
     /// rest. Returns `None` if the contact sticks.
     fn leave_rest(self, force: S) -> Option<Slide<S>>;
 
-    /// Returns the start of sliding when the force in the stuck contact has reached its largest value.
+    /// Returns the start of sliding at the instant at which the force in the stuck contact reaches its largest value.
     fn break_away(self, contact: Contact) -> Slide<S>;
 
     /// Returns the start of sliding in the direction of `contact`. `force` is the force that would keep the contact at
@@ -40,13 +40,14 @@ pub trait Law<S: Float>: Copy + Debug {
         }
     }
 
-    /// Returns the force in a stuck contact, limited to the largest force at which the contact sticks.
+    /// Returns the force in a stuck contact, limited to the static friction force (the largest force at which the
+    /// contact sticks).
     fn limited(self, force: S) -> S {
         force.abs().min(self.grip()).copysign(force)
     }
 
-    /// Returns true if the force in a stuck contact is so near its largest value that rounding decides whether the
-    /// contact slides. `share` is the distance that counts as near, relative to the largest value.
+    /// Returns true if rounding decides whether a stuck contact slides. The force is then close to the static friction
+    /// force. `share` is the distance that counts as close, relative to the static friction force.
     fn is_marginal(self, force: S, share: S) -> bool {
         let grip = self.grip();
         (force.abs() - grip).abs() <= grip * share
@@ -58,7 +59,7 @@ pub trait Law<S: Float>: Copy + Debug {
         contact.sign::<S>() * self.level()
     }
 
-    /// Returns the contact force on a line of the friction law, as a level and a slope over the relative velocity.
+    /// Returns the contact force on a line of the friction law, as [level, slope] over the relative velocity.
     #[inline]
     fn kinetic_on(self, line: &KineticLine<S>, contact: Contact) -> [S; 2] {
         let sign: S = contact.sign();
@@ -77,17 +78,17 @@ pub trait ContactChain<S: Float>: Copy + Debug {
     /// The law of the contact.
     type Law: Law<S>;
 
-    /// Returns the number of modes that the chain loses while the contact sticks.
+    /// Returns the number of modes of the chain minus the number of modes of the chain with its contact stuck.
     fn lost_modes(&self) -> usize;
 
-    /// Returns the number of scalars that the contact remembers while it sticks, in addition to the state of the modes.
+    /// Returns the number of scalars that the contact stores while it sticks, in addition to the state of the modes.
     #[inline]
     fn remembered(&self) -> usize {
         0
     }
 
-    /// Returns the Floquet multipliers of a contact that never slides: two for each lost mode, and one for each
-    /// remembered scalar.
+    /// Returns Floquet multipliers of a contact that never slides: two for each mode that the stuck chain lacks, and
+    /// one for each stored scalar.
     fn stuck_multipliers(&self) -> &'static [f64];
 
     /// Returns the compliance of a spring in series with the contact: its displacement per unit of contact force.
@@ -109,14 +110,14 @@ pub trait ContactChain<S: Float>: Copy + Debug {
         Self::contact_state(setting, parts, contact_state.t)
     }
 
-    /// Returns the number that the contact remembers after it stops. `Contact` is the direction in which it slid.
-    /// `None` if the law remembers nothing.
+    /// Returns the number that the contact stores when it stops, or `None` if the law stores nothing. `Contact` is the
+    /// direction in which the contact slid.
     #[inline]
     fn memory_at_stop(_: &Setting<'_, S, Self>, _: Contact) -> Option<S> {
         None
     }
 
-    /// Returns the number that a contact remembers while it sticks at the displacement `place`. `stuck_modes` are the
+    /// Returns the number that the contact stores while it sticks at the displacement `place`. `stuck_modes` are the
     /// oscillators of the chain with its contact stuck. `at` is sine and cosine of the excitation's phase at the same
     /// instant.
     #[inline]
@@ -124,8 +125,8 @@ pub trait ContactChain<S: Float>: Copy + Debug {
         None
     }
 
-    /// Adapts the oscillators of the chain with its contact stuck to the number that the contact remembers. `lifted` is
-    /// the displacement of the stuck contact, including the displacement of the base.
+    /// Changes the oscillators of the chain with its contact stuck, so that they agree with the number that the contact
+    /// stores. `lifted` is the displacement of the stuck contact, including the displacement of the base.
     #[inline]
     fn adapt(_: &Setting<'_, S, Self>, _: &mut [Part<S>], _lifted: S, _: &ContactState<S>) {}
 
@@ -162,20 +163,21 @@ pub trait ContactChain<S: Float>: Copy + Debug {
         at: (S, S),
     ) -> S;
 
-    /// Returns the constant and the fundamental component of the contact force while the contact sticks at the
-    /// displacement `place`. The contribution of the modes is left out.
+    /// Returns two parts of the contact force while the contact sticks at the displacement `place`: the constant, and
+    /// the complex amplitude of the fundamental component. Neither contains the contribution of the modes.
     fn steady_stuck_force(setting: &Setting<'_, S, Self>, place: S) -> (S, Complex<S>);
 
-    /// Handles the end of a segment at which the relative velocity vanishes. Sets the slope, the event, the jump of the
-    /// force and the next state.
+    /// Completes the end of a segment at which the relative velocity vanishes. Sets the slope, the event, the jump of
+    /// the force and the next state.
     fn halt(setting: &Setting<'_, S, Self>, modes: &[Part<S>], at: (S, S), end: &mut SegmentEnd<S>);
 
-    /// Handles the end of a segment at which the stuck contact breaks away. Sets the event, the jump of the force and
+    /// Completes the end of a segment at which the stuck contact breaks away. Sets the event, the jump of the force and
     /// the next state.
     fn break_away(setting: &Setting<'_, S, Self>, contact: Contact, end: &mut SegmentEnd<S>);
 
-    /// Advances deviations of the modes' states through a segment, column after column, with y and u in turn. `modes`
-    /// and `stuck_modes` are the oscillators after the segment. The function overwrites the states in `stuck_modes`.
+    /// Advances deviations through a segment, one column after another. A column has y and u of each mode in turn.
+    /// `modes` and `stuck_modes` are the oscillators after the segment. The function overwrites the states in
+    /// `stuck_modes`.
     fn carry_deviations(
         setting: &Setting<'_, S, Self>,
         oscillators: (&[Part<S>], &mut [Part<S>]),

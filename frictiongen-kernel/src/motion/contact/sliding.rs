@@ -11,7 +11,7 @@ use crate::number::complex::{self, Complex};
 use crate::number::pairs::pairs_mut;
 use crate::number::scalar::Float;
 
-/// Bound on the rounding error of a velocity that vanishes, in roundings of the sum of the absolute values of its
+/// Bound on the rounding error of a velocity near zero, in rounding units of the sum of the absolute values of its
 /// terms.
 const ROUNDINGS: f64 = 8.0;
 
@@ -28,7 +28,7 @@ impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {
         self.dynamics.chain.law(beta)
     }
 
-    /// Returns the state of a contact that leaves zero relative velocity at the phase `t`.
+    /// Returns the state of a contact that starts to slide from zero relative velocity at the phase `t`.
     pub(crate) fn sliding_away(&self, t: S, slide: Slide<S>) -> ContactState<S> {
         ContactState {
             t,
@@ -57,8 +57,8 @@ impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {
         moves.then(|| Contact::along(velocity))
     }
 
-    /// Sets the oscillators of the modes for sliding. Returns the function that a search for the next event examines,
-    /// the relative velocity z̄′ times its sign.
+    /// Sets the oscillators of the modes for sliding. Returns the function in which a search finds the next event: the
+    /// relative velocity z̄′ times its sign.
     pub(crate) fn start_sliding<'p>(
         &self,
         modes: &'p mut [Part<S>],
@@ -89,8 +89,8 @@ impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {
         OscillatorSum::new(modes, zero, (cosines, sines), at, reach)
     }
 
-    /// Changes the velocities in a deviation of the modes at an event. The event occurs a time `later` later, and the
-    /// contact force falls by `jump`.
+    /// Changes the velocities in a deviation of the modes at an event. The deviation delays the event by the time
+    /// `later`. The contact force falls by `jump` at the event.
     pub(super) fn delay(&self, jump: S, later: S, column: &mut [S]) {
         for (mode, state) in self.dynamics.driven().iter().zip(pairs_mut(column)) {
             if let [_, u] = state {

@@ -73,12 +73,11 @@ pub struct ContactState<S> {
     pub t: S,
     /// State of the contact: stuck, or its direction of sliding.
     pub contact: Contact,
-    /// The number that the contact remembers from its last event. If the contact slides away from zero velocity, it is
-    /// the relative acceleration in the direction of sliding. If an elastic contact sticks, it is the contact force
-    /// over P.
+    /// Number that the contact stores from its last event. If the contact starts to slide from zero velocity, it is the
+    /// relative acceleration in the direction of sliding. If an elastic contact sticks, it is the contact force over P.
     pub memory: Option<S>,
-    /// True if the contact has just failed to slide. A contact force that exceeds μβ by rounding alone must then not
-    /// start sliding.
+    /// True if the contact has just failed to start sliding. A contact force that exceeds μβ only by rounding must then
+    /// not start sliding again.
     pub wedged: bool,
 }
 
@@ -103,8 +102,8 @@ pub struct SegmentEnd<S> {
     pub event: Option<Event>,
     /// State of the contact after the event.
     pub contact_state: ContactState<S>,
-    /// At an event, the slope of the function that vanishes there. For a sliding contact it is z̄″ before the event,
-    /// for a stuck contact the slope of its force.
+    /// Slope, at the event, of the function whose zero is the event. While the contact slides, this is z̄″ before the
+    /// event. While it sticks, this is the slope of its force.
     pub slope: S,
     /// Jump of the contact force at the event: the force before the event, minus the force after it.
     pub jump: S,

@@ -78,16 +78,16 @@ impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {
         )
     }
 
-    /// Returns the largest |offset| at which the contact may stick for ever. `steady` is the amplitude of the contact
-    /// force in the forced motion. The rest of the static friction force can carry a constant force, and with it an
-    /// offset.
+    /// Returns the largest |z̄| at which the contact may stick for ever. `steady` is the amplitude of the contact force
+    /// in the forced motion. The static friction force must balance this amplitude and the constant force that z̄
+    /// causes.
     pub(crate) fn offset_range(&self, steady: S) -> S {
         let receptance = self.receptance - self.dynamics.chain.compliance();
         (self.law().grip() - steady).max(S::constant(0.0)) * receptance
     }
 
-    /// Returns the complex amplitude of the force in a contact that never slides, over P.  `parts` are those of
-    /// [`Setting::new`].  Returns `None` on an undamped resonance of the stuck chain.
+    /// Returns the complex amplitude of the force in a contact that never slides, over P.  [`Setting::new`] prepares
+    /// `parts`.  Returns `None` on an undamped resonance of the stuck chain.
     pub fn stuck_force(&self, parts: &[Part<S>]) -> Option<Complex<S>> {
         let (_, start) = K::steady_stuck_force(self, S::constant(0.0));
         let stuck_modes = parts.iter().skip(self.dynamics.modes.len());
@@ -99,8 +99,8 @@ impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {
             })
     }
 
-    /// Returns the complex amplitude of a mass while the contact never slides and the slider has no offset.  `parts` are
-    /// those of [`Setting::new`].  Returns `None` on an undamped resonance of the stuck chain.
+    /// Returns the complex amplitude of a mass while the contact never slides and the slider has no offset.
+    /// [`Setting::new`] prepares `parts`.  Returns `None` on an undamped resonance of the stuck chain.
     pub fn stuck_amplitude(&self, parts: &[Part<S>], mass: usize) -> Option<Complex<S>> {
         let zero = S::constant(0.0);
         let (dynamics, shape) = (&self.dynamics, self.dynamics.shape(mass));
@@ -128,8 +128,8 @@ impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {
         Some(sum)
     }
 
-    /// Returns the displacement of the stuck contact including the displacement of the base, and its velocity in the
-    /// time t√(k₁/m₁).
+    /// Returns the displacement of the stuck contact including the displacement of the base, and the velocity with
+    /// respect to the time t√(k₁/m₁).
     pub(crate) fn lifted(&self, offset: S, (sine, cosine): (S, S)) -> (S, S) {
         let z = Complex::new(self.base, S::constant(0.0));
         (

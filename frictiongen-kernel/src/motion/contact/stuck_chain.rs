@@ -6,9 +6,9 @@ use crate::number::complex::Complex;
 use crate::number::scalar::Float;
 
 impl<S: Float, K: ContactChain<S>> Dynamics<'_, S, K> {
-    /// Computes y and u of the stuck chain's modes from the state (y, u) of the chain's modes. The function first
-    /// subtracts the displacement z of the contact and its rate in the time t√(k₁/m₁), times the static shape that
-    /// belongs to z.
+    /// Computes y and u of the stuck chain's modes from the state (y, u) of the chain's modes. `z` is the displacement
+    /// of the contact, and `rate` its rate in the time t√(k₁/m₁). The function first subtracts the static shape that
+    /// belongs to z, times z and times `rate`.
     pub(crate) fn project<'s>(
         &self,
         receptance: S,
@@ -32,8 +32,8 @@ impl<S: Float, K: ContactChain<S>> Dynamics<'_, S, K> {
         }
     }
 
-    /// Computes both components of the drive of a mode of the chain with its contact stuck, times r. `base` is the base
-    /// coefficient s.
+    /// Computes the two components of the drive of a mode of the chain with its contact stuck, times r. `base` is the
+    /// base coefficient s.
     pub(crate) fn stuck_drive(
         &self,
         (mode, participations): (&HeldMode<S>, &[[S; 2]]),
@@ -73,7 +73,7 @@ impl<S: Float, K: ContactChain<S>> Dynamics<'_, S, K> {
         }
     }
 
-    /// Computes the state of one mode that the contact drives, as [`release`](Self::release) does for all such modes.
+    /// Computes the state of one mode that the contact drives. [`release`](Self::release) calls it for every such mode.
     pub(crate) fn released(
         &self,
         receptance: S,
@@ -99,10 +99,12 @@ impl<S: Float, K: ContactChain<S>> Dynamics<'_, S, K> {
 }
 
 impl<S: Float, K: ContactChain<S>> Dynamics<'_, S, K> {
-    /// Returns the largest relative change of a motion if the contact sticks and is released at once. The tested states
-    /// move two modes and not the contact. The change is of the order of rounding if the modes of the chain with its
-    /// contact stuck are well separated. If many modes are at or beyond critical damping, their frequencies are close
-    /// together, and the contributions of the modes cancel.
+    /// Returns the largest relative change of a state if the contact sticks and is released at once. The tested states
+    /// move two modes, but not the contact.
+    ///
+    /// If the modes of the chain with its contact stuck are well separated, the change is of the order of rounding. If
+    /// many modes are at or beyond critical damping, their frequencies are close together. The contributions of the
+    /// modes then cancel, and the change is larger.
     ///
     /// `states` has room for the modes that the contact drives, and `stuck_modes` for the modes of the chain with its
     /// contact stuck.

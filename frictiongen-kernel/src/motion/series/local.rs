@@ -1,12 +1,12 @@
-//! A function of time between two events, in the form that a search for its zeros needs: derivatives at an instant, or
-//! a power series from the start.
+//! A function of time between two events. A search for its zeros needs its derivatives at an instant, or a power series
+//! from the start.
 
 use crate::number::scalar::Float;
 
-/// Bound on the rounding error of a sum over modes, in roundings of the sum of the absolute values of its terms.
+/// Bound on the rounding error of a sum over modes, in rounding units of the sum of the absolute values of its terms.
 pub(crate) const ROUNDINGS: f64 = 4.0;
-/// Largest length of a series of [`ORDER`] terms, in radians of the fastest oscillator. The neglected terms, of the
-/// order 0.03⁹/9!, are below rounding.
+/// Largest length of a series of [`ORDER`] terms, in radians of the fastest oscillator. The neglected terms are of the
+/// order 0.03⁹/9!, which is below rounding.
 pub(crate) const SERIES_REACH: f64 = 0.03;
 
 /// Upper bound on the number of steps of a search along one segment. A segment that needs more steps continues in

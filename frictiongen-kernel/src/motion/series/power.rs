@@ -1,4 +1,4 @@
-//! A function of the contact as a power series about an instant, in the form that a search for its zeros needs.
+//! A power series in time of a function of the contact. A search finds the zeros of the function in this series.
 
 use super::local::{Local, LocalSeries, ORDER, ROUNDINGS, SERIES_REACH, Walked};
 use crate::number::scalar::Float;
@@ -9,7 +9,7 @@ pub(crate) const TERMS: usize = 24;
 /// Upper bound on the number of steps of a search along a power series.
 pub(crate) const WALK: u32 = 64;
 
-/// The power series Σ c_n sⁿ, with the size of its first terms, from which a rounding bound follows.
+/// Power series Σ c_n sⁿ. The size of its first terms gives a bound on its rounding error.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Power<S> {
     pub terms: [S; TERMS],
@@ -62,8 +62,8 @@ impl<S: Float> Power<S> {
     }
 }
 
-/// The function sign·f − level, in which a search looks for a zero. f is a power series. The function has a bound on
-/// its third derivative.
+/// Function sign·f − level, in which a search looks for a zero. f is a power series with a bound on its third
+/// derivative.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct PowerUpTo<'p, S> {
     power: &'p Power<S>,

@@ -1,15 +1,15 @@
-//! Searches for the first zero of a function in steps that skip no zero. This search is called a *walk*. A bound on the
-//! third derivative limits each step to a length over which the function is certainly positive. The steps become
-//! shorter towards the zero, so that the walk also locates the zero.
+//! Searches for the first zero of a function in steps that skip no zero. Such a search is called a *walk*. A bound on
+//! the third derivative limits each step to a length over which the function is certainly positive. Towards the zero
+//! the steps become shorter, so that the walk converges to the zero.
 
 use super::step;
 use crate::motion::series::{Local, LocalSeries, ROUNDINGS, Walked};
 use crate::number::scalar::Float;
 
-/// Distance, in units of the rounding error, by which a force must exceed the break-away level. It applies after the
-/// contact has just failed to slide.
+/// Amount by which a force must exceed the break-away level, in units of the rounding error. This amount applies after
+/// the contact has just failed to start sliding.
 const WEDGED: f64 = 16.0;
-/// Smallest advance after an instant at which the function only touches zero, in roundings of the instant.
+/// Smallest advance past an instant at which the function only touches zero, in rounding units of the instant.
 const PAST: f64 = 4.0;
 
 /// Result of a *walk*, a search for a zero in steps that skip no zero.
@@ -31,7 +31,7 @@ pub(crate) enum WalkStart<S> {
     Anywhere,
     /// The value is exactly zero, and the slope is given.
     Zero(S),
-    /// The contact has just failed to slide. The force must now exceed its level by more than rounding.
+    /// The contact has just failed to start sliding. The force must now exceed its level by more than rounding.
     Wedged,
 }
 
@@ -133,7 +133,8 @@ pub(crate) fn first_reach<S: Float, F: Walked<S>>(
     Walk::Until(tau)
 }
 
-/// Clamps an instant to the searched interval. Rounding may place the zero of a flat function beyond its end.
+/// Clamps an instant to the searched interval. For a flat function, rounding may place the zero beyond the end of the
+/// interval.
 fn within<S: Float>(sum: &impl Walked<S>, tau: S) -> S {
     tau.max(S::constant(0.0)).min(sum.reach())
 }

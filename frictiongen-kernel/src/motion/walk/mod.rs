@@ -1,5 +1,5 @@
-//! Searches along a function in steps that skip no zero (*walks*). They find its first zero, the instant at which it
-//! reaches a level, and its largest values.
+//! Searches along a function in steps that skip no zero (*walks*). The searches find the first zero, the instant at
+//! which the function reaches a level, and the largest values.
 
 mod first;
 mod peak;

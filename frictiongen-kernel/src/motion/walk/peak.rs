@@ -1,26 +1,25 @@
-//! Finds the largest absolute value of a sum over oscillators between two events. It uses the search for events to find
+//! Finds the largest absolute value of a sum over oscillators between two events. The search for events also finds the
 //! peaks.
 
 use super::first::{Walk, WalkStart, first_reach};
 use crate::motion::series::OscillatorSum;
 use crate::number::scalar::Float;
 
-/// Difference, in roundings, below which two values count as equal.
+/// Difference below which two values count as equal, in rounding units.
 const EQUAL: f64 = 64.0;
 /// Largest number of peaks in a segment that the search refines.
 const MAX_CLIMBS: u32 = 256;
-/// Multiple of the difference that counts as equal. The search continues after a peak where the function has fallen by
-/// this multiple.
+/// Decrease after a peak at which the search continues, as a multiple of the difference that counts as equal.
 const BELOW: f64 = 4.0;
-/// Largest number of Newton steps to a peak, shortened steps included.
+/// Largest number of Newton steps to a peak. Shortened steps count as well.
 const CLIMB_STEPS: usize = 60;
-/// Longest first Newton step to a peak, in radians of the excitation. If a step goes downhill, half of that step
-/// becomes the longest.
+/// Longest first Newton step to a peak, in radians of the excitation. If a step decreases the value, the longest
+/// allowed step becomes half of that step.
 const TRUSTED: f64 = 0.25;
 /// Length of a Newton step, in radians of the excitation, below which the peak counts as reached. Closer to the peak,
 /// values differ only by rounding.
 const AT_SUMMIT: f64 = 1e-3;
-/// Shortest meaningful Newton step, in roundings.
+/// Shortest meaningful Newton step, in rounding units.
 const LEAST_ROUNDINGS: f64 = 4.0;
 
 impl<S: Float> OscillatorSum<'_, S> {
@@ -78,8 +77,8 @@ impl<S: Float> OscillatorSum<'_, S> {
         }
     }
 
-    /// Finds the local extreme near an instant by Newton's method on the slope, without steps downhill. Returns the
-    /// instant, the value and the curvature of the extreme.
+    /// Finds the local extreme near an instant by Newton's method on the slope. No step decreases the value. Returns
+    /// the instant, the value and the curvature of the extreme.
     fn climbed(&self, tau: S) -> (S, S, S) {
         let zero = S::constant(0.0);
         let mut at = tau;

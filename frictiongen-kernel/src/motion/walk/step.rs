@@ -4,15 +4,16 @@ use crate::number::scalar::Float;
 
 /// Upper bound on the number of Newton steps towards a root of the cubic.
 const STEPS: usize = 12;
-/// Relative Newton step below which the root of the cubic counts as found. The search continues from the root anyway,
-/// so that a smaller tolerance would only cost time.
+/// Relative Newton step below which the root of the cubic counts as found. A smaller tolerance would only cost time,
+/// because the search continues from the root.
 const CLOSE: f64 = 0.1;
 
 /// Returns a step over which a function f stays positive if |f‴| ≤ B.
 ///
-/// `f`, `slope` and `curve` are f, f′ and f″ at the start, and `bound` is B. The caller passes f ≥ 0, and f′ > 0 if f =
-/// 0. The cubic p(h) = f + f′h + f″h²/2 − Bh³/6 is a lower bound on f. The function f is therefore positive up to the
-/// smallest positive root of p. The result is close to this root. It exceeds neither the root, to rounding, nor `most`.
+/// `f`, `slope` and `curve` are f, f′ and f″ at the start, and `bound` is B. The caller must pass f ≥ 0, and f′ > 0 if
+/// f = 0. The cubic p(h) = f + f′h + f″h²/2 − Bh³/6 is a lower bound on f. The function f is therefore positive up to
+/// the smallest positive root of p. The result is close to this root. The result does not exceed the root by more than
+/// rounding, and never exceeds `most`.
 pub(crate) fn safe<S: Float>(f: S, slope: S, curve: S, bound: S, most: S) -> S {
     let (zero, half) = (S::constant(0.0), S::constant(0.5));
     let sixth = S::constant(1.0 / 6.0);

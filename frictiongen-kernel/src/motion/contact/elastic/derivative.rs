@@ -1,8 +1,8 @@
 //! Growth of small deviations along a motion with an elastic contact.
 //!
-//! A deviation has the states (y, u) of the modes, and then the contact force. While the contact slides, its force has
-//! no deviation. When the slider stops, the force is continuous and its slope vanishes, so that a deviation does not
-//! jump.
+//! A deviation consists of the states (y, u) of the modes and of the contact force. While the contact slides, the
+//! deviation of the force is zero. When the slider stops, a deviation does not jump, because the force is continuous
+//! and its slope is zero.
 
 use super::ElasticChain;
 use crate::motion::contact::state::{Contact, ContactState, SegmentEnd};
@@ -11,8 +11,8 @@ use crate::motion::setting::Setting;
 use crate::number::pairs::{pairs, pairs_mut};
 use crate::number::scalar::Float;
 
-/// Advances deviations through a segment, column after column. `modes` and `stuck_modes` are the oscillators after the
-/// segment. The function overwrites the states in `stuck_modes`.
+/// Advances deviations through a segment, one column after another. `modes` and `stuck_modes` are the oscillators after
+/// the segment. The function overwrites the states in `stuck_modes`.
 pub(super) fn carry<S: Float>(
     setting: &Setting<'_, S, ElasticChain<S>>,
     (modes, stuck_modes): (&[Part<S>], &mut [Part<S>]),
@@ -48,8 +48,8 @@ pub(super) fn carry<S: Float>(
     }
 }
 
-/// Advances deviations while the contact sticks. The deviation of the slider's displacement stays constant. The modes
-/// of the chain with its contact stuck carry the rest.
+/// Advances deviations while the contact sticks. The deviation of the slider's displacement stays constant. The rest of
+/// a deviation moves with the modes of the chain with its contact stuck.
 fn stuck<S: Float>(
     setting: &Setting<'_, S, ElasticChain<S>>,
     stuck_modes: &mut [Part<S>],

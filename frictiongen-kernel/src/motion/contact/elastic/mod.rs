@@ -1,11 +1,11 @@
-//! The law of an elastic contact: a spring in series with a slider (Jenkins element).
+//! Law of an elastic contact: a spring in series with a slider (Jenkins element).
 //!
-//! The force is f = (z̄ − q)/ρ, with the displacement q of the slider and the compliance ρ = k₁/k of the spring.
-//! The slider rests while |f| ≤ μβ: the contact *sticks*, and its force follows the motion. While the slider moves, |f|
-//! is β. The slider stops where the velocity z̄′ vanishes.
+//! The force is f = (z̄ − q)/ρ, with the displacement q of the slider and the compliance ρ = k₁/k of the spring. The
+//! slider rests while |f| ≤ μβ. The contact then *sticks*, and its force is a function of z̄. While the slider moves,
+//! |f| is β. The slider stops at the instant at which the velocity z̄′ vanishes.
 //!
-//! A stuck contact stores its force f, from which q = z̄ − ρf follows. If it stored q, f would lose digits with a stiff
-//! spring, because z̄ − q is then a small difference.
+//! For a stuck contact the code stores the force f, from which q = z̄ − ρf follows. With a stiff spring z̄ − q is a
+//! small difference. A stored q would therefore give f with few digits.
 
 mod derivative;
 mod on_chain;

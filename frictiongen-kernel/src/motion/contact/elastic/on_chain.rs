@@ -1,4 +1,4 @@
-//! The elastic contact of a chain, at one frequency ratio: its force while it sticks, and its events.
+//! Elastic contact of a chain at one frequency ratio: its force while it sticks, and its events.
 
 use super::{ElasticChain, derivative};
 use crate::contact::sums::Chain;
@@ -13,20 +13,20 @@ use crate::number::scalar::Float;
 impl<S: Float> ContactChain<S> for ElasticChain<S> {
     type Law = Rigid<S>;
 
-    /// The chain with its contact stuck has as many modes as the contact drives, because the spring still lets the
-    /// contact move.
+    /// Returns 0. The chain with its contact stuck has as many modes as the contact drives, because the spring still
+    /// lets the contact move.
     #[inline]
     fn lost_modes(&self) -> usize {
         0
     }
 
-    /// The stuck contact remembers one number, its force.
+    /// Returns 1: a stuck contact stores its force.
     #[inline]
     fn remembered(&self) -> usize {
         1
     }
 
-    /// A deviation of the slider's displacement neither grows nor decays.
+    /// Returns the Floquet multiplier 1. A deviation of the slider's displacement neither grows nor decays.
     fn stuck_multipliers(&self) -> &'static [f64] {
         &[1.0]
     }
@@ -46,7 +46,7 @@ impl<S: Float> ContactChain<S> for ElasticChain<S> {
         Rigid { level, stiction }
     }
 
-    /// The contact sticks without force. With β = 0 it slides.
+    /// Returns a stuck contact without force. With β = 0 the contact slides instead.
     fn contact_state(setting: &Setting<'_, S, Self>, parts: &[Part<S>], t: S) -> ContactState<S> {
         if setting.law().grip().is_zero() {
             return Chain::contact_state(&setting.with(setting.dynamics.chain.chain), parts, t);
@@ -57,7 +57,8 @@ impl<S: Float> ContactChain<S> for ElasticChain<S> {
         }
     }
 
-    /// The contact continues to slide. It sticks under the kinetic force if the velocity now has the other sign.
+    /// Returns the state of a contact that continues to slide. If the velocity has changed its sign, the contact sticks
+    /// under the kinetic force instead.
     fn sliding_state(
         setting: &Setting<'_, S, Self>,
         parts: &[Part<S>],
@@ -102,7 +103,7 @@ impl<S: Float> ContactChain<S> for ElasticChain<S> {
         }
     }
 
-    /// The displacement q = z̄ − ρf of the slider.
+    /// Returns the displacement q = z̄ − ρf of the slider.
     fn stuck_place(
         setting: &Setting<'_, S, Self>,
         modes: &[Part<S>],
@@ -134,7 +135,7 @@ impl<S: Float> ContactChain<S> for ElasticChain<S> {
         )
     }
 
-    /// The slider stops. Without friction the spring has no force, and the contact reverses like a rigid contact.
+    /// Stops the slider. Without friction the spring has no force, and the contact reverses as a rigid contact does.
     fn halt(
         setting: &Setting<'_, S, Self>,
         modes: &[Part<S>],
@@ -156,7 +157,8 @@ impl<S: Float> ContactChain<S> for ElasticChain<S> {
         end.contact_state.memory = Self::memory_at_stop(setting, before);
     }
 
-    /// The slider moves off with the velocity of the contact. With μ > 1 the force drops to the kinetic force.
+    /// Starts the motion of the slider with the velocity of the contact. With μ > 1 the force drops to the kinetic
+    /// force.
     fn break_away(setting: &Setting<'_, S, Self>, contact: Contact, end: &mut SegmentEnd<S>) {
         end.event = Some(Event::Slip);
         end.contact_state.contact = contact;
@@ -175,8 +177,8 @@ impl<S: Float> ContactChain<S> for ElasticChain<S> {
 }
 
 impl<S: Float> Setting<'_, S, ElasticChain<S>> {
-    /// The contact force, from the oscillators of the chain with its contact stuck. `lifted` is the displacement of the
-    /// slider, including the displacement of the base.
+    /// Returns the contact force from the oscillators of the chain with its contact stuck. `lifted` is the displacement
+    /// of the slider, including the displacement of the base.
     pub(super) fn elastic_force(&self, stuck_modes: &[Part<S>], lifted: S) -> S {
         let modes = stuck_modes.iter().zip(self.dynamics.held);
         modes.fold(-(lifted / self.receptance), |force, (part, mode)| {
@@ -184,9 +186,9 @@ impl<S: Float> Setting<'_, S, ElasticChain<S>> {
         })
     }
 
-    /// Sets the contact force to `force` by a small change of one mode of the chain with its contact stuck. The chosen
-    /// mode has the largest force per unit of displacement. With a stiff spring its displacement is a small difference
-    /// of large displacements, so that the given force has more digits.
+    /// Sets the contact force to `force` by a small change of one oscillator of the chain with its contact stuck. The
+    /// function chooses the mode with the largest force per unit of displacement. With a stiff spring the force
+    /// computed from the oscillators is a small difference of large numbers. The given force therefore has more digits.
     pub(super) fn set_elastic_force(&self, stuck_modes: &mut [Part<S>], lifted: S, force: S) {
         let excess = self.elastic_force(stuck_modes, lifted) - force;
         let modes = stuck_modes.iter_mut().zip(self.dynamics.held);

@@ -1,8 +1,8 @@
-//! Sliding motion if the kinetic friction changes with the speed.
+//! Sliding motion under a kinetic friction force that changes with the speed.
 //!
-//! On one straight line of the friction law the force is level + slope·velocity, which couples the modes. A power
-//! series gives their motion over a short piece. In a piece the modes, the excitation and the law advance the motion by
-//! at most a radian.
+//! On one straight line of the friction law the force is level + slope·velocity, which couples the modes. The code
+//! divides the motion into short pieces, and computes each piece as a power series. In a piece, no mode, the excitation
+//! or the law changes the motion by more than a radian.
 
 use super::line::KineticLine;
 use super::lines::{LineCrossing, Lines};
@@ -19,7 +19,7 @@ use crate::number::scalar::Float;
 /// Upper bound on the rate at which the friction law changes the motion, as a multiple of the fastest mode's rate.
 pub const MAX_STEEPNESS: u32 = 4096;
 
-/// Length, in roundings, below which a piece of motion counts as having no length.
+/// Length below which a piece of motion counts as having no length, in rounding units.
 const STILL: f64 = 64.0;
 
 impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {
@@ -148,7 +148,7 @@ pub(crate) fn seek<S: Float, K: ContactChain<S>>(
 
 impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {
     /// Finds the end of a piece on a line of bounded speed, as a fraction of the piece's length. Returns `None` if the
-    /// contact cannot leave zero velocity.
+    /// contact cannot start to move from zero velocity.
     fn slope(
         &self,
         modes: &mut [Part<S>],

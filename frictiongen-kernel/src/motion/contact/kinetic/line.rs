@@ -2,7 +2,7 @@
 
 use crate::number::scalar::Float;
 
-/// One straight line of the friction law. Between two speeds the force over F is level + slope·|v|.
+/// One straight line of the friction law, between two speeds. On this line the force divided by F is level + slope·|v|.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct KineticLine<S> {
     pub level: S,

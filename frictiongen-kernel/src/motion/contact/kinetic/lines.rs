@@ -39,7 +39,7 @@ pub struct Lines<'a, S> {
     place: usize,
     /// Crossing at the end of the piece that the last search has found.
     next: LineCrossing,
-    /// Number of successive pieces of length zero. `cut` counts how often the code has ended such a run of pieces.
+    /// Number of successive pieces of length zero. `cut` counts the runs of such pieces that the code has ended.
     still: u32,
     cut: u32,
 }
@@ -55,12 +55,12 @@ pub(crate) enum LineCrossing {
     Slower,
 }
 
-/// Number of successive pieces of length zero, after which the next piece continues along its line regardless of
-/// crossings.
+/// Number of successive pieces of length zero that the code allows. The next piece then continues along its line, even
+/// across a point of the law.
 const STILL: u32 = 4;
 
-/// Largest number of doublings of such a forced piece, where each is twice as long as the previous one. In double
-/// precision the longest, 2²⁰ roots of a rounding, is a sixty-fourth of the power series' length.
+/// Largest number of doublings of the length of such a forced piece. The longest forced piece has 2²⁰ times the square
+/// root of a rounding unit. In double precision this is a sixty-fourth of the power series' length.
 const CUTS: u32 = 20;
 
 impl<'a, S: Float> Lines<'a, S> {
@@ -128,9 +128,9 @@ impl<'a, S: Float> Lines<'a, S> {
         self.place = line::place(self.points, speed * self.unit);
     }
 
-    /// Records the crossing at the end of a piece. Returns a length if the piece must be extended instead.
+    /// Records the crossing at the end of a piece. Returns a length if the code must extend the piece instead.
     ///
-    /// Where the speed only touches a point of the law, rounding may switch the motion between two lines without end.
+    /// If the speed only touches a point of the law, rounding may switch the motion between two lines without end.
     /// After `STILL` pieces of length zero the motion therefore continues along its line over the returned length. This
     /// length is a fraction of the power series' length.
     pub(crate) fn leads_to(&mut self, next: LineCrossing, moves: bool) -> Option<S> {
@@ -152,7 +152,7 @@ impl<'a, S: Float> Lines<'a, S> {
         Some(length)
     }
 
-    /// Selects the line to which the piece leads, or the first line if the piece ended at rest.
+    /// Selects the line that follows the piece. If the piece ended at rest, this is the first line.
     pub(crate) fn pass(&mut self, at_rest: bool) {
         self.place = match self.next {
             _ if at_rest => 0,
@@ -204,8 +204,8 @@ mod tests {
         assert!(Lines::<f64>::none().lines().is_none() && lines.lines().is_some());
     }
 
-    /// Checks that a motion cannot switch between two lines for ever. Every fourth piece of length zero is extended,
-    /// each time to twice the length, and the line stays.
+    /// Checks that a motion cannot switch between two lines without end. The code extends every fourth piece of length
+    /// zero along its line. Each extension is twice as long as the previous one.
     #[test]
     fn to_and_fro_has_an_end() {
         let mut lines = Lines::under(&LAW, 1.0, 1.0, 1.0);

@@ -1,5 +1,5 @@
-//! A segment under any kinetic friction law. With a constant force the motion is a sum over the modes, on a line it is
-//! a power series.
+//! One segment of the motion under any kinetic friction law. With a constant force the motion is a sum over the modes.
+//! On a line of the law it is a power series.
 
 use super::coupled;
 use super::lines::Level;
@@ -11,8 +11,8 @@ use crate::motion::setting::Setting;
 use crate::number::scalar::Float;
 
 impl<'a, S: Float, K: ContactChain<S>> Setting<'a, S, K> {
-    /// Searches for the next event from a contact state, over at most `reach`. Sets the oscillators to the start of the
-    /// segment.
+    /// Searches for the next event after a contact state, over at most the time `reach`. Sets the oscillators to the
+    /// start of the segment.
     pub(crate) fn seek_under(
         &self,
         level: &mut impl Level<'a, S>,
@@ -47,7 +47,8 @@ impl<'a, S: Float, K: ContactChain<S>> Setting<'a, S, K> {
         }
     }
 
-    /// Returns the contact force over P. While the contact sticks, it is the force that keeps the contact at rest.
+    /// Returns the contact force over the load amplitude P. While the contact sticks, this force keeps the contact at
+    /// rest.
     pub(crate) fn contact_force(
         &self,
         level: &impl Level<'a, S>,

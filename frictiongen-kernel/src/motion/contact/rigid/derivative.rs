@@ -7,8 +7,8 @@ use crate::motion::setting::Setting;
 use crate::number::pairs::{pairs, pairs_mut};
 use crate::number::scalar::Float;
 
-/// Advances deviations of the modes' states through a segment, column after column, with y and u in turn. `modes` and
-/// `stuck_modes` are the oscillators after the segment. The function overwrites the states in `stuck_modes`.
+/// Advances deviations through a segment, one column after another. A column has y and u of each mode in turn. `modes`
+/// and `stuck_modes` are the oscillators after the segment. The function overwrites the states in `stuck_modes`.
 pub(super) fn carry<S: Float>(
     setting: &Setting<'_, S>,
     (modes, stuck_modes): (&[Part<S>], &mut [Part<S>]),
@@ -39,8 +39,8 @@ pub(super) fn carry<S: Float>(
     }
 }
 
-/// Advances deviations while the contact sticks. The deviation of the contact's displacement stays constant. The modes
-/// of the chain with its contact stuck carry the rest.
+/// Advances deviations while the contact sticks. The deviation of the contact's displacement stays constant. The rest
+/// of a deviation moves with the modes of the chain with its contact stuck.
 fn stuck<S: Float>(
     setting: &Setting<'_, S>,
     stuck_modes: &mut [Part<S>],
@@ -70,8 +70,9 @@ fn stuck<S: Float>(
     setting.release(stuck_modes, (moved, zero), states);
 }
 
-/// Applies the jump of a deviation at an event that occurs δτ = −δf/f′ later. In the time δτ the state follows the
-/// slope before the event instead of the slope after it. The two slopes differ by the jump of the contact force.
+/// Applies the jump of a deviation at an event. The deviation moves the event by the time δτ = −δf/f′. During this time
+/// the state has the slope before the event instead of the slope after it. The two slopes differ by the jump of the
+/// contact force.
 fn jump<S: Float>(
     setting: &Setting<'_, S>,
     contact_state: &ContactState<S>,

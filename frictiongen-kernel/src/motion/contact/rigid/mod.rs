@@ -1,4 +1,4 @@
-//! The law of a rigid contact: it sticks up to the static force μF, and slides under the kinetic force F.
+//! Law of a rigid contact. The contact sticks up to the static force μF, and slides under the kinetic force F.
 
 mod derivative;
 mod on_chain;
@@ -10,7 +10,7 @@ use crate::number::scalar::Float;
 /// Number of modes that the chain loses while a rigid contact sticks. The contact then has no motion of its own.
 pub const LOST_MODES: usize = 1;
 
-/// The friction forces of a contact that sticks up to μF and slides under F, in one unit.
+/// Friction forces of a rigid contact, in one unit. The contact sticks up to μF and slides under F.
 #[derive(Clone, Copy, Debug)]
 pub struct Rigid<S> {
     /// Kinetic friction force at zero speed.
@@ -31,7 +31,8 @@ impl<S: Float> Law<S> for Rigid<S> {
         self.stiction * self.level
     }
 
-    /// The distance of two motions never grows if the static force does not exceed the kinetic force.
+    /// Returns true if the static force does not exceed the kinetic force. The distance between two motions then never
+    /// grows.
     fn is_contraction(self) -> bool {
         self.stiction <= S::constant(1.0)
     }

@@ -1,4 +1,4 @@
-//! The rigid contact of a chain, at one frequency ratio: its force while it sticks, and its events.
+//! Rigid contact of a chain at one frequency ratio: its force while it sticks, and its events.
 
 use super::{LOST_MODES, Rigid, derivative};
 use crate::contact::sums::Chain;
@@ -18,7 +18,8 @@ impl<S: Float> ContactChain<S> for Chain<S> {
         LOST_MODES
     }
 
-    /// A deviation of the contact's displacement stays constant. A deviation of its velocity vanishes at once.
+    /// Returns the Floquet multipliers of a contact that never slides. A deviation of the contact's displacement stays
+    /// constant, and a deviation of its velocity vanishes at once.
     fn stuck_multipliers(&self) -> &'static [f64] {
         &[1.0, 0.0]
     }
@@ -71,7 +72,7 @@ impl<S: Float> ContactChain<S> for Chain<S> {
         setting.holding(modes, at)
     }
 
-    /// At z̄ = `place`, the displacement wᵀx̄ is `place` + s cos τ_e.
+    /// Returns the force from the displacement wᵀx̄ = `place` + s cos τ_e, which the contact has at z̄ = `place`.
     fn steady_stuck_force(setting: &Setting<'_, S>, place: S) -> (S, Complex<S>) {
         let inverse_mass = setting.dynamics.chain.inverse_mass;
         let base = setting.base;
