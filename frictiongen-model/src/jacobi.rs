@@ -11,8 +11,8 @@ pub type Columns = Vec<Vec<Dd>>;
 
 /// Largest |cosine| of the angle between two columns that count as orthogonal.
 const ORTHOGONAL: f64 = 1e-30;
-/// Upper bound on the number of sweeps. It only prevents an endless loop, because the convergence is quadratic and
-/// takes far fewer sweeps.
+/// Upper bound on the number of sweeps. The method converges quadratically and needs far fewer sweeps. The bound only
+/// prevents an endless loop.
 const MAX_SWEEPS: usize = 60;
 
 /// Returns the scalar product of two vectors.
@@ -82,7 +82,7 @@ fn turn(columns: &mut Columns, left: usize, right: usize, c: Dd, s: Dd) {
     }
 }
 
-/// Sorts the columns of `g` and `v` by the norms of the columns of `g`, with a stable insertion sort.
+/// Sorts the columns of `g` and `v` by the norms of the columns of `g`. The sort is a stable insertion sort.
 fn sort(g: &mut Columns, v: &mut Columns, norms: &mut [Dd], before: impl Fn(Dd, Dd) -> bool) {
     for end in 1..norms.len() {
         let mut at = end;

@@ -1,5 +1,5 @@
-//! Scenes of mass-spring chains with one Coulomb contact. The crate has their description, their validation, their
-//! modal analysis in double-double, and their tables of a declared accuracy.
+//! Scenes of mass-spring chains with one Coulomb contact. This crate describes a scene, validates it, computes its
+//! modes in double-double, and builds its tables of a declared accuracy.
 
 pub mod interval;
 pub mod jacobi;

@@ -1,5 +1,5 @@
-//! Modal data of a scene: resonances, damping ratios, mode shapes and modal loads. All linear algebra is done here,
-//! once, in double-double.
+//! Modal data of a scene: resonances, damping ratios, mode shapes and modal loads. The module does all linear algebra
+//! of a scene, in double-double.
 
 use crate::jacobi::{self, Columns, dot};
 use crate::modal_sums::{cleaned, inertial_drag, projected, static_sums};
@@ -27,27 +27,27 @@ pub struct Modal<T = Dd> {
     pub loads: Vec<T>,
     /// φᵀw, the relative displacement of the contact in each mode, from the contact direction w.
     pub contacts: Vec<T>,
-    /// Γ = φᵀΓ1, the participation factor of each mode in a motion of the base. The list is empty unless damping acts
-    /// on velocities relative to the moving base.
+    /// Γ = φᵀΓ1, the participation factor of each mode for base motion. The list is empty unless damping acts on
+    /// velocities relative to the moving base.
     pub participations: Vec<T>,
-    /// φᵀK_w1, the force on each mode if all masses move by 1, from the stiffnesses K_w of the springs to the wall. The
-    /// list is empty unless damping acts on velocities relative to the moving base.
+    /// φᵀK_w1, the modal forces if all masses move by 1, with the stiffnesses K_w of the springs to the wall. The list
+    /// is empty unless damping acts on velocities relative to the moving base.
     pub walls: Vec<T>,
-    /// wᵀΓ⁻¹C̄1/r, the relative acceleration that damping gives the contact if the base moves at unit velocity. It is 0
-    /// unless damping acts on velocities relative to the moving base.
+    /// wᵀΓ⁻¹C̄1/r, the relative acceleration of the contact that damping causes if the base moves at unit velocity. It
+    /// is 0 unless damping acts on velocities relative to the moving base.
     pub inertial_drag: T,
     /// m* = wᵀΓ⁻¹w, the inverse effective mass of the contact.
     pub inverse_mass: T,
-    /// wᵀΓ⁻¹p, the relative acceleration that a unit load gives the contact without springs.
+    /// wᵀΓ⁻¹p, the relative acceleration of the contact under a unit load, without spring forces.
     pub inertial_load: T,
-    /// wᵀK̄⁻¹p − s, the static relative displacement of the contact under a unit load. s is 1 if the contact rubs on
+    /// wᵀK̄⁻¹p − s, the static relative displacement of the contact under a unit load. s is 1 if the contact slides on
     /// the moving base, otherwise 0.
     pub static_motion: T,
     /// wᵀK̄⁻¹w, the static relative displacement of the contact under a unit force in the contact.
     pub static_receptance: T,
-    /// True if the contact rubs on the moving base, so that s = 1 in z̄ = wᵀx̄ − s cos τ.
+    /// True if the contact slides on the moving base, so that s = 1 in z̄ = wᵀx̄ − s cos τ.
     pub on_moving_base: bool,
-    /// √(k₁/m₁), the reference frequency of all frequency ratios, rad/s in the scene's own units.
+    /// √(k₁/m₁), the reference frequency of all frequency ratios, in rad/s in the scene's own units.
     pub reference: T,
     /// μ, the ratio of static to kinetic friction force.
     pub stiction: T,
@@ -72,7 +72,7 @@ fn direction(contact: Contact) -> Vec<(usize, f64)> {
     }
 }
 
-/// Matrix and vectors of a scene before its modal analysis, scaled by the masses.
+/// Matrix and vectors of a scene before its modal analysis, divided by √γ of the masses.
 struct Assembled {
     /// √γ_i, the square roots of the mass ratios.
     root_gamma: Vec<Dd>,
@@ -173,10 +173,10 @@ impl Modal {
         Self::assembled(scene, &assembled, resonances, &vectors, NOISE)
     }
 
-    /// Returns the modal analysis of a scene with a solver that the caller provides. The solver receives the columns of
+    /// Returns the modal analysis of a scene, by a solver that the caller provides. The solver receives the columns of
     /// G, where GᵀG has the eigenvalues λ. It returns the singular values of G in ascending order, and the right
-    /// singular vectors as columns. `noise` is a relative bound: a modal value below `noise` times the largest value
-    /// that it can have is set to zero.
+    /// singular vectors as columns. `noise` is a relative bound. The function sets a modal value to zero if it is below
+    /// `noise` times the largest value that it can have.
     #[must_use]
     pub fn solved_by(
         scene: &Scene,
@@ -289,14 +289,14 @@ impl Modal {
 }
 
 impl<T: Float> Modal<T> {
-    /// Returns the index of the mass that rubs on a support. Returns `None` if two masses rub on each other.
+    /// Returns the index of the mass that slides on a support. Returns `None` if two masses slide on each other.
     #[must_use]
     pub fn rubbing(&self) -> Option<usize> {
         let (mass, other) = self.contact;
         other.is_none().then_some(mass)
     }
 
-    /// Returns the undamped natural frequencies ω_i, rad/s in the scene's own units.
+    /// Returns the undamped natural frequencies ω_i, in rad/s in the scene's own units.
     #[must_use]
     pub fn natural_frequencies(&self) -> Vec<T> {
         self.resonances
@@ -305,9 +305,9 @@ impl<T: Float> Modal<T> {
             .collect()
     }
 
-    /// Returns the undamped resonances that the load drives, as frequency ratios. The continuous motion may be
-    /// unbounded there. If `invisible` is true, the result contains only the resonances of modes in which the contact
-    /// does not move. At these resonances even the motion with a stuck contact is unbounded.
+    /// Returns the undamped resonances that the load drives, as frequency ratios. At these resonances the continuous
+    /// motion may be unbounded. If `invisible` is true, the result contains only the resonances of modes in which the
+    /// contact does not move. At these resonances even the motion with a stuck contact is unbounded.
     #[must_use]
     pub fn unbounded(&self, invisible: bool) -> Vec<T> {
         let zero = T::constant(0.0);
@@ -325,8 +325,8 @@ impl<T: Float> Modal<T> {
             .collect()
     }
 
-    /// Returns true if any mode is damped. Also returns true if a mode becomes damped when the variable of a derivative
-    /// changes.
+    /// Returns true if any mode is damped. The result is also true if a mode is undamped but its damping has a
+    /// derivative.
     #[must_use]
     pub fn is_damped(&self) -> bool {
         self.damping_ratios.iter().any(|zeta| !zeta.vanishes())

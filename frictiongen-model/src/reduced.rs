@@ -27,16 +27,18 @@ pub struct Reduced<S> {
     pub ends: Ends<S>,
     /// ρ = k₁/k, the compliance of an elastic contact. `None` for a rigid contact.
     pub compliance: Option<S>,
-    /// Index of the mass that rubs on a support. `None` if two masses rub on each other.
+    /// Index of the mass that slides on a support. `None` if two masses slide on each other.
     pub rubbing: Option<usize>,
-    /// True if masses beyond the stuck contact may act as an absorber. This needs a chain without damping.
+    /// True if masses beyond the stuck contact may act as an absorber. This is possible only in a chain without
+    /// damping.
     pub absorbs: bool,
-    /// Frequency ratios of the undamped resonances that the load drives. The response there may be unbounded.
+    /// Frequency ratios of the undamped resonances that the load drives. The response at these resonances may be
+    /// unbounded.
     pub unbounded: Vec<S>,
     /// Those frequency ratios of `unbounded` at which friction in the contact does not act on the resonant mode.
     pub invisible: Vec<S>,
-    /// True to let the sums over the modes process two modes at once. The results are the same to the last bit.
-    /// Optimised code is then faster, but code without optimisation is slower.
+    /// True if the sums over the modes may process two modes at once. The results have the same bits. Optimised code is
+    /// then faster, but code without optimisation is slower.
     pub two_at_once: bool,
 }
 
@@ -114,8 +116,8 @@ impl<T: Float> Modal<T> {
 }
 
 impl<T: Float> Modal<T> {
-    /// Returns the load in quadrature on one mode, as the kernel takes it, in another number type. Both numbers are 0
-    /// unless damping acts on velocities relative to the moving base.
+    /// Returns the load in quadrature on one mode in another number type, in the form of the kernel's `Quadrature`.
+    /// Both numbers are 0 unless damping acts on velocities relative to the moving base.
     #[must_use]
     pub fn quadrature<S>(&self, mode: usize, to: &impl Fn(T) -> S) -> [S; 2] {
         let pick = |of: &[T]| of.get(mode).copied().unwrap_or(T::constant(0.0));
@@ -128,7 +130,7 @@ impl<T: Float> Modal<T> {
     }
 }
 
-/// Returns the load in quadrature on one mode, as the kernel's `Quadrature` describes it. `to` rounds each number once.
+/// Returns the load in quadrature on one mode, in the form of the kernel's `Quadrature`. `to` rounds each number once.
 pub(crate) fn quadrature<T: Float, S>(
     (resonance, zeta): (T, T),
     contact: T,
@@ -186,7 +188,7 @@ pub(crate) fn kind<T: Float>(zeta: T) -> Kind {
 }
 
 impl<S: Float> Reduced<S> {
-    /// Returns the constants as [`Numbers`], the form in which the kernel crate takes them.
+    /// Returns the constants as [`Numbers`] of the kernel crate.
     #[must_use]
     pub fn numbers(&self) -> Numbers<'_, S> {
         Numbers {

@@ -1,9 +1,10 @@
-//! Natural frequencies of the chain with its contact stuck: the roots of 1/κ + Σ c_i/(s² + 2ζ_iσ_i s + λ_i) over the
-//! modes i. κ is the stiffness of the contact over k₁, and 1/κ its *compliance*. The compliance of a rigid contact is 0.
+//! Natural frequencies of the chain with its contact stuck. They are the roots of 1/κ + Σ c_i/(s² + 2ζ_iσ_i s + λ_i)
+//! over the modes i. κ is the stiffness of the contact over k₁, and 1/κ its *compliance*. The compliance of a rigid
+//! contact is 0.
 //!
-//! Without damping, one root lies between each pair of neighbouring resonances, and with an elastic contact another root
-//! above the last resonance. With damping, the simultaneous
-//! iteration of Aberth and Ehrlich starts from the undamped roots.
+//! Without damping, one root lies between each pair of neighbouring resonances. With an elastic contact, another root
+//! lies above the last resonance. With damping, the simultaneous iteration of Aberth and Ehrlich starts from the
+//! undamped roots.
 
 use frictiongen_kernel::Complex;
 use frictiongen_kernel::Float;
@@ -19,7 +20,7 @@ pub struct Driven {
     pub inverse_mass: Dd,
 }
 
-/// One mode of the chain with its contact stuck. It stands for two roots, with the common factor s² + 2αs + ω².
+/// One mode of the chain with its contact stuck. It is a pair of roots, the zeros of s² + 2αs + ω².
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Pair {
     /// ω, the natural frequency of the mode.
@@ -28,8 +29,8 @@ pub(crate) struct Pair {
     pub zeta: Dd,
 }
 
-/// Returns the modes of the chain with its contact stuck, in ascending order of ω. The argument `modes` must be
-/// ascending and distinct.
+/// Returns the modes of the chain with its contact stuck, in ascending order of ω. The resonances of `modes` must be
+/// distinct and in ascending order.
 pub(crate) fn pairs(modes: &[Driven], compliance: Dd) -> Vec<Pair> {
     let zero = Dd::ZERO;
     let mut undamped: Vec<Dd> = modes
@@ -54,8 +55,8 @@ pub(crate) fn pairs(modes: &[Driven], compliance: Dd) -> Vec<Pair> {
 }
 
 /// Returns the undamped root ω between two neighbouring resonances, where 1/κ + Σ c_i/(λ_i − ω²) rises from −∞ to ∞. If
-/// `high` is `None`, `low` is the last resonance, and the result is the root above. The function applies regula falsi
-/// with the Illinois rule to the sum times both neighbouring denominators.
+/// `high` is `None`, `low` is the last resonance, and the result is the root above it. The function applies regula
+/// falsi with the Illinois rule to the sum times both neighbouring denominators.
 fn between(modes: &[Driven], compliance: Dd, low: Dd, high: Option<Dd>) -> Dd {
     let value = |omega: Dd| {
         let gap = |sigma: Dd| (sigma - omega) * (sigma + omega);
@@ -125,8 +126,8 @@ fn between(modes: &[Driven], compliance: Dd, low: Dd, high: Option<Dd>) -> Dd {
     (a + b) * half
 }
 
-/// Returns starting values for the search of the roots: the undamped frequencies, with the damping that the mode shapes
-/// imply. A slight asymmetry of the values lets a pair separate into two real roots.
+/// Returns starting values for the search of the roots: the undamped frequencies, with damping estimated from the mode
+/// shapes. A slight asymmetry of the values allows a pair to separate into two real roots.
 fn start(modes: &[Driven], undamped: &[Dd]) -> Vec<Complex<Dd>> {
     let mut roots = Vec::new();
     for (index, omega) in undamped.iter().enumerate() {
@@ -187,14 +188,15 @@ pub(crate) fn converge(modes: &[Driven], direct: Dd, roots: &mut [Complex<Dd>], 
     steps::<Dd>(modes, direct, roots, known, LAST_STEPS);
 }
 
-/// Upper bound on the number of iteration steps, and the relative correction at which the iteration ends. The iteration
-/// begins in double precision with these values, and ends in double-double with `LAST_STEPS`.
+/// Upper bound on the number of iteration steps, and the relative correction at which the iteration ends. These values
+/// are for the first part of the iteration, in double precision. `LAST_STEPS` are for the second part, in
+/// double-double.
 const FIRST_STEPS: (usize, f64) = (100, 1e-14);
-/// Upper bound on the steps in double-double, and the relative correction at which they end.
+/// Upper bound on the number of steps in double-double, and the relative correction at which the iteration ends.
 const LAST_STEPS: (usize, f64) = (60, 1e-29);
 
-/// Largest imaginary part of a root that counts as real, relative to the modulus of the root. Rounding gives a real
-/// root such an imaginary part.
+/// Largest imaginary part of a root that counts as real, relative to the modulus of the root. Rounding alone can cause
+/// such an imaginary part.
 const REAL: f64 = 1e-13;
 
 /// Converts a double-double to another number type.
@@ -203,8 +205,8 @@ pub(crate) fn to<S: Float>(value: Dd) -> S {
 }
 
 /// Improves the estimates of all roots of a polynomial P at once (Aberth and Ehrlich). Each step is a Newton step for
-/// one root, computed from P′/P after division by the factors of the other roots. The first `known` roots stay as they
-/// are.
+/// one root, computed from P′/P after division by the factors of the other roots. The first `known` roots stay
+/// unchanged.
 pub(crate) fn iterate<S: Float>(
     roots: &mut [Complex<Dd>],
     known: usize,
@@ -274,8 +276,8 @@ fn slope_over_value<S: Float>(modes: &[(S, S, S)], direct: S, s: Complex<S>) -> 
 }
 
 /// Joins two conjugate roots into a pair, and joins real roots into pairs by size. Two real roots that started as a
-/// conjugate pair stay together. Otherwise a pair could join real roots of two different modes, and the contributions
-/// of both roots would be nearly dependent.
+/// conjugate pair stay together. A pair of real roots from two different modes would make the modal contributions
+/// nearly linearly dependent.
 fn paired(started: Vec<Complex<Dd>>) -> Vec<Pair> {
     let is_real = |root: &Complex<Dd>| {
         let size = complex::modulus(*root, true);

@@ -1,4 +1,4 @@
-//! A scene as its description gives it, in the units of the description, before any computation.
+//! Types of a scene, with the values of its description and in the units of the description.
 
 /// One end of a spring, or one side of a contact: a mass, the base or the wall.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -76,11 +76,11 @@ pub enum Damping {
     },
 }
 
-/// Velocities on which modal and Rayleigh damping act where the base moves.
+/// Velocities on which modal and Rayleigh damping act if the base moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum DampingFrom {
-    /// Absolute velocities, as in the thesis. The motion of the base then adds no damping load.
+    /// Absolute velocities, as in the thesis. The motion of the base then causes no damping load.
     #[default]
     Rest,
     /// Velocities relative to the moving base, as is usual for structures.
@@ -94,7 +94,7 @@ pub enum Precision {
     /// `f64`, double precision.
     #[default]
     F64,
-    /// `f32`, without any `f64` operation.
+    /// `f32`. The emitted code contains no `f64` operation.
     F32,
 }
 
@@ -104,7 +104,7 @@ pub enum Precision {
 pub enum Provide {
     /// Both limits and the regime at any frequency ratio.
     Limits,
-    /// The exact continuous motion of the contact and of masses. `None` stands for every mass, a list for the masses
+    /// The exact continuous motion of the contact and of masses. `None` selects every mass, a list selects the masses
     /// with these indices.
     Motion(Option<Vec<usize>>),
     /// The response while the contact is stuck.
@@ -115,7 +115,7 @@ pub enum Provide {
     Simulation,
     /// The stepper, which advances the motion by a fixed step in physical time, under any force.
     Stepper,
-    /// The self-check, which compares checksums of the constants, and answers of the other groups with known ones.
+    /// The self-check. It compares checksums of the constants, and results of the other groups, with known values.
     SelfCheck,
 }
 
@@ -126,7 +126,7 @@ pub enum Accuracy {
     /// Exact formulas, without tables.
     #[default]
     Exact,
-    /// Largest relative error that tables may have, over the scene's `range`.
+    /// Tables whose relative error is at most this number over the scene's `range`.
     Relative(f64),
 }
 
@@ -137,8 +137,8 @@ pub enum Side {
     /// The limits from tables may lie on either side of the exact limits.
     #[default]
     Near,
-    /// The limits from tables err to the safe side: β_lim is never above its exact value, and β*_lim is never below its
-    /// exact value.
+    /// The limits from tables have errors only to the safe side: β_lim is never above its exact value, and β*_lim is
+    /// never below its exact value.
     Safe,
 }
 
@@ -160,7 +160,7 @@ pub enum Proving {
     /// About a second. Tables whose proof needs longer are checked but not proven.
     #[default]
     Quick,
-    /// The time that the command line takes for the whole proof: some seconds in code without optimisation.
+    /// The time of a whole proof, as on the command line: some seconds in code without optimisation.
     Whole,
 }
 
@@ -174,8 +174,8 @@ pub struct Range {
     pub beta: (f64, f64),
 }
 
-/// The accuracy that the description declares for the emitted code, and the range of r and β in which the code must
-/// meet it.
+/// The accuracy that the description declares for the emitted code, and the range of r and β in which the emitted code
+/// has this accuracy.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[doc(hidden)]
@@ -186,8 +186,8 @@ pub struct Declared {
     pub range: Option<Range>,
     /// The side of the exact limits on which limits from tables may lie.
     pub side: Side,
-    /// Largest size of the tables in bytes, in place of an accuracy. The generator then chooses the best accuracy that
-    /// fits.
+    /// Largest size of the tables in bytes, which a scene may declare in place of an accuracy. The generator then
+    /// chooses the best accuracy that fits.
     pub budget: Option<f64>,
     /// Behaviour of the emitted code outside the range.
     pub beyond: Beyond,
@@ -212,8 +212,8 @@ pub enum FrictionLaw {
     #[default]
     Coulomb,
     /// Kinetic friction that is piecewise linear in the sliding speed. Each point has a speed, in the scene's own
-    /// units, and a level, which is the friction force over F. The level is 1 at rest, and constant beyond the last
-    /// point.
+    /// units, and a level, which is the friction force over F. The level at rest is 1. Beyond the last point the level
+    /// is constant.
     Stribeck(Vec<[f64; 2]>),
 }
 
@@ -243,16 +243,16 @@ pub enum StepInput {
 #[derive(Clone, Debug, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Stepping {
-    /// The fixed step in the scene's unit of time (s in SI). `None` if the step is known only at run time. If it is
-    /// known, the data for the step are constants of the emitted code.
+    /// The fixed step in the scene's unit of time (s in SI), or `None` if the step is known only at run time. If the
+    /// step is known, the tables for it are constants of the emitted code.
     pub step: Option<f64>,
     /// Course of the input between two samples.
     pub input: StepInput,
-    /// The indices of the masses that a force may load in addition to the excitation.
+    /// Indices of masses on which a force may act in addition to the excitation.
     pub forces: Vec<usize>,
 }
 
-/// A whole scene: chain, contact, excitation, damping, and what the generator emits for it.
+/// A whole scene: chain, contact, excitation, damping, and the groups of methods that the generator emits.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Scene {
@@ -268,7 +268,7 @@ pub struct Scene {
     pub excitation: Excitation,
     /// The viscous damping of the scene.
     pub damping: Damping,
-    /// The velocities on which the damping acts where the base moves.
+    /// The velocities on which the damping acts if the base moves.
     #[cfg_attr(feature = "serde", serde(default))]
     pub damping_from: DampingFrom,
     /// μ, the ratio of static to kinetic friction force, at least 1.
@@ -301,9 +301,8 @@ impl Scene {
         items.any(|item| core::mem::discriminant(item) == kind)
     }
 
-    /// Returns true if the emitted code has a method that is evaluated at a frequency of excitation. The stepper is
-    /// never evaluated at a frequency. The simulation is not evaluated at a frequency either, if the kinetic friction
-    /// depends on the speed.
+    /// Returns true if the emitted code has a method that depends on the frequency of excitation. The stepper does not
+    /// depend on it. The simulation does not depend on it either, if the kinetic friction depends on the speed.
     #[must_use]
     pub fn needs_frequency(&self) -> bool {
         let constant = self.friction == FrictionLaw::Coulomb;
@@ -323,8 +322,8 @@ impl Scene {
             && self.damping != Damping::None
     }
 
-    /// Returns the velocities on which the damping acts. Returns `None` if the base does not move or the scene has no
-    /// damping, because the choice then makes no difference.
+    /// Returns the velocities on which the damping acts, for a report. Returns `None` if the base does not move or the
+    /// scene has no damping, because the choice then has no effect.
     #[must_use]
     pub fn damping_acts_on(&self) -> Option<&'static str> {
         let differs = self.excitation == Excitation::Base && self.damping != Damping::None;
@@ -336,14 +335,15 @@ impl Scene {
         })
     }
 
-    /// Returns true if the emitted code has a method that follows the motion in time.
+    /// Returns true if the emitted code has a method that computes a motion in time.
     #[must_use]
     pub fn moves_in_time(&self) -> bool {
         let in_time = [Provide::Simulation, Provide::Orbit, Provide::Stepper];
         self.provide.iter().any(|item| in_time.contains(item))
     }
 
-    /// Returns k₁, the stiffness of the first spring, to which all stiffness ratios refer, or 1 without a spring.
+    /// Returns k₁, the stiffness of the first spring, to which all stiffness ratios refer. Without a spring the result
+    /// is 1.
     #[must_use]
     pub fn first_stiffness(&self) -> f64 {
         self.springs.first().map_or(1.0, |spring| spring.stiffness)
@@ -364,8 +364,8 @@ impl Scene {
 }
 
 impl Scene {
-    /// Returns true if masses beyond the contact can act as an absorber. While the contact is stuck, only the contact
-    /// connects these masses to the load, so that they resonate by themselves.
+    /// Returns true if masses beyond the contact can act as an absorber. While the contact is stuck, it is the only
+    /// connection of these masses to the load, so that they can resonate on their own.
     #[must_use]
     pub fn has_absorber(&self) -> bool {
         let sides = [self.contact.from, self.contact.to];

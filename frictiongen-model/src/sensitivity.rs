@@ -1,8 +1,8 @@
-//! Derivatives of the modal data with respect to the quantities of a scene. They follow from first-order perturbation
-//! of the modes, in double-double.
+//! Derivatives of the modal data with respect to the quantities of a scene. The module computes them by first-order
+//! perturbation of the modes, in double-double.
 //!
 //! The modes are the eigenvectors of GᵀG. With v = √Γφ, the change of GᵀG between modes i and j is vᵢᵀ(dGᵀG)vⱼ = Σ_e
-//! (dκ/κ)ₑ κₑδᵢₑδⱼₑ − ½(λ_i + λ_j) Σ_m (dγ/γ)_m vᵢₘvⱼₘ. Here δ are the elongations of the springs.
+//! (dκ/κ)ₑ κₑδᵢₑδⱼₑ − ½(λ_i + λ_j) Σ_m (dγ/γ)_m vᵢₘvⱼₘ. δ are the elongations of the springs.
 
 mod base;
 mod equal;
@@ -60,7 +60,7 @@ fn fixed(values: &[Dd]) -> Vec<Dual<Dd>> {
 }
 
 impl Modal {
-    /// Returns the modal data as numbers with a derivative, where every derivative is 0.
+    /// Returns the modal data as dual numbers, all with the derivative 0.
     #[must_use]
     pub fn fixed(&self) -> Modal<Dual<Dd>> {
         Modal {
@@ -85,8 +85,8 @@ impl Modal {
         }
     }
 
-    /// Returns the modal data with derivatives with respect to one quantity of the scene. `scene` must be the scene
-    /// from which this modal analysis was made. Returns `None` if the scene has no such quantity.
+    /// Returns the modal data with derivatives with respect to one quantity of the scene. `scene` must be the scene of
+    /// this modal analysis. Returns `None` if the scene has no such quantity.
     #[must_use]
     pub fn along(&self, scene: &Scene, quantity: Quantity) -> Option<Modal<Dual<Dd>>> {
         let mut along = self.fixed();
@@ -173,7 +173,7 @@ fn factors(scene: &Scene, along: Option<Quantity>) -> Option<(Dual<Dd>, Dual<Dd>
 }
 
 /// Relative changes dγ/γ of each mass ratio and dκ/κ of each stiffness ratio. The first mass and the first spring are
-/// the references, so a change of either changes all other ratios.
+/// the references. A change of either therefore changes all other ratios.
 struct Change {
     masses: Vec<Dd>,
     springs: Vec<Dd>,
@@ -271,7 +271,7 @@ impl Change {
         }
     }
 
-    /// Returns vᵢᵀ(dGᵀG)vⱼ, the change of GᵀG between modes i and j, for all i and j.
+    /// Returns vᵢᵀ(dGᵀG)vⱼ, the change of GᵀG between modes i and j, for every pair of modes.
     fn between(
         &self,
         shapes: &[Vec<Dd>],
@@ -315,7 +315,7 @@ impl Change {
             .collect()
     }
 
-    /// Sets the derivatives of φᵀp and φᵀw, and of all modal data that follow from them.
+    /// Sets the derivatives of φᵀp and φᵀw, and of all modal data that depend on them.
     fn project(
         &self,
         modal: &Modal,
@@ -375,8 +375,9 @@ impl Change {
     }
 }
 
-/// Sets the derivative of the product of a mode shape and a vector. A mode keeps its value from the analysis, which has
-/// set noise to zero. A rotated mode is a different mode, so it takes its new value.
+/// Sets the derivative of the product of a mode shape and a vector. An unrotated mode keeps its value from the
+/// analysis, which has set rounding noise to zero. A rotated mode is a different mode, so that the function also sets
+/// its value.
 fn set(projection: &mut Dual<Dd>, shape: &[Dual<Dd>], on: &[Dual<Dd>], turned: bool) {
     let products = shape.iter().zip(on);
     let product = products.fold(Dual::constant(0.0), |sum, (a, b)| sum + *a * *b);

@@ -20,21 +20,21 @@ pub struct Steps<S> {
     pub on_base: bool,
     /// True if damping acts on velocities relative to the moving base.
     pub damped_from_base: bool,
-    /// Indices of the masses on which a force may act: the excited mass, the masses that the description lists, and the
+    /// Indices of the masses on which a force may act: the excited mass, then the masses in the description, then the
     /// masses that the caller adds.
     pub forces: Vec<usize>,
     /// Course of the input between two samples.
     pub input: Input,
     /// Points (speed, level) of the friction law. The list is empty for Coulomb's law.
     pub law: Vec<[S; 2]>,
-    /// Velocity that corresponds to dz̄/dτ = 1 at r = 1 under a load of amplitude 1, in the scene's units. It is
-    /// √(k₁/m₁), divided by k₁ if the load is a force.
+    /// Velocity in the scene's units for which dz̄/dτ is 1, at r = 1 under a load of amplitude 1. It is √(k₁/m₁),
+    /// divided by k₁ if the load is a force.
     pub speed: S,
 }
 
 impl<S: Scalar> Steps<S> {
-    /// Builds the settings of a scene. `to` rounds each number once from double-double. `more` lists masses that a
-    /// force may load in addition to those that the scene names.
+    /// Creates the settings of a scene. `to` rounds each number once from double-double. `more` lists masses on which a
+    /// force may act in addition to those in the scene.
     #[must_use]
     pub fn of(
         scene: &Scene,
@@ -88,7 +88,7 @@ impl<S: Scalar> Steps<S> {
         }
     }
 
-    /// Returns the number of coefficients that describe the course of one input over a step.
+    /// Returns the number of coefficients of an input's polynomial over a step.
     #[must_use]
     pub fn coefficients(&self) -> usize {
         match (self.on_base, self.input) {
@@ -107,13 +107,13 @@ impl<S: Scalar> Steps<S> {
 }
 
 impl<S: Float> Steps<S> {
-    /// Returns the friction law for a simulation at the frequency ratio r, under a load of this amplitude.
+    /// Returns the friction law for a simulation at the frequency ratio r. `amplitude` is the amplitude of the load.
     #[must_use]
     pub fn lines(&self, r: S, amplitude: S) -> Lines<'_, S> {
         Lines::under(&self.law, r, amplitude, self.speed)
     }
 
-    /// Returns the scene as a [`StepScene`], the form in which the kernel crate takes it.
+    /// Returns the settings and `dynamics` as [`StepScene`] of the kernel crate.
     #[must_use]
     pub fn scene<'a, K>(&'a self, dynamics: Dynamics<'a, S, K>) -> StepScene<'a, S, K> {
         StepScene {
@@ -152,8 +152,9 @@ pub fn pace<S: Float, K: ContactChain<S>>(
     )
 }
 
-/// Returns the reason why a stepper refuses the step of a scene: the angle in rad by which the fastest oscillator turns
-/// in one step, and the range of angles that a stepper accepts. Returns `None` if the stepper accepts the step.
+/// Returns the reason why a stepper refuses the step of a scene. The first number is the angle in rad by which the
+/// fastest oscillator advances in one step. The second is the range of angles that a stepper accepts. Returns `None` if
+/// the stepper accepts the step.
 #[must_use]
 pub fn refused_step(scene: &Scene, modal: &Modal) -> Option<(f64, [f64; 2])> {
     let step = scene.stepping.step?;

@@ -1,8 +1,8 @@
-//! Checks that a scene makes physical sense. All errors are reported at once, each with the item of the scene that
-//! causes the error.
+//! Checks that a scene makes physical sense. The checks report all errors at once. Each error names the item of the
+//! scene that causes it.
 //!
-//! A description read from text and a scene built at run time pass the same checks. The text parser maps each [`Path`]
-//! back to the written words.
+//! A description read from text and a scene built at run time pass the same checks. The text parser converts each
+//! [`Path`] to the place in the text.
 
 mod checks;
 mod elastic;
@@ -32,10 +32,10 @@ pub fn validate(scene: &Scene) -> Result<(), Vec<SceneError>> {
     validate_known(scene, &Checks::default())
 }
 
-/// Checks only those items of a scene that could be read from its description.
+/// Checks a scene whose description has errors. It checks only the items that the parser could read.
 ///
 /// # Errors
-/// Returns every error of the known items, in the order of the fields.
+/// Returns every error of these items, in the order of the fields.
 pub fn validate_known(scene: &Scene, checks: &Checks) -> Result<(), Vec<SceneError>> {
     let mut errors = Vec::new();
     masses::check(scene, checks, &mut errors);

@@ -90,8 +90,8 @@ pub trait Scene: Clone {
         search(self.idle().as_mut())
     }
 
-    /// Returns the break-away term H_c + μm*/r² (5.63, 7.47). The contact breaks away at a reversal if its acceleration
-    /// exceeds β times this term. The result is multiplied by r² and by the scale E of [`ContactAt`].
+    /// Returns the break-away term H_c + μm*/r² (5.63, 7.47). The contact breaks away at a reversal if Z + βG exceeds β
+    /// times this term. The result is multiplied by r² and by the scale E of [`ContactAt`].
     #[inline]
     fn break_away(&self, contact: &ContactAt<Self::Scalar>) -> Self::Scalar {
         self.numbers().chain.break_away(contact)

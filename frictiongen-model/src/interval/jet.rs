@@ -1,10 +1,10 @@
-//! Arithmetic of functions of frequency: numbers, intervals, and intervals with a slope.
+//! Arithmetic for functions of frequency. The values are numbers, intervals, or intervals with a slope.
 
 use super::Interval;
 use frictiongen_kernel::Scalar;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// An arithmetic for functions of frequency: numbers, intervals, or intervals with slopes.
+/// Trait of an arithmetic for functions of frequency: numbers, intervals, or intervals with slopes.
 pub trait Number:
     Copy
     + Add<Output = Self>

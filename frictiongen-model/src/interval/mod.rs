@@ -1,5 +1,5 @@
-//! Interval arithmetic with outward rounding. The interval of a result contains every value that the function takes.
-//! Intervals can carry the slope of the function.
+//! Interval arithmetic with outward rounding. The resulting interval contains every value that the function takes.
+//! Intervals can also bound the slope of the function.
 
 mod jet;
 
@@ -18,17 +18,17 @@ pub struct Interval {
     pub high: f64,
 }
 
-/// Absolute error bound of the kernel's sine and cosine, which are within 1.1 units in the last place.
+/// Absolute error bound of the kernel's sine and cosine. Their error is at most 1.1 units in the last place.
 const SINE: f64 = 1e-15;
 /// 1 minus one unit in the last place of 1.
 const BELOW: f64 = 1.0 - f64::EPSILON;
 /// 1 plus one unit in the last place of 1.
 const ABOVE: f64 = 1.0 + f64::EPSILON;
-/// Allowance for underflow in a product. A subnormal number would suffice, but processors compute much more slowly with
-/// subnormal numbers. Products with this number are still normal.
+/// Allowance for underflow in a product. A subnormal number would be large enough, but processors compute much more
+/// slowly with subnormal numbers. Products with this number are still normal.
 pub const TINY: f64 = 1e-290;
-/// Relative error bound of libm's exponential, which is within one unit in the last place. The bound is more than two
-/// units.
+/// Relative error bound of libm's exponential. The exponential is correct to one unit in the last place, and the bound
+/// is more than two units.
 const EXPONENTIAL: f64 = 5e-16;
 
 impl Interval {
@@ -78,7 +78,7 @@ impl Interval {
         }
     }
 
-    /// Returns the interval from −`size` to `size`, for a number of at most this magnitude.
+    /// Returns the interval from −`size` to `size`.
     #[must_use]
     pub fn within(size: f64) -> Self {
         Self::new(-size, size)
@@ -122,8 +122,8 @@ impl Interval {
 
     /// Returns the interval with its bounds rounded outward. Returns `ALL` if a bound is NaN.
     ///
-    /// The code uses a product and a difference instead of a function for the next number. Macros run without
-    /// optimisation, where each function call costs time.
+    /// The code computes a product and a difference instead of the next representable number. In a macro, which runs
+    /// without optimisation, a function call for the next number would take longer.
     #[inline(always)]
     fn outward(low: f64, high: f64) -> Self {
         // The product shifts a bound by at least one and at most two units in the last place. `TINY` covers underflow.
@@ -143,7 +143,7 @@ impl Interval {
         Self { low, high }
     }
 
-    /// Returns the bounds of a product, rounded to nearest. A bound is NaN where 0 is multiplied by an infinite bound.
+    /// Returns the bounds of a product, rounded to nearest. The product of 0 and an infinite bound is NaN.
     #[inline(always)]
     #[must_use]
     pub fn ends_times(self, other: Self) -> (f64, f64) {
@@ -300,7 +300,7 @@ impl Interval {
 }
 
 impl Interval {
-    /// Returns the product of two intervals that both contain 0, or that have an infinite bound.
+    /// Returns the product of two intervals, for intervals that both contain 0 or that have an infinite bound.
     fn straddling(self, other: Self) -> Self {
         let Self { low: a, high: b } = self;
         let Self { low: c, high: d } = other;

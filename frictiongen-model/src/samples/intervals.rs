@@ -14,7 +14,7 @@ impl Numbers {
         random(&mut self.0)
     }
 
-    /// Returns a number of either sign over ten decades, and sometimes 0.
+    /// Returns a random number with a random sign and a magnitude over ten decades. The result is sometimes 0.
     pub fn end(&mut self) -> f64 {
         let size = 10_f64.powf(10.0 * self.unit() - 5.0);
         match (16.0 * self.unit()) as u32 {
@@ -35,7 +35,7 @@ impl Numbers {
         }
     }
 
-    /// Returns a number of an interval. It is often a bound of the interval.
+    /// Returns a number in an interval, often one of the two bounds.
     pub fn within(&mut self, interval: Interval) -> f64 {
         match (4.0 * self.unit()) as u32 {
             0 => interval.low,
@@ -46,8 +46,8 @@ impl Numbers {
     }
 }
 
-/// Returns true if an interval contains a double-double number, apart from an error in its last digits. The allowed
-/// error is far below one rounding of a double.
+/// Returns true if an interval contains a double-double number, up to an error in its last digits. The allowed error is
+/// far below one rounding unit of a double.
 #[must_use]
 pub fn contains(interval: Interval, value: Dd) -> bool {
     let slack = value.abs() * Dd::from(1e-28);

@@ -11,8 +11,8 @@ use crate::scene::{
 };
 use crate::table::Request;
 
-/// Returns a chain of equal masses and springs. The last mass rubs on a wall, the first on a moving base, or the first
-/// two on each other.
+/// Returns a chain of equal masses and springs. `kind` selects the contact: the last mass slides on a wall, the first
+/// mass on a moving base, or the first two masses on each other.
 #[must_use]
 pub fn scene(kind: &str, count: usize, zeta: f64, stiction: f64) -> Modal {
     let mass = |place: usize| Mass {

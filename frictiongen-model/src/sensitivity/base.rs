@@ -8,7 +8,7 @@ use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::number::dual::Dual;
 
 impl Change {
-    /// Sets the derivatives of φᵀΓ1 and φᵀK_w1, which exist where damping acts on velocities relative to the base.
+    /// Sets the derivatives of φᵀΓ1 and φᵀK_w1, which exist if damping acts on velocities relative to the base.
     pub(super) fn project_base(
         &self,
         scene: &Scene,

@@ -1,4 +1,4 @@
-//! Chooses the basis of modes with equal frequencies that follows a change of the scene smoothly.
+//! Chooses a basis for modes with equal frequencies. The chosen basis changes smoothly if the scene changes.
 
 use frictiongen_kernel::Scalar;
 use frictiongen_kernel::number::dd::Dd;
@@ -15,9 +15,9 @@ pub(super) fn equal(a: Dd, b: Dd) -> bool {
 }
 
 /// Rotates each group of equal modes to the basis in which the change of the scene does not couple them. Every basis of
-/// such a group is valid, but only this basis follows the change smoothly.
+/// such a group is valid, but only this one changes smoothly with the scene.
 ///
-/// Returns one flag for each mode, which is true if the mode was rotated.
+/// Returns one flag for each mode, which is true if the function rotated the mode.
 pub(super) fn adapt_equal_modes(
     matrix: &mut [Vec<Dd>],
     shapes: &mut [Vec<Dd>],

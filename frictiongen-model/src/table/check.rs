@@ -1,4 +1,4 @@
-//! Compares tables with the exact values, at frequency ratios that the fit did not use.
+//! Compares tables with the exact values. The frequency ratios of the comparison differ from those of the fit.
 
 use super::errors::{Comparison, or_infinite};
 use super::fit::Fitted;
@@ -8,17 +8,18 @@ use super::split::Landmarks;
 use super::worst::Worst;
 use frictiongen_kernel::Float;
 
-/// Number of comparison points in each piece. The distance between neighbouring points is at most 1/46 of the piece. In
-/// a macro without a proof, this check is the only one.
+/// Number of comparison points in each piece. The distance between neighbouring points is at most 1/46 of the piece.
+/// For a macro without a proof, this check is the only evidence.
 const POINTS: usize = 64;
-/// Closest distance to a zero at which a piece is compared, in decades. It is 10^−13 of the length of the piece.
+/// Closest distance of a comparison point from a zero, in decades. It is 10^−13 of the length of the piece.
 const DECADES: f64 = 13.0;
-/// Number of frequency ratios over the range at which a product over zeros and poles is compared with the exact values.
-/// Further points are near zeros, resonances and sub-harmonics.
+/// Number of frequency ratios over the range at which the check compares a product over zeros and poles with the exact
+/// values. Further points are near zeros, resonances and sub-harmonics.
 const PRODUCT_POINTS: usize = 256;
-/// Number of roundings by which r may be off when an exact value is computed.
+/// Allowed error of r in the comparison, in rounding units. It covers the rounding of r in the computation of an exact
+/// value.
 pub(super) const ROUNDINGS: f64 = 8.0;
-/// The golden section. The fractional parts of its multiples spread points evenly over an interval.
+/// The golden section. The fractional parts of its multiples are evenly spread over an interval.
 pub(super) const GOLDEN: f64 = 0.618_033_988_749_894_8;
 
 /// Compares a polynomial piece with the exact values. Returns the largest error divided by the allowed error, the r of

@@ -8,36 +8,36 @@ use super::split::Edge;
 use super::worst::Worst;
 use frictiongen_kernel::Float;
 
-/// Ratio of lengths at which the search for the longest piece ends: the shortest length known as too long over the
-/// longest length known as possible. More fits would save at most a tenth of the pieces.
+/// Ratio of lengths at which the search for the longest piece ends. It is the shortest length that is too long, divided
+/// by the longest length that is possible. More fits would save at most a tenth of the pieces.
 const LONGEST: f64 = 1.1;
-/// Step to which the end of a polynomial piece is rounded for human readers, as a fraction of the length of the piece.
-/// The end is not rounded at a kink of β_lim or at a bound of the range.
+/// Step to which the code rounds the end of a polynomial piece for human readers, as a fraction of the length of the
+/// piece. The code does not round the end at a kink of β_lim or at a bound of the range.
 const END: f64 = 0.02;
-/// Error divided by the allowed error above which a piece that is too long probably contains a kink. The search then
-/// locates the kink. A piece with a kink has an error proportional to its length, whereas the error of a smooth piece
-/// falls with a high power of the length.
+/// Error divided by the allowed error above which a piece probably contains a kink. The search then locates the kink.
+/// The error of a piece with a kink is proportional to its length. The error of a smooth piece falls with a high power
+/// of the length.
 const KINK: f64 = 30.0;
-/// Ratio of lengths at which the search for a kink ends: a length that is too long divided by a length that is
+/// Ratio of lengths at which the search for a kink ends. It is a length that is too long, divided by a length that is
 /// possible.
 const KINK_FOUND: f64 = 1.0 + 1e-3;
-/// Largest number of polynomial pieces that are fitted again after the check. Each repetition adds a point at which
-/// later fits are compared. Beyond this number the construction fails, because it would probably never end.
+/// Largest number of polynomial pieces that the code fits again after the check. Each repetition adds a point to the
+/// comparison of later fits. Beyond this number the construction fails, because it would probably never end.
 const MOST_AGAIN: usize = 1000;
-/// Length of the shortest polynomial piece, as a fraction of r. It is some hundreds of roundings of double precision.
+/// Length of the shortest polynomial piece, as a fraction of r. It is some hundreds of rounding units of double
+/// precision.
 const SHORTEST: f64 = 1e-13;
-/// First trial length of a polynomial piece, as a multiple of the length of the previous piece. The factor is large on
-/// purpose, because a trial that is too long gives an upper bound on the length at once.
+/// First trial length of a polynomial piece, as a multiple of the length of the previous piece. The factor is large so
+/// that the first trial is often too long, which gives an upper bound on the length at once.
 const LONGER: f64 = 1.5;
 /// Largest number of fits in the search for the longest polynomial piece from one start.
 const MOST_FITS: usize = 200;
-/// Error that the next trial length of a piece aims at, divided by the allowed error, after a fit within the allowed
-/// error.
+/// Target error of the next trial, divided by the allowed error, if the last trial was within the allowed error.
 const AIM: f64 = 0.8;
-/// Error that the next trial length of a piece aims at, divided by the allowed error, after a piece that was too long.
+/// Target error of the next trial, divided by the allowed error, if the last trial was too long.
 const AIM_AGAIN: f64 = 0.7;
-/// Smallest error of a fit, divided by the allowed error, from which the next trial length is computed. A smaller error
-/// gives no information about the best length.
+/// Smallest error of a fit, divided by the allowed error, from which the code extrapolates the next trial length. A
+/// smaller error gives no information about the best length.
 const TINY: f64 = 1e-6;
 /// Bounds on the factor by which the trial length of a piece grows after a fit within the allowed error. The factor
 /// comes from a power law, which is only approximate.
@@ -45,7 +45,7 @@ const LONGER_BY: [f64; 2] = [1.05, 2.0];
 /// Bounds on the factor by which the trial length of a piece shrinks after a piece that was too long.
 const SHORTER_BY: [f64; 2] = [0.2, 0.95];
 
-/// Returns a value, limited to the interval between two bounds.
+/// Returns a value, limited to the interval [least, most].
 fn clamped(value: f64, [least, most]: [f64; 2]) -> f64 {
     value.clamp(least, most)
 }
@@ -72,11 +72,11 @@ pub(super) struct Stuck {
 }
 
 impl<S: Float> Cover<'_, '_, S> {
-    /// Returns polynomial pieces that cover the range, checked at points that the fits did not use. Also returns the
-    /// largest error divided by the allowed error, and the number of compared points.
+    /// Returns polynomial pieces that cover the range. The function checks them at points that the fits did not use. It
+    /// also returns the largest error divided by the allowed error, and the number of compared points.
     ///
-    /// If the check finds a larger error than allowed, later fits are also compared at the r of the error. The interval
-    /// of the piece is then covered again.
+    /// If the check finds a larger error than allowed, later fits are also compared at the r of this error. The
+    /// function then covers the interval of the piece again.
     pub fn checked(
         &mut self,
         low: f64,

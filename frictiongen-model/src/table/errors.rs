@@ -10,7 +10,8 @@ use std::f64::consts::PI;
 
 /// Ratios β/β_lim at which the amplitude and the phase of the contact are compared with the exact values.
 pub const FRICTION_SHARES: [f64; 7] = [0.05, 0.3, 0.6, 0.8, 0.9, 0.95, 0.98];
-/// Number of roundings by which r may be off when an exact value near a zero of β_lim is computed.
+/// Allowed error of r near a zero of β_lim, in rounding units. It covers the rounding of r in the computation of an
+/// exact value.
 const ROUNDINGS: f64 = 4.0;
 
 /// Exact values with which polynomial pieces are compared, and the errors that a polynomial piece may have.
@@ -65,8 +66,9 @@ impl<S: Float> Comparison<'_, '_, S> {
         worst
     }
 
-    /// Returns the error of a polynomial piece near r, divided by the allowed error. The error is computed at the
-    /// nearest number of the type `S` within the piece. Returns 0 if the piece contains no such number.
+    /// Returns the error of a polynomial piece near r, divided by the allowed error. The function computes the error at
+    /// the number of the type `S` that is nearest to r and within the piece. Returns 0 if the piece contains no such
+    /// number.
     fn error_within(
         &mut self,
         piece: &Fitted<S>,
@@ -92,8 +94,8 @@ impl<S: Float> Comparison<'_, '_, S> {
         }
     }
 
-    /// Returns the error of a polynomial piece at r, divided by the allowed error. A few roundings of r may change the
-    /// exact value, and this change does not count as an error.
+    /// Returns the error of a polynomial piece at r, divided by the allowed error. A change of r by a few rounding
+    /// units changes the exact value, and this change does not count as an error.
     pub fn error_at(&mut self, piece: &Fitted<S>, r: f64) -> f64 {
         let own = S::constant(r);
         let r = own.to_f64();
@@ -105,7 +107,7 @@ impl<S: Float> Comparison<'_, '_, S> {
         of_limit.max(or_infinite(of_motion))
     }
 
-    /// Returns two frequency ratios: r increased by `ROUNDINGS` roundings, and r decreased by as many.
+    /// Returns two frequency ratios: r increased by `ROUNDINGS` rounding units, and r decreased by the same amount.
     fn beside(r: f64) -> [f64; 2] {
         [1.0, -1.0].map(|side| r * (1.0 + side * ROUNDINGS * f64::EPSILON))
     }
@@ -126,7 +128,7 @@ impl<S: Float> Comparison<'_, '_, S> {
         if off <= allowed { 0.0 } else { off / allowed }
     }
 
-    /// Returns the largest change of β_lim if r changes by some roundings.
+    /// Returns the largest change of β_lim if r changes by `ROUNDINGS` rounding units.
     fn limit_noise(&mut self, limit: f64, r: f64) -> f64 {
         let near = Self::beside(r).map(|r| self.exact.at(r).map(|sample| sample.limit));
         let moved = near.into_iter().flatten();

@@ -32,8 +32,8 @@ impl Evidence {
 pub struct Work(pub usize);
 
 impl Work {
-    /// Bound on the work of a proof within a macro. The size of a table shows in advance whether its proof needs more
-    /// work. Such a table is only checked.
+    /// Bound on the work of a proof within a macro. The size of a table determines the work in advance. If the proof of
+    /// a table needs more work, the macro only checks the table.
     pub const AT_EXPANSION: Self = Self(1_700_000);
     /// Bound on the work of a proof within a command: at most about four seconds of processor time.
     pub const WHOLE: Self = Self(16_000_000);
@@ -44,9 +44,9 @@ impl Work {
 pub struct Proof {
     /// The evidence for the accuracy: proven, partly proven or checked.
     pub evidence: Evidence,
-    /// Upper bound on the relative error where it is proven, with the r at which this bound is largest.
+    /// Upper bound on the relative error in the proven intervals, with the r at which this bound is largest.
     pub bound: Worst,
-    /// The intervals of r without a proof, ascending.
+    /// Intervals of r without a proof, in ascending order.
     pub open: Vec<(f64, f64)>,
     /// The work that the proof took.
     pub work: Work,

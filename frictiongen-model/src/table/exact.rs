@@ -1,4 +1,4 @@
-//! Exact values of the functions in a table. Tables are fitted to these values and compared with them.
+//! Exact values of the functions in a table. Fits approximate these values, and checks compare tables with them.
 
 use super::zeros::{ContactMode, contact_modes};
 use crate::modal::Modal;
@@ -10,8 +10,8 @@ use frictiongen_kernel::response::At;
 use frictiongen_kernel::table::ContactTable;
 use std::collections::HashMap;
 
-/// Index of arg V among the tabulated functions. The functions before this index are β_lim, and two functions that are
-/// multiplied by β_lim/|V|.
+/// Index of arg V among the tabulated functions. Lower indices belong to β_lim, and to two functions that contain the
+/// factor β_lim/|V|.
 pub const ANGLE: usize = 3;
 /// Index of |V|, if it is one of the functions.
 pub const SIZE: usize = 4;
@@ -19,8 +19,8 @@ pub const SIZE: usize = 4;
 const CANCELS: f64 = 1e-2;
 
 /// Exact functions at one frequency ratio: β_lim, a = β_lim·U/|V|, g = β_lim·G/|V| and arg V. V is the response of the
-/// contact to the load, U and G its velocity and displacement from friction at a reversal. For an undamped chain, a is
-/// multiplied by sgn V, so that the function a is smooth across a resonance, and arg V is 0.
+/// contact to the load. U and G are the velocity and displacement of the contact that friction causes at a reversal.
+/// For an undamped chain arg V is 0, and a contains the factor sgn V, so that a is smooth across a resonance.
 #[derive(Clone, Copy, Debug)]
 pub struct Sample {
     /// β_lim.
@@ -28,7 +28,8 @@ pub struct Sample {
     quadrature: f64,
     displacement: f64,
     direction: f64,
-    /// Phase τ in the half period at which the velocity constraint is largest. `None` if the value for τ → 0 decides.
+    /// Phase τ in the half period at which the velocity constraint is largest. `None` if the largest value is the limit
+    /// for τ → 0.
     pub tau: Option<f64>,
 }
 
@@ -66,7 +67,7 @@ impl<'a> Exact<'a> {
         &self.contact_modes
     }
 
-    /// Returns whether any mode is damped.
+    /// Returns true if any mode is damped.
     #[must_use]
     pub fn damped(&self) -> bool {
         self.reduced.chain.damped
@@ -121,8 +122,8 @@ impl<'a> Exact<'a> {
         Some(sample)
     }
 
-    /// Returns true if the terms of V, the response of the contact to the load, nearly cancel in the sum over the
-    /// modes. They do so near a zero of V.
+    /// Returns true if the modal terms of V nearly cancel, as they do near a zero of V. V is the response of the
+    /// contact to the load.
     fn cancels(&self, at: &At<&Reduced<f64>>) -> bool {
         let chain = &self.reduced.chain;
         let contact = at.contact_sums();
@@ -176,8 +177,7 @@ impl<'a> Exact<'a> {
         functions.get(place).copied()
     }
 
-    /// Returns the response of the contact as [`excitation`](Self::excitation) does, and keeps the result for later
-    /// use.
+    /// Returns the same result as [`excitation`](Self::excitation), and stores it for later calls.
     fn known_excitation(&mut self, r: f64) -> f64 {
         let known = self.excitations.get(&r.to_bits()).copied();
         let excitation = known.unwrap_or_else(|| self.excitation(r));
@@ -202,7 +202,8 @@ impl<'a> Exact<'a> {
         }
     }
 
-    /// Returns the exact limit of sliding β*_lim at r, to the last digits, without regard to an absorber.
+    /// Returns the exact limit of sliding β*_lim at r, to the last digits. The result is not corrected for masses that
+    /// act as an absorber.
     pub fn sliding_limit(&self, r: f64) -> f64 {
         let [excitation, receptance] = self.receptances(r);
         let ratio = complex::modulus(excitation, true) / complex::modulus(receptance, true);

@@ -7,17 +7,17 @@ use frictiongen_kernel::Float;
 use frictiongen_kernel::table::polynomial;
 use std::f64::consts::PI;
 
-/// Step to which the origin of a polynomial piece is rounded, as a fraction of half the length of the piece.
+/// Step to which the code rounds the origin of a polynomial piece, as a fraction of half the length of the piece.
 const ORIGIN: f64 = 0.1;
-/// Smallest allowed relative error at which polynomials with four coefficients still make the smallest table.
+/// Smallest allowed relative error at which polynomials with four coefficients give the smallest table.
 const FOUR_TERMS: f64 = 3e-3;
-/// Smallest allowed relative error at which polynomials with six coefficients still make the smallest table.
+/// Smallest allowed relative error at which polynomials with six coefficients give the smallest table.
 const SIX_TERMS: f64 = 1e-7;
-/// Smallest allowed relative error at which polynomials with eight coefficients still make the smallest table.
+/// Smallest allowed relative error at which polynomials with eight coefficients give the smallest table.
 const EIGHT_TERMS: f64 = 1e-10;
 
-/// Polynomial piece of a table, with the functions in vectors: one interval of r, on which each function is a
-/// polynomial.
+/// Polynomial piece of a table. On its interval of r, each function is a polynomial, whose coefficients are in a
+/// vector.
 #[derive(Clone, Debug)]
 pub struct Fitted<S> {
     /// Smallest r of the polynomial piece.
@@ -29,7 +29,7 @@ pub struct Fitted<S> {
 }
 
 impl<S: Float> Fitted<S> {
-    /// Returns how many numbers the polynomial piece stores.
+    /// Returns the number of numbers that the polynomial piece stores.
     pub(super) fn numbers(&self) -> usize {
         2 + self.coefficients.iter().map(Vec::len).sum::<usize>()
     }
@@ -59,10 +59,10 @@ pub(super) fn terms(accuracy: f64) -> usize {
     }
 }
 
-/// Settings for the fit of a polynomial piece: number of functions, number of coefficients and roundings.
+/// Settings for the fit of a polynomial piece: number of functions, number of coefficients and rounding.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Form {
-    /// Number of functions that are fitted in each piece, one polynomial for each.
+    /// Number of functions in each piece. Each function has one polynomial.
     pub functions: usize,
     /// Number of coefficients of each function's polynomial.
     pub terms: usize,
@@ -74,8 +74,8 @@ pub(super) struct Form {
 }
 
 /// Fits one polynomial to each tabulated function over [low, high], with the settings `form`. If `zero` gives a zero r₀
-/// of β_lim, the quotients β_lim/(r − r₀) and |V|/(r − r₀) are fitted instead. The relative error then stays small up
-/// to the zero.
+/// of β_lim, the function fits the quotients β_lim/(r − r₀) and |V|/(r − r₀) instead. The relative error then stays
+/// small up to the zero.
 pub(super) fn fit<S: Float>(
     exact: &mut Exact<'_>,
     (low, high): (f64, f64),

@@ -1,4 +1,4 @@
-//! Responses while the contact is stuck, written as products over their zeros and poles.
+//! Responses while the contact is stuck, stored as products over their zeros and poles.
 
 use super::product::Product;
 use super::quotients::EXACT_SHARE;
@@ -32,7 +32,7 @@ pub struct Held<S> {
     /// V/H, the force that keeps the contact stuck. V and H are the responses of the contact to the load and to a
     /// contact force.
     pub force: HeldForm<S>,
-    /// Frequency ratios within the range that equal an undamped resonance of the stuck chain to the last digit.
+    /// Frequency ratios within the range that equal an undamped resonance of the stuck chain exactly.
     pub resonances: Vec<S>,
     /// Largest error that the check has found, relative to the modulus of the response.
     pub worst: Worst,
@@ -41,7 +41,7 @@ pub struct Held<S> {
 }
 
 impl<S: Float> HeldForm<S> {
-    /// Returns the response as a [`HeldResponse`], the form in which the kernel crate takes it.
+    /// Returns the response as [`HeldResponse`] of the kernel crate.
     #[must_use]
     pub fn response(&self) -> HeldResponse<'_, S> {
         match self {
@@ -95,7 +95,7 @@ impl<S: Float> HeldForm<S> {
         }
     }
 
-    /// Returns the number of numbers in the gain and the zeros, and the number of numbers in the poles.
+    /// Returns two counts: of the numbers in the gain and the zeros, and of the numbers in the poles.
     fn numbers(&self) -> (usize, usize) {
         let of_roots = |roots: &[Root<S>]| -> usize {
             let numbers = roots.iter().map(|root| match root {
@@ -166,8 +166,8 @@ impl<S: Float> Held<S> {
         )
     }
 
-    /// Returns the largest work for the response of a mass: the number of additions and multiplications, and the number
-    /// of divisions.
+    /// Returns the work for the response of the costliest mass: the number of additions and multiplications, and the
+    /// number of divisions.
     #[must_use]
     pub fn most_operations(&self) -> (usize, usize) {
         let operations = self.masses.iter().map(HeldForm::operations);

@@ -16,16 +16,16 @@ use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::table::Root;
 use frictiongen_kernel::{Complex, Float};
 
-/// Number of frequency ratios over the range at which each response is compared with its exact value. Further points
-/// are close to the zeros and poles of the response.
+/// Number of frequency ratios over the range at which the code compares each response with its exact value. Further
+/// points are close to the zeros and poles of the response.
 const POINTS: usize = 64;
-/// Relative distances from a zero or a pole at which a response is compared with its exact value.
+/// Relative distances from a zero or a pole at which the code compares a response with its exact value.
 const BESIDE: [f64; 7] = [0.0, 1e-15, -1e-13, 1e-10, -1e-7, 1e-4, -1e-2];
 /// Largest relative difference between a pole and a number of the table's type that count as equal. The iteration
-/// leaves the last of the 30 digits of a pole uncertain.
+/// leaves an uncertainty in the last of the 30 digits of a pole.
 const SAME: f64 = 1e-26;
-/// Number of candidates in the search for a frequency ratio far from all zeros and poles. The gain is computed at this
-/// frequency ratio.
+/// Number of candidates in the search for a frequency ratio far from all zeros and poles. The code computes the gain at
+/// this frequency ratio.
 const PLACES: usize = 33;
 
 impl Zero {
@@ -81,7 +81,7 @@ impl<S: Float> Held<S> {
     }
 
     /// Compares these responses with the exact values again, and returns the largest error. The result differs from
-    /// [`worst`](Self::worst) if the responses were changed. Returns `None` if the zeros cannot be separated.
+    /// [`worst`](Self::worst) if the responses have changed since. Returns `None` if the zeros cannot be separated.
     #[must_use]
     pub fn verify(&self, modal: &Modal, range: (f64, f64)) -> Option<Worst> {
         let (masses, force) = responses(modal)?;
@@ -95,12 +95,12 @@ impl<S: Float> Held<S> {
     }
 }
 
-/// A frequency ratio r at which responses are compared, with the exact responses there.
+/// A frequency ratio r for comparisons, with the exact responses at r.
 struct Point {
     r: f64,
     at: HeldAt,
-    /// Exact responses at a frequency ratio slightly above r, by `ROUNDINGS` roundings. The difference shows how
-    /// uncertain the exact responses at r are.
+    /// Exact responses at a frequency ratio that is `ROUNDINGS` rounding units above r. Their difference from the
+    /// responses at r shows how uncertain those are.
     moved: HeldAt,
 }
 

@@ -9,16 +9,16 @@ use frictiongen_kernel::number::complex;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::{Complex, Float};
 
-/// Bound on |s² + 2ζσs + σ²|/σ² of a mode below which the sums over the modes lose half of their 30 digits. The
-/// frequency is then close to the resonance σ.
+/// Bound on |s² + 2ζσs + σ²|/σ² of a mode below which s is close to the resonance σ. The sums over the modes then lose
+/// half of their 30 digits.
 const ON_RESONANCE: f64 = 1e-12;
 
-/// Upper bound on the number of corrections of a zero, and the relative correction at which the iteration ends. The
-/// iteration begins in double precision with these values, and ends in double-double with `LAST_STEPS`. Near
-/// convergence each correction is about the cube of the previous one. After a correction of 10⁻²³ only rounding is
-/// left.
+/// Upper bound on the number of corrections of a zero, and the relative correction at which the iteration ends. These
+/// values are for the first part of the iteration, in double precision. `LAST_STEPS` are for the second part, in
+/// double-double. Near convergence each correction is about the cube of the previous one. After a correction of 10⁻²³
+/// only rounding errors remain.
 const FIRST_STEPS: (usize, f64) = (100, 1e-11);
-/// Upper bound on the corrections in double-double, and the relative correction at which they end.
+/// Upper bound on the number of corrections in double-double, and the relative correction at which the iteration ends.
 const LAST_STEPS: (usize, f64) = (60, 1e-23);
 
 /// Response of a mass, or the contact force, while the contact is stuck.
@@ -44,8 +44,8 @@ fn denominator(modal: &Modal, mode: usize, s: Complex<Dd>) -> Option<Complex<Dd>
 pub(super) struct HeldAt {
     /// V/H, the force that keeps the contact stuck.
     pub force: Complex<Dd>,
-    /// False if the frequency is at an undamped resonance of the sliding chain. The modal amplitude is then a quotient
-    /// of rounding errors, although the responses are finite.
+    /// False if the frequency is at an undamped resonance of the sliding chain. A modal amplitude is then a quotient of
+    /// rounding errors, although the responses are finite.
     pub known: bool,
     /// Complex amplitude of each mode of the sliding chain.
     modes: Vec<Complex<Dd>>,
@@ -97,20 +97,20 @@ impl HeldAt {
     }
 }
 
-/// Returns s, the coefficient of the base motion in z̄ = wᵀx̄ − s cos τ: 1 if the contact rubs on the moving base, else
-/// 0.
+/// Returns s, the coefficient of the base motion in z̄ = wᵀx̄ − s cos τ. It is 1 if the contact slides on the moving
+/// base, and otherwise 0.
 fn carried(modal: &Modal) -> Dd {
     Dd::from(if modal.on_moving_base { 1.0 } else { 0.0 })
 }
 
-/// A pole of the responses while the contact is stuck, with a residue for each mass. A conjugate pair is represented by
-/// the pole with y > 0.
+/// A pole of the responses while the contact is stuck, with a residue for each mass. Of a conjugate pair, the list
+/// contains only the pole with y > 0.
 struct Pole {
     zero: Zero,
     residues: Vec<Complex<Dd>>,
 }
 
-/// Sum of terms that is set to exactly 0 if it is only the rounding of the terms.
+/// A sum of terms. If the sum is only the rounding error of its terms, its value is exactly 0.
 struct Sum {
     value: Complex<Dd>,
     size: Dd,
@@ -139,8 +139,8 @@ impl Sum {
     }
 }
 
-/// Returns a pole of the stuck chain, which is a zero of the contact's receptance H, with a residue for each mass k. It
-/// is the residue of −H_kV/H, the part of the response that the force in the stuck contact causes.
+/// Returns a pole of the stuck chain, with a residue for each mass k. The pole is a zero of the contact's receptance H.
+/// The residue belongs to −H_kV/H, the response that the force in the stuck contact causes.
 fn held_pole(modal: &Modal, zero: Zero) -> Option<Pole> {
     let s = Complex::new(zero.x, zero.y);
     let two = Dd::from(2.0);
@@ -175,7 +175,7 @@ fn held_pole(modal: &Modal, zero: Zero) -> Option<Pole> {
     })
 }
 
-/// Returns the poles of modes in which the contact does not move. Combinations of equal modes are included.
+/// Returns the poles of modes in which the contact does not move, including such combinations of equal modes.
 fn untouched_poles(modal: &Modal) -> Vec<Pole> {
     let equal = |a: usize, b: usize| {
         let near = |values: &[Dd]| match (values.get(a), values.get(b)) {
@@ -277,7 +277,7 @@ pub(super) fn responses(modal: &Modal) -> Option<(Vec<Response>, Response)> {
     Some((masses?, moved(force, 0)?))
 }
 
-/// Returns the same results as `responses`, from the poles of the chain with its contact stuck.
+/// Returns the same results as `responses`. It computes them from the poles of the chain with its contact stuck.
 fn found(modal: &Modal) -> Option<(Vec<Response>, Response)> {
     let zeros = Zeros::of(modal)?;
     let held = zeros.receptance.iter();
@@ -301,8 +301,8 @@ fn found(modal: &Modal) -> Option<(Vec<Response>, Response)> {
     Some((masses?, Response::Rational(force)))
 }
 
-/// Returns the response of a mass while the contact is stuck, as zeros and poles. It uses those `poles` that have a
-/// residue for the mass.
+/// Returns the response of a mass while the contact is stuck, as zeros and poles. The response has those of `poles`
+/// whose residue for the mass is not zero.
 fn of_mass(poles: &[Pole], mass: usize, damped: bool) -> Option<Response> {
     let own = poles.iter().filter_map(|pole| {
         let residue = *pole.residues.get(mass)?;

@@ -5,14 +5,14 @@ use frictiongen_kernel::Float;
 
 /// Smallest number of buckets. Even a small table has this number.
 const FEWEST: usize = 8;
-/// Numbers of buckets that `Index::of` tries, one after the other. If the number is a power of two, a lookup finds its
-/// bucket without a comparison.
+/// Numbers of buckets that `Index::of` tries, in this order. With a power of two, a lookup finds its bucket without a
+/// comparison.
 const BUCKETS: [usize; 8] = [FEWEST, 16, 32, 64, 128, 256, 512, 1024];
-/// Largest number of buckets, as a multiple of the number of numbers in the polynomial pieces. More buckets would save
+/// Largest number of buckets, as a multiple of the count of numbers in the polynomial pieces. More buckets would save
 /// too few comparisons for their memory.
 const CROWDED: usize = 1;
-/// Number of comparisons per lookup that is small enough. More buckets would reduce it further, but would not be worth
-/// their memory.
+/// Number of comparisons per lookup that counts as small enough. More buckets would reduce the number further, but
+/// would need too much memory.
 const FEW: u32 = 2;
 
 /// Buckets that divide a range of r into equal parts, by which a lookup finds the polynomial piece that contains r.

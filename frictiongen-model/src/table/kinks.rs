@@ -1,10 +1,10 @@
-//! Kinks of β_lim. β_lim bends where the maximum of the velocity constraint jumps to another phase τ in the half
+//! Kinks of β_lim. β_lim has a kink where the maximum of the velocity constraint jumps to another phase τ in the half
 //! period.
 
 use super::exact::Exact;
 
-/// Step of the search for kinks of β_lim, in units of √λ/r, the natural frequency of the fastest mode over the
-/// excitation frequency.
+/// Step of the search for kinks of β_lim, in units of √λ/r. This ratio is the natural frequency of the fastest mode
+/// over the excitation frequency.
 const STEP: f64 = 0.005;
 /// Distance in τ, in rad, above which two maxima of the velocity constraint count as different.
 const JUMP: f64 = 0.1;

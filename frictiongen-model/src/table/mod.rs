@@ -1,9 +1,9 @@
 //! Tables with a declared accuracy, built from the exact functions of a scene.
 //!
 //! Polynomials approximate β_lim over pieces of r that are as long as the accuracy allows. Near a known zero r₀ of
-//! β_lim the polynomial is fitted to β_lim/(r − r₀). β*_lim, |V| and the responses while the contact is stuck are
-//! products over their zeros and poles. A check compares the tables with the exact values at points that the fit did
-//! not use, in the arithmetic of the tables. `frictiongen-proof` covers all r between these points.
+//! β_lim the code fits a polynomial to β_lim/(r − r₀). β*_lim, |V| and the responses while the contact is stuck are
+//! products over their zeros and poles. A check compares the tables with the exact values, at points that the fit did
+//! not use, in the arithmetic of the tables. `frictiongen-proof` proves the accuracy at all r between these points.
 
 mod bounds;
 mod check;
@@ -43,7 +43,7 @@ pub use request::{COARSEST, FINEST, FINEST_PROVEN, FINEST_SINGLE, Request, Table
 pub use tables::{Report, Tables};
 pub use worst::Worst;
 
-/// Functions of the builder that a proof of its tables needs.
+/// Functions of the table builder that the proof of a table also needs.
 #[doc(hidden)]
 pub mod building {
     pub use super::exact::{ANGLE, Exact, SIZE, Sample};

@@ -1,4 +1,4 @@
-//! Rational function as a product over its zeros and poles, in the form that a table stores.
+//! Rational function as a product over its zeros and poles, as a table stores it.
 
 use frictiongen_kernel::Float;
 use frictiongen_kernel::table::{Factor, Quotient};
@@ -19,7 +19,7 @@ pub struct Product<S> {
 }
 
 impl<S: Float> Product<S> {
-    /// Returns the function as a [`Quotient`], the form in which the kernel crate takes it.
+    /// Returns the function as [`Quotient`] of the kernel crate.
     #[must_use]
     pub fn quotient(&self) -> Quotient<'_, S> {
         Quotient {
@@ -49,7 +49,7 @@ impl<S: Float> Product<S> {
         )
     }
 
-    /// Returns how many numbers the product stores.
+    /// Returns the number of numbers that the product stores.
     #[must_use]
     pub fn numbers(&self) -> usize {
         let factors = self.numerator.iter().chain(&self.denominator);

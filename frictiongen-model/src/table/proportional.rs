@@ -1,9 +1,11 @@
-//! Chains with Rayleigh damping: the damping is the sum of a mass-proportional and a stiffness-proportional term.
+//! Responses of chains with Rayleigh damping, the sum of a mass-proportional and a stiffness-proportional term.
 //!
-//! Here 2ζ_i√λ_i = a + bλ_i, and s² + 2ζ_i√λ_i s + λ_i = (1 + bs)(λ_i + q) with q = (s² + as)/(1 + bs). So every
-//! receptance is that of the undamped chain at −s² = q, divided by 1 + bs. Its zeros and poles follow from those of the
-//! undamped chain. The force of a spring carries the factor 1 + bs. So s = −1/b is a zero whose order is the number of
-//! springs that the force passes. No iteration finds such a zero to its last digits.
+//! Rayleigh damping means 2ζ_i√λ_i = a + bλ_i. Then s² + 2ζ_i√λ_i s + λ_i = (1 + bs)(λ_i + q), with q = (s² + as)/(1 +
+//! bs). Every receptance is therefore that of the undamped chain at −s² = q, divided by 1 + bs. Its zeros and poles
+//! follow from those of the undamped chain.
+//!
+//! The force of a spring contains the factor 1 + bs. Therefore s = −1/b is a zero. Its order is the number of springs
+//! that transmit the force. An iteration cannot find such a multiple zero to its last digits.
 
 use super::rational::Rational;
 use super::zeros::{EQUAL, Zero};

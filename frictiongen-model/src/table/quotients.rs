@@ -1,4 +1,4 @@
-//! β*_lim and |V| as products over their zeros and poles, compared with the exact sums over the modes.
+//! β*_lim and |V| as products over their zeros and poles, with a comparison with the exact sums over the modes.
 
 use super::bounds::Receptances;
 use super::check;
@@ -16,13 +16,14 @@ use frictiongen_kernel::table::Factor;
 
 /// Fraction of the declared accuracy that the errors of β*_lim, |V| and the responses with the contact stuck may use.
 pub(super) const EXACT_SHARE: f64 = 0.5;
-/// Amounts, in roundings, by which β*_lim may be enlarged to lie on the safe side. The amount must exceed the errors of
-/// the factors and of the zeros. The program uses the amount with the best proof. If several proofs are equally good,
-/// it uses the smallest amount.
+/// Factors, in rounding units, by which the code may enlarge β*_lim to make it safe. The enlargement must exceed the
+/// errors of the factors and of the zeros. The program chooses the one with the best proof. If several proofs are
+/// equally good, it chooses the smallest.
 const SAFE_ROUNDINGS: [f64; 5] = [64.0, 512.0, 4096.0, 65_536.0, 1_048_576.0];
 
 /// Returns a rational function as a product over its zeros and poles. The gain makes the product equal to `value` at
-/// one frequency ratio of the range, the one farthest from all zeros and poles. The gain is computed in double-double.
+/// one frequency ratio, which is farthest from all zeros and poles in the range. The function computes the gain in
+/// double-double.
 fn product<S: Float>(
     squared: bool,
     numerator: [&[Zero]; 2],
@@ -119,16 +120,16 @@ fn rounded<S: Float>(value: Dd) -> S {
     S::constant(value.to_f64())
 }
 
-/// Limit of sliding β*_lim, and |V|, the amplitude of the contact without friction, as products over their zeros and
-/// poles. A product that is not accurate enough is `None`, and the exact formulas are then used.
+/// Products over zeros and poles for β*_lim, the limit of sliding, and for |V|, the amplitude of the contact without
+/// friction. A product is `None` if it is not accurate enough. The exact formulas then replace it.
 pub(super) struct Products<S> {
     pub sliding: Option<Product<S>>,
     pub excitation: Option<Product<S>>,
     /// Largest relative error of β*_lim that the check has found.
     pub worst: Worst,
-    /// Number of frequency ratios at which the products were compared with exact values.
+    /// Number of frequency ratios at which the code compared the products with exact values.
     pub points: usize,
-    /// Proofs that the stored product from which β*_lim is computed is accurate enough, and that |V| is.
+    /// Proofs of accuracy, first for the product from which β*_lim follows, then for |V|.
     pub proofs: [Proof; 2],
 }
 

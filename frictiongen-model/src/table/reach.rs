@@ -1,4 +1,4 @@
-//! Regimes that can occur at the permitted friction ratios, as computed from the tables.
+//! Regimes that can occur at the permitted friction ratios, according to the tables.
 
 use super::bounds::unit;
 use super::product::Product;
@@ -9,21 +9,21 @@ use crate::scene::{Beyond, Scene};
 use frictiongen_kernel::Float;
 use frictiongen_kernel::table::Factor;
 
-/// Largest number of halvings of an interval of r in the proof that a limit exceeds a friction ratio. After these
-/// halvings the proof fails.
+/// Largest number of halvings of an interval of r in the proof that a limit exceeds a friction ratio. The proof fails
+/// if it needs more halvings.
 const HALVINGS: u32 = 12;
 /// Number of equal intervals of r at the start of the proof that a limit exceeds a friction ratio.
 const PARTS: usize = 64;
 
-/// Regimes that cannot occur at friction ratios up to a largest one, over the range of the tables.
+/// Regimes that cannot occur up to a largest friction ratio, over the range of the tables.
 ///
-/// A flag is true only if a proof covers every number of the type in the range, in the emitted arithmetic. A flag that
-/// is false excludes nothing.
+/// A flag is true only if a proof covers every number of the type in the range, in the emitted arithmetic. If a flag is
+/// false, the regime may occur.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Reach {
-    /// True if every friction ratio is below β_lim, so that the closed form of the continuous motion is always used.
+    /// True if β_lim exceeds every friction ratio. The closed form of the continuous motion is then always valid.
     pub always_continuous: bool,
-    /// True if every friction ratio is below β*_lim, so that no stuck state exists.
+    /// True if β*_lim exceeds every friction ratio. A stuck state then never exists.
     pub never_stuck: bool,
 }
 
@@ -56,13 +56,13 @@ impl<S: Float> Tables<S> {
         }
     }
 
-    /// Returns both bounds of the range of r, rounded to the number type as in a lookup.
+    /// Returns both bounds of the range of r, rounded to the number type as a lookup rounds them.
     fn ends(&self) -> (f64, f64) {
         let (low, high) = self.request.r;
         (S::constant(low).to_f64(), S::constant(high).to_f64())
     }
 
-    /// Returns true if the emitted β_lim is proven to exceed `most` over the whole range.
+    /// Returns true if a proof shows that the emitted β_lim exceeds `most` over the whole range.
     fn limit_is_above(&self, most: f64) -> bool {
         let (low, high) = self.ends();
         let mut above = !self.pieces.is_empty();
@@ -87,7 +87,7 @@ impl<S: Float> Tables<S> {
         above
     }
 
-    /// Returns true if an emitted product over zeros and poles is proven to exceed `most` over the whole range.
+    /// Returns true if a proof shows that an emitted product over zeros and poles exceeds `most` over the whole range.
     fn is_above(&self, product: &Product<S>, most: f64) -> bool {
         let (low, high) = self.ends();
         let least = |r: Interval| size::<S>(product, r).low;
@@ -242,8 +242,8 @@ mod tests {
         }
     }
 
-    /// Checks that every piece is examined up to its end. The last piece ends at the end of the range, where β_lim is
-    /// smallest in this test.
+    /// Checks that the proof examines every piece up to its end. In this test β_lim is smallest at the end of the last
+    /// piece, which is the end of the range.
     #[test]
     fn up_to_the_end_of_the_range() {
         let modal = scene("Wall", 1, 0.02, 1.0);
@@ -276,7 +276,7 @@ mod tests {
         }
     }
 
-    /// Checks that no regime is excluded if β_lim has a zero within the range.
+    /// Checks that the proof excludes no regime if β_lim has a zero within the range.
     #[test]
     fn beside_a_zero() {
         let modal = scene("Wall", 1, 0.0, 1.0);

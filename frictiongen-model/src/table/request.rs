@@ -8,9 +8,9 @@ use frictiongen_kernel::Float;
 pub const COARSEST: f64 = 0.1;
 /// Smallest relative error that a request may allow in double precision.
 pub const FINEST: f64 = 1e-12;
-/// Smallest relative error for which a proof of β_lim is attempted. More accurate tables are only checked.
+/// Smallest relative error for which the generator attempts a proof of β_lim. More accurate tables are only checked.
 pub const FINEST_PROVEN: f64 = 1e-6;
-/// Smallest relative error that a request may allow in single precision. It is some roundings of single precision.
+/// Smallest relative error that a request may allow in single precision. It is some rounding units of single precision.
 pub const FINEST_SINGLE: f64 = 2e-6;
 
 /// A request for tables of one scene: their range, their accuracy and their content.
@@ -18,7 +18,7 @@ pub const FINEST_SINGLE: f64 = 2e-6;
 pub struct Request {
     /// Smallest and largest frequency ratio r of the tables.
     pub r: (f64, f64),
-    /// Largest error that a result may have. It is relative, except for a phase, where it is in radians.
+    /// Largest allowed error of a result. The error is relative, except for a phase, whose error is in radians.
     pub accuracy: f64,
     /// Side of the exact limits on which the limits from the tables may lie.
     pub side: Side,
@@ -45,14 +45,14 @@ pub enum TableError {
     NotMet {
         /// The requested accuracy, a relative error.
         accuracy: f64,
-        /// The finest accuracy that a table can meet. The generator tries accuracies that are 10, 100, … times as
-        /// coarse as the request. `None` if it can meet none.
+        /// The finest accuracy that a table can meet, or `None` if a table meets none. The generator tries accuracies
+        /// that are 10, 100, … times as coarse as the request.
         reached: Option<f64>,
         /// The frequency ratio r at which no table meets the accuracy.
         at: f64,
     },
     /// Damping acts on velocities relative to the moving base. The tables cannot represent the load that this damping
-    /// adds.
+    /// causes.
     DampedFromBase,
     /// The contact is elastic. Its response has no table.
     ElasticContact,

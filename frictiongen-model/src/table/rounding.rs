@@ -1,4 +1,4 @@
-//! Bounds the roundings of the emitted evaluation of a polynomial.
+//! Bounds the rounding errors of the emitted evaluation of a polynomial.
 
 use super::request::is_single;
 use crate::interval::Interval;
@@ -11,7 +11,7 @@ const UNDERFLOW: f64 = 1e-321;
 /// Factor on a sum of rounding errors. It covers the products of these errors and the roundings of the sum itself.
 const UP: f64 = 1.001;
 
-/// Returns an upper bound on the number of roundings of the term c_k tᵏ in the emitted evaluation.
+/// Returns an upper bound on the rounding error of the term c_k tᵏ in the emitted evaluation, in rounding units.
 ///
 /// The sum c_2j + c_2j+1·t has one rounding, and its second term has one more. Adding the higher terms causes one
 /// rounding. Each of the j products with t² adds three roundings: the product, t² itself, and a sum. The difference r −
@@ -63,8 +63,8 @@ mod tests {
     use super::rounding;
     use crate::samples::random;
 
-    /// Checks that the rounding errors of the emitted evaluation in single precision stay within the bound, and come
-    /// close to it.
+    /// Checks the bound on rounding errors for the emitted evaluation in single precision. The errors must stay within
+    /// the bound and come close to it.
     #[test]
     fn roundings_are_within_their_bound() {
         let (mut state, mut nearest) = (3, 0.0_f64);

@@ -25,8 +25,8 @@ const ROUNDING: f64 = 1e-3;
 /// Largest number of polynomial pieces in a table.
 const MOST_PIECES: usize = 20_000;
 
-/// Returns the settings for fitting polynomial pieces to a request: allowed errors, and the number of functions and
-/// terms. No piece is fitted yet.
+/// Returns the settings for polynomial pieces that meet a request: the allowed errors, and the number of functions and
+/// terms. The result contains no pieces yet.
 pub(super) fn cover<'a, 'm, S: Float>(
     exact: &'a mut Exact<'m>,
     landmarks: Landmarks,

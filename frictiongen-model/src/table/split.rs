@@ -1,11 +1,11 @@
-//! Frequency ratios at which a table must be divided, and frequency ratios near zeros and resonances at which its error
-//! must be computed.
+//! Frequency ratios at which a table must be divided, and frequency ratios near zeros and resonances at which the code
+//! must compute its error.
 
 use super::zeros::{Zeros, contact_modes};
 use crate::modal::Modal;
 use frictiongen_kernel::number::dd::Dd;
 
-/// A zero r₀ of β_lim, as a double and the remainder of r₀.
+/// A zero r₀ of β_lim, as a double and a remainder.
 #[derive(Clone, Copy, Debug)]
 pub struct Edge {
     /// The zero as a double.
@@ -27,17 +27,18 @@ impl Edge {
     }
 }
 
-/// Relative distances from a zero of β_lim, a resonance or a sub-harmonic at which the error of a table is computed.
+/// Relative distances from a zero of β_lim, a resonance or a sub-harmonic at which the code computes the error of a
+/// table.
 const BESIDE: [f64; 13] = [
     0.0, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-6, 1e-5, 1e-4, 1e-3, 3e-3, 1e-2,
 ];
-/// Largest distance of a zero of β_lim outside the range of r, relative to the zero, at which the zero still influences
+/// Largest distance of a zero of β_lim from the range of r, relative to the zero, at which the zero still influences
 /// the table.
 const OUTSIDE: f64 = 1e-2;
-/// Largest damping with which a resonance, a sub-harmonic or a zero makes a narrow feature in β_lim. The damping is ζ
-/// times the order for a sub-harmonic of a mode, and |x|/y for a complex zero x + iy of V.
+/// Largest damping at which a resonance, a sub-harmonic or a zero causes a narrow feature of β_lim. For a sub-harmonic
+/// of a mode the damping is ζ times the order. For a complex zero x + iy of V it is |x|/y.
 const BROAD: f64 = 0.5;
-/// Largest number of sub-harmonics that are considered for each mode.
+/// Largest number of sub-harmonics that the code considers for each mode.
 const MOST: usize = 10_000;
 
 /// Frequency ratios that are known before any fit: zeros of β_lim, jumps in the phase of the contact's response, and
@@ -48,8 +49,8 @@ pub struct Landmarks {
     pub zeros: Vec<Edge>,
     /// Resonances of undamped modes within the range of r. The phase of the contact's response jumps there.
     pub jumps: Vec<f64>,
-    /// Frequency ratios at which the error of a table is also computed, in ascending order. They are at and near zeros
-    /// of β_lim, resonances and sub-harmonics.
+    /// Frequency ratios, in ascending order, at which the code also computes the error of a table. They lie at and near
+    /// zeros of β_lim, resonances and sub-harmonics.
     pub closely: Vec<f64>,
 }
 
@@ -61,7 +62,7 @@ impl Landmarks {
         zeros.find(|zero| to(zero.at) == origin)
     }
 
-    /// Adds a frequency ratio at which the error of a table is computed.
+    /// Adds a frequency ratio at which the code also computes the error of a table.
     pub fn look_at(&mut self, r: f64) {
         let place = self.closely.partition_point(|known| *known < r);
         self.closely.insert(place, r);

@@ -19,18 +19,18 @@ use crate::rounded;
 use crate::scene::{Accuracy, Provide, Proving, Scene};
 use frictiongen_kernel::Float;
 
-/// The responses with the contact stuck may use at most the allowed bytes divided by this number.
+/// Divisor of the allowed bytes. The responses with the contact stuck may use at most the quotient.
 const STUCK_PART: usize = 4;
 /// Length of the range of r, divided by the trial length of the first piece.
 const FIRST: f64 = 16.0;
-/// Largest number of pieces whose indices fit in one byte.
+/// Largest number of pieces for which one byte can store an index.
 const IN_A_BYTE: usize = 1 << u8::BITS;
 
 /// Size of the tables of a scene, and the errors that the check has found.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Report {
-    /// Largest relative error of β_lim that the check has found. If the tables contain the motion of the contact, its
-    /// amplitude and phase are included.
+    /// Largest relative error of β_lim that the check has found. For tables with the motion of the contact, the number
+    /// also covers its amplitude and phase.
     pub worst: Worst,
     /// Largest relative error of β*_lim that the check has found.
     pub sliding: Worst,
@@ -48,8 +48,8 @@ pub struct Report {
 pub struct Tables<S> {
     /// The request for which the tables were built.
     pub request: Request,
-    /// Number of functions that are polynomials in each piece: 1 for β_lim alone, and up to 5 with the motion of the
-    /// contact. The order is β_lim, a, g, arg V and |V|, with V the response of the contact without friction.
+    /// Number of functions that each piece approximates by polynomials: 1 for β_lim alone, and up to 5 with the motion
+    /// of the contact. The order is β_lim, a, g, arg V and |V|, with V the response of the contact without friction.
     pub functions: usize,
     /// Number of coefficients of each polynomial.
     pub terms: usize,
@@ -63,8 +63,8 @@ pub struct Tables<S> {
     /// |V|, the amplitude of the contact without friction, as a product over zeros and poles. `None` if |V| is a
     /// polynomial of the pieces, or if the tables have no motion.
     pub excitation: Option<Product<S>>,
-    /// Responses while the contact is stuck, if they were requested. `None` if only the exact formulas are accurate
-    /// enough. The responses are compared with the exact values, but not proven.
+    /// Responses while the contact is stuck, if the request includes them. `None` if only the exact formulas are
+    /// accurate enough. The check compares the responses with the exact values. No proof covers them.
     pub held: Option<Held<S>>,
     /// Size of the tables, and the errors that the check has found.
     pub report: Report,
@@ -73,23 +73,25 @@ pub struct Tables<S> {
     /// Proof that amplitude and phase of the contact have the requested accuracy. It covers β/β_lim up to the largest
     /// ratio in `FRICTION_SHARES`.
     pub motion_proof: Proof,
-    /// Proof that the table of β*_lim has the requested accuracy. It takes little work, so it is made with the tables.
+    /// Proof that the table of β*_lim has the requested accuracy. It takes so little work that the builder always makes
+    /// it.
     pub sliding_proof: Proof,
     /// Proof that |V|, the amplitude of the contact without friction, has the requested accuracy, if it is a product.
     pub excitation_proof: Proof,
-    /// Undamped resonances within the range that the load drives, rounded to the number type. The amplitude of a
-    /// continuous motion is infinite there.
+    /// Undamped resonances within the range that the load drives, rounded to the number type. At these frequency ratios
+    /// the amplitude of a continuous motion is infinite.
     pub unbounded: Vec<S>,
     /// Frequency ratios at which β_lim has a kink, in ascending order.
     pub(super) kinks: Vec<f64>,
 }
 
-/// Rounds a number to one significant digit, as people write accuracies.
+/// Rounds a number to one significant digit, as in a written accuracy.
 fn one_digit(value: f64) -> f64 {
     format!("{value:.0e}").parse().unwrap_or(value)
 }
 
-/// Fails if damping acts on velocities relative to the moving base. The products over zeros and poles lack its load.
+/// Fails if damping acts on velocities relative to the moving base. The products over zeros and poles do not contain
+/// the load of this damping.
 fn check_damping(modal: &Modal) -> Result<(), TableError> {
     if modal.participations.is_empty() {
         Ok(())
@@ -130,8 +132,7 @@ impl<S: Float> Tables<S> {
         self.functions > 1
     }
 
-    /// Returns the number of additions and multiplications that a lookup and the evaluation of one polynomial take
-    /// together.
+    /// Returns the number of additions and multiplications in a lookup and the evaluation of one polynomial together.
     #[must_use]
     pub fn additions_and_multiplications(&self) -> usize {
         // The count includes r − low and its product with the density, and r − origin and its square. Each pair of
@@ -140,8 +141,7 @@ impl<S: Float> Tables<S> {
         2 + 2 + 2 * pairs + 2 * (pairs - 1)
     }
 
-    /// Builds the tables that a scene declares. Returns `None` for a scene that declares none and uses the exact
-    /// formulas.
+    /// Builds the tables that a scene declares. Returns `None` for a scene that declares no tables.
     ///
     /// # Errors
     /// Returns every [`TableError`].
@@ -183,7 +183,7 @@ impl<S: Float> Tables<S> {
         Self::within_to(modal, request, bytes, FINEST)
     }
 
-    /// Builds the most accurate tables that fit into a number of bytes. It does not try an accuracy finer than
+    /// Builds the most accurate tables that fit into a number of bytes. The function tries no accuracy finer than
     /// `finest`.
     fn within_to(
         modal: &Modal,
@@ -275,9 +275,9 @@ impl<S: Float> Tables<S> {
         Self::built_within(exact, request, usize::MAX)
     }
 
-    /// Builds the tables of the limits and of the contact's motion. If the usual degree of the polynomials does not
-    /// suffice, the method tries higher degrees. This happens if a mode changes a function over a range of r that is
-    /// only some hundred roundings of r wide.
+    /// Builds the tables of the limits and of the contact's motion. If polynomials of the usual degree do not suffice,
+    /// the method tries higher degrees. They are necessary if a mode changes a function within some hundred rounding
+    /// units of r.
     fn built_within(
         exact: &mut Exact<'_>,
         request: Request,
@@ -293,9 +293,10 @@ impl<S: Float> Tables<S> {
         found.ok_or(not_met)
     }
 
-    /// Builds the tables with |V| as a polynomial of the pieces, if every mode is damped and the tables fit. |V| is the
-    /// amplitude of the contact without friction. Otherwise |V| becomes a product over zeros and poles. A product needs
-    /// fewer bytes, but costs a square root and some operations for every zero and pole.
+    /// Builds the tables with polynomials of `terms` coefficients. If every mode is damped and the tables fit, |V| is
+    /// one of the polynomials. Otherwise |V| is a product over zeros and poles. |V| is the amplitude of the contact
+    /// without friction. A product needs fewer bytes, but costs a square root and some operations for every zero and
+    /// pole.
     fn of_terms(
         exact: &mut Exact<'_>,
         request: Request,

@@ -14,7 +14,7 @@ use std::ops::Range;
 
 impl<S: Float> Tables<S> {
     /// Compares these tables with the exact values again, and returns the largest error. The result differs from
-    /// [`Report::worst`](super::Report::worst) if the tables were changed.
+    /// [`Report::worst`](super::Report::worst) if the tables have changed since.
     #[must_use]
     pub fn verify(&self, modal: &Modal) -> Worst {
         self.verified(modal, 0..self.pieces.len())

@@ -7,8 +7,9 @@ use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::table::Factor;
 use frictiongen_kernel::{Complex, Float};
 
-/// Relative size below which the real or imaginary part of a zero or pole, or a coefficient, counts as zero. It is far
-/// larger than the roundings of a double-double sum, 10⁻³². It is far smaller than the precision of a scene in doubles.
+/// Relative size below which the real or imaginary part of a zero or pole, or a coefficient, counts as zero. The number
+/// is far larger than the rounding error of a double-double sum, 10⁻³², and far smaller than the precision of a scene
+/// in doubles.
 pub(super) const NONE: f64 = 1e-20;
 /// Largest relative difference between the constants of two modes (resonance or damping ratio) that count as equal. The
 /// constants of such modes differ only by rounding in double-double.
@@ -21,16 +22,16 @@ const BELOW: f64 = 0.6;
 /// Largest modulus from which the search for a zero starts, relative to the highest resonance. Zeros lie between
 /// resonances or slightly beyond.
 const ABOVE: f64 = 1.4;
-/// Smallest angle between the imaginary axis and a point from which the search for a zero starts, in rad. From a point
-/// on an axis, the iteration would stay on that axis.
+/// Smallest angle between the imaginary axis and a starting point of the search for a zero, in rad. From a point on an
+/// axis, the iteration would stay on that axis.
 const LEAST_ANGLE: f64 = 0.1;
-/// Range, in rad, of the angles from which the search for zeros starts. The range begins at `LEAST_ANGLE`. It is
-/// divided into elevenths, and each angle is seven elevenths further than the previous one. Neighbouring starting
-/// points then have very different angles.
+/// Range of the angles of the starting points, in rad, from `LEAST_ANGLE` on. The code divides the range into
+/// elevenths. Each angle is seven elevenths beyond the previous one, so that neighbouring starting points have very
+/// different angles.
 const ANGLES: f64 = 0.7;
 
-/// A zero or pole s = x + iy of a function of s = ir, in double-double. A conjugate pair is represented by its zero
-/// with y > 0.
+/// A zero or pole s = x + iy of a function of s = ir, in double-double. Of a conjugate pair, the number is the one with
+/// y > 0.
 #[derive(Clone, Copy, Debug)]
 pub struct Zero {
     /// Real part x of the zero or pole.
@@ -135,7 +136,7 @@ pub fn contact_modes(modal: &Modal) -> Vec<ContactMode> {
 
 impl Zeros {
     /// Returns the zeros and poles of the contact's responses to the load and to a contact force. Returns `None` if the
-    /// zeros cannot be separated. The exact sums over the modes are then used.
+    /// zeros cannot be separated. The tables then use the exact sums over the modes.
     pub fn of(modal: &Modal) -> Option<Self> {
         let contact_modes = contact_modes(modal);
         let damped = modal.is_damped();
@@ -215,8 +216,8 @@ pub(super) fn poles(mode: &Driven) -> Vec<Zero> {
         .to_vec()
 }
 
-/// Returns the zeros of the rational function `direct` + Σ ρ_i/(s² + 2ζ_iσ_i s + λ_i) over the modes. A conjugate pair
-/// is listed once. The first `known` zeros are at s = 0.
+/// Returns the zeros of the rational function `direct` + Σ ρ_i/(s² + 2ζ_iσ_i s + λ_i) over the modes. The list contains
+/// one zero of each conjugate pair. The first `known` zeros are at s = 0.
 fn zeros(modes: &[Driven], direct: Dd, damped: bool, known: usize) -> Option<Vec<Zero>> {
     let degree = degree(modes, direct)?;
     let mut roots = vec![complex::real(Dd::ZERO); known];
@@ -226,8 +227,8 @@ fn zeros(modes: &[Driven], direct: Dd, damped: bool, known: usize) -> Option<Vec
     classified(roots, known, damped)
 }
 
-/// Converts roots to zeros, one of each conjugate pair. Returns `None` if the roots do not form pairs, or if a root is
-/// not a number.
+/// Converts roots to zeros. The result has one zero of each conjugate pair. Returns `None` if the roots do not form
+/// pairs, or if a root is not a number.
 pub(super) fn classified(roots: Vec<Complex<Dd>>, known: usize, damped: bool) -> Option<Vec<Zero>> {
     let degree = roots.len();
     let tiny = Dd::from(NONE);

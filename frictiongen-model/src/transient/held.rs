@@ -1,9 +1,10 @@
-//! Held modes, which are the modes of the chain with its contact stuck, and the participation of the modes of the
-//! sliding chain in each held mode.
+//! Held modes, and the participation of the modes of the sliding chain in each held mode. A held mode is a mode of the
+//! chain with its contact stuck.
 //!
-//! A pair of roots s² + 2αs + ω² is one oscillator (y, u), with u = ẏ/ω in the time t√(k₁/m₁). While only this
-//! oscillator moves, mode i of the sliding chain has the modal coordinate η_i = g_i y + h_i u. Here w_i/(s² + 2ζ_iσ_i s
-//! + λ_i) = g_i + (h_i/ω)s modulo the polynomial of the pair. All numbers are real, also at a double root.
+//! A pair of roots of s² + 2αs + ω² is one oscillator (y, u), with u = ẏ/ω in the time t√(k₁/m₁). While only this
+//! oscillator moves, mode i of the sliding chain has the modal coordinate η_i = g_i y + h_i u. The participations
+//! follow from w_i/(s² + 2ζ_iσ_i s + λ_i) = g_i + (h_i/ω)s modulo the polynomial of the pair. All numbers are real,
+//! also at a double root.
 
 use super::plain::Plain;
 use crate::reduced::kind;
@@ -13,15 +14,15 @@ use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::number::dual::Dual;
 use frictiongen_kernel::{Float, Scalar};
 
-/// Relative difference of two squared frequencies below which the difference is only rounding. It is a thousand
-/// roundings of double-double.
+/// Largest relative difference of two squared frequencies that counts as rounding. It is a thousand rounding units of
+/// double-double.
 const ROUNDING: f64 = 1e-29;
 
 /// Returns the held modes, which are the modes of the chain with its contact stuck. The second result has the
 /// participations (g, h) of every mode of the sliding chain in each held mode.
 ///
-/// `compliance` is k₁ over the stiffness of an elastic contact, and 0 for a rigid contact. The displacement of the
-/// contact in a held mode is then Σ w_i η_i = −`compliance`·y before the participations are scaled.
+/// `compliance` is k₁ over the stiffness of an elastic contact, and 0 for a rigid contact. Before the participations
+/// are scaled, the displacement of the contact in a held mode is Σ w_i η_i = −`compliance`·y.
 pub(super) fn held<T: Float, S: Scalar>(
     modes: &[&Plain<T>],
     (inverse_mass, compliance): (T, T),
@@ -70,8 +71,8 @@ pub(super) fn held<T: Float, S: Scalar>(
     (held, participations)
 }
 
-/// Returns the participations (g, h) of every mode of the sliding chain in a held mode, divided by the largest of them, and
-/// that largest one. They belong to the contact force −y.
+/// Returns the participations (g, h) of every mode of the sliding chain in a held mode, divided by the largest of them,
+/// and this largest participation. Before the division, the contact force is −y.
 fn participations_of<T: Float>(
     modes: &[&Plain<T>],
     compliance: T,
@@ -119,10 +120,10 @@ fn participations_of<T: Float>(
     (own, largest)
 }
 
-/// Returns ω and ζ of the modes of the chain with its contact stuck (held modes), with derivatives. One Newton step
-/// starts from the known ω and ζ. Its equation is that the remainder of 1/κ + Σ c_i/(s² + 2ζ_iσ_i s + λ_i) modulo
-/// s² + ps + q vanishes.
-/// `compliance` is that of an elastic contact, and 0 for a rigid contact.
+/// Returns ω and ζ of the held modes (modes of the chain with its contact stuck), with derivatives. The function makes
+/// one Newton step from the known ω and ζ. The step solves the equation that the remainder of 1/κ + Σ c_i/(s² + 2ζ_iσ_i
+/// s + λ_i) modulo s² + ps + q vanishes. `compliance` is 1/κ, the compliance of an elastic contact, and 0 for a rigid
+/// contact.
 pub(super) fn moving(
     driven: &[Driven],
     modes: &[&Plain<Dual<Dd>>],

@@ -1,5 +1,5 @@
-//! Data for the motion in time in addition to the modal analysis: every mode of the sliding chain, and the *held
-//! modes*. Held modes are the modes of the chain with its contact stuck. The data do not depend on the frequency.
+//! Data of a scene for the motion in time, in addition to the modal analysis: every mode of the sliding chain, and the
+//! *held modes*. Held modes are the modes of the chain with its contact stuck. The data do not depend on the frequency.
 
 mod held;
 mod plain;
@@ -17,13 +17,13 @@ use frictiongen_kernel::{Float, Scalar};
 use plain::{EQUAL, Plain, close, driven, in_contact, plain_modes, sorted, turned};
 
 /// Modal damping ratio above which the frequencies of the held modes may be close to one another. Held modes are the
-/// modes of the chain with its contact stuck. Below this damping ratio, chains of up to 64 masses lose only some
-/// roundings.
+/// modes of the chain with its contact stuck. Below this damping ratio, chains of up to 64 masses have rounding errors
+/// of only a few units.
 const NEAR_CRITICAL: f64 = 0.9;
 
 /// Returns the largest relative rounding error in a motion of the scene if the contact sticks and is released at once
-/// ([`Transient::excess_loss`]). Returns `None` if the error is at most √ε of the scene's number type, so that half of
-/// the digits remain.
+/// ([`Transient::excess_loss`]). Returns `None` if the error is acceptable. It is acceptable up to √ε of the scene's
+/// number type, which keeps half of the digits.
 #[must_use]
 pub fn excess_loss(scene: &Scene) -> Option<f64> {
     let near_critical = |ratio: f64| NEAR_CRITICAL <= ratio;
@@ -58,24 +58,25 @@ pub struct Transient<S> {
     pub modes: Vec<Mode<S>>,
     /// Mode shapes φ: for each mass in turn, the mass's component in each mode.
     pub shapes: Vec<S>,
-    /// Weights φᵀΓ of the masses, for each mode in turn. They turn displacements of the masses into modal coordinates.
-    /// Where damping acts relative to the moving base, the loads in quadrature follow, two numbers for each mode.
+    /// Weights φᵀΓ of the masses, for each mode in turn. They convert displacements of the masses to modal coordinates.
+    /// If damping acts relative to the moving base, the list also contains the loads in quadrature, two numbers for
+    /// each mode.
     pub weights: Vec<S>,
     /// Held modes, which are the modes of the chain with its contact stuck.
     pub held: Vec<HeldMode<S>>,
-    /// Participations (g, h) of the sliding chain's modes in the held modes (contact stuck): for each held mode in
-    /// turn, one pair per mode.
+    /// Participations (g, h) of the sliding chain's modes in the held modes (contact stuck). The list has the held
+    /// modes in turn, and in each held mode one pair per mode.
     pub participations: Vec<[S; 2]>,
     /// Constants of the whole chain, which belong to no single mode.
     pub chain: Chain<S>,
     /// k₁ over the stiffness of an elastic contact. `None` for a rigid contact.
     pub compliance: Option<S>,
-    /// Index of the mass that rubs on a support. `None` if two masses rub on each other.
+    /// Index of the mass that slides on a support. `None` if two masses slide on each other.
     pub rubbing: Option<usize>,
 }
 
 impl<S: Scalar> Transient<S> {
-    /// Builds the data from the modal analysis of a scene. `to` rounds each number once from double-double.
+    /// Creates the data from the modal analysis of a scene. `to` rounds each number once from double-double.
     #[must_use]
     pub fn of(scene: &Scene, modal: &Modal, to: impl Fn(Dd) -> S) -> Self {
         let plain = sorted(turned(plain_modes(modal)));
@@ -137,8 +138,8 @@ impl<S: Scalar> Transient<S> {
     }
 
     /// Returns the largest relative rounding error in a motion if the contact sticks and is released at once
-    /// ([`held_loss`](Dynamics::held_loss)). Returns `None` if the error is at most √ε of the number type, so that half
-    /// of the digits remain. A larger error makes all results in the time domain useless. Only modes near or above
+    /// ([`held_loss`](Dynamics::held_loss)). Returns `None` if the error is at most √ε of the number type, which keeps
+    /// half of the digits. With a larger error no result in the time domain is useful. Only modes near or above
     /// critical damping cause a larger error.
     #[must_use]
     pub fn excess_loss(&self) -> Option<S>
@@ -159,7 +160,7 @@ impl<S: Scalar> Transient<S> {
         (!kept).then_some(loss)
     }
 
-    /// Returns the data of a rigid contact as [`Dynamics`], the form in which the kernel crate takes them.
+    /// Returns the data of a rigid contact as [`Dynamics`] of the kernel crate.
     #[must_use]
     pub fn dynamics(&self) -> Dynamics<'_, S> {
         Dynamics {
@@ -190,10 +191,10 @@ impl<S: Scalar> Transient<S> {
 }
 
 impl Transient<Dual<Dd>> {
-    /// Builds the data from modal data with derivatives, including the derivatives of the held modes (contact stuck).
-    /// The weights get no derivatives, because here they only give first guesses of a state.
+    /// Creates the data from modal data with derivatives, including the derivatives of the held modes (contact stuck).
+    /// The weights get no derivatives, because they only give first guesses of a state.
     ///
-    /// Returns `None` if single modes have no derivative. There are three such cases. Two equal modes that the contact
+    /// Returns `None` if single modes have no derivative. This happens in three cases: two equal modes that the contact
     /// drives separate, two held modes are equal, or the contact begins to drive a mode.
     #[must_use]
     pub fn along(scene: &Scene, modal: &Modal<Dual<Dd>>) -> Option<Self> {

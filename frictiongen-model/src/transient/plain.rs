@@ -1,4 +1,4 @@
-//! The modes of the sliding chain in double-double, sorted so that the modes that the contact drives come first.
+//! Modes of the sliding chain in double-double. The modes that the contact drives come first.
 
 use crate::modal::Modal;
 use crate::roots::Driven;
@@ -25,7 +25,8 @@ pub(super) struct Plain<T> {
     pub shape: Vec<T>,
 }
 
-/// Moves the modes that the contact drives to the front. The sort is stable, so both groups stay in ascending order.
+/// Moves the modes that the contact drives to the front. The sort is stable, so that both groups stay in ascending
+/// order.
 pub(super) fn sorted<T: Float>(mut modes: Vec<Plain<T>>) -> Vec<Plain<T>> {
     modes.sort_by_key(|mode| mode.contact.is_zero());
     modes
@@ -35,7 +36,7 @@ pub(super) fn in_contact<T: Float>(modes: &[Plain<T>]) -> impl Iterator<Item = &
     modes.iter().filter(|mode| !mode.contact.is_zero())
 }
 
-/// Returns the modes that the contact drives, in the form that the search for the modes of the stuck chain takes.
+/// Returns the modes that the contact drives, as [`Driven`] for the search for the modes of the stuck chain.
 pub(super) fn driven<T: Float>(modes: &[Plain<T>], value: impl Fn(T) -> Dd) -> Vec<Driven> {
     let driven = in_contact(modes).map(|mode| {
         let contact = value(mode.contact);
@@ -71,8 +72,8 @@ pub(super) fn close<T: Float>(a: T, b: T) -> bool {
     (a - b).abs() <= (a.abs() + b.abs()) * T::constant(EQUAL)
 }
 
-/// Rotates each group of equal modes so that the contact drives only one mode of the group. The other modes of the
-/// group then move freely, whatever the contact does.
+/// Rotates each group of equal modes so that the contact drives only one mode of the group. The contact then has no
+/// effect on the other modes of the group.
 pub(super) fn turned<T: Float>(modes: Vec<Plain<T>>) -> Vec<Plain<T>> {
     let mut out: Vec<Plain<T>> = Vec::with_capacity(modes.len());
     for mut mode in modes {

@@ -1,4 +1,4 @@
-//! Bounds that the checks share, and the list of items that could be read from a description.
+//! Bounds that several checks use, and the list of items that the parser could read from a description.
 
 use super::error::SceneError;
 use super::path::Path;
@@ -7,29 +7,29 @@ use crate::scene::{Node, Scene};
 /// Largest number of masses that a scene built at run time may have.
 pub const MOST_MASSES: usize = 1000;
 
-/// Upper bound on masses, stiffnesses, damping and μ. Products of a few such numbers must fit in a double.
+/// Upper bound on masses, stiffnesses, damping and μ. Products of a few such numbers must not overflow a double.
 pub const LARGEST: f64 = 1e60;
 
-/// Lower bound on masses and stiffnesses. Products of a few such numbers must fit in a double.
+/// Lower bound on masses and stiffnesses. Products of a few such numbers must not underflow a double.
 pub const SMALLEST: f64 = 1e-60;
 
-/// Items of a scene that could be read from its description, and on which the checks may rely.
+/// List of the items of a scene that the parser could read, so that checks may use them.
 ///
-/// A description with errors still gives most of a scene. A check is skipped if it needs an item that could not be
-/// read. Otherwise one mistake would cause two error messages.
+/// A description with errors still gives most of a scene. The code skips a check that needs an unreadable item, because
+/// one mistake would otherwise cause two error messages.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Checks {
     /// The largest number of masses that the scene may have.
     pub most_masses: usize,
-    /// True if every mass could be read from the description.
+    /// True if the parser could read every mass.
     pub masses: bool,
-    /// True if every spring could be read from the description.
+    /// True if the parser could read every spring.
     pub springs: bool,
-    /// True if the contact could be read from the description.
+    /// True if the parser could read the contact.
     pub contact: bool,
-    /// True if the excitation could be read from the description.
+    /// True if the parser could read the excitation.
     pub excitation: bool,
-    /// True if the list `provide` could be read completely from the description.
+    /// True if the parser could read the whole list `provide`.
     pub provide: bool,
 }
 

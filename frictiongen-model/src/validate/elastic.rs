@@ -1,4 +1,4 @@
-//! Checks of an elastic contact: its stiffness, and the fields that do not go with it.
+//! Checks of an elastic contact: its stiffness, and the fields that it excludes.
 
 use super::checks::{LARGEST, SMALLEST};
 use super::error::SceneError;
@@ -7,8 +7,8 @@ use super::settings::item_name;
 use crate::modal::Modal;
 use crate::scene::{FrictionLaw, Precision, Provide, Scene};
 
-/// Largest angle, in rad, that the stiffest motion of the stuck chain may turn in a cycle at the lowest resonance.  A
-/// rounding of that angle changes the contact force.  10⁶ rad keep an accuracy of 10⁻¹⁰ in `f64`, and 10⁴ rad keep
+/// Largest angle, in rad, by which the fastest mode of the stuck chain may advance in a cycle at the lowest resonance.
+/// The rounding of that angle changes the contact force.  10⁶ rad keep an accuracy of 10⁻¹⁰ in `f64`, and 10⁴ rad keep
 /// 10⁻³ in `f32`.
 fn most_turned(precision: Precision) -> f64 {
     match precision {
@@ -17,7 +17,7 @@ fn most_turned(precision: Precision) -> f64 {
     }
 }
 
-/// Returns the number of digits that [`most_turned`] keeps.
+/// Returns the number of digits of the contact force at the angle of [`most_turned`].
 fn kept(precision: Precision) -> u32 {
     match precision {
         Precision::F64 => 10,
@@ -25,7 +25,7 @@ fn kept(precision: Precision) -> u32 {
     }
 }
 
-/// Reports a stiffness that is no positive number, and fields that do not go with an elastic contact.
+/// Reports a stiffness that is not a positive number, and fields that an elastic contact excludes.
 pub(super) fn check(scene: &Scene, errors: &mut Vec<SceneError>) {
     let Some(value) = scene.stiffness else {
         return;

@@ -4,8 +4,8 @@ use super::path::Path;
 use crate::table::FINEST_PROVEN;
 use core::fmt;
 
-/// Defines the errors. Each error has a name, its fields besides the path, and a message. A derive macro is not used,
-/// because it would make every build of the library wait for syn.
+/// Defines the errors. Each error has a name, its fields besides the path, and a message. The crate uses no derive
+/// macro, because every build of the library would then wait for syn.
 macro_rules! scene_errors {
     ($($name:ident { $($field:ident: $kind:ty),* } => $message:literal,)*) => {
         /// An error for which a scene makes no physical sense.

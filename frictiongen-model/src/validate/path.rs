@@ -1,4 +1,4 @@
-//! Paths of the items of a scene. A path tells where an error is.
+//! Paths to the items of a scene. A path says which item causes an error.
 
 /// An item of a scene that causes an error. Indices of masses and springs count from 0 in the order of the description.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -60,6 +60,6 @@ pub enum Path {
     Step,
     /// The course of the stepper's input between two samples.
     Input,
-    /// The list of masses that a force may load in the stepper, as a whole (`None`), or the entry with this index.
+    /// The list of masses on which a force may act in the stepper, as a whole (`None`), or the entry with this index.
     Force(Option<usize>),
 }

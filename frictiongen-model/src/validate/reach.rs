@@ -1,7 +1,8 @@
-//! Checks on the graph of springs: each mass needs a support, and the load needs a path to the contact.
+//! Checks on the graph of springs: each mass needs a support, and a chain of springs must connect the load to the
+//! contact.
 //!
-//! Supports transmit no motion, so the graph divides at the supports into components. A component is a set of masses
-//! joined by springs without a support between them.
+//! A support transmits no motion. The graph therefore divides at the supports into components. A component is a set of
+//! masses that springs connect without a support between them.
 
 use std::collections::{BTreeMap, HashSet};
 
@@ -23,7 +24,8 @@ pub(super) fn check(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>
     }
 }
 
-/// Component of the spring graph to which each mass belongs. A component is named by the smallest index of its masses.
+/// Component of the spring graph to which each mass belongs. The number of a component is the smallest index of its
+/// masses.
 struct Parts(Vec<usize>);
 
 impl Parts {
@@ -65,7 +67,7 @@ fn root(parent: &mut [usize], mass: usize) -> usize {
     top
 }
 
-/// Returns the components that have a spring to a support. `support` chooses the kind of support.
+/// Returns the components that have a spring to a support. `support` selects the kind of support.
 fn joined(scene: &Scene, parts: &Parts, support: impl Fn(Node) -> bool) -> HashSet<usize> {
     scene
         .springs

@@ -1,4 +1,4 @@
-//! Checks for scenes whose numbers differ too much, or whose modes are too close, for meaningful results.
+//! Checks whether the numbers of a scene differ too much, or its modes are too close, for meaningful results.
 
 use super::checks::{Checks, LARGEST, SMALLEST};
 use super::elastic;
@@ -7,10 +7,11 @@ use super::path::Path;
 use crate::modal::Modal;
 use crate::scene::{Precision, Scene};
 
-/// Largest number of masses for which the modes are checked. Larger scenes exist only at run time, in double precision.
-const MOST_ANALYSED: usize = 64;
-/// Smallest relative difference of two frequencies that single precision can separate. It is a few roundings of single
+/// Largest number of masses for which the code checks the modes. Larger scenes exist only at run time, in double
 /// precision.
+const MOST_ANALYSED: usize = 64;
+/// Smallest relative difference of two frequencies that single precision can separate. It is a few rounding units of
+/// single precision.
 const SINGLE_GAP: f64 = 1e-6;
 /// Relative difference below which double-double cannot separate two frequencies.
 const SAME: f64 = 1e-28;
@@ -64,8 +65,8 @@ pub(super) fn check(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>
     }
 }
 
-/// Reports modes that single precision cannot separate, and a contact too stiff for its digits. All other checks must
-/// have passed.
+/// Reports modes that single precision cannot separate, and a contact whose stiffness leaves too few digits. All other
+/// checks must have passed.
 pub(super) fn check_modes(scene: &Scene, errors: &mut Vec<SceneError>) {
     let single = scene.precision == Precision::F32;
     if !(single || scene.stiffness.is_some()) || scene.masses.len() > MOST_ANALYSED {

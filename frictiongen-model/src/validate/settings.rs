@@ -50,7 +50,7 @@ fn check_damping(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>) {
     }
 }
 
-/// Reports `damping_from: base` where no base moves, and where tables were asked for.
+/// Reports `damping_from: base` in a scene whose base does not move, and in a scene with tables.
 fn check_damping_from(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>) {
     let path = Path::DampingFrom;
     if scene.damping_from != DampingFrom::Base || !checks.excitation {

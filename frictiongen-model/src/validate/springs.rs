@@ -79,8 +79,8 @@ pub(super) fn check(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>
     }
 }
 
-/// Returns the total stiffness of the springs between each pair of nodes. The message about two springs between the
-/// same nodes advises to write one spring with this stiffness.
+/// Returns the total stiffness of the springs between each pair of nodes. If two springs join the same nodes, the
+/// message recommends one spring with this stiffness.
 fn sums(springs: &[Spring]) -> HashMap<(usize, usize), f64> {
     let mut sums = HashMap::new();
     for spring in springs {

@@ -90,7 +90,7 @@ fn check_points(scene: &Scene, points: &[[f64; 2]], errors: &mut Vec<SceneError>
     }
 }
 
-/// Returns true if a number is finite and not too large. Otherwise it reports an error, in which `what` names the
+/// Returns true if a number is finite and not too large. Otherwise the function reports an error, and `what` names the
 /// number.
 fn check_finite(value: f64, path: Path, what: &str, errors: &mut Vec<SceneError>) -> bool {
     let what = what.to_owned();
@@ -104,8 +104,8 @@ fn check_finite(value: f64, path: Path, what: &str, errors: &mut Vec<SceneError>
     false
 }
 
-/// Reports every provided item that needs a friction law that does not depend on the speed. Only the stepper and the
-/// simulation work with other laws.
+/// Reports every provided item that requires constant kinetic friction. Only the stepper and the simulation allow
+/// kinetic friction that depends on the speed.
 fn check_constant_level(scene: &Scene, errors: &mut Vec<SceneError>) {
     for (index, item) in scene.provide.iter().enumerate() {
         let allowed = [Provide::Stepper, Provide::Simulation, Provide::SelfCheck];

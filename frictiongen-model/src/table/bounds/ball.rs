@@ -5,9 +5,10 @@ use std::ops::{Add, Mul, Neg, Sub};
 
 /// Bound on the relative error of a double-double operation: 2^−102. The error itself is below 2^−103.
 const ROUNDING: f64 = 1.0 / 5_070_602_400_912_917_605_986_812_821_504.0;
-/// Bound on the absolute error by underflow in one operation. It is not valid if the operands themselves are tiny.
+/// Bound on the absolute error of one operation that underflows. The bound is not valid if the operands themselves are
+/// tiny.
 const LOST: f64 = 1e-280;
-/// Factor on a sum of errors in double precision. It covers the roundings of the sum.
+/// Factor on a sum of errors in double precision. It covers the rounding errors of the sum itself.
 pub(super) const UP: f64 = 1.0 + 1e-14;
 /// Magnitude below which the square of a number may underflow.
 const SQUARED_AWAY: f64 = 1e-150;
@@ -29,7 +30,7 @@ impl Ball {
         Self::exact(Dd::from(at))
     }
 
-    /// Returns the magnitude of the middle, rounded up.
+    /// Returns the magnitude of the middle, rounded upwards.
     fn middle(&self) -> f64 {
         self.at.abs().to_f64() * UP
     }
@@ -109,7 +110,7 @@ impl Mul for Ball {
     }
 }
 
-/// An uncertain complex number, by its real and imaginary part.
+/// An uncertain complex number. Real and imaginary part are each a [`Ball`].
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Disc {
     pub re: Ball,

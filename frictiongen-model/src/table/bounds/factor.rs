@@ -1,4 +1,4 @@
-//! Bounds the error of an emitted factor over a cell of r. The exact factor has the exact zero.
+//! Bounds the error of an emitted factor over a cell of r, relative to the factor with the exact zero.
 
 use super::super::request::is_single;
 use super::super::zeros::Zero;
@@ -16,28 +16,28 @@ const NORMAL_SINGLE: f64 = 1.2e-38;
 /// Smallest normal number in double precision, up to rounding.
 const NORMAL: f64 = 2.3e-308;
 
-/// Factor that makes a positive expression of a few operations in double precision an upper bound. It covers the
-/// roundings and the neglected terms with a wide margin.
+/// Factor that turns a positive expression of a few operations in double precision into an upper bound. It covers
+/// rounding errors and neglected terms with a wide margin.
 const MORE: f64 = 1.01;
-/// Factor that makes a positive expression of a few operations in double precision a lower bound. It has the same
+/// Factor that turns a positive expression of a few operations in double precision into a lower bound. It has the same
 /// margin as [`MORE`].
 const LESS: f64 = 0.99;
-/// Bound on the relative error of a zero's position. It is a hundred roundings of double precision, although the
-/// position has only a few roundings.
+/// Bound on the relative error of a zero's position. The bound is a hundred rounding units of double precision,
+/// although the position has an error of only a few.
 const PLACE: f64 = 1e-14;
-/// Bound on the relative error of a difference of squares or of positions. The bound is millions of roundings, although
-/// the difference has an error of only a few roundings.
+/// Bound on the relative error of a difference of squares or of positions. The bound is millions of rounding units,
+/// although the difference has an error of only a few.
 const DIFFERENCE: f64 = 1e-9;
-/// Relative change of a factor whose zero shifts by d, over d divided by the distance from the zero. To first order it
-/// is four, from ±ir − z and the conjugate terms. The excess covers the second order.
+/// Bound on the ratio of a factor's relative change to d/D, if the zero moves by d. D is the distance of r from the
+/// zero. To first order the ratio is four, from ±ir − z and the conjugate terms. The excess covers the second order.
 const MOVED: f64 = 4.1;
-/// A little less than ½. A number of the scalar that is not the nearest one to `at` is at least half a spacing away
-/// from `at`. If r − at is not exact, |r − at| exceeds half of `at`.
+/// A number slightly below ½. The nearest number of the scalar type to `at` is within half a spacing. Every other
+/// number of the type is at least half a spacing away from `at`. If r − at is not exact, |r − at| exceeds half of `at`.
 const WITHIN_HALF: f64 = 0.45;
-/// Bounds on two quotients, slightly enlarged. Since B² + 4x²y² ≥ 4xy|B|, the quotient |B|/(B² + 4x²y²) is at most
-/// ¼/(xy), and 2x²|B|/(B² + 4x²y²) is at most ½x/y.
+/// Bound on |B|/(B² + 4x²y²) in units of 1/(xy), slightly enlarged. Because B² + 4x²y² ≥ 4xy|B|, this quotient is at
+/// most ¼/(xy), and 2x²|B|/(B² + 4x²y²) is at most ½x/y.
 const QUARTER: f64 = 0.26;
-/// Bound on 2x²|B|/(B² + 4x²y²) in units of x/y, as explained at `QUARTER`.
+/// Bound on 2x²|B|/(B² + 4x²y²) in units of x/y, slightly enlarged. `QUARTER` explains the bound.
 const HALF: f64 = 0.51;
 /// Bound on (|r² − y²| + x²)/|B| for B ≥ x²/2.
 const TIMES: f64 = 3.0;
@@ -55,11 +55,11 @@ pub(super) struct Known {
     pub zero: Zero,
     /// Largest error of the zero's position.
     pub off: f64,
-    /// Distance from the zero to the nearest number of the scalar that the proof includes.
+    /// Distance from the zero to the nearest number of the scalar type that the proof covers.
     pub nearest: f64,
 }
 
-/// Returns half a unit in the last place, and the smallest normal number.
+/// Returns half a unit in the last place of 1, and the smallest normal number, of the scalar type.
 pub(in crate::table) fn unit<S: Float>() -> (f64, f64) {
     let smallest = if is_single::<S>() {
         NORMAL_SINGLE
@@ -80,8 +80,8 @@ pub(super) struct Bounds {
     pub most: f64,
 }
 
-/// Returns the number of the scalar that is nearest to y > 0, the distance of this number from y, and a lower bound on
-/// the distance of all other numbers from y.
+/// Returns the number of the scalar type nearest to y > 0, its distance from y, and a lower bound on the distance of
+/// all other numbers of the type from y.
 pub(super) fn beside<S: Float>(y: Dd) -> (f64, f64, f64) {
     let near = S::constant(y.to_f64()).to_f64();
     let apart = Ball::exact(y - Dd::from(near)).least();
@@ -178,7 +178,7 @@ impl Known {
         })
     }
 
-    /// Returns the relative error of ((r − at) − rest)(r + at) by roundings, and the offset of its zero.
+    /// Returns the relative rounding error of ((r − at) − rest)(r + at), and the error of its zero's position.
     fn along(&self, at: Dd, rest: Dd, unit: f64, cell: Cell) -> (f64, f64) {
         let y = self.zero.y;
         let place = at.to_f64();
@@ -197,7 +197,7 @@ impl Known {
         (first + unit + sum + unit, offset)
     }
 
-    /// Returns the bounds of (B² + least), with B = (r − y)(r + y) + x².
+    /// Returns the bounds of B² + least, with B = (r − y)(r + y) + x².
     fn pair(
         &self,
         own: f64,

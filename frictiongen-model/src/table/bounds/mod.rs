@@ -1,7 +1,7 @@
-//! Proves that the emitted products over zeros and poles are β*_lim and |V|, within an error bound.
+//! Proves that the emitted products over zeros and poles equal β*_lim and |V| within an error bound.
 //!
-//! [`roots`] shows in double-double that V and H are products over the zeros that were found. [`factor`] bounds the
-//! errors of the emitted numbers, and the roundings of their evaluation. The proof samples nothing. It takes a few
+//! [`roots`] proves in double-double that V and H equal products over the computed zeros. [`factor`] bounds the errors
+//! of the emitted numbers, and the rounding errors of their evaluation. The proof uses no samples. It takes a few
 //! hundred operations for each mode, at any accuracy.
 
 mod ball;
@@ -26,23 +26,24 @@ use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::table::Factor;
 use roots::{Factored, Sum};
 
-/// Largest fraction of the accuracy that the uncertainty of a zero may use at the number of the scalar nearest to the
-/// zero. With more uncertainty, that number is left out of the proof. The value is tuned. A larger fraction leaves out
-/// fewer numbers, but other errors get less of the accuracy.
+/// Largest fraction of the accuracy that the uncertainty of a zero may use, at the number of the scalar type nearest to
+/// the zero. With more uncertainty, the proof leaves out that number. The value is a compromise. A larger fraction
+/// leaves out fewer numbers, but leaves less of the accuracy for other errors.
 const UNCERTAIN: f64 = 0.1;
 /// Largest relative error of a product that the proof accepts. For such errors the factor `UP` covers the neglected
 /// terms.
 const SMALL: f64 = 0.1;
 /// Largest intermediate result that the proof accepts, as a multiple of the reciprocal of the smallest normal number.
-/// This result is a twentieth of the scalar's largest number, so the next operation does not overflow.
+/// This result is a twentieth of the largest number of the scalar type, so that the next operation does not overflow.
 const LARGEST: f64 = 0.2;
-/// Allowed number of double-double roundings between a mode's constants and its pole.
+/// Bound on the rounding error of a pole, in rounding units of double-double. The pole is computed from the constants
+/// of its mode.
 const POLE_ROUNDINGS: f64 = 64.0;
-/// Factor by which the computed bounds are enlarged, minus 1. It covers the roundings in the computation of the bounds
-/// themselves, and is thousands of roundings of double precision.
+/// Relative amount by which the code enlarges the computed bounds. It covers the rounding errors of the bounds
+/// themselves. It is thousands of rounding units of double precision.
 const OUTWARD: f64 = 1e-12;
 
-/// The exact product, gain·Π numerator/Π denominator. Some of its sums leave small remainders at their computed zeros.
+/// The exact product, gain·Π numerator/Π denominator. Some of its sums have small remainders at their computed zeros.
 struct Meant {
     gain: Ball,
     numerator: Vec<Known>,
@@ -205,7 +206,7 @@ impl Receptances {
         }
     }
 
-    /// Returns bounds on the relative error of the product over a cell. `None` if no bound is known.
+    /// Returns bounds on the relative error of the product over a cell, or `None` if no bound is known.
     fn cell<S: Float>(
         &self,
         product: &Product<S>,
@@ -289,7 +290,7 @@ impl Receptances {
     }
 }
 
-/// Returns a zero whose position is exact up to its last digit.
+/// Returns a zero whose position has an error only in its last digit.
 fn plain(zero: Zero) -> Known {
     Known {
         zero,
@@ -298,8 +299,8 @@ fn plain(zero: Zero) -> Known {
     }
 }
 
-/// Returns zeros and poles with their position errors. A zero is taken as it was found. The error of a pole follows
-/// from the constants of its mode.
+/// Returns zeros and poles with their position errors. A zero has the error of a plain zero. The error of a pole
+/// follows from the constants of its mode.
 fn known(lists: &[(&[Zero], bool)]) -> Vec<Known> {
     let lists = lists.iter();
     lists
@@ -322,8 +323,8 @@ fn known(lists: &[(&[Zero], bool)]) -> Vec<Known> {
 }
 
 impl Known {
-    /// Sets the distance from the zero to the nearest number of the scalar. A number that is too close to a zero on the
-    /// axis has no bound. It is then left out of the proof and returned.
+    /// Sets the distance from the zero to the nearest number of the scalar type. If this number is too close to a zero
+    /// on the axis, no bound exists. The proof then leaves out the number, and the function returns it.
     fn place<S: Float>(&mut self, weight: f64, accuracy: f64) -> Option<f64> {
         if !self.zero.is_on_axis() || self.zero.y.is_zero() {
             return None;

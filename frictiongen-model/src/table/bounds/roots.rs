@@ -1,19 +1,19 @@
 //! Proves that a sum over modes equals a product over given zeros, up to a bounded relative error.
 //!
 //! N = (direct + Σρ_i/d_i)·Πd_i is a polynomial in v, which is s = ir, or s² for an undamped chain. Let P = Π(v − z_j)
-//! be the product over the given zeros. In partial fractions, N/P = q(v) + Σ_j N(z_j)/P′(z_j)/(v − z_j). The N(z_j) are
-//! remainders at zeros that are right up to their last digits. q is a constant up to terms that are roundings. The
-//! proof does not rely on the zeros. If they were wrong, the N(z_j) would be large.
+//! be the product over the given zeros. In partial fractions, N/P = q(v) + Σ_j N(z_j)/P′(z_j)/(v − z_j). The remainders
+//! N(z_j) are small if the zeros are correct up to their last digits. Apart from rounding errors, q is a constant. The
+//! proof does not assume that the zeros are correct. Wrong zeros would give large N(z_j), and so a large error bound.
 
 use super::super::zeros::{ContactMode, Zero};
 use super::OUTWARD;
 use super::ball::{Ball, Disc, UP as OF_ONE};
 use frictiongen_kernel::number::dd::Dd;
 
-/// Factor that covers the roundings of a whole bound. It allows thousands of roundings of double precision.
+/// Factor that covers the rounding errors of a whole bound. It allows thousands of rounding units of double precision.
 const UP: f64 = 1.0 + OUTWARD;
 
-/// A term of the sum: a mode's denominator v² + rate·v + square, or v + square, and its residue.
+/// A term of the sum: the residue of a mode over its denominator, which is v² + rate·v + square, or v + square.
 struct Term {
     rate: Ball,
     square: Ball,
@@ -31,8 +31,8 @@ pub(super) struct Sum {
 pub(super) struct Factored {
     /// The constant in N = gain·Π(v − z_j)·(1 + δ).
     pub gain: Ball,
-    /// Bound on |δ|. The whole bound is this number plus, for each zero, its weight over the distance of v from the
-    /// zero.
+    /// Bound on |δ| without the contributions of the zeros. Each zero adds its weight, divided by the distance of v
+    /// from the zero.
     pub tail: f64,
     /// The zeros, each with the weight of its remainder.
     pub zeros: Vec<(Zero, f64)>,
@@ -58,7 +58,7 @@ impl Sum {
         }
     }
 
-    /// Returns the degree of the polynomial N in v, if its leading terms do not cancel.
+    /// Returns the degree of the polynomial N in v. Returns `None` if its leading terms cancel.
     fn degree(&self) -> Option<usize> {
         let full = self.terms.len() * if self.damped { 2 } else { 1 };
         if self.direct.is_zero() {
@@ -84,7 +84,7 @@ impl Sum {
         sum * all
     }
 
-    /// Returns the product over these zeros with its bounds. `None` if no bound can be shown.
+    /// Returns the product over these zeros with its bounds, or `None` if the function cannot prove any bounds.
     pub fn factored(&self, zeros: &[Zero], highest: f64) -> Option<Factored> {
         let roots: Vec<Vec<Disc>> = zeros.iter().map(|zero| self.roots(zero)).collect();
         let all: Vec<Disc> = roots.iter().flatten().copied().collect();
