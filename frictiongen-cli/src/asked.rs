@@ -8,10 +8,10 @@ use frictiongen::study::response::Size;
 use frictiongen::{Of, System};
 use std::ops::RangeInclusive;
 
-/// Largest order of a harmonic that a command accepts.
+/// Largest order of a harmonic that the commands accept.
 pub const MOST_HARMONICS: u32 = 9999;
 
-/// A mass that the user requests.
+/// A mass that the user has requested.
 #[derive(Clone, Debug)]
 pub struct Mass {
     /// Index of the mass in the description.
@@ -30,7 +30,7 @@ impl From<Mass> for Part {
     }
 }
 
-/// Parses the highest order of a harmonic, if it is given.
+/// Parses the highest order of a harmonic, if the user has given it.
 pub fn harmonics(highest: Option<&str>) -> Result<Option<u32>, Failure> {
     let of = |text| whole("--harmonics", text, 1..=MOST_HARMONICS);
     highest.map(of).transpose()
@@ -44,8 +44,8 @@ pub fn number(option: &str, text: &str) -> Result<f64, Failure> {
     })
 }
 
-/// Parses a finite number that is the value of an option. The number must satisfy `sound`. The message states this
-/// condition as `needed`.
+/// Parses a finite number that is the value of an option. The number must satisfy `sound`. For any other number the
+/// message states the condition `needed`.
 pub fn number_that(
     option: &str,
     text: &str,
@@ -74,7 +74,8 @@ pub fn whole(option: &str, text: &str, range: RangeInclusive<u32>) -> Result<u32
         })
 }
 
-/// Returns the named masses, each once. Without names it returns all masses. Messages name the option `option`.
+/// Returns the named masses. Each occurs once. Without names, returns all masses. Messages contain the name of the
+/// option.
 pub fn masses(system: &System, option: &str, names: &[String]) -> Result<Vec<Mass>, Failure> {
     if names.is_empty() {
         return Ok(known(system).collect());
@@ -89,7 +90,7 @@ pub fn masses(system: &System, option: &str, names: &[String]) -> Result<Vec<Mas
     Ok(masses)
 }
 
-/// Returns the contact, and the named motions, each once. Without names it returns the contact and all masses.
+/// Returns the contact and the named motions. Each occurs once. Without names, returns the contact and all masses.
 pub fn contact_and(system: &System, names: &[String]) -> Result<Vec<Part>, Failure> {
     let mut once: Vec<String> = Vec::new();
     for name in names {
@@ -103,7 +104,7 @@ pub fn contact_and(system: &System, names: &[String]) -> Result<Vec<Part>, Failu
     Ok(parts)
 }
 
-/// Returns the named motions, each once. Without names it returns the contact and all masses.
+/// Returns the named motions. Each occurs once. Without names, returns the contact and all masses.
 pub fn parts(system: &System, names: &[String]) -> Result<Vec<Part>, Failure> {
     if names.is_empty() {
         let masses = known(system).map(Part::from);
@@ -140,7 +141,8 @@ fn mass(system: &System, option: &str, name: &str) -> Result<Mass, Failure> {
     })
 }
 
-/// Fails if a velocity or an acceleration is requested of a command that has only displacements and forces.
+/// Fails if the user has requested a velocity or an acceleration. It serves commands that print only displacements and
+/// forces.
 pub fn without_rates(parts: &[Part]) -> Result<(), Failure> {
     match parts.iter().find(|part| part.has_rate()) {
         Some(part) => Err(Failure::new(format_args!(

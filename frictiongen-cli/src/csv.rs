@@ -1,4 +1,5 @@
-//! Writes CSV. No value contains a comma or a quote, because all words are regimes, answers or Rust identifiers.
+//! Writes CSV. Its words are regimes, kinds of answers and Rust identifiers, so that no cell contains a comma or a
+//! quote.
 
 use std::borrow::Cow;
 use std::io::{self, Write};

@@ -1,5 +1,5 @@
-//! Decimal numbers as the user wrote them. The points of a decimal grid are exact decimals. Binary steps would add
-//! rounding errors.
+//! Decimal numbers with the digits that the user wrote. A grid of decimals then has exact points. Steps in binary
+//! floating point would add rounding errors.
 
 /// A decimal number: `digits` times 10 to the power of `exponent`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -8,11 +8,11 @@ pub struct Decimal {
     exponent: i32,
 }
 
-/// Largest number of digits of an exact decimal. Longer numbers are parsed as floating point.
+/// Largest number of digits of an exact decimal. Numbers with more digits become floating-point numbers.
 const MOST_DIGITS: usize = 30;
 
 impl Decimal {
-    /// Parses a number as `f64` does. Returns `None` unless it is decimal and short enough to be exact.
+    /// Parses a number as `f64` does. Returns `None` if the text is not decimal or has too many digits.
     pub fn parse(text: &str) -> Option<Self> {
         let text = text.trim();
         let (mantissa, exponent) = match text.split_once(['e', 'E']) {
@@ -42,7 +42,8 @@ impl Decimal {
         text.parse().unwrap_or(f64::NAN)
     }
 
-    /// Returns the digits of the same number for a smaller exponent. Returns `None` if they do not fit into the type.
+    /// Returns the digits of the same number for a smaller exponent. Returns `None` if the digits do not fit into the
+    /// type.
     fn scaled(self, exponent: i32) -> Option<i128> {
         let by = u32::try_from(self.exponent.checked_sub(exponent)?).ok()?;
         self.digits.checked_mul(10_i128.checked_pow(by)?)
@@ -60,7 +61,8 @@ pub struct Decimals {
 }
 
 impl Decimals {
-    /// Creates a range. Returns `None` if the step is 0, or if no whole number of steps leads to the last point.
+    /// Creates a range. Returns `None` if the step is 0, or if the last point is not a whole number of steps from the
+    /// first.
     pub fn new(first: Decimal, step: Decimal, last: Decimal) -> Option<Self> {
         let exponent = first.exponent.min(step.exponent).min(last.exponent);
         let (first, step, last) = (
@@ -78,7 +80,7 @@ impl Decimals {
         (steps > 0 || (steps == 0 && (last - first).signum() * step.signum() >= 0)).then_some(range)
     }
 
-    /// Creates a range of 100 equal steps.
+    /// Creates a range of 100 equal steps. Returns `None` if its points are not exact decimals.
     pub fn hundredths(first: Decimal, last: Decimal) -> Option<Self> {
         let exponent = first.exponent.min(last.exponent);
         let step = Decimal {

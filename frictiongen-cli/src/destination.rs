@@ -1,4 +1,4 @@
-//! Destination and format of a command's answer. The file extension sets the format.
+//! Destination and format of a command's output. The file extension selects the format.
 
 use crate::args::FormatArguments;
 use crate::failure::Failure;
@@ -15,7 +15,7 @@ pub struct Extras {
     pub comments: bool,
 }
 
-/// The format of an answer.
+/// The format of an output.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Form {
     /// A table for people.
@@ -49,12 +49,12 @@ impl FormatArguments {
         }
     }
 
-    /// Returns the format that the options set, for an answer on standard output.
+    /// Returns the format that the options select, for standard output.
     pub fn checked(&self) -> Result<Form, Failure> {
         self.check(self.form()).map(|()| self.form())
     }
 
-    /// Returns the format that the options set.
+    /// Returns the format that the options select.
     fn form(&self) -> Form {
         match (self.json, self.csv) {
             (true, _) => Form::Json,
@@ -64,13 +64,12 @@ impl FormatArguments {
     }
 }
 
-/// The destination of an answer: its format, and the file or standard output.
+/// The destination of an output: its format, and the file or standard output.
 #[derive(Debug)]
 pub struct Destination<'a> {
     /// Format of the answer: table, CSV, JSON or picture.
     pub form: Form,
-    /// The file, and the path of the description, which must not be the same. With `None` the answer goes to standard
-    /// output.
+    /// The file, and the path of the description, which the command must not overwrite. `None` is standard output.
     file: Option<(&'a Path, Option<&'a Path>)>,
 }
 
@@ -139,7 +138,7 @@ impl<'a> Destination<'a> {
         })
     }
 
-    /// Writes the answer to the file or to standard output.
+    /// Writes the output to the file or to standard output.
     pub fn write(
         &self,
         out: &mut dyn Write,

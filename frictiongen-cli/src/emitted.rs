@@ -1,4 +1,4 @@
-//! Reads emitted code as text and lists its functions with their counted operations.
+//! Reads emitted code as text, and lists the functions with a number of operations.
 
 /// An emitted function.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -7,7 +7,7 @@ pub struct Function {
     pub name: String,
     /// First line of its documentation.
     pub about: String,
-    /// Counted operations, as its documentation lists them.
+    /// Number of operations, as the documentation of the function states it.
     pub operations: String,
 }
 

@@ -1,13 +1,13 @@
-//! The reasons why a command ends early, and the messages for its user.
+//! Reasons why a command ends early, with the messages for the user.
 
 use std::io;
 
 /// The reason why a command ends early.
 #[derive(Debug)]
 pub enum Failure {
-    /// Lines of a message, ready to print.
+    /// Lines of a message, ready for printing.
     Lines(Vec<String>),
-    /// The reader of the output closed it.
+    /// The program that reads the output has closed it.
     Closed,
 }
 
@@ -17,7 +17,7 @@ impl Failure {
         Self::Lines(vec![format!("frictiongen: {message}")])
     }
 
-    /// Returns the failure of a write to standard output.
+    /// Returns the failure for an error while writing to standard output.
     pub fn output(error: &io::Error) -> Self {
         if error.kind() == io::ErrorKind::BrokenPipe {
             Self::Closed
@@ -27,8 +27,8 @@ impl Failure {
     }
 }
 
-/// Returns the reason why a file cannot be read or written. The most common reasons have the same words on every
-/// system.
+/// Returns the reason why the program cannot read or write a file. For the most common reasons the words are the same
+/// on every system.
 pub fn reason(error: &io::Error) -> String {
     match error.kind() {
         io::ErrorKind::NotFound => "there is no such file or folder".to_owned(),

@@ -1,4 +1,4 @@
-//! Writes files completely or not at all. A file is written under a temporary name and then renamed.
+//! Writes files completely or not at all. The program first writes a file under a temporary name, and then renames it.
 
 use crate::failure::{Failure, reason};
 use std::fs::{self, File, OpenOptions};
@@ -10,7 +10,7 @@ pub fn write_file(path: &Path, description: Option<&Path>, text: &str) -> Result
     write_with(path, description, |out| Ok(out.write_all(text.as_bytes())?))
 }
 
-/// Writes a file, which must not be the description. If that fails, an existing file stays as it was.
+/// Writes a file, which must not be the description. After a failure, an existing file is unchanged.
 pub fn write_with(
     path: &Path,
     description: Option<&Path>,
@@ -32,7 +32,7 @@ pub fn write_with(
     written
 }
 
-/// Returns an error unless a file can be written at this path and it is not the description.
+/// Fails if the program cannot write a file at this path, or if the file is the description.
 pub fn check(path: &Path, description: Option<&Path>) -> Result<(), Failure> {
     if description.is_some_and(|description| is_same(description, path)) {
         return Err(Failure::new(format_args!(
@@ -73,8 +73,8 @@ fn is_same(one: &Path, other: &Path) -> bool {
     }
 }
 
-/// Final path of a file, and the temporary path at which it is written first. A path that is not a regular file, such
-/// as a device, has no temporary path.
+/// Final path of a file, and a temporary path for its contents. If the final path is not a regular file (a device, for
+/// example), there is no temporary path.
 struct Place {
     last: PathBuf,
     first: Option<PathBuf>,
@@ -124,7 +124,7 @@ impl Place {
     }
 }
 
-/// A file that stores the reason why it could not be written.
+/// A file that stores the error of a failed write.
 struct Noting {
     file: File,
     error: Option<io::Error>,

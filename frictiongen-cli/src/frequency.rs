@@ -1,4 +1,4 @@
-//! Frequencies of the command line: ratios r, Hz or rad/s.
+//! Frequencies on the command line: ratios r, Hz or rad/s.
 
 use crate::args::FrequencyArguments;
 use crate::failure::Failure;
@@ -42,7 +42,7 @@ impl Band {
         }
     }
 
-    /// Returns the range from below the lowest resonance to above the highest, which is the default.
+    /// Returns the default range, from below the lowest resonance to above the highest.
     pub fn about_resonances(system: &System, in_hertz: bool) -> Self {
         let [from, to] = system.about_resonances();
         Self {
@@ -64,13 +64,13 @@ impl Band {
         }
     }
 
-    /// Returns the range for use under this load. If the load has units, tables print Hz next to r.
+    /// Returns the range for results under this load. If the load has units, tables contain Hz next to r.
     pub fn under(mut self, measure: &Measure) -> Self {
         self.unit = self.unit.under(measure);
         self
     }
 
-    /// Returns true if the range was given in Hz or rad/s.
+    /// Returns true if the user gave the range in Hz or rad/s.
     pub fn is_physical(&self) -> bool {
         self.unit.is_physical()
     }
@@ -86,7 +86,7 @@ impl Band {
     }
 }
 
-/// Returns the text of the frequency option that is given, and its unit.
+/// Returns the text of the given frequency option, and its unit.
 fn given(arguments: &FrequencyArguments) -> Result<(&str, Unit), Failure> {
     match (&arguments.r, &arguments.hz, &arguments.omega) {
         (Some(r), ..) => Ok((r, Unit::Ratio)),
@@ -103,8 +103,7 @@ fn too_far(quantity: Quantity, given: f64) -> Failure {
     ))
 }
 
-/// Returns the quantity that selects how a frequency is parsed. If `in_time` is true, the frequency must be above 0 and
-/// finite.
+/// Returns the quantity for the parser of frequencies. If `in_time` is true, the frequency must be above 0 and finite.
 fn quantity(unit: Unit, in_time: bool) -> Quantity {
     match (unit, in_time) {
         (Unit::Ratio | Unit::RatioUnderLoad, false) => Quantity::FrequencyRatio,
@@ -121,7 +120,7 @@ fn quantity(unit: Unit, in_time: bool) -> Quantity {
 pub struct Frequencies {
     given: Vec<f64>,
     unit: Unit,
-    /// The quantity that selects how the frequencies were parsed.
+    /// Quantity with which the parser read the frequencies.
     pub quantity: Quantity,
 }
 
@@ -137,7 +136,7 @@ impl Frequencies {
         })
     }
 
-    /// Returns an error unless every frequency has a ratio r within the range of `f64`.
+    /// Fails if the ratio r of a frequency is outside the range of `f64`.
     pub fn check(&self, system: &System) -> Result<(), Failure> {
         let lost = |given: &&f64| !survives(**given, self.of(system, **given).r);
         match self.given.iter().find(lost) {
@@ -159,7 +158,7 @@ impl Frequencies {
         self.given.len()
     }
 
-    /// Returns the grid for use under this load. If the load has units, tables print Hz next to r.
+    /// Returns the grid for results under this load. If the load has units, tables contain Hz next to r.
     pub fn under(mut self, measure: &Measure) -> Self {
         self.unit = self.unit.under(measure);
         self
@@ -170,17 +169,17 @@ impl Frequencies {
         self.unit
     }
 
-    /// Returns the frequencies as the user gave them.
+    /// Returns the frequencies in the user's unit.
     pub fn given(&self) -> &[f64] {
         &self.given
     }
 
-    /// Returns all frequencies in the given order.
+    /// Returns all frequencies in the user's order.
     pub fn all<'a>(&'a self, system: &'a System) -> impl Iterator<Item = Frequency> + 'a {
         self.given.iter().map(|given| self.of(system, *given))
     }
 
-    /// Returns true if the frequencies were given in Hz or rad/s.
+    /// Returns true if the user gave the frequencies in Hz or rad/s.
     pub fn are_physical(&self) -> bool {
         self.unit.is_physical()
     }

@@ -1,4 +1,4 @@
-//! Frictions of the command line: ratios β, or forces.
+//! Frictions on the command line: ratios β, or forces in N.
 
 use crate::args::FrictionArguments;
 use crate::failure::Failure;
@@ -18,7 +18,8 @@ pub struct Frictions {
 }
 
 impl Frictions {
-    /// Parses the grid. The product with the length of the frequency grid, if there is one, must not be too large.
+    /// Parses the grid. If the command also has a grid of frequencies, the product of both lengths must not be too
+    /// large.
     pub fn parse(
         arguments: &FrictionArguments,
         frequencies: Option<&Frequencies>,
@@ -26,7 +27,7 @@ impl Frictions {
         Self::read(arguments, frequencies, grid::parse)
     }
 
-    /// Parses the grid of a map, which may have a range without a step.
+    /// Parses the grid of a map, which allows a range without a step.
     pub fn of_map(
         arguments: &FrictionArguments,
         frequencies: &Frequencies,
@@ -59,7 +60,7 @@ impl Frictions {
         })
     }
 
-    /// Returns the grid for use under this load. A grid of forces requires a load.
+    /// Returns the grid for results under this load. A grid of forces requires a load.
     pub fn under(mut self, measure: &Measure) -> Result<Self, Failure> {
         self.scale = measure.scale();
         if self.scale.is_none() && self.are_forces() {
@@ -88,12 +89,12 @@ impl Frictions {
         Ok(self)
     }
 
-    /// Returns the frictions as the user gave them.
+    /// Returns the frictions as the user gave them, as ratios or in N.
     pub fn given(&self) -> &[f64] {
         &self.given
     }
 
-    /// Returns all frictions in the given order.
+    /// Returns all frictions in the user's order.
     pub fn all(&self) -> impl Iterator<Item = Friction> + Clone + '_ {
         self.given.iter().map(|given| self.of(*given))
     }

@@ -11,7 +11,7 @@ pub const MOST_POINTS: usize = 10_000_000;
 /// Number of equal steps in a range `a:b`.
 pub const STEPS: u32 = 100;
 
-/// The physical quantity of a grid's numbers.
+/// Physical quantity of the numbers in a grid.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Quantity {
     /// Frequency ratio r; 0 and infinity are allowed.
@@ -34,7 +34,7 @@ pub enum Quantity {
 }
 
 impl Quantity {
-    /// Returns the command-line option that takes the quantity.
+    /// Returns the command-line option for the quantity.
     pub fn option(self) -> &'static str {
         match self {
             Self::FrequencyRatio | Self::FrequencyRatioInTime => "--r",
@@ -62,7 +62,7 @@ impl Quantity {
         }
     }
 
-    /// Returns true if the quantity belongs to a motion in time.
+    /// Returns true if the quantity is a frequency of a motion in time.
     fn in_time(self) -> bool {
         matches!(
             self,
@@ -70,7 +70,7 @@ impl Quantity {
         )
     }
 
-    /// Returns true if the quantity is a frequency, whose range needs no step.
+    /// Returns true if the quantity is a frequency. A range of frequencies needs no step.
     fn is_frequency(self) -> bool {
         !matches!(self, Self::FrictionRatio | Self::FrictionForce)
     }
@@ -95,13 +95,13 @@ impl fmt::Display for GridError {
     }
 }
 
-/// Parses a grid and returns its points in the order in which they are written. There is at least one point. A range
-/// `a:b` of frequencies has [`STEPS`] steps.
+/// Parses a grid. Returns at least one point, in the order of the text. A range `a:b` of frequencies has [`STEPS`]
+/// steps.
 pub fn parse(text: &str, quantity: Quantity) -> Result<Vec<f64>, GridError> {
     points(text, quantity, quantity.is_frequency())
 }
 
-/// Parses a grid as [`parse`] does. Frictions may also have ranges `a:b`.
+/// Parses a grid as [`parse`] does. Ranges `a:b` are also allowed for frictions.
 pub fn parse_ranges(text: &str, quantity: Quantity) -> Result<Vec<f64>, GridError> {
     points(text, quantity, true)
 }
@@ -119,7 +119,7 @@ fn points(text: &str, quantity: Quantity, open: bool) -> Result<Vec<f64>, GridEr
     Ok(points)
 }
 
-/// Parses a range a:b or a:step:b. Returns its end points with the step between them, which is 0 if none is given.
+/// Parses a range a:b or a:step:b. Returns its end points, and the step or 0.
 pub fn band(text: &str, quantity: Quantity) -> Result<[f64; 3], GridError> {
     let parts: Vec<&str> = text.split(':').collect();
     let ends = |first: &str, step: &str, last: &str| -> Result<[f64; 3], String> {
@@ -158,7 +158,7 @@ pub fn band(text: &str, quantity: Quantity) -> Result<[f64; 3], GridError> {
     })
 }
 
-/// Returns the error for a grid with several points if only one point is allowed.
+/// Returns the error for a grid of several points, for a command that needs a single point.
 pub fn several(quantity: Quantity, points: usize) -> Failure {
     Failure::new(format_args!(
         "{}: one {} is needed, but this is a grid of {points}",
@@ -229,7 +229,7 @@ fn decimals(texts: [&str; 3]) -> Option<Decimals> {
     Decimals::new(first?, step?, last?)
 }
 
-/// Returns the number of points `more`. Fails if they do not fit in addition to the existing points.
+/// Returns the number `more` of new points. Fails if the grid would have too many points.
 fn room(already: usize, more: f64) -> Result<usize, String> {
     // Both conversions are exact, because the numbers are whole, and small if they fit.
     if more <= MOST_POINTS.saturating_sub(already) as f64 {
@@ -315,7 +315,7 @@ fn number(text: &str, quantity: Quantity) -> Result<f64, String> {
     Ok(value + 0.0)
 }
 
-/// Returns an error if the quantity cannot have this value.
+/// Fails if the quantity cannot have this value.
 fn admit(value: f64, quantity: Quantity) -> Result<(), String> {
     let (article, name) = (quantity.article(), quantity.name());
     if value < 0.0 {

@@ -1,4 +1,4 @@
-//! A grid of frequencies and frictions, with the settings for answers over the grid.
+//! Grid of frequencies and frictions, with the settings for results at its points.
 
 use crate::asked::Part;
 use crate::frequency::Frequencies;
@@ -7,17 +7,17 @@ use crate::measure::Measure;
 use frictiongen::System;
 use frictiongen::study::columns::Setting;
 
-/// System, frequencies, frictions, units and motions of a command that answers over a grid.
+/// System, frequencies, frictions, units and motions of a command that computes at each point of a grid.
 pub struct Grids {
     /// The system that the answers describe.
     pub system: System,
-    /// Frequencies for which the answers are computed.
+    /// Frequencies of the results.
     pub frequencies: Frequencies,
-    /// Frictions for which the answers are computed.
+    /// Frictions of the results.
     pub frictions: Frictions,
-    /// Units of the answers: SI units under a load, otherwise non-dimensional groups.
+    /// Units of the results: SI units under a load, otherwise non-dimensional groups.
     pub measure: Measure,
-    /// The contact and masses whose motions the answers contain.
+    /// The contact and masses whose motions the results contain.
     pub parts: Vec<Part>,
 }
 

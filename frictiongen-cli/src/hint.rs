@@ -1,6 +1,6 @@
-//! Advice for a text that is not a number, such as a decimal comma or a unit after the number.
+//! Advice about a text that is not a number. It may have a decimal comma, or a unit after the number.
 
-/// Units that users append to numbers, with their power of ten in m, N, Hz or kg.
+/// Units that users write after numbers, with their power of ten in m, N, Hz or kg.
 const UNITS: [(&str, i32); 13] = [
     ("m", 0),
     ("mm", -3),
@@ -17,8 +17,8 @@ const UNITS: [(&str, i32); 13] = [
     ("%", -2),
 ];
 
-/// Returns advice for a number with a decimal comma, to be appended to the message. The advice is empty for any other
-/// text.
+/// Returns advice about a number with a decimal comma, for the end of a message. For any other text the advice is
+/// empty.
 pub fn decimal(text: &str) -> String {
     let text = text.trim();
     let Some((whole, fraction)) = text.split_once(',') else {
@@ -33,8 +33,8 @@ pub fn decimal(text: &str) -> String {
     }
 }
 
-/// Returns advice for a text that is not a number, to be appended to the message. The advice is empty if the text does
-/// not resemble a number.
+/// Returns advice about a text that is not a number, for the end of a message. The advice is empty if the text does not
+/// resemble a number.
 pub fn of(text: &str) -> String {
     let text = text.trim();
     if text.contains(',') {

@@ -9,7 +9,7 @@ use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
 
-/// Largest size of a description in bytes. A longer file cannot be a description.
+/// Largest size of a description in bytes. A larger file cannot be a description.
 const MOST_BYTES: usize = 16 << 20;
 
 impl FileArgument {
@@ -18,7 +18,7 @@ impl FileArgument {
         self.file.as_deref().filter(|path| *path != Path::new("-"))
     }
 
-    /// Returns the name of the description as messages print it.
+    /// Returns the name of the description for messages.
     pub fn name(&self) -> String {
         self.path()
             .map_or_else(|| "<stdin>".to_owned(), |path| path.display().to_string())
@@ -60,7 +60,7 @@ impl FileArgument {
         })
     }
 
-    /// Reads and parses a description for a command that needs a rigid contact. Fails for an elastic contact.
+    /// Reads and parses a description for a command that requires a rigid contact. Fails for an elastic contact.
     pub fn rigid(&self, limits: &Limits) -> Result<Description, Failure> {
         let description = self.description(limits)?;
         self.check_rigid(&description)?;
@@ -78,13 +78,13 @@ impl FileArgument {
         )))
     }
 
-    /// Reads and parses a description for an exact response. Fails unless the kinetic friction is constant.
+    /// Reads and parses a description for a command that requires constant kinetic friction. Fails for any other
+    /// friction law.
     pub fn constant_level(&self, limits: &Limits) -> Result<Description, Failure> {
         Ok(self.constant_level_with_text(limits)?.0)
     }
 
-    /// Reads a description for an exact response as [`constant_level`](Self::constant_level) does, and also returns its
-    /// text.
+    /// Reads and parses a description as [`constant_level`](Self::constant_level) does. Also returns its text.
     pub fn constant_level_with_text(
         &self,
         limits: &Limits,
@@ -101,7 +101,7 @@ impl FileArgument {
     }
 }
 
-/// Reads a source. Stops one byte after the largest allowed size.
+/// Reads a source, at most one byte more than the largest allowed size.
 fn read(source: impl Read) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     source.take(MOST_BYTES as u64 + 1).read_to_end(&mut bytes)?;

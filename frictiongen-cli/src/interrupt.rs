@@ -1,4 +1,4 @@
-//! Handles Ctrl-C during a long computation, so that finished results are kept.
+//! Handles Ctrl-C during a long computation, so that the program can print the finished results.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 

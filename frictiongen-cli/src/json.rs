@@ -1,11 +1,12 @@
-//! Writes an answer as one JSON object. Each point is written when it is computed, on a separate line.
+//! Writes an output as one JSON object. The program writes each point, on a line of its own, as soon as it has computed
+//! it.
 
 use crate::number::{Cell, Exact as _};
 use crate::summary::Summary;
 use serde_json::Value as Json;
 use std::io::{self, Write};
 
-/// Version of the object's format. It increases when a field is renamed or changes its meaning.
+/// Version of the object's format. It increases when a field gets another name or another meaning.
 const VERSION: u32 = 1;
 
 /// Writes the object step by step.

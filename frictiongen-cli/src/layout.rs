@@ -5,7 +5,7 @@ use crate::table;
 use frictiongen::study::columns::{CONTACT, Column, Kind};
 use serde_json::{Map, Value as Json};
 
-/// The arrangement of the motions that a row contains.
+/// Arrangement of the motions of a row in text and in JSON.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Layout {
     /// Text has one line for each row, and JSON has a field for each column.
@@ -86,7 +86,7 @@ impl Layout {
         lines
     }
 
-    /// Returns a row as a JSON object. If `motions` is false, motions and lists are left out.
+    /// Returns a row as a JSON object. If `motions` is false, the object contains no motions and no lists.
     pub fn json<R>(self, columns: &[Column<'_, R>], row: &R, motions: bool) -> Json {
         let mut fields = Map::new();
         let mut parts: Vec<(&str, Map<String, Json>)> = Vec::new();
@@ -157,7 +157,7 @@ fn harmonic(fields: &mut Map<String, Json>, order: u32, name: &str, value: Json)
     }
 }
 
-/// Replaces a list of harmonics by null if none of them has a value.
+/// Replaces a list of harmonics by null if no entry has a value.
 fn leave_out_missing(fields: &mut Map<String, Json>) {
     let is_empty = |entry: &Json| {
         let entry = entry.as_object().into_iter().flatten();

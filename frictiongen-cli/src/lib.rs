@@ -57,11 +57,11 @@ use std::io::Write;
 /// The reason why a command gave no result or an incomplete result.
 #[derive(Debug)]
 pub enum Ended {
-    /// The command line was not understood, or it asked for help.
+    /// The command line is not valid, or asks for help.
     Usage(clap::Error),
     /// Lines of a message for the user.
     Lines(Vec<String>),
-    /// The reader of the output closed it.
+    /// The program that reads the output has closed it.
     Closed,
 }
 

@@ -1,4 +1,4 @@
-//! Determines the units of the answers from the options for the load.
+//! Units of the results, from the options for the load.
 
 use crate::args::LoadArguments;
 use crate::asked::number;
@@ -49,7 +49,7 @@ fn wrong(option: &str, text: &str, problem: &str) -> Failure {
     Failure::new(format_args!("{option} `{text}`: {problem}{hint}"))
 }
 
-/// Returns the units under a load of constant amplitude, for a command that needs one.
+/// Returns the units under a load of constant amplitude. Fails for any other load.
 pub fn constant(arguments: &LoadArguments, system: &System) -> Result<Measure, Failure> {
     let measure = of(arguments, system)?;
     if let Some(load) = measure.load() {
@@ -73,7 +73,7 @@ pub fn option(measure: &Measure) -> &'static str {
     }
 }
 
-/// Describes the load and its units of force and length in words.
+/// Describes the load, with its units of force and length. Returns `None` without a load.
 pub fn description(measure: &Measure, number: impl Fn(f64) -> String) -> Option<String> {
     let scale = measure.scale()?;
     let (force, length) = (number(scale.force()), number(scale.length()));

@@ -8,9 +8,9 @@ pub fn word(flag: bool) -> &'static str {
     if flag { "true" } else { "false" }
 }
 
-/// A value in the form that programs read.
+/// A value that programs can read without loss.
 pub trait Exact {
-    /// Formats a value with the smallest number of digits that read back as the same number.
+    /// Formats a value with as few digits as possible, so that a program reads the same number again.
     fn exact(&self) -> Cow<'_, str>;
     /// Converts a value to JSON.
     fn json(&self) -> serde_json::Value;
@@ -28,7 +28,7 @@ impl Exact for Cell<'_> {
         }
     }
 
-    /// Converts a value to JSON. The string "inf" stands for infinity, which JSON lacks.
+    /// Converts a value to JSON. Infinity becomes the string "inf", because JSON has no infinity.
     fn json(&self) -> serde_json::Value {
         match self {
             Self::Number(value) | Self::Within { value, .. } if value.is_infinite() => {
@@ -49,7 +49,8 @@ impl Exact for Cell<'_> {
     }
 }
 
-/// Returns true if a computed number is 0 or infinite only where the given number is 0 or infinite.
+/// Returns true if neither overflow nor underflow has occurred. The computed number must be 0 exactly if the given
+/// number is 0, and finite exactly if the given number is finite.
 pub fn survives(given: f64, computed: f64) -> bool {
     computed.is_finite() == given.is_finite() && (computed == 0.0) == (given == 0.0)
 }
@@ -66,7 +67,7 @@ pub fn computed(value: f64) -> String {
     }
 }
 
-/// Formats a computed number that is only known to lie within an interval of this width. It has the format of
+/// Formats a computed number that is known only to lie within an interval of this width. The format is that of
 /// [`computed`], without the digits that the width makes meaningless.
 pub fn within(value: f64, width: f64) -> String {
     let size = value.abs();
@@ -85,7 +86,7 @@ pub fn within(value: f64, width: f64) -> String {
 /// Largest number of decimals for a number that the user gave.
 const MOST_DECIMALS: usize = 9;
 
-/// Formats a number that the user gave, for people. It has the number of decimals that its whole grid needs.
+/// Formats a number that the user gave, for people. All numbers of a grid have the same number of decimals.
 pub fn given(value: f64, decimals: usize) -> String {
     let size = value.abs();
     if size == 0.0 || size.is_infinite() || (1e-6..1e9).contains(&size) {
@@ -95,7 +96,7 @@ pub fn given(value: f64, decimals: usize) -> String {
     }
 }
 
-/// Returns the number of decimals that a number needs, without digits that are due to rounding.
+/// Returns the number of decimals that a number needs. Digits that only rounding has caused do not count.
 pub fn decimals(value: f64) -> usize {
     let text = given(value, MOST_DECIMALS);
     match text.split_once('.') {

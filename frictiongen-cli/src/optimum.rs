@@ -1,4 +1,4 @@
-//! `frictiongen optimum`: finds the friction with which the largest amplitude over a band is smallest.
+//! `frictiongen optimum`: finds the friction for which the largest amplitude over a band is smallest.
 
 use crate::args::OptimumArguments;
 use crate::asked;
@@ -62,7 +62,7 @@ pub fn run(arguments: &OptimumArguments, out: &mut dyn Write) -> Result<(), Fail
     output::write(&report, &summary, arguments.format.checked()?, out)
 }
 
-/// Finds the best friction together with the number that `--vary` names.
+/// Finds the best friction together with the number of the description that `--vary` names.
 fn tuned(
     system: &System,
     request: &OptimumRequest,

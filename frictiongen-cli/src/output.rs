@@ -1,4 +1,4 @@
-//! Writes the results of a command, point by point, in the requested format.
+//! Writes the results of a command in the requested format, point by point.
 
 use crate::destination::Form;
 use crate::failure::Failure;
@@ -13,7 +13,7 @@ use std::io::{BufWriter, Write};
 /// Function that receives the points.
 pub type Visitor<'a, P> = &'a mut dyn FnMut(&P) -> Result<(), Failure>;
 
-/// An answer that can be written: the rows and columns of a table of the library, and their layout.
+/// A table of results: its rows and columns, and their layout.
 pub trait Table {
     /// The type of a row.
     type Row;
@@ -24,7 +24,7 @@ pub trait Table {
     fn each(&self, visit: Visitor<'_, Self::Row>) -> Result<(), Failure>;
     /// Returns the columns of the table, from left to right.
     fn columns(&self) -> Vec<Column<'_, Self::Row>>;
-    /// Returns the arrangement of the motions in a row.
+    /// Returns the arrangement of the motions of a row.
     fn layout(&self) -> Layout {
         Layout::Flat
     }
@@ -32,16 +32,16 @@ pub trait Table {
     fn has_motions(&self, _row: &Self::Row) -> bool {
         true
     }
-    /// Returns the fields that JSON contains once, after the fields of the scene.
+    /// Returns fields that JSON contains once, after the fields of the scene.
     fn head(&self) -> Vec<(String, serde_json::Value)> {
         Vec::new()
     }
-    /// Returns the lines that a printed table has above its rows, after the lines of the scene. Each line has a
-    /// title and a text.
+    /// Returns the lines of a printed table above its rows, below the lines of the scene. Each line has a title and a
+    /// text.
     fn preamble(&self) -> Vec<(&'static str, String)> {
         Vec::new()
     }
-    /// Returns an additional field for the JSON of a row, if there is one.
+    /// Returns an additional JSON field of a row, or `None`.
     fn more(&self, _row: &Self::Row) -> Option<(&'static str, serde_json::Value)> {
         None
     }
@@ -55,7 +55,7 @@ pub trait Table {
     }
 }
 
-/// Writes an answer in the requested format.
+/// Writes a table of results in the requested format.
 pub fn write<T: Table>(
     report: &T,
     summary: &Summary,

@@ -9,7 +9,7 @@ use frictiongen_plot::desk::{Scales, sketch};
 use frictiongen_plot::{Figure, Label, Sketch};
 use std::io::Write;
 
-/// Number of PNG pixels for each SVG pixel, along a side.
+/// Number of PNG pixels along a side of an SVG pixel.
 #[cfg(feature = "png")]
 const SCALE: f32 = 2.0;
 
@@ -25,8 +25,8 @@ pub fn scales(system: &System, in_hertz: bool, measure: &Measure) -> Scales {
     }
 }
 
-/// Adds the amplitude of the load to the caption of a figure in N and m. The caption of a figure in non-dimensional
-/// groups stays `more`.
+/// Adds the amplitude of the load to the caption of a figure, if the figure is in N and m. For a figure in
+/// non-dimensional groups, the caption is only `more`.
 pub fn under_load(figure: Figure, measure: &Measure, more: &str) -> Figure {
     let caption = match measure::description(measure, short) {
         Some(load) if more.is_empty() => load,

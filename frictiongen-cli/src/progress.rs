@@ -1,4 +1,4 @@
-//! Shows the progress of a long run on standard error, if that is a terminal, with the remaining time.
+//! Prints the progress and the remaining time of a long run on standard error, if standard error is a terminal.
 
 use std::io::{self, IsTerminal, Write};
 use std::time::{Duration, Instant};
@@ -8,7 +8,7 @@ const PATIENCE: Duration = Duration::from_secs(1);
 /// Time between two messages.
 const PACE: Duration = Duration::from_millis(200);
 
-/// The progress of a run, as it is printed.
+/// The progress of a run, for messages to the user.
 pub struct Progress {
     total: usize,
     done: usize,
@@ -19,14 +19,15 @@ pub struct Progress {
 }
 
 impl Progress {
-    /// Starts the progress of a run over `total` items, whose answers are printed as they are found. Messages call the
+    /// Starts the progress of a run over `total` items. The run prints results while it finds them. Messages call the
     /// items `what`.
     pub fn new(total: usize, what: &'static str) -> Self {
         // If the output goes to the same terminal, the lines of the output already show the progress.
         Self::seen(total, what, !io::stdout().is_terminal())
     }
 
-    /// Starts the progress of a run over `total` items that prints nothing before its end. Messages call the items `what`.
+    /// Starts the progress of a run over `total` items. The run prints no results before its end. Messages call the
+    /// items `what`.
     pub fn silent(total: usize, what: &'static str) -> Self {
         Self::seen(total, what, true)
     }
@@ -49,7 +50,7 @@ impl Progress {
         self.reach(self.done + 1);
     }
 
-    /// Sets the number of items done.
+    /// Sets the number of finished items.
     pub fn reach(&mut self, done: usize) {
         self.done = self.done.max(done);
         let Some(next) = self.next else { return };
@@ -71,7 +72,7 @@ impl Drop for Progress {
     }
 }
 
-/// Returns the line about a run of which `done` items took the time `passed`.
+/// Returns the message of a run with `done` finished items after the time `passed`.
 fn line(done: usize, total: usize, what: &str, passed: Duration) -> String {
     let percent = done.saturating_mul(100) / total.max(1);
     let mut line = format!("frictiongen: {percent:>3} % of {total} {what}");

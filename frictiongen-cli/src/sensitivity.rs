@@ -1,4 +1,5 @@
-//! `frictiongen sensitivity`: computes derivatives of a response and of both limits, one line for each parameter.
+//! `frictiongen sensitivity`: computes derivatives of a response and of both limits. The output has one line for each
+//! parameter.
 
 use crate::args::SensitivityArguments;
 use crate::asked;
@@ -50,7 +51,7 @@ pub fn run(arguments: &SensitivityArguments, out: &mut dyn Write) -> Result<(), 
 struct SensitivityReport {
     of: Of,
     grids: Grids,
-    /// True if a line with the answers precedes the lines with their derivatives.
+    /// True if the output has a line with the values above the lines with their derivatives.
     with_answers: bool,
 }
 

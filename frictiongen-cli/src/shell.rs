@@ -1,4 +1,4 @@
-//! Prints completion scripts for shells and the manual page. The crate clap makes both from the definition of the
+//! Prints completion scripts for shells and the manual page. The crate clap generates both from the definition of the
 //! arguments.
 
 use crate::args::{Arguments, CompletionsArguments, ManArguments};

@@ -1,4 +1,4 @@
-//! Writes the lines above a table. They contain the scene, its natural frequencies and the non-dimensional groups.
+//! Lines above a table: the scene, its natural frequencies and the non-dimensional groups.
 
 use crate::measure::{self, Measure};
 use crate::number::computed;
@@ -15,7 +15,7 @@ const MOST_SHOWN: usize = 8;
 pub struct Summary {
     /// Name of the scene.
     pub scene: String,
-    /// Natural frequencies, rad/s in the scene's own units, ascending.
+    /// Natural frequencies in rad/s in the scene's own units, in ascending order.
     pub natural_frequencies: Vec<f64>,
     /// Natural frequencies as frequency ratios r.
     pub resonances: Vec<f64>,
@@ -23,9 +23,9 @@ pub struct Summary {
     description: String,
     /// True if the excitation is base motion.
     base_motion: bool,
-    /// Natural frequencies in Hz. `None` if all frequencies are ratios.
+    /// Natural frequencies in Hz. `None` if the user gave all frequencies as ratios.
     pub hertz: Option<Vec<f64>>,
-    /// Units of the answers: SI units under a load, otherwise non-dimensional groups.
+    /// Units of the results: SI units under a load, otherwise non-dimensional groups.
     pub measure: Measure,
 }
 
@@ -52,7 +52,7 @@ impl Summary {
         if self.base_motion { "F/(k1 Y)" } else { "F/P" }
     }
 
-    /// Writes the same text as [`write`](Self::write) as comment lines.
+    /// Writes the text of [`write`](Self::write) as comment lines.
     pub fn comment(&self, out: &mut dyn Write, more: &[(&str, String)]) -> io::Result<()> {
         let mut text = Vec::new();
         self.write(&mut text, more)?;
@@ -61,7 +61,7 @@ impl Summary {
         lines.try_for_each(|line| writeln!(out, "# {line}"))
     }
 
-    /// Writes the lines above a table, and additional lines of the answer.
+    /// Writes the lines above a table, followed by additional lines of the command.
     pub fn write(&self, out: &mut dyn Write, more: &[(&str, String)]) -> io::Result<()> {
         writeln!(out, "{}: {}", self.scene, self.description)?;
         writeln!(out)?;
@@ -87,7 +87,7 @@ impl Summary {
     }
 }
 
-/// Returns the first numbers as text, each in a column, and the number of omitted numbers.
+/// Returns the first numbers as text, each with a fixed width, and the number of omitted numbers.
 pub fn row(values: &[f64]) -> String {
     let mut cells: Vec<String> = values
         .iter()

@@ -9,7 +9,7 @@ use std::io::{self, Write};
 enum Style {
     /// Words, aligned left.
     Words,
-    /// Numbers given by the user, with this number of decimals.
+    /// Numbers that the user gave, with this number of decimals.
     Given(usize),
     /// Counts, without decimals.
     Counts,

@@ -1,6 +1,6 @@
-//! Expands the macro, for a description in place or in a file.
+//! Expands the macro, for a description in the source or in a file.
 //!
-//! After errors it emits a type of the same shape, so that the user's crate does not report
+//! If the description has errors, the macro also emits a type with the same methods. The user's crate then has no
 //! follow-up errors.
 
 use crate::diagnostics::{Failure, Partial, compile_error};
@@ -13,7 +13,7 @@ use frictiongen_model::scene::{
 use proc_macro2::{Delimiter, Ident, Literal, Span, TokenStream, TokenTree};
 use std::path::{Path, PathBuf};
 
-/// Returns the expansion of a macro call for any input.
+/// Returns the expansion of a macro call. For invalid input the expansion contains the errors.
 #[must_use]
 pub fn expand(input: TokenStream) -> TokenStream {
     match file(&input) {
@@ -25,7 +25,7 @@ pub fn expand(input: TokenStream) -> TokenStream {
     }
 }
 
-/// Returns the literal and its value if the input is one string, which is the path of a file.
+/// Returns the literal and its value, which is the path of a file. Returns `None` if the input is not a single string.
 fn file(input: &TokenStream) -> Option<(Literal, String)> {
     let mut trees = input.clone().into_iter();
     match (trees.next()?, trees.next()) {
@@ -41,8 +41,8 @@ fn file(input: &TokenStream) -> Option<(Literal, String)> {
     }
 }
 
-/// Expands `friction_system!("frame.friction")`. The path starts at the folder of Cargo.toml. The
-/// compiler expands the call again when the file changes.
+/// Expands `friction_system!("frame.friction")`. The path is relative to the folder of Cargo.toml. If the file changes,
+/// the compiler expands the call again.
 fn expand_file(path: &Literal, relative: &str) -> TokenStream {
     let folder = std::env::var_os("CARGO_MANIFEST_DIR")
         .map(PathBuf::from)
@@ -91,7 +91,7 @@ fn tracked(relative: &str) -> TokenStream {
     }
 }
 
-/// Emits each error of a file at the path argument, with its line and column in the text.
+/// Emits each error of a file. The compiler shows the error at the path argument, with line and column in the file.
 fn file_errors(path: Span, relative: &str, diagnostics: &Diagnostics) -> TokenStream {
     let errors = diagnostics
         .list
@@ -100,15 +100,15 @@ fn file_errors(path: Span, relative: &str, diagnostics: &Diagnostics) -> TokenSt
     errors.collect()
 }
 
-/// Emits the errors and a replacement type of the same shape.
+/// Emits the errors and a replacement type with the same methods.
 fn emit_failure(failure: Failure) -> TokenStream {
     let mut tokens = failure.errors.to_compile_error();
     tokens.extend(stand_in(failure.partial));
     tokens
 }
 
-/// Emits the solver of a plain chain with the names of a faulty description. This solver never runs, because the errors
-/// that are emitted with it end the build.
+/// Emits the solver of a simple chain that has the names of a faulty description. The solver never runs, because the
+/// errors end the build.
 fn stand_in(partial: Partial) -> Option<TokenStream> {
     let Partial {
         attributes,

@@ -1,4 +1,4 @@
-//! Turns the attributes, the visibility and the paths of a description into tokens.
+//! Converts the attributes, the visibility and the paths of a description to tokens.
 
 use frictiongen_syntax::{Attribute, RustPath, Syntax, Visibility};
 use proc_macro2::{Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
@@ -7,7 +7,7 @@ use quote::quote_spanned;
 use crate::quoted;
 use crate::tokens::Sources;
 
-/// The text before the braces, and the path of the facade crate.
+/// Attributes, visibility and name before the braces of a description, and the path of the facade crate.
 pub(crate) struct Header {
     pub(crate) attributes: TokenStream,
     pub(crate) documentation: Vec<String>,
@@ -16,7 +16,7 @@ pub(crate) struct Header {
 }
 
 impl Header {
-    /// Converts the header.
+    /// Converts the parsed header to tokens.
     pub(crate) fn of(syntax: &Syntax, sources: &Sources) -> Self {
         let (mut attributes, mut documentation) = (TokenStream::new(), Vec::new());
         for attribute in &syntax.attributes {
@@ -44,7 +44,7 @@ impl Header {
     }
 }
 
-/// Turns `/// text` into `#[doc = "text"]`, as the compiler does.
+/// Converts `/// text` to `#[doc = "text"]`, as the compiler does.
 fn doc(text: &str, span: Span) -> TokenStream {
     let mut text = Literal::string(text);
     text.set_span(span);

@@ -1,4 +1,5 @@
-//! Known answers of a scene, computed in double-double. Emitted code compares its own answers with them.
+//! Known answers of a scene, computed in double-double. The self-check of emitted code compares its own answers with
+//! them.
 
 use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
@@ -9,20 +10,21 @@ use frictiongen_model::scene::Precision;
 
 /// Number of frequency ratios with known answers.
 pub const POINTS: usize = 10;
-/// Number of frequency ratios that are tried for one mass. More masses have fewer tries, because a try in double-double
-/// takes longer. If roundings decide about the answers of many of them, fewer than `POINTS` known answers remain.
+/// Number of frequency ratios that the code tries for a scene with one mass. Scenes with more masses have fewer tries,
+/// because a try in double-double takes longer. The code rejects a try whose answers depend on rounding. If it rejects
+/// many, the scene has fewer than `POINTS` known answers.
 const TRIED: u32 = 400;
 /// Smallest number of tries. A scene of 64 masses has this number.
 const TRIED_AT_LEAST: u32 = 25;
-/// Step between two tries, as a fraction of the range. Steps by the golden section spread the tries evenly.
+/// Step between two tries, as a fraction of the range. Steps of the golden section spread the tries evenly.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
-/// Phase τ, in rad, at which displacement and velocity of each mass are known.
+/// Phase τ, in rad, of the known displacement and velocity of each mass.
 pub const TAU: f64 = 1.0;
-/// Number of roundings by which r is displaced. The change of an answer shows how much the answer depends on roundings.
+/// Change of r, in rounding units, for a test of the answers. If the answers change too much, they depend on rounding.
 const DISPLACED: f64 = 32.0;
-/// Fraction of the tolerance by which the displacement of r may change an answer.
+/// Largest change of an answer due to the change of r, as a fraction of the tolerance.
 const SENSITIVE: f64 = 1.0 / 8.0;
-/// Smallest distance of β from a limit, divided by the limit. With this distance no rounding changes the regime.
+/// Smallest distance of β from a limit, divided by the limit. At this distance no rounding changes the regime.
 const APART: f64 = 0.05;
 /// Largest modulus of a known phase, in rad. A larger phase could change from π to −π by rounding.
 const WRAPS: f64 = 3.0;
@@ -36,7 +38,7 @@ pub struct Question {
     pub r: (f64, f64),
     /// Range of friction ratios.
     pub beta: (f64, f64),
-    /// Largest error of an emitted answer.
+    /// Largest allowed error of an emitted answer.
     pub tolerance: f64,
     /// True if the answers contain the motion.
     pub motion: bool,
@@ -49,7 +51,7 @@ pub struct Question {
 pub enum Outcome {
     /// The contact slides all the time.
     Continuous,
-    /// The contact stops and slides in turn.
+    /// The contact alternately sticks and slides.
     StickSlip,
     /// The contact is stuck.
     Stuck,
@@ -64,7 +66,7 @@ pub struct Known {
     pub continuous: f64,
     /// β*_lim.
     pub sliding: f64,
-    /// The motion at one friction ratio, if it is asked for.
+    /// The motion at one friction ratio, if the question includes it.
     pub motion: Option<KnownMotion>,
     /// Real and imaginary part of the response of each mass while the contact is stuck, then of the force that keeps
     /// the contact stuck. The list is empty if these responses are not requested.
@@ -84,8 +86,8 @@ pub struct KnownMotion {
     pub masses: Vec<[f64; 2]>,
 }
 
-/// Returns the known answers at up to [`POINTS`] frequency ratios of the range, ascending. Frequency ratios at which
-/// roundings decide about an answer are left out.
+/// Returns the known answers at up to [`POINTS`] frequency ratios of the range, in ascending order. The function leaves
+/// out frequency ratios at which the answers depend on rounding.
 #[must_use]
 pub fn known(modal: &Modal, question: &Question) -> Vec<Known> {
     let exact = modal.reduced(|value| value);
@@ -121,7 +123,7 @@ impl Question {
     }
 }
 
-/// Returns the answers at r, unless they depend on roundings. `place` counts the answers found so far.
+/// Returns the answers at r, or `None` if they depend on rounding. `place` is the number of answers found so far.
 fn answers(exact: &Reduced<Dd>, question: &Question, r: f64, place: usize) -> Option<Known> {
     let limits = limits(exact, r)?;
     let beta = question.motion.then(|| beta(question, limits, place));
@@ -161,7 +163,7 @@ fn answers(exact: &Reduced<Dd>, question: &Question, r: f64, place: usize) -> Op
     apart.next().is_none().then_some(here)
 }
 
-/// Returns a friction ratio within the range. Two of three successive friction ratios are below β_lim. The third is
+/// Returns a friction ratio within the range. Two of three successive friction ratios are below β_lim. Every third is
 /// usually above both limits, and sometimes between them.
 fn beta(question: &Question, [continuous, sliding]: [f64; 2], place: usize) -> f64 {
     let wanted = match place % 3 {
@@ -176,7 +178,7 @@ fn beta(question: &Question, [continuous, sliding]: [f64; 2], place: usize) -> f
     question.rounded(wanted).clamp(least, most)
 }
 
-/// Returns β_lim and β*_lim at r, unless one of them is 0 or infinite.
+/// Returns β_lim and β*_lim at r. Returns `None` if one of them is 0 or infinite.
 fn limits(exact: &Reduced<Dd>, r: f64) -> Option<[f64; 2]> {
     let limits = At::new(exact, Dd::from(r)).ok()?.limits();
     let both = [limits.continuous, limits.sliding].map(Float::to_f64);
@@ -185,8 +187,8 @@ fn limits(exact: &Reduced<Dd>, r: f64) -> Option<[f64; 2]> {
         .then_some(both)
 }
 
-/// Returns the answers at r, with the limits there, and at β. Returns `None` where there is no answer, or where β is
-/// close to a limit.
+/// Returns the answers at r and β. `continuous` and `sliding` are the limits at r. Returns `None` if no answer exists,
+/// or if β is close to a limit.
 fn answer(
     exact: &Reduced<Dd>,
     question: &Question,

@@ -1,10 +1,10 @@
 //! Emits specialised Rust solvers for scene descriptions.
 //!
-//! `tokens` passes a macro's tokens to the parser of `frictiongen-syntax`, and `lower` adds tables to
-//! the scene. `graph` records the closed forms as code, and `emit` writes the items of a solver.
+//! `tokens` passes a macro's tokens to the parser of `frictiongen-syntax`, and `lower` adds tables to the scene.
+//! `graph` records the closed forms as code, and `emit` writes the items of a solver.
 
-/// Emits code as `quote!` does, with names that neither capture the user's names nor are captured
-/// by them.
+/// Emits code as `quote!` does, but with other name resolution: the user's names and the emitted local names cannot
+/// refer to each other.
 macro_rules! code {
     ($($tokens:tt)*) => {
         ::quote::quote_spanned!(::proc_macro2::Span::mixed_site()=> $($tokens)*)
@@ -29,11 +29,10 @@ pub use frictiongen_syntax::{Diagnostic, Diagnostics, warnings};
 pub use lower::{Description, Limits, ProofAt, SceneTables, parse_text, parse_tokens};
 
 #[cfg(feature = "pretty")]
-/// Returns the solver of a description as formatted source text.
+/// Returns the emitted code of a description as formatted source text.
 ///
 /// # Errors
-/// Returns a message if the emitted tokens are not valid Rust, which would be a defect of this
-/// crate.
+/// Returns a message if the emitted tokens are not valid Rust, which would be a defect of this crate.
 pub fn pretty(description: &Description) -> Result<String, String> {
     formatted(emit(description))
 }

@@ -25,7 +25,7 @@ pub(crate) fn value(literal: &Literal) -> Option<String> {
 }
 
 /// Reads an escape after its backslash. The outer `None` means that Rust has no such escape. The inner `None` means
-/// that the escape stands for no character, because it continues the line.
+/// that the escape produces no character, because it only continues the line.
 #[allow(clippy::option_option, reason = "the two have different meanings")]
 fn escaped(rest: &mut Peekable<Chars<'_>>) -> Option<Option<char>> {
     Some(Some(match rest.next()? {

@@ -7,7 +7,7 @@ use frictiongen_syntax::{
 };
 use proc_macro2::{Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
 
-/// The compiler's tokens, which places refer to by index. Empty for a text.
+/// The compiler's tokens. A [`Place`] is an index in this list. The list is empty for a text.
 #[derive(Default)]
 pub(crate) struct Sources {
     list: Vec<Source>,
@@ -19,7 +19,7 @@ struct Source {
     tree: Option<TokenTree>,
 }
 
-/// Parses the tokens of a macro call. If brackets nest too deep, no other error is reported.
+/// Parses the tokens of a macro call. If the brackets are nested too deeply, the function reports only this error.
 pub(crate) fn parse(stream: TokenStream, problems: &mut Problems) -> (Syntax, Sources) {
     let mut sources = Sources::default();
     let mut tokens = Vec::new();
@@ -37,7 +37,7 @@ pub(crate) fn parse(stream: TokenStream, problems: &mut Problems) -> (Syntax, So
 }
 
 impl Sources {
-    /// Returns the span of a position. A text has the span of the call.
+    /// Returns the span of a position. In a text, every position has the span of the macro call.
     pub(crate) fn span(&self, place: Place) -> Span {
         self.source(place)
             .map_or_else(Span::call_site, |source| source.span)
@@ -47,8 +47,8 @@ impl Sources {
         self.list.get(place.token?)
     }
 
-    /// Returns a word as an identifier. The compiler's own identifier is used where there is one, because it may be
-    /// `$crate`. No text can create that identifier.
+    /// Returns a word as an identifier. If the compiler has an identifier for the word, the function returns this
+    /// identifier, because it may be `$crate`, which no text can create.
     pub(crate) fn ident(&self, name: &Name) -> Ident {
         self.word(&name.text, name.place)
     }
@@ -86,7 +86,7 @@ impl Sources {
         Errors { list }
     }
 
-    /// Keeps a token and returns its position.
+    /// Stores a token and returns its position.
     fn place(&mut self, span: Span, tree: Option<TokenTree>) -> Place {
         let start = span.start();
         self.list.push(Source { span, tree });
@@ -97,7 +97,8 @@ impl Sources {
         }
     }
 
-    /// Converts the compiler's tokens. Returns false after reporting that brackets nest too deep.
+    /// Converts the compiler's tokens. If the brackets are nested too deeply, the function reports an error and returns
+    /// false.
     fn read(
         &mut self,
         stream: TokenStream,
@@ -194,7 +195,7 @@ impl Sources {
         sound
     }
 
-    /// Converts tokens back to the compiler's, for attributes. Attributes contain no numbers.
+    /// Converts tokens back to tokens of the compiler, for attributes. Attributes contain no numbers.
     pub(crate) fn stream(&self, tokens: &[Token]) -> TokenStream {
         let trees = tokens.iter().filter_map(|token| {
             let mut tree = match &token.kind {
@@ -220,7 +221,7 @@ impl Sources {
     }
 }
 
-/// Returns the identifier that a text consists of, if the present compiler knows its letters.
+/// Returns a text as an identifier. Returns `None` if the text is not an identifier for the present compiler.
 fn parsed(text: &str) -> Option<Ident> {
     let mut tokens = text.parse::<TokenStream>().ok()?.into_iter();
     match (tokens.next()?, tokens.next()) {

@@ -9,7 +9,7 @@ use crate::plan::{Above, HATCH, HEIGHT, PAD, Plan, WIDTH};
 use crate::sketch::{Contact, End, Excitation, Sketch};
 use crate::svg::Canvas;
 
-/// Horizontal distance between the end of a raised spring and the middle of its mass, in pixels.
+/// Horizontal distance between the middle of a mass and the end of a spring above the row, in pixels.
 const RISER: f64 = 11.0;
 /// Colour of masses.
 const MASS: Rgb = Rgb(0xe9, 0xee, 0xf4);
@@ -18,9 +18,9 @@ const FRICTION: Rgb = Rgb(0xb3, 0x3a, 0x1e);
 /// Colour of the excitation.
 const FORCE: Rgb = Rgb(0x00, 0x5f, 0xad);
 
-/// Margin around a sketch that is not part of a figure.
+/// Margin around a sketch in a document of its own, in pixels.
 const MARGIN: f64 = 8.0;
-/// Width available to a sketch that is not part of a figure.
+/// Width available to a sketch in a document of its own, in pixels.
 pub(crate) const ALONE: f64 = 1000.0;
 
 impl Sketch {

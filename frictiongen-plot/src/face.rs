@@ -33,7 +33,7 @@ impl Level {
         }
     }
 
-    /// Returns how far the letters are below the base line, relative to the size of letters on the base line.
+    /// Returns the distance of the letters below the base line, relative to the size of letters on the base line.
     pub(crate) const fn drop(self) -> f64 {
         match self {
             Self::Base => 0.0,

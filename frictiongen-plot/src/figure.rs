@@ -107,7 +107,7 @@ pub struct Panel {
     pub x: Axis,
     /// Vertical axis.
     pub y: Axis,
-    /// Layers, from the bottom to the top. Regions and maps are under the grid.
+    /// Layers, from the bottom to the top. The grid is above regions and maps.
     pub layers: Vec<Layer>,
     /// Smaller panels inside this panel.
     pub insets: Vec<Inset>,

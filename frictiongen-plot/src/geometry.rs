@@ -73,7 +73,7 @@ impl Rect {
         parts
     }
 
-    /// Returns the polygon that remains of an area inside the rectangle.
+    /// Returns the part of an area inside the rectangle, as a polygon.
     pub(crate) fn clip_area(&self, outline: &[Point]) -> Vec<Point> {
         let mut kept = outline.to_vec();
         let (left, right, top, bottom) = (self.left, self.right(), self.top, self.bottom());
@@ -84,7 +84,7 @@ impl Rect {
     }
 }
 
-/// Returns the polygon that remains of an area where the linear function `side` is not negative.
+/// Returns the part of an area in which the linear function `side` is not negative, as a polygon.
 fn cut(outline: &[Point], side: impl Fn(Point) -> f64) -> Vec<Point> {
     let mut kept = Vec::with_capacity(outline.len() + 4);
     let before = outline.iter().cycle().skip(outline.len().saturating_sub(1));

@@ -101,7 +101,8 @@ impl Label {
         lines
     }
 
-    /// Splits the label into words, each with the space after it. "*r* = 1" counts as one word.
+    /// Splits the label into words, each with the space after it. Words on both sides of an equals sign, such as "*r* =
+    /// 1", count as one word.
     fn words(&self) -> Vec<Self> {
         let mut words = Vec::new();
         let mut word = Self::default();

@@ -23,7 +23,7 @@ pub enum Layer {
     Guide(Guide),
 }
 
-/// A curve of one or more pieces, which are never joined. A value that is not finite ends a piece.
+/// A curve of one or more pieces, which no line connects. A value that is not finite ends a piece.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Line {
     /// Name of the curve in the legend. With `None` the legend omits the curve.
@@ -113,7 +113,7 @@ pub struct Region {
     pub at: Option<Point>,
     /// Colour of the area.
     pub fill: Fill,
-    /// Outlines of the area. Where two outlines overlap there is a hole.
+    /// Outlines of the area. The overlap of two outlines is a hole.
     pub outlines: Vec<Vec<Point>>,
 }
 

@@ -1,7 +1,7 @@
 //! Draws figures as in a paper, as SVG and PNG: curves, maps, insets, legends and sketches of mass-spring chains.
 //!
-//! Equal data give equal bytes on every host. Numbers are written with two decimals of a pixel. No system
-//! library or system font takes part. Values that are not finite break a line and never reach a file.
+//! Equal data give equal bytes on every host. The files contain numbers with two decimals of a pixel. The crate uses no
+//! system library and no system font. A value that is not finite ends a line, and never appears in a file.
 //!
 //! ```
 //! use frictiongen_plot::{Axis, Colour, Figure, Line, Panel, Stroke};

@@ -72,8 +72,8 @@ const CLASSES: [Rgb; 8] = [
     Rgb(0x83, 0xbb, 0xed),
 ];
 
-/// Colour map from dark blue over green to yellow. Its lightness rises evenly, also in greyscale. It looks like
-/// viridis.
+/// Colour map from dark blue over green to yellow, similar to viridis. Its lightness increases evenly, also in
+/// greyscale.
 const MAP: [Rgb; 9] = [
     Rgb(0x44, 0x01, 0x54),
     Rgb(0x47, 0x2d, 0x7b),

@@ -10,7 +10,7 @@ use crate::raster;
 use crate::svg::Canvas;
 use crate::text::TextStyle;
 
-/// Largest distance on paper between a curve and the line with fewer points that is drawn, in pixels.
+/// Largest distance on paper between a curve and the simplified line that replaces it, in pixels.
 const TOLERANCE: f64 = 0.05;
 /// Size of a text inside the panel, in pixels.
 const NOTE: f64 = 13.5;

@@ -17,15 +17,17 @@ pub(crate) const LEAST: f64 = 0.48;
 pub(crate) const LANE: f64 = 34.0;
 /// Width of the hatching of the base and the wall, in pixels.
 pub(crate) const HATCH: f64 = 7.0;
-/// Height of the pad between a mass and the surface on which it rubs.
+/// Height of the pad between a mass and the surface on which it slides, in pixels.
 pub(crate) const PAD: f64 = 7.0;
 
 /// A spring or a dashpot that is drawn above the row of masses.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Above<'a> {
-    /// Index of the element at its left end: base, masses or wall, from left to right.
+    /// Index of the element at the left end of the spring. The elements are base, masses and wall, counted from left to
+    /// right.
     pub low: usize,
-    /// Index of the element at its right end: base, masses or wall, from left to right.
+    /// Index of the element at the right end of the spring. The elements are base, masses and wall, counted from left
+    /// to right.
     pub high: usize,
     /// Level above the row of masses, counted from 0.
     pub lane: usize,

@@ -51,9 +51,9 @@ pub enum Excitation {
     },
 }
 
-/// A mechanical system as a sketch. A chain is drawn with up to [`Sketch::MOST`] masses, or
-/// [`Sketch::MOST_WITH_VALUES`] masses if it has values. A longer chain is not drawn. A spring to a mass that does not
-/// exist is left out.
+/// A mechanical system as a sketch. The sketch shows a chain of up to [`Sketch::MOST`] masses, or up to
+/// [`Sketch::MOST_WITH_VALUES`] masses with values. It does not show longer chains, and it leaves out a spring to a
+/// mass that does not exist.
 ///
 /// ```
 /// use frictiongen_plot::{Contact, End, Excitation, Sketch, Spring};

@@ -7,7 +7,7 @@ use crate::stroke::{Marker, Stroke};
 use crate::xml::{data, escaped, number};
 use std::fmt::Write as _;
 
-/// Font families of similar shapes and widths. In a PNG the first family is replaced by the embedded font.
+/// Font families of similar shapes and widths. A PNG picture uses the embedded font in place of the first family.
 const FAMILY: &str =
     "'STIX Two Text','Times New Roman',Times,'Liberation Serif','Noto Serif',serif";
 
@@ -85,7 +85,7 @@ impl Canvas {
         );
     }
 
-    /// Draws areas of one colour. Where two outlines overlap there is a hole.
+    /// Draws areas of one colour. The overlap of two outlines is a hole.
     pub(crate) fn areas(&mut self, outlines: &[Vec<Point>], fill: Rgb) {
         let data = data(outlines, "Z");
         if !data.is_empty() {
@@ -123,7 +123,7 @@ impl Canvas {
         }
     }
 
-    /// Draws a rectangle. With `None` the fill or the edge is left out.
+    /// Draws a rectangle. A `fill` or `edge` of `None` is not drawn.
     pub(crate) fn rect(&mut self, rect: Rect, fill: Option<Rgb>, edge: Option<(Rgb, f64)>) {
         let Rect {
             left,

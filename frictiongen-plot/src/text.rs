@@ -39,8 +39,8 @@ impl TextStyle {
     }
 }
 
-/// Size of the bar over a letter, relative to the letter. The bar is drawn as an en dash, because few browser fonts
-/// place a combining macron well. En dashes of all fonts are half an em long, at a fourth of their height.
+/// Size of the bar over a letter, relative to the letter. The code draws the bar as an en dash, because few browser
+/// fonts place a combining macron well. The en dash of every font is half an em long, at a fourth of its height.
 const BAR: f64 = 0.8;
 /// Width of the en dash that serves as the bar, relative to the letter size.
 const DASH: f64 = 0.5 * BAR;
@@ -103,7 +103,7 @@ fn pieces(label: &Label, size: f64) -> Vec<TextPiece<'_>> {
     pieces
 }
 
-/// Returns three offsets for the bar over a letter, in ems: back to the letter, forward after the bar, and the height.
+/// Returns three offsets for the bar over a letter, in ems: back to the letter, forward after the bar, and upwards.
 fn bar(letter: char, face: Face) -> (f64, f64, f64) {
     let tall = letter.is_uppercase() || "bdfhklt".contains(letter);
     // The top of an italic letter is to the right of the letter's middle.

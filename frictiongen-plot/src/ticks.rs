@@ -73,7 +73,8 @@ pub(crate) fn ticks(axis: &Axis, count: usize) -> Vec<Tick> {
     }
 }
 
-/// Returns the number of multiples of a step within a range. A multiple that is outside only by rounding counts.
+/// Returns the number of multiples of a step within a range. A multiple that rounding puts just outside the range
+/// counts as well.
 fn multiples(low: f64, high: f64, step: f64) -> f64 {
     let (from, to) = bounds(low, high, step);
     to - from + 1.0

@@ -3,7 +3,7 @@
 use crate::geometry::Point;
 use std::fmt::Write as _;
 
-/// Returns the path data of lines, as steps from point to point. Steps are half as long as absolute coordinates.
+/// Returns the path data of lines, as steps from point to point. The text is half as long as with absolute coordinates.
 pub(crate) fn data(lines: &[Vec<Point>], end: &str) -> String {
     let mut data = String::new();
     for line in lines.iter().filter(|line| 1 < line.len()) {

@@ -1,5 +1,5 @@
-//! Chooses candidates for a witness over an interval of r, from the instants at which the exact search finds the
-//! largest constraint.
+//! Chooses candidates for the witness over an interval of r. A witness is an instant near the largest velocity
+//! constraint. The candidates come from the instants at which the exact search finds this constraint.
 
 use crate::force;
 use crate::series::IntervalSeries;
@@ -10,23 +10,23 @@ use frictiongen_model::table::building::Exact;
 use frictiongen_model::table::building::interpolated;
 use std::f64::consts::PI;
 
-/// Number of instants through which the polynomial of a witness passes. Tuned: each instant costs a search. Five
-/// instants give the polynomial in r the degree 4.
+/// Number of instants through which the polynomial of a witness passes. The value is tuned. Each instant costs a
+/// search. Five instants give a polynomial of degree 4 in r.
 const NODES: usize = 5;
-/// Distance in half-turns above which two instants do not belong to one witness. Tuned: a polynomial through two
-/// different maxima would follow neither of them.
+/// Distance in half-turns above which two instants belong to different maxima, and so not to one witness. The value is
+/// tuned. A polynomial through two maxima would be near neither of them.
 const JUMP: f64 = 0.05;
 /// Distance of an instant from the start of the half period, in radians of the fastest mode, below which a witness may
-/// use the Taylor series in τ (module `early`). All instants of such a witness lie within the range of that series.
+/// use the Taylor series in τ (module `early`). The series is valid for all instants of such a witness.
 const EARLY: f64 = 1.2;
 /// Distance from the start of the half period, in radians of the fastest mode, below which a witness uses only the
-/// Taylor series in τ. Tuned: closer to the start, F/sin τ is a quotient of two small intervals.
+/// Taylor series in τ. The value is tuned. Closer to the start, F/sin τ is a quotient of two small intervals.
 const SURELY: f64 = 0.3;
 /// Distance from the start of the half period, in radians of the fastest mode, below which the start itself is also a
-/// candidate. Tuned: a maximum this close may reach the start within the interval of r.
+/// candidate. The value is tuned. A maximum this close may reach the start within the interval of r.
 const START: f64 = 0.05;
 
-/// Returns the candidates for the largest constraint, from the exact search at several r.
+/// Returns the candidates for the instant of the largest constraint, from exact searches at several r.
 pub(crate) fn candidates(
     exact: &mut Exact<'_>,
     chain: &IntervalChain,

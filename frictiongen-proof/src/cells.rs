@@ -1,5 +1,5 @@
-//! The velocity constraint over an interval of r, in the forms that all cells of a half period need. D(τ, r) = N(r) sin
-//! τ − F(τ, r) must be positive. F is the sum of the constraint over the modes (module `force`), and N lies slightly
+//! The velocity constraint over an interval of r, for all cells of a half period. The proof must show that D(τ, r) =
+//! N(r) sin τ − F(τ, r) is positive. F is the sum of the constraint over the modes (module `force`). N is slightly
 //! above the constraint of the witness.
 
 use crate::force;
@@ -10,25 +10,27 @@ use crate::witness::{Witness, WitnessInstant};
 use frictiongen_model::interval::Interval;
 use std::f64::consts::PI;
 
-/// Length of a step that widens the region about a witness, as a fraction of √(N/D″). Tuned: a longer step widens the
-/// region faster, but gives wider bounds of D″.
+/// Length of a step that widens the region about a witness, as a fraction of √(N/D″). The value is tuned. A longer step
+/// widens the region faster, but gives wider bounds of D″.
 const TUBE_STEP: f64 = 0.3;
-/// Largest number of steps that widen the region about a witness. Tuned: the number limits the work for one region.
+/// Largest number of steps that widen the region about a witness. The value is tuned. The number limits the work for
+/// one region.
 const TUBE_STEPS: usize = 8;
-/// Largest first widening step, as a fraction of the way from the witness to the end of the half period. Tuned: about a
-/// flat maximum a step relative to √(N/D″) alone would be too long.
+/// Largest first widening step, as a fraction of the way from the witness to the end of the half period. The value is
+/// tuned. For a flat maximum, a step in proportion to √(N/D″) alone would be too long.
 const TUBE_FIRST: f64 = 0.2;
 /// Largest sum of all widening steps, as a fraction of the way from the witness to the end of the half period. The
 /// region must end before the half period does.
 const TUBE_MOST: f64 = 0.9;
-/// Allowance for rounding of a position, of an end of a region, or of r: thousands of roundings.
+/// Allowance for the rounding of a position, of the end of a region, or of r. It is thousands of rounding units.
 pub(crate) const ROUNDING: f64 = 1e-12;
 
-/// Smallest D″ in the region, relative to D″ at the witness or at a second maximum. Tuned: a smaller fraction makes
-/// the region wider and its parabola flatter.
+/// Smallest D″ in the region, relative to D″ at the witness or at a second maximum. The value is tuned. A smaller
+/// fraction makes the region wider, but its parabola flatter.
 pub(crate) const BENT: f64 = 0.15;
 
-/// The chain and the witness over an interval of r: at its centre (`at`), and over the whole interval (`over`).
+/// The chain and the witness over an interval of r: at its centre (fields `at`), and over the whole interval (fields
+/// `over`).
 pub(crate) struct CellData<'a> {
     pub chain: &'a IntervalChain,
     pub witness: &'a Witness,
@@ -38,20 +40,20 @@ pub(crate) struct CellData<'a> {
     pub over: &'a ChainStage<ORDER>,
     pub seen_at: &'a WitnessInstant<ORDER>,
     pub seen_over: &'a WitnessInstant<ORDER>,
-    /// Margin of N above the witness. √(U² + N²) exceeds √(U² + Q²) by this fraction, with Q the constraint of the
+    /// Relative margin of N above the witness: √(U² + N²) is (1 + share)·√(U² + Q²), with Q the constraint of the
     /// witness.
     pub share: f64,
 }
 
-/// A side of the witness in the half period. A position on it is a `share` of the way from the end of the half period
-/// to the witness.
+/// One side of the witness in the half period, before or after it. A `share` from 0 to 1 gives a position on this side,
+/// from the end of the half period to the witness.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Flank {
     Before,
     After,
 }
 
-/// The chain and the witness over an interval of r, in the forms that the cells of the half period need.
+/// The chain and the witness over an interval of r, as the cells of the half period need them.
 pub(crate) struct HalfPeriodCells<'a> {
     /// The chain at the centre of the interval.
     pub thin: ChainStage<1>,
@@ -59,7 +61,7 @@ pub(crate) struct HalfPeriodCells<'a> {
     pub wide: ChainStage<2>,
     /// The chain over the interval, without slope.
     pub flat: ChainStage<1>,
-    /// N, the level just above the witness's constraint: at the centre, and over the interval.
+    /// N, the level slightly above the witness's constraint: at the centre, and over the interval.
     pub level_at: IntervalSeries<1>,
     pub level_over: IntervalSeries<2>,
     pub full_at: IntervalSeries<ORDER>,
@@ -69,8 +71,8 @@ pub(crate) struct HalfPeriodCells<'a> {
     pub part: &'a CellData<'a>,
 }
 
-/// Returns κN, where N² + U² is (1 + share)² times its value for the witness's constraint. κ is the product of cosines
-/// in `Stage`.
+/// Returns κN. N is the level for which √(N² + U²) is (1 + share) times its value for the witness's constraint. κ is
+/// the product of cosines in `Stage`.
 fn level<const N: usize>(seen: &WitnessInstant<N>, share: f64) -> IntervalSeries<N> {
     let share = Interval::point(share);
     let more = share + share + share * share;
@@ -127,8 +129,9 @@ impl<'a> HalfPeriodCells<'a> {
         plain.both(-(level * sine) - second + moves)
     }
 
-    /// Returns how far before and after an instant, in half-turns, D″ stays above the fraction `bent` of its value at
-    /// the instant. Also returns the smallest D″ over that region.
+    /// Returns a region about an instant in which D″ stays above the fraction `bent` of its value at the instant. The
+    /// first result is the length of the region before and after the instant, in half-turns. The second is the smallest
+    /// D″ in the region.
     pub fn widened(
         &self,
         t: Interval,
@@ -160,8 +163,8 @@ impl<'a> HalfPeriodCells<'a> {
         (reach, least)
     }
 
-    /// Returns the instant at a share of a side: t over all r, the slope of t in r, and t at the centre of the interval
-    /// of r.
+    /// Returns the instant t at a share of a side: t over all r, then the slope of t in r, then t at the centre of the
+    /// interval of r.
     pub fn instant(&self, side: Flank, share: Interval) -> (Interval, Interval, Interval) {
         let (path, slope) = (self.path_over.value(), self.path_over.term(1));
         match side {

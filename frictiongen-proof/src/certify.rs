@@ -1,9 +1,9 @@
-//! Certifies that no instant of the half period has a larger velocity constraint than the witness, up to a small
+//! Proves that no instant of the half period has a velocity constraint above that of the witness by more than a small
 //! margin.
 //!
 //! D(τ, r) = N(r) sin τ − F(τ, r) must be positive on 0 < τ < π. Cells cover the half period. Their ends shift with the
-//! witness as r changes. In each cell the value, the slope and a bound of the second derivative bound D from below.
-//! About the witness, where D nearly vanishes, a single parabola bounds it.
+//! witness as r changes. In each cell the value, the slope and a bound on the second derivative give a lower bound on
+//! D. About the witness, where D nearly vanishes, a single parabola is the lower bound.
 
 use crate::cells::{BENT, CellData, Flank, HalfPeriodCells, ROUNDING};
 use crate::force;
@@ -15,35 +15,38 @@ use crate::witness::Witness;
 use frictiongen_model::interval::Interval;
 use std::f64::consts::PI;
 
-/// Length of the first cell of a side, in radians of the fastest mode. Tuned: a longer cell has wider bounds of D″.
+/// Length of the first cell of a side, in radians of the fastest mode. The value is tuned. A longer cell has wider
+/// bounds of D″.
 const CELL: f64 = 1.0;
-/// Relative difference above which N counts as far above the witness. Tuned: D is then clearly positive at the witness.
+/// Relative difference of N from the witness's constraint above which N counts as far above. The value is tuned. D is
+/// then clearly positive at the witness.
 const FAR_ABOVE: f64 = 0.01;
-/// Fraction of D″ at the witness that serves as the smallest D″ in the region where the fraction `BENT` does not
-/// suffice. Tuned: it gives a steeper parabola in a narrower region.
+/// Larger fraction of D″ for the region about the witness, which the code tries if `BENT` does not suffice. The value
+/// is tuned. It gives a steeper parabola in a narrower region.
 const MORE_BENT: f64 = 0.5;
-/// Shortest cell, as a fraction of its side. Tuned: it limits the work of a side that fails. After a failure the
-/// interval of r is halved.
+/// Shortest cell, as a fraction of its side. The value is tuned. It limits the work on a side whose proof fails. The
+/// prover then halves the interval of r.
 const SHORTEST: f64 = 1e-3;
-/// Length of a cell, in radians of the fastest mode, below which another instant may have nearly the same constraint as
-/// the witness. Tuned: cells become short where D is small.
+/// Length of a cell, in radians of the fastest mode, below which the code searches for another instant with nearly the
+/// witness's constraint. The value is tuned. Cells become short where D is small.
 const COMPETE: f64 = 0.1;
-/// Largest number of searches for another instant with nearly the same constraint as the witness. Tuned: it limits the
-/// work of the searches.
+/// Largest number of searches for another instant with nearly the same constraint as the witness. The value is tuned.
+/// It limits the work of the searches.
 const MOST_TRIED: usize = 4;
-/// Ratio of the next cell's length to the length of a certified cell. Tuned: fast growth saves cells, but a cell that
-/// fails is lost work.
+/// Ratio of the next cell's length to the length of a proven cell. The value is tuned. Fast growth saves cells, but a
+/// failed cell is lost work.
 const LONGER: f64 = 1.4;
-/// First length of the range that a single bound covers from the start of the half period, in radians of the fastest
-/// mode. Tuned: a longer range saves cells, but its bound is wider.
+/// First trial for the length of the range that a single bound covers from the start of the half period, in radians of
+/// the fastest mode. The value is tuned. A longer range saves cells, but its bound is wider.
 const EARLY: f64 = 0.3;
-/// Largest number of times that this first range shrinks after a failed bound. Tuned: the last range is about an eighth
-/// of the first.
+/// Largest number of times that the code shortens this range after a failed bound. The value is tuned. The last range
+/// is about an eighth of the first.
 const EARLY_STEPS: usize = 6;
-/// Factor by which the first range shrinks after a failed bound. Tuned with `EARLY_STEPS`.
+/// Factor by which the code shortens this range after a failed bound. The value is tuned together with `EARLY_STEPS`.
 const EARLY_STEP: f64 = 0.7;
 
-/// Returns true if every velocity constraint over the interval of r is below the witness's constraint plus the margin.
+/// Returns true if the proof succeeds: over the interval of r, every velocity constraint is below the witness's
+/// constraint plus the margin.
 pub(crate) fn certified(part: &CellData<'_>, budget: &mut Budget) -> bool {
     // Without damping and with every x ≤ 2, the sum is largest at the start of the half period.
     let slow = |mode: &ModeStage<ORDER>| mode.x.value().high <= 2.0;
@@ -82,8 +85,8 @@ pub(crate) fn certified(part: &CellData<'_>, budget: &mut Budget) -> bool {
 }
 
 impl HalfPeriodCells<'_> {
-    /// Returns the fraction of each side that the cells still have to certify. A parabola about the witness certifies
-    /// the rest. Returns `None` if D is not positive about the witness.
+    /// Returns the fraction of each side that the cells must still prove. A parabola about the witness proves the rest.
+    /// Returns `None` if D is not proven positive about the witness.
     fn tube(&self, budget: &mut Budget) -> Option<[f64; 2]> {
         if matches!(self.part.witness, Witness::BreakAway) {
             return Some([1.0, 1.0]);
@@ -122,8 +125,8 @@ impl HalfPeriodCells<'_> {
         seen.size.value() * more / (self.level_over.value() + seen.constraint.value())
     }
 
-    /// Returns true if D, or D/τ, is positive where its second derivative is at least `bend`. The criterion is D(τ_w) >
-    /// D′(τ_w)²/(2 min D″), because D ≥ D(τ_w) − D′(τ_w)²/(2 min D″).
+    /// Returns true if D, or D/τ, is positive in the region in which its second derivative is at least `bend`. The
+    /// criterion is D(τ_w) > D′(τ_w)²/(2·bend), because D ≥ D(τ_w) − D′(τ_w)²/(2·bend).
     fn is_least(&self, bend: f64) -> bool {
         let (seen_at, seen_over) = (self.part.seen_at, self.part.seen_over);
         let above = self.above();
@@ -134,8 +137,8 @@ impl HalfPeriodCells<'_> {
         0.0 < bend.low && 0.0 < (value - rise.squared() / (bend + bend)).low
     }
 
-    /// For a witness near the start, returns the fraction of the side after it that the cells still have to certify.
-    /// Before the witness, (D/τ)″ is at least a third of the smallest D‴, because it equals ∫₀¹ s²D‴(sτ) ds.
+    /// Returns the fraction of the side after the witness that the cells must still prove, for a witness near the
+    /// start. Before the witness, (D/τ)″ is at least a third of the smallest D‴, because it equals ∫₀¹ s²D‴(sτ) ds.
     fn early(&self, budget: &mut Budget) -> Option<f64> {
         let path = self.part.seen_over.t;
         let path = IntervalSeries::joined(&self.part.seen_at.t, &path).range(self.part.away);
@@ -157,7 +160,8 @@ impl HalfPeriodCells<'_> {
         None
     }
 
-    /// Returns true if D is positive on a side, from the end of the half period up to the share `up_to` of that side.
+    /// Returns true if D is proven positive on a side, from the end of the half period to the share `up_to` of this
+    /// side.
     fn side(&self, side: Flank, up_to: f64, budget: &mut Budget) -> bool {
         let fastest = self.wide.modes.iter().map(|mode| mode.x.value().high);
         let fastest = fastest.fold(1.0, f64::max);
@@ -213,7 +217,7 @@ impl HalfPeriodCells<'_> {
         true
     }
 
-    /// Returns true if D is positive in a cell of a side.
+    /// Returns true if D is proven positive in a cell of a side.
     fn cell(&self, side: Flank, share: Interval, budget: &mut Budget) -> bool {
         budget.spend(2 * self.wide.modes.len());
         let (t, t_slope, _) = self.instant(side, share);

@@ -1,4 +1,4 @@
-//! Compares the polynomial of a piece with β_lim of a witness, over an interval of r.
+//! Compares the polynomial of a piece with β_lim from the witness, over an interval of r.
 
 use crate::series::IntervalSeries;
 use crate::stage::{ChainStage, ORDER};
@@ -11,28 +11,29 @@ use frictiongen_model::table::Request;
 use frictiongen_model::table::Worst;
 use frictiongen_model::table::building::rounding;
 
-/// Number of terms of a series after it is divided by the distance from a zero. The division costs one term.
+/// Number of terms of a series after its division by the distance from a zero. The division costs one term.
 pub(crate) const SHORT: usize = ORDER - 1;
-/// Number of cells into which an interval is divided to bound a polynomial. Tuned: more cells give narrower bounds, but
-/// need more work.
+/// Number of cells into which the code divides an interval to bound a polynomial. The value is tuned. More cells give
+/// narrower bounds, but need more work.
 pub(crate) const CELLS: usize = 8;
-/// Largest fraction of the accuracy that the uncertain position of a zero of β_lim may take. Tuned: the neighbourhood
-/// of the zero that stays open grows as the inverse of this fraction.
+/// Largest fraction of the accuracy that the uncertain position of a zero of β_lim may use. The value is tuned. The
+/// proof leaves a neighbourhood of the zero open, whose length is proportional to the inverse of this fraction.
 const UNCERTAIN: f64 = 0.01;
-/// Smallest distance from a zero, relative to r, at which the proof still covers r: hundreds of roundings of r.
+/// Smallest distance from a zero, relative to r, at which the proof still covers r. It is hundreds of rounding units of
+/// r.
 const NEAREST: f64 = 1e-13;
-/// Largest relative rounding error, or angle in rad, for which the bounds are valid. With a larger error no comparison
-/// can pass, because no accuracy is coarser.
+/// Largest relative rounding error, or angle in rad, for which the bounds are valid. A larger error exceeds every
+/// permitted accuracy, so that the comparison fails in any case.
 pub(crate) const SMALL: f64 = 0.1;
 
 /// Result of the comparison of a table with the witness over an interval of r.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ComparedLimit {
-    /// The largest possible error, with the r at which it occurs.
+    /// Largest possible error, with the r at which it occurs.
     pub worst: Worst,
-    /// The neighbourhood of a zero that the comparison leaves open, as an interval of r.
+    /// Neighbourhood of a zero in which the comparison proves nothing, as an interval of r. `None` without a zero.
     pub gap: Option<(f64, f64)>,
-    /// The proven interval, relative to the centre of the series.
+    /// The proven interval of r, relative to the centre of the series.
     pub away: Interval,
     /// The quotient of the polynomial and β_lim of the witness, squared: at the centre, and over the interval.
     pub square: [IntervalSeries<SHORT>; 2],
@@ -40,7 +41,8 @@ pub(crate) struct ComparedLimit {
     pub rounding: f64,
 }
 
-/// Returns the series divided by the distance from its centre. The value at the centre is left out, because it is zero.
+/// Returns the series divided by the distance from its centre. The value at the centre must be zero, and the function
+/// ignores it.
 pub(crate) fn divided(series: &IntervalSeries<ORDER>) -> IntervalSeries<SHORT> {
     let mut terms = [Interval::ZERO; SHORT];
     for (term, own) in terms.iter_mut().zip(series.terms.iter().skip(1)) {
@@ -50,7 +52,7 @@ pub(crate) fn divided(series: &IntervalSeries<ORDER>) -> IntervalSeries<SHORT> {
 }
 
 /// Compares the emitted polynomial with β_lim. Returns `None` if the polynomial is not within the accuracy. The exact
-/// β_lim is the witness's β_lim, or smaller by at most the fraction `share`.
+/// β_lim is at most the witness's β_lim, and smaller by at most the fraction `share`.
 pub(crate) fn compared<S: Float>(
     piece: &Fitted<S>,
     request: &Request,

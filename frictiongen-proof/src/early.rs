@@ -1,27 +1,28 @@
-//! The velocity constraint F/sin τ near the start of the half period. Both F and sin τ are zero at the start, so the
-//! module uses the Taylor series of F/τ in τ.
+//! The velocity constraint F/sin τ near the start of the half period. At the start F and sin τ are both zero. The
+//! module therefore uses the Taylor series of F/τ in τ.
 
 use crate::force;
 use crate::series::IntervalSeries;
 use crate::stage::ChainStage;
 use frictiongen_model::interval::Interval;
 
-/// Number of terms of the series of F/τ. [`rest`] bounds the remainder, so with fewer terms the proof would stay true,
-/// but would leave more of r open.
+/// Number of terms of the series of F/τ. [`rest`] bounds the remainder. With fewer terms the proof would still be
+/// correct, but would leave more of r open.
 const TERMS: usize = 13;
 /// Derivatives of the cosine at τ = 0, which repeat after four.
 const OF_COSINE: [f64; 4] = [1.0, 0.0, -1.0, 0.0];
-/// Largest |τ|, in rad, for which the series of sin τ/τ is used. Every instant of a witness near the start of the half
-/// period is smaller.
+/// Largest |τ|, in rad, for which the series of sin τ/τ is valid. The instants of a witness near the start of the half
+/// period are all smaller.
 const FARTHEST: f64 = 1.3;
-/// Bound on the neglected terms of the series of sin τ/τ and of its slope, for |τ| up to [`FARTHEST`]. Beyond the
-/// [`PAIRS`] terms that are used, their sum is below 20·1.3¹⁹/21! < 6·10⁻¹⁷.
+/// Bound on the neglected terms of the series of sin τ/τ and of its slope, for |τ| up to [`FARTHEST`]. The terms beyond
+/// the first [`PAIRS`] sum to less than 20·1.3¹⁹/21! < 6·10⁻¹⁷.
 const SINC_REST: f64 = 1e-16;
-/// Number of powers of τ² in the series of sin τ/τ. The next term is below one rounding for |τ| up to [`FARTHEST`].
+/// Number of powers of τ² in the series of sin τ/τ. The next term is below one rounding unit for |τ| up to
+/// [`FARTHEST`].
 const PAIRS: usize = 10;
-/// Factor that allows for up to four roundings in a bound, each at most 2⁻⁵³ ≈ 1.1·10⁻¹⁶.
+/// Factor that covers up to four roundings in a bound, each at most 2⁻⁵³ ≈ 1.1·10⁻¹⁶.
 const UP: f64 = 1.0 + 1e-15;
-/// Factor that allows for up to ninety roundings in a bound. It includes the roundings of π and of earlier factors.
+/// Factor that covers up to ninety roundings in a bound, including those of π and of earlier factors.
 const FAR_UP: f64 = 1.0 + 1e-14;
 
 /// Returns sin τ/τ and its slope, by their power series. [`SINC_REST`] bounds the remainder. Returns `ALL` if |τ| may

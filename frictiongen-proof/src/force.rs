@@ -1,5 +1,5 @@
-//! The sum of the velocity constraint, F(τ) = Σ κc[(1 + g)p + (u/x²)(cos τ − p′)] over the modes, and its derivatives.
-//! The time is τ = πt.
+//! Sum of the velocity constraint, F(τ) = Σ κc[(1 + g)p + (u/x²)(cos τ − p′)] over the modes, and its derivatives. The
+//! code gives the time in half-turns, τ = πt.
 
 use crate::series::IntervalSeries;
 use crate::stage::{ChainStage, ModeDecay, ModeStage};

@@ -12,8 +12,8 @@ use frictiongen_model::interval::Interval;
 use frictiongen_model::modal::Modal;
 use frictiongen_model::samples::{random, scene};
 
-/// Contact, number of masses and ζ of the compared chains. The chains have each kind of damping. Some have undamped
-/// modes among damped ones.
+/// Contact, number of masses and ζ of the chains that the test compares. They cover each kind of damping, and undamped
+/// modes in a damped chain.
 const KINDS: [(&str, usize, f64); 9] = [
     ("Wall", 1, 0.0),
     ("Base", 2, 0.0),
@@ -27,7 +27,7 @@ const KINDS: [(&str, usize, f64); 9] = [
 ];
 /// Largest width of an interval, relative to the largest term of its sum.
 const WIDTH: f64 = 1e-11;
-/// Number of frequency ratios at which each chain is compared.
+/// Number of frequency ratios at which the test compares each chain.
 const RATIOS: usize = 300;
 
 /// Counts of compared values, and the width of the widest interval.
@@ -52,7 +52,7 @@ impl ComparedFormulas {
     }
 }
 
-/// Compares V, U, G, the constraint at both ends of a sliding phase, and F at one instant.
+/// Compares V, U and G, the constraint at the start and at the break-away, and F at one instant.
 fn compare(name: &str, modal: &Modal, r: f64, t: f64, compared: &mut ComparedFormulas) {
     let chain = IntervalChain::of(modal);
     let stage = ChainStage::<2>::over(&chain, Interval::point(r), &singular(&chain, r));

@@ -1,4 +1,4 @@
-//! Results of a proof so far, and the work that it may still spend.
+//! Results of a proof so far, and its remaining work.
 
 use crate::compare::ComparedLimit;
 use frictiongen_model::table::Worst;
@@ -10,7 +10,7 @@ pub(crate) struct Budget {
     pub spent: usize,
 }
 
-/// Work of evaluating a `Stage` over an interval, per mode. It is an estimate, used only to limit the work of a proof.
+/// Work of evaluating a `Stage` over an interval, per mode. This estimate serves only to limit the work of a proof.
 pub(crate) const OF_STAGE: usize = 20;
 
 impl Budget {
@@ -28,7 +28,7 @@ impl Budget {
     }
 }
 
-/// Results for one function so far: its largest error, and the intervals of r that are still open.
+/// Results for one function so far: its largest error, and the intervals of r that are not proven.
 pub(crate) struct FunctionProof {
     bound: Worst,
     pub open: Vec<(f64, f64)>,
@@ -99,7 +99,7 @@ impl PieceProof {
         }
     }
 
-    /// Leaves an interval of r open, for β_lim and for the motion.
+    /// Records an interval of r as not proven, for β_lim and for the motion.
     pub fn leave(&mut self, part: (f64, f64)) {
         self.limit.open.push(part);
         self.motion.open.push(part);
@@ -113,7 +113,7 @@ impl PieceProof {
     }
 }
 
-/// Proven results over an interval of r: for β_lim, and for the motion if the motion is proven too.
+/// Proven results over an interval of r, for β_lim and, if proven, for the motion.
 pub(crate) struct IntervalProof {
     pub limit: ComparedLimit,
     pub motion: Option<Worst>,

@@ -1,16 +1,20 @@
 //! Proof that a table of β_lim is within its accuracy at every r, and not only at the checked points.
 //!
 //! The proof divides the range into intervals of r. In each interval it chooses a *witness*: an instant near the
-//! largest velocity constraint, as a polynomial in r. `certify` shows that no other instant has a constraint larger by
-//! more than a small margin. β_lim then has bounds on both sides that are smooth functions of r. `compare` shows that
-//! the polynomial of the table is near these bounds, with all roundings of its evaluation. Both modules use intervals
-//! with outward rounding. `motion` proves amplitude and phase of the contact in the same way. An interval that stays
-//! undecided is halved. If its halves stay undecided too, it is left open: the table is checked there, not proven.
+//! largest velocity constraint, as a polynomial in r. `certify` proves that no other instant has a constraint larger by
+//! more than a small margin. The witness and the margin then give an upper and a lower bound on β_lim, which are smooth
+//! functions of r. `compare` proves that the polynomial of the table is near these bounds, including all rounding
+//! errors of its evaluation. Both modules use intervals with outward rounding. `motion` proves amplitude and phase of
+//! the contact in the same way.
 //!
-//! A constant called *tuned* decides how much work a proof takes and how much of r stays open. No tuned constant
-//! decides whether a proof is true.
+//! If the proof of an interval fails, the prover halves the interval. If the halves fail too, the interval stays open:
+//! the table is checked there, but not proven.
 //!
-//! The builder of the tables itself bounds the products over zeros and poles, β*_lim and |V|.
+//! A value called *tuned* determines how much work a proof takes and how much of r stays open. Whether a proof is
+//! correct does not depend on it.
+//!
+//! The builder of the tables, in `frictiongen-model`, itself bounds the errors of the products over zeros and poles for
+//! β*_lim and |V|.
 
 mod candidates;
 mod cells;
@@ -44,24 +48,24 @@ use prover::Prover;
 use stage::IntervalChain;
 use std::ops::Range;
 
-/// Estimate of the work to prove a piece, per mode, if every mode is damped. It only decides whether a proof starts
-/// that may stay incomplete.
+/// Estimate of the work to prove a piece, per mode, if every mode is damped. The estimate only decides whether the code
+/// starts a proof that may stay incomplete.
 const PIECE_WORK: usize = 1800;
-/// Estimate of the work to prove a piece, per mode, if a mode is undamped. Intervals are shorter next to the poles of
-/// an undamped mode.
+/// Estimate of the work to prove a piece, per mode, if a mode is undamped. It is larger, because intervals are shorter
+/// near the poles of an undamped mode.
 const PIECE_WORK_UNDAMPED: usize = 2600;
-/// Largest work for one piece, as a multiple of its equal share of the total work. Tuned: one piece must not use the
-/// work that the other pieces need.
+/// Largest work for one piece, as a multiple of its equal share of the total work. The value is tuned. One piece must
+/// not use the work that the other pieces need.
 const FAIR: usize = 8;
 
-/// Adds to tables a proof of β_lim, and of amplitude and phase of the contact. It covers as much of r as the work
-/// allows.
+/// Proves β_lim, and amplitude and phase of the contact, as far in r as the work allows. Stores the proofs in the
+/// tables.
 pub fn prove<S: Float>(tables: &mut Tables<S>, modal: &Modal, work: Work) {
     let pieces = 0..tables.pieces.len();
     [tables.proof, tables.motion_proof] = of_pieces(tables, modal, pieces, work);
 }
 
-/// Adds the proof of [`prove`] if the work is likely to suffice for all pieces of the tables.
+/// Makes the proof of [`prove`] if the work is likely to suffice for all pieces of the tables.
 pub fn prove_if_small<S: Float>(tables: &mut Tables<S>, modal: &Modal, work: Work) {
     let of_piece = if Exact::new(modal).all_damped() {
         PIECE_WORK

@@ -1,10 +1,10 @@
-//! Errors of amplitude and phase of the contact at any β over an interval of r. They follow from all
-//! polynomials of a piece except the polynomial of β_lim.
+//! Errors of amplitude and phase of the contact at any β over an interval of r. They depend on all polynomials of a
+//! piece except that of β_lim.
 //!
 //! The amplitude is |V|(√(1 − ρ²α²) − ργ), with α = β_lim·U/|V|, γ = β_lim·G/|V| and ρ = β/β_lim. The table has the
-//! polynomials a and g in place of α and γ. They are relative to the table's own β_lim, so that a·β_lim/β_table is
-//! compared with α. β_lim equals the witness's b up to a small margin, and α equals the witness's α up to the same
-//! margin. The margin therefore changes the difference by at most the margin.
+//! polynomials a and g in place of α and γ. a and g are relative to the table's own β_lim. The code therefore compares
+//! a·β_lim/β_table with α. The exact β_lim and α equal those of the witness up to a small margin. The margin therefore
+//! changes the difference by at most the margin.
 
 use crate::compare::{CELLS, ComparedLimit, SHORT, SMALL, divided};
 use crate::series::IntervalSeries;
@@ -18,25 +18,25 @@ use frictiongen_model::table::Worst;
 use frictiongen_model::table::building::{ANGLE, SIZE, rounding};
 use std::f64::consts::PI;
 
-/// Bounds of the intervals of the friction ratio, as fractions of the largest friction ratio. Tuned: the intervals
-/// become shorter near the largest friction ratio, where the root vanishes and the amplitude changes fast.
+/// Bounds of the intervals of the friction ratio, as fractions of the largest friction ratio. The value is tuned. Near
+/// the largest friction ratio the root vanishes and the amplitude changes fast, so that the intervals become shorter.
 const SHARES: [f64; 11] = [
     0.0, 0.4, 0.65, 0.8, 0.88, 0.93, 0.96, 0.98, 0.99, 0.997, 1.0,
 ];
-/// Allowed number of roundings of a few operations: a and g times β/β_lim, the root, the product with |V|, and an arc
+/// Allowed rounding units for a few operations: a and g times β/β_lim, the root, the product with |V|, and an arc
 /// tangent in double precision.
 const FEW: f64 = 4.0;
-/// Allowed number of roundings of the emitted phase, including its arc tangent.
+/// Allowed rounding units for the emitted phase, including its arc tangent.
 const OF_PHASE: f64 = 64.0;
 /// Bound on the factor by which a quotient grows if its divisor has a relative error of up to [`SMALL`].
 const WITH_PRODUCTS: f64 = 1.0 / (1.0 - SMALL);
 /// Upper bound on an angle divided by its sine, for angles up to [`SMALL`] rad. The exact largest ratio is below
 /// 1.0017.
 const OVER_SINE: f64 = 1.01;
-/// Factor that allows for the roundings of the bounds themselves: millions of roundings.
+/// Factor that covers the rounding errors of the bounds themselves. It allows millions of rounding units.
 const UP: f64 = 1.0 + 1e-9;
 
-/// Data for comparing amplitude and phase over an interval of r.
+/// Data for the comparison of amplitude and phase over an interval of r.
 pub(crate) struct MotionProof<'a, S> {
     pub piece: &'a Fitted<S>,
     /// Largest relative error of |V|, if |V| is a product over zeros and poles.
@@ -48,13 +48,14 @@ pub(crate) struct MotionProof<'a, S> {
     pub centre: f64,
     /// True if the centre is a zero of β_lim.
     pub beside_zero: bool,
-    /// Margin: the largest constraint may exceed the constraint of the witness by this fraction.
+    /// Margin, as a fraction of the witness's constraint. The largest constraint exceeds that of the witness by at most
+    /// this margin.
     pub share: f64,
 }
 
 /// Errors and exact values of the functions over a cell of r.
 struct MotionCell {
-    /// Errors of a and g (`off`), and their exact values α and γ (`exact`).
+    /// Errors of a and g (field `off`), and their exact values α and γ (field `exact`).
     off: [Interval; 2],
     exact: [Interval; 2],
     /// Relative error of the table's |V|.
@@ -71,7 +72,7 @@ struct Functions {
     quadrature: [IntervalSeries<SHORT>; 2],
     /// Error of the table's second function, g·b/β_table − γ, and the exact value γ = β_lim·G/|V|.
     displacement: [IntervalSeries<SHORT>; 2],
-    /// Error of arg V: the table's value minus the exact value, rad.
+    /// Error of arg V, in rad: the table's value minus the exact value.
     angle: IntervalSeries<SHORT>,
 }
 
@@ -234,8 +235,8 @@ impl<S: Float> MotionProof<'_, S> {
         }
     }
 
-    /// Returns the relative error of the table's |V|, if |V| is one of the functions of the table. The results are two
-    /// series (at the centre and over the interval), and the rounding error of the evaluation.
+    /// Returns the relative error of the table's |V|, if |V| is one of the functions of the table. The first result is
+    /// a series at the centre and over the interval. The second is the rounding error of the evaluation.
     fn size(
         &self,
         stages: [&ChainStage<ORDER>; 2],
@@ -292,7 +293,7 @@ impl<S: Float> MotionProof<'_, S> {
         (rounded < SMALL).then_some((off, rounded * most * UP))
     }
 
-    /// Returns the sign of κV in an undamped chain. a is multiplied by this sign.
+    /// Returns the sign of κV in an undamped chain. The table's function a contains this sign.
     fn sign(
         &self,
         at: &ChainStage<ORDER>,
@@ -313,8 +314,8 @@ impl<S: Float> MotionProof<'_, S> {
         (sign != 0).then(|| Interval::point(f64::from(sign)))
     }
 
-    /// Returns arg V at the centre and over the interval, up to whole turns. Also returns its uncertainty from the
-    /// position of a zero.
+    /// Returns arg V at the centre and over the interval, up to whole turns. Also returns the error of arg V due to the
+    /// uncertain position of a zero.
     fn angle(
         &self,
         at: &ChainStage<ORDER>,

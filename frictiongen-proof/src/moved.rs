@@ -1,5 +1,5 @@
-//! Tests the proof of amplitude and phase against exact values, and with polynomial coefficients that are slightly or
-//! grossly wrong.
+//! Tests of the proof of amplitude and phase: against exact values, and with small and large errors in polynomial
+//! coefficients.
 
 use crate::{prove, prove_piece};
 use frictiongen_kernel::Float;
@@ -103,7 +103,7 @@ fn agreeing<S: Float>(accuracy: f64, side: Side) -> usize {
     compared
 }
 
-/// The proven bound must hold at random r, for friction ratios up to 0.98 of β_lim.
+/// Checks the proven bound at random r, for friction ratios up to 0.98 of β_lim.
 #[test]
 fn the_bound_holds() {
     let double = agreeing::<f64>(1e-2, Side::Near)
@@ -133,9 +133,9 @@ fn largest(
     [limit, motion].map(|error| error / tables.request.accuracy)
 }
 
-/// The proof must not accept a whole piece with a wrong coefficient. The test changes every coefficient of every
-/// function of several pieces by ten times the accuracy. It also changes each so little that the error just exceeds the
-/// accuracy somewhere.
+/// Checks that the proof rejects every piece with a wrong coefficient. The test changes each coefficient of each
+/// function of several pieces by ten times the accuracy. It also changes each by so little that the error only just
+/// exceeds the accuracy at one r.
 #[test]
 fn wrong_coefficients_are_not_proven() {
     let (mut little, mut much) = (0, 0);

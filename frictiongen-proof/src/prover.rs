@@ -13,28 +13,29 @@ use frictiongen_model::interval::Interval;
 use frictiongen_model::table::building::{Edge, Exact};
 use frictiongen_model::table::{FINEST_PROVEN, Fitted, Request, Work};
 
-/// Fraction of the accuracy by which the constraint at another instant may exceed that of the witness. Tuned: the rest
-/// remains for the error of the polynomial. The check of the tables already leaves a tenth of the accuracy free.
+/// Fraction of the accuracy by which the constraint at another instant may exceed that of the witness. The value is
+/// tuned. The error of the polynomial may use the rest. The check of the tables leaves a tenth of the accuracy unused.
 const ELSEWHERE: f64 = 1.0 / 32.0;
-/// Shortest interval, as a fraction of r. Tuned: it limits the work next to zeros and poles.
+/// Shortest interval, as a fraction of r. The value is tuned. It limits the work next to zeros and poles.
 const SHORTEST: f64 = 1e-7;
-/// Shortest interval for the motion, as a fraction of its piece. Tuned: at this length the motion stays open if only
-/// the proof of β_lim succeeds. Otherwise intervals would become much shorter.
+/// Shortest interval for the motion, as a fraction of its piece. The value is tuned. If at this length only the proof
+/// of β_lim succeeds, the motion stays open. Otherwise intervals would become much shorter.
 const SHORTEST_OF_MOTION: f64 = 2e-3;
-/// Shortest interval for the motion next to a zero of β_lim, as a fraction of the distance from the zero.
+/// Shortest interval for the motion near a zero of β_lim, as a fraction of the distance from the zero.
 const SHORTEST_BESIDE_ZERO: f64 = 0.02;
-/// Length of a piece over the length of its first interval. Tuned: an interval that is too long fails and is halved.
+/// Length of a piece over the length of its first interval. The value is tuned. The prover halves an interval that is
+/// too long.
 const FIRST: f64 = 4.0;
-/// Ratio of the next interval's length to the length of a proven interval. Tuned: fast growth saves intervals, but an
-/// interval that fails is lost work.
+/// Ratio of the next interval's length to the length of a proven interval. The value is tuned. Fast growth saves
+/// intervals, but a failed interval is lost work.
 const LONGER: f64 = 1.15;
-/// Shortest interval that is tried after an open one, as a fraction of the length that is left open next. Tuned: it
-/// limits the trials to four halvings of that length.
+/// Shortest trial after an open interval, as a fraction of the length that stays open if the trial fails. The value is
+/// tuned. It limits the trials to four halvings of that length.
 const FINER: f64 = 1.0 / 16.0;
-/// If the rest of the piece is at most this many times as long as the next interval, the interval covers the whole
-/// rest. Tuned: a short last interval takes as much work as a long one.
+/// Bound on the ratio of the rest of a piece to the next interval. Up to this ratio, the interval covers the whole
+/// rest. The value is tuned. A short last interval takes as much work as a long one.
 const NO_STUB: f64 = 1.2;
-/// Largest κ at a zero of β_lim that counts as zero: tens of roundings of a cosine.
+/// Largest κ at a zero of β_lim that counts as zero. It is tens of rounding units of a cosine.
 const VANISHES: f64 = 1e-14;
 
 /// State of the proof of one piece.
@@ -44,7 +45,7 @@ pub(crate) struct Prover<'a, 'm> {
     request: Request,
     budget: Budget,
     found: PieceProof,
-    /// Largest relative error of |V|. `None` if the motion is not compared.
+    /// Largest relative error of |V|. `None` if the proof does not include the motion.
     excitation: Option<f64>,
     /// True if a witness near the start of the half period proved the last interval.
     early: bool,
@@ -183,7 +184,7 @@ impl<'a, 'm> Prover<'a, 'm> {
         }
     }
 
-    /// Returns the proven results over an interval of r, or `None` if the interval is not proven.
+    /// Returns the proven results over an interval of r, or `None` if the proof fails.
     fn part<S: Float>(
         &mut self,
         piece: &Fitted<S>,
@@ -269,8 +270,8 @@ impl<'a, 'm> Prover<'a, 'm> {
         None
     }
 
-    /// Returns the chain at the centre and over the interval, both with κ > 0. In a wholly undamped chain both signs
-    /// are valid, because F(π − τ) = −F(τ).
+    /// Returns the chain at the centre and over the interval, with κ made positive. In a wholly undamped chain both
+    /// signs are valid, because F(π − τ) = −F(τ).
     fn oriented(
         &self,
         at: ChainStage<ORDER>,

@@ -11,17 +11,20 @@ use frictiongen_kernel::Scalar;
 use frictiongen_model::interval::Interval;
 use std::f64::consts::PI;
 
-/// Number of Newton steps towards another instant. Tuned: it limits the work if Newton's method does not converge.
+/// Number of Newton steps towards another instant. The value is tuned. It limits the work if Newton's method does not
+/// converge.
 const STEPS: usize = 8;
-/// Step length, in half-turns, below which Newton's method has converged. Tuned: convergence is quadratic, so the next
-/// step would be far below a rounding.
+/// Step length, in half-turns, below which Newton's method has converged. The value is tuned. Convergence is quadratic,
+/// so that the next step would be far below a rounding unit.
 const FOUND: f64 = 1e-9;
-/// Largest shift of an instant over an interval of r, in half-turns. After a larger shift it counts as another instant.
+/// Largest shift of an instant over an interval of r, in half-turns. A larger shift means that the instant belongs to
+/// another minimum.
 const JUMP: f64 = 0.1;
-/// Number of subintervals of r in which D is bounded. Tuned: more subintervals give narrower bounds, at more work.
+/// Number of subintervals of r in which the code bounds D. The value is tuned. More subintervals give narrower bounds,
+/// but need more work.
 const PARTS: usize = 6;
 
-/// A range of instants about a local minimum of D, in which D is positive for all r of an interval.
+/// A range of instants about a local minimum of D. D is positive in it for all r of an interval.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct PositiveRegion {
     from: f64,
@@ -47,8 +50,8 @@ impl PositiveRegion {
 }
 
 impl HalfPeriodCells<'_> {
-    /// Returns the region about the local minimum of D near an instant. Returns `None` if there is no minimum, or if
-    /// the bounds do not show that D is positive.
+    /// Returns the region about the local minimum of D near an instant. Returns `None` if no minimum exists, or if the
+    /// bounds do not prove that D is positive.
     pub fn region(&self, t: f64, budget: &mut Budget) -> Option<PositiveRegion> {
         let part = self.part;
         let (low, high) = (part.away.low, part.away.high);
@@ -116,7 +119,7 @@ impl HalfPeriodCells<'_> {
         value_at(&self.full_at, away)
     }
 
-    /// Returns the chain at an r in the interval, approximately, from its series.
+    /// Returns the chain at an r in the interval, approximated by its series.
     fn shifted(&self, away: f64) -> ChainStage<1> {
         let mut stage = self.part.at.truncated::<1>();
         for (mode, full) in stage.modes.iter_mut().zip(&self.part.at.modes) {
@@ -183,8 +186,8 @@ mod tests {
     use super::*;
     use frictiongen_model::samples::random;
 
-    /// Inside the returned share of a side, every instant must lie in the region, for all positions of the witness.
-    /// Just outside this share some instant must lie outside the region.
+    /// Checks the share of a side that the function returns. Within this share every instant must lie in the region,
+    /// for all positions of the witness. Just outside, some instant must lie outside the region.
     #[test]
     fn within_the_region() {
         let (mut state, mut told) = (9, 0);

@@ -1,7 +1,7 @@
 //! Computes the answers to a list of questions in parallel, in as many threads as the machine can run at once.
 //!
-//! The result does not depend on the number of threads. Answers are used in the order of the questions, until the
-//! permitted work is spent.
+//! The result does not depend on the number of threads. It contains the answers in the order of the questions, until
+//! their work reaches the permitted work.
 
 use std::num::NonZero;
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -13,13 +13,14 @@ struct Shared<A> {
     next: usize,
     /// The answers, each with its work. `None` for a question without an answer yet.
     answers: Vec<Option<(usize, A)>>,
-    /// Number of answers before the first missing one (`known`), and their work (`spent`).
+    /// Number of answers before the first missing one, and below (`spent`) their work.
     known: usize,
     spent: usize,
 }
 
 impl<A> Shared<A> {
-    /// Returns the next question for a thread, or `None` if no question is left or the work is spent.
+    /// Returns the next question for a thread. Returns `None` if no question is left, or if the permitted work is
+    /// spent.
     fn question(&mut self, count: usize, most: usize) -> Option<usize> {
         if self.next == count || most <= self.spent {
             return None;
@@ -59,7 +60,8 @@ fn locked<T>(shared: &Mutex<T>) -> MutexGuard<'_, T> {
     shared.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Returns the answers in the order of the questions, until the work of the earlier answers exceeds `most`.
+/// Returns the answers in the order of the questions. The list ends when the work of the earlier answers exceeds
+/// `most`.
 ///
 /// `begin` creates the data of a thread. `one` returns an answer with its work.
 pub(crate) fn answered<State, A: Send>(
@@ -115,7 +117,7 @@ mod tests {
     use std::sync::atomic::{AtomicUsize, Ordering};
     use std::time::Duration;
 
-    /// The result must not depend on the number of threads, nor on which answer comes first.
+    /// Checks that the result depends neither on the number of threads, nor on the order in which they finish.
     #[test]
     fn as_many_as_one_thread_would() {
         let questions: Vec<usize> = (3..40).collect();
@@ -154,7 +156,7 @@ mod tests {
         }
     }
 
-    /// A question without an answer must end the list, as with one thread.
+    /// Checks that a question without an answer ends the list, as with one thread.
     #[test]
     fn up_to_a_gap() {
         let one = |_: &mut (), question: usize| (question != 5).then_some((1, question));

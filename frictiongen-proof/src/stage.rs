@@ -1,8 +1,8 @@
 //! All functions of the limits as Taylor series in r, with intervals as coefficients (section 3 of
 //! `docs/derivation.md`).
 //!
-//! All functions are multiplied by r². Where undamped modes have a pole of U, they are also multiplied by the product κ
-//! of the cosines of these modes. The limits are quotients, in which κ cancels.
+//! All functions contain the factor r². Near a pole of U at an undamped mode, they also contain the factor κ, the
+//! product of the cosines of these modes. The limits are quotients, in which κ cancels.
 
 use crate::series::IntervalSeries;
 use frictiongen_kernel::number::dd::Dd;
@@ -10,8 +10,8 @@ use frictiongen_model::interval::Interval;
 use frictiongen_model::modal::Modal;
 use frictiongen_model::table::building::contact_modes;
 
-/// Number of terms of the Taylor series in r. Tuned: more terms allow longer intervals, but the work of a product grows
-/// with their square.
+/// Number of terms of the Taylor series in r. The value is tuned. More terms allow longer intervals, but the work of a
+/// product grows with their square.
 pub(crate) const ORDER: usize = 8;
 
 /// Kind of damping of a mode.
@@ -41,16 +41,17 @@ pub(crate) struct Oscillator {
     pub residue: Interval,
 }
 
-/// The chain in intervals. Each interval contains a number that the modal analysis gives in double-double.
+/// The constants of a chain as intervals. Each interval contains the number that the modal analysis gives in
+/// double-double.
 #[derive(Clone, Debug)]
 pub(crate) struct IntervalChain {
     pub modes: Vec<Oscillator>,
     pub all_undamped: bool,
-    /// −1 if the contact rubs on a moving base, else 0.
+    /// −1 if the contact slides on a moving base, otherwise 0.
     pub direct: Interval,
     /// m*, the inverse effective mass of the contact.
     pub inverse_mass: Interval,
-    /// μ, static over kinetic friction force.
+    /// μ, the ratio of the static to the kinetic friction force.
     pub stiction: Interval,
 }
 
@@ -100,7 +101,7 @@ impl IntervalChain {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ModeStage<const N: usize> {
     pub oscillator: Oscillator,
-    /// √λ/r, natural frequency over excitation frequency.
+    /// √λ/r, the natural frequency over the excitation frequency.
     pub x: IntervalSeries<N>,
     /// r/√λ, the inverse of `x`.
     pub slow: IntervalSeries<N>,
@@ -116,28 +117,28 @@ pub(crate) struct ChainStage<const N: usize> {
     pub modes: Vec<ModeStage<N>>,
     /// 1/r.
     pub inverse: IntervalSeries<N>,
-    /// κ, the product of cosines by which the functions are multiplied. `None` if it is 1.
+    /// κ, the product of cosines that is a factor of the functions. `None` if it is 1.
     pub kappa: Option<IntervalSeries<N>>,
     /// κV, real and imaginary part. V is the response of the contact to the load.
     pub excitation: [IntervalSeries<N>; 2],
-    /// κU, with U the velocity of the contact from friction at a reversal.
+    /// κU, with U the velocity of the contact that friction causes at a reversal.
     pub quadrature: IntervalSeries<N>,
-    /// κG, with G the displacement of the contact from friction at a reversal.
+    /// κG, with G the displacement of the contact that friction causes at a reversal.
     pub displacement: IntervalSeries<N>,
     /// κ(m* + H_c), where m* + H_c is the velocity constraint for τ → 0.
     pub start: IntervalSeries<N>,
-    /// κ(μm* + H_c), where μm* + H_c is the break-away condition.
+    /// κ(μm* + H_c), where μm* + H_c is the break-away term.
     pub break_away: IntervalSeries<N>,
 }
 
-/// If the cosine of an undamped mode is below this value, the functions are multiplied by it. Tuned: a quotient by a
-/// smaller cosine is wide over an interval of r, but each factor of κ needs further products.
+/// Absolute value of the cosine of an undamped mode below which κ contains this cosine. The value is tuned. A quotient
+/// by a smaller cosine is wide over an interval of r, but each factor of κ costs products.
 const SINGULAR: f64 = 0.2;
-/// Distance from x = 1 below which the pole of V is removed together with the zero of the cosine. At larger distances
-/// x² − 1 is not small, so the quotient is safe.
+/// Distance of x from 1 below which the pole of V and the zero of the cosine cancel. At larger distances x² − 1 is not
+/// small, so that the code may divide by it.
 const RESONANT: f64 = 0.5;
 
-/// Returns, for each mode, true if the functions are multiplied by its cosine near r.
+/// Returns one flag for each mode. The flag is true if κ contains the cosine of the mode near r.
 pub(crate) fn singular(chain: &IntervalChain, r: f64) -> Vec<bool> {
     let modes = chain.modes.iter();
     let cosine = |mode: &Oscillator| {
@@ -258,7 +259,7 @@ impl<const N: usize> ChainStage<N> {
         }
     }
 
-    /// Makes the series over an interval narrower, with the series `at` a point in the interval.
+    /// Makes the series over an interval narrower, by means of the series `at` a point in the interval.
     pub fn refine(&mut self, at: &Self, away: Interval) {
         for (over, at) in self.excitation.iter_mut().zip(&at.excitation) {
             *over = over.refined(at, away);

@@ -1,15 +1,15 @@
 //! A witness: an instant, as a polynomial in r, at which the velocity constraint is nearly largest. The module also
-//! computes β_lim for that constraint.
+//! computes β_lim from the constraint of the witness.
 
 use crate::series::IntervalSeries;
 use crate::stage::ChainStage;
 use crate::{early, force};
 use frictiongen_model::interval::Interval;
 
-/// The assumed position of the largest velocity constraint, for all r of an interval.
+/// Assumed position of the largest velocity constraint, for all r of an interval.
 #[derive(Clone, Debug)]
 pub(crate) enum Witness {
-    /// The break-away condition. For μ = 1 it equals the constraint at the start of the half period.
+    /// The break-away term. For μ = 1 it equals the constraint at the start of the half period.
     BreakAway,
     /// The instant τ = πt, with the coefficients of t as a polynomial in r − r₀. The constraint is F/sin τ.
     Instant(Vec<f64>),
@@ -42,8 +42,8 @@ pub(crate) fn polynomial<const N: usize>(
 
 /// The values of a witness at the frequency ratios of an interval.
 ///
-/// D = N sin τ − F must be positive at all other instants, with N slightly above the constraint. For a witness near the
-/// start, D/τ takes the place of D.
+/// N is slightly above the constraint of the witness. The proof must show that D = N sin τ − F is positive at all other
+/// instants. For a witness near the start, D/τ takes the place of D.
 #[derive(Clone, Debug)]
 pub(crate) struct WitnessInstant<const N: usize> {
     /// The instant t = τ/π, in half-turns.
@@ -54,9 +54,10 @@ pub(crate) struct WitnessInstant<const N: usize> {
     pub turn: IntervalSeries<N>,
     /// κ times the velocity constraint of the witness. The largest constraint is at least as large.
     pub constraint: IntervalSeries<N>,
-    /// (κU)² + (κQ)², with U the velocity of the contact from friction and Q the constraint of the witness.
+    /// (κU)² + (κQ)². U is the velocity of the contact that friction causes, and Q the constraint of the witness.
     pub size: IntervalSeries<N>,
-    /// The slope in τ of D, or of D/τ for a witness near the start. Here the witness's constraint takes the place of N.
+    /// The slope in τ of D, or of D/τ for a witness near the start. In this D, the witness's constraint takes the place
+    /// of N.
     pub rise: IntervalSeries<N>,
 }
 
@@ -101,7 +102,7 @@ impl<const N: usize> WitnessInstant<N> {
         }
     }
 
-    /// Makes the series over an interval narrower, with the series `at` a point in the interval.
+    /// Makes the series over an interval narrower, by means of the series `at` a point in the interval.
     pub fn refine(&mut self, at: &Self, away: Interval) {
         self.constraint = self.constraint.refined(&at.constraint, away);
         self.size = self.size.refined(&at.size, away);

@@ -1,4 +1,4 @@
-//! Errors of a description. The reader collects them and returns all at once.
+//! Errors of a description. The parser collects all errors and returns them together.
 
 use core::fmt;
 
@@ -47,7 +47,7 @@ pub struct Place {
     pub line: usize,
     /// The column, counted in characters from 1.
     pub column: usize,
-    /// Index of the token in a list that the caller keeps; `None` for a text.
+    /// Index of the token in the caller's list, or `None` for a text.
     pub token: Option<usize>,
 }
 
@@ -60,7 +60,7 @@ pub struct Problem {
     pub message: String,
 }
 
-/// Marks an error as reported, so that the caller does not report it again.
+/// Return value of a function that has already reported its error. The caller must not report the error again.
 #[derive(Clone, Copy, Debug)]
 pub struct Reported;
 
@@ -86,7 +86,7 @@ impl Problems {
         self.list.is_empty()
     }
 
-    /// Returns true if more than 100 errors were reported. Advice for further errors would no longer help.
+    /// Returns true if the list has more than 100 errors. The code then adds no advice to further errors.
     pub(crate) fn are_many(&self) -> bool {
         self.list.len() > 100
     }

@@ -1,7 +1,7 @@
-//! Reads scene descriptions: text to tokens, tokens to a syntax tree, the tree to a scene.
+//! Reads scene descriptions: from text to tokens, from tokens to a syntax tree, and from the tree to a scene.
 //!
-//! `parse` reads tokens into a syntax tree with positions. `lower` resolves the names of that tree
-//! and checks the scene. A macro passes its own tokens to [`parse_tokens`].
+//! `parse` converts tokens to a syntax tree with positions. `lower` resolves the names in that tree and checks the
+//! scene. A macro passes its own tokens to [`parse_tokens`].
 
 mod diagnostics;
 mod lower;
@@ -49,7 +49,7 @@ pub fn read_scene(text: &str) -> Result<Scene, Diagnostics> {
     }
 }
 
-/// Parses a text. Returns `None` if a bracket or a comment is not closed. In that case no other error is reported.
+/// Parses a text. If a bracket or a comment is not closed, the function reports only this error and returns `None`.
 pub fn parse_text(text: &str, problems: &mut Problems) -> Option<Syntax> {
     let (tokens, end) = parse::lex(text, problems).ok()?;
     Some(parse_tokens(&tokens, end, problems))

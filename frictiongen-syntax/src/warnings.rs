@@ -1,4 +1,4 @@
-//! Warnings: descriptions that are valid, but most likely not what the author means.
+//! Warnings about descriptions that are valid, but probably not what the author wanted.
 
 use frictiongen_model::modal::Modal;
 use frictiongen_model::scene::Damping;
@@ -9,9 +9,10 @@ use crate::lower::Located;
 use crate::parse::number::hundredth;
 use crate::parse_text;
 
-/// Returns the warnings about a valid description. Returns `None` if there are none.
+/// Returns the warnings about a valid description, or `None` if there are none.
 ///
-/// A warning marks a mode at or beyond critical damping. Such a damping ratio was usually meant as a percentage.
+/// A warning marks a mode at or beyond critical damping. The author of such a damping ratio has probably written a
+/// percentage.
 ///
 /// ```
 /// let text = "struct Block {

@@ -4,7 +4,7 @@ use super::shared::FileArgument;
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
-/// The form in which tables are written.
+/// Output format of `frictiongen compile`: Rust, C or JSON.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum TableFormat {
     /// Rust.
@@ -21,10 +21,10 @@ pub struct CompileArguments {
     /// The description.
     #[command(flatten)]
     pub file: FileArgument,
-    /// Largest relative error of an answer; for a phase, largest error in radians
+    /// Largest error of a result: relative, or in radians for a phase [default: as in the description]
     #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
     pub accuracy: Option<String>,
-    /// Largest size of the tables in bytes, instead of --accuracy; the command takes the best accuracy that fits
+    /// Largest size of the tables in bytes, instead of --accuracy; the command then chooses the best accuracy that fits
     #[arg(
         long,
         value_name = "BYTES",
@@ -46,16 +46,18 @@ pub struct CompileArguments {
     /// Range of angular frequencies in rad/s, instead of --r
     #[arg(long, value_name = "a:b", allow_hyphen_values = true, conflicts_with_all = ["r", "hz"])]
     pub omega: Option<String>,
-    /// Keep limits on the safe side: beta_lim never above its exact value, beta*_lim never below
+    /// Keep limits on the safe side: beta_lim never above its exact value, beta*_lim never below its exact value
     #[arg(long)]
     pub safe: bool,
-    /// Prove the accuracy at every r, which may take some seconds. Without this option it is only checked at points
+    /// Prove the accuracy at every r, which may take some seconds. Without this option the command only compares the
+    /// tables with exact values at many points
     #[arg(long)]
     pub prove: bool,
-    /// Print code or data instead of the figures
+    /// Print code or data in this format [default: a summary of the tables]
     #[arg(long, value_enum)]
     pub format: Option<TableFormat>,
-    /// Prefix of all names in C [default: the scene's name]. Two tables of one scene need two names
+    /// Prefix of all names in C [default: the scene's name]. If one program uses two tables of one scene, they need
+    /// different prefixes
     #[arg(long, value_name = "NAME")]
     pub name: Option<String>,
     /// Write to this file instead of standard output

@@ -6,14 +6,14 @@ use super::shared::{
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
-/// The state from which the motion at each point of a curve starts.
+/// Initial state of the motion at each point of a curve.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum StartFrom {
-    /// Start from rest at every point.
+    /// Rest, at every point.
     Rest,
-    /// Raise the frequency, and start each point from the state of the previous one.
+    /// The state at the previous point, while the frequency increases.
     Up,
-    /// Lower the frequency, and start each point from the state of the previous one.
+    /// The state at the previous point, while the frequency decreases.
     Down,
 }
 
@@ -55,7 +55,7 @@ pub struct CurveArguments {
     /// `accel(roof)`; may be given more than once [default: contact and every mass]
     #[arg(long, value_name = "NAME")]
     pub of: Vec<String>,
-    /// Largest deviation of the curve from straight lines between its points, relative to the curve [default: 5e-4]
+    /// Largest deviation between the curve and straight lines through its points, relative to the curve [default: 5e-4]
     #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
     pub accuracy: Option<String>,
     /// Print also the harmonics X_1, X_2, ... up to order N
@@ -64,10 +64,11 @@ pub struct CurveArguments {
     /// Print also velocities and accelerations
     #[arg(long)]
     pub rates: bool,
-    /// Start each point from rest, or sweep the frequency up or down; several with commas [default: rest]
+    /// Initial state of each point: rest, or the state of the previous point (up or down in frequency); several with
+    /// commas [default: rest]
     #[arg(long, value_enum, value_delimiter = ',')]
     pub from: Vec<StartFrom>,
-    /// Draw these axes of a picture logarithmically
+    /// Use logarithmic axes in a picture: the frequency axis (x), the amplitude axes (y) or both (xy)
     #[arg(long, value_enum)]
     pub log: Option<LogAxes>,
     /// Write to this file; the file extension sets the format: .csv, .json, .svg; .png with the feature png
@@ -86,7 +87,7 @@ pub enum Shade {
     Regime,
     /// Fraction of the period during which the contact sticks.
     Stuck,
-    /// Amplitude of the first motion that was asked for.
+    /// Amplitude of the first requested motion.
     Amplitude,
 }
 
@@ -100,7 +101,7 @@ pub struct MapArguments {
     /// be given more than once [default: contact and every mass]
     #[arg(long, value_name = "NAME")]
     pub of: Vec<String>,
-    /// Print the boundaries between regions, to this many significant digits, instead of the points
+    /// Print the boundaries between the regions instead of the points, to this many significant digits
     #[arg(long, value_name = "DIGITS", allow_hyphen_values = true)]
     pub boundaries: Option<String>,
     /// Quantity that the colours of a picture show
@@ -120,16 +121,16 @@ pub struct TimeArguments {
     /// The scene, the frequency and the friction.
     #[command(flatten)]
     pub point: PointArguments,
-    /// Number of cycles of the excitation to print [default: 10]
+    /// Number of excitation cycles to print [default: 10]
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     pub cycles: Option<String>,
-    /// Number of cycles to compute before the first printed one [default: 0]
+    /// Number of excitation cycles to compute before the first printed one [default: 0]
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     pub skip: Option<String>,
     /// Number of samples in a cycle, an even number [default: 200]
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     pub samples: Option<String>,
-    /// Start from this state instead of rest: displacements and velocities of all masses, x1,...;v1,...
+    /// Initial state: displacements and velocities of all masses, x1,...;v1,... [default: rest]
     #[arg(long, value_name = "STATE", allow_hyphen_values = true)]
     pub from: Option<String>,
     /// Print one period of the steady state instead of a run
@@ -183,7 +184,7 @@ pub struct OptimumArguments {
     /// `vel(roof)`, `accel(roof)`, `slip(contact)`, `force(contact)`
     #[arg(long, value_name = "NAME")]
     pub of: String,
-    /// Optimise one number of the description too, between a and b, for example `k base - lower=a:b`
+    /// Vary one number of the description between a and b as well, for example `k base - lower=a:b`
     #[arg(long, value_name = "NAME=a:b", allow_hyphen_values = true)]
     pub vary: Option<String>,
     /// The format.
@@ -211,10 +212,10 @@ pub struct FeaturesArguments {
     /// Range of angular frequencies in rad/s, instead of --r
     #[arg(long, value_name = "a:b", allow_hyphen_values = true, conflicts_with_all = ["r", "hz"])]
     pub omega: Option<String>,
-    /// Print also the features at these friction ratios beta = F/P, for base motion F/(k1 Y)
+    /// Friction ratios beta = F/P (base motion: F/(k1 Y)) for which to print features as well
     #[arg(long, value_name = "GRID", allow_hyphen_values = true)]
     pub beta: Option<String>,
-    /// Kinetic friction forces F in N, instead of --beta; needs --force or --base
+    /// Kinetic friction forces F in N for which to print features, instead of --beta; needs --force or --base
     #[arg(
         long,
         value_name = "GRID",

@@ -54,10 +54,10 @@ pub enum Command {
     /// Print regimes, amplitudes, phases and harmonics over frequency and friction
     #[command(after_help = format!("{RESPONSES}{UNITS}{GRIDS}"))]
     Response(ResponseArguments),
-    /// Print the steady state that motion from rest reaches, also where the contact stops
+    /// Print the steady state that motion from rest reaches, in every regime
     #[command(after_help = format!("{ORBITS}{STATES}{UNITS}{GRIDS_IN_TIME}"))]
     Orbit(OrbitArguments),
-    /// Draw or print responses along frequency in every regime, with more points where a curve bends
+    /// Draw or print responses over frequency in every regime, with more points where a curve bends
     #[command(after_help = format!("{CURVES}{UNITS}{RANGES}"))]
     Curve(CurveArguments),
     /// Draw or print a map of the regimes over frequency and friction
@@ -76,10 +76,10 @@ pub enum Command {
     #[cfg(feature = "report")]
     #[command(after_help = format!("{}{UNITS}{}", report::REPORTS, report::RANGES))]
     Report(ReportArguments),
-    /// Print derivatives of amplitude, phase and limits with respect to every parameter, in any regime
+    /// Print derivatives of amplitude, phase and limits with respect to every parameter, in every regime
     #[command(after_help = format!("{SENSITIVITIES}{UNITS}{GRIDS_IN_TIME}"))]
     Sensitivity(SensitivityArguments),
-    /// Find the driving frequency, the transmissibility and the phase in recordings
+    /// Find the excitation frequency, the transmissibility and the phase in recordings
     #[command(after_help = RECORDINGS)]
     Transmissibility(TransmissibilityArguments),
     /// Find the friction force from recordings, with its 95 % interval
@@ -99,11 +99,11 @@ pub enum Command {
     /// List the differences between two descriptions: parameters, natural frequencies, answers and emitted code
     #[command(after_help = DIFFERENCES)]
     Diff(DiffArguments),
-    /// List every error of a description, each with its line, or its frequencies, damping and mass
+    /// List every error of a description with its line. For a valid description, list frequencies, damping and mass
     Check(CheckArguments),
     /// Write a commented description as a starting point
     New(NewArguments),
-    /// Print a script that completes the words of this command in a shell
+    /// Print a script that completes the commands and options of this program in a shell
     Completions(CompletionsArguments),
     /// Print the manual page, in roff
     Man(ManArguments),

@@ -1,4 +1,4 @@
-//! Arguments of the commands that answer on a grid of points: limits, responses and steady states.
+//! Arguments of the commands that compute at each point of a grid: limits, responses and steady states.
 
 use super::shared::{
     FileArgument, FormatArguments, FrequencyArguments, LoadArguments, PointArguments,
@@ -51,7 +51,8 @@ pub struct OrbitArguments {
     /// Print also the harmonics X_0, X_1, ... up to order N
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     pub harmonics: Option<String>,
-    /// Print every steady state that is found, not only the one that motion from rest reaches
+    /// Print every steady state that the search finds. Without this option, only the state that motion from rest
+    /// reaches
     #[arg(long)]
     pub states: bool,
     /// The format.

@@ -13,10 +13,11 @@ pub struct RecordingArguments {
     /// Recordings, as CSV or UFF58
     #[arg(value_name = "RECORDING", required = true)]
     pub recordings: Vec<PathBuf>,
-    /// Column and unit of a channel: base, force or a mass; may be given more than once [default: by name]
+    /// Column and unit of the base motion, of the force or of a mass, as NAME=COLUMN:UNIT; may be given more than once
+    /// [default: the column with this name]
     #[arg(long, value_name = "NAME=COLUMN:UNIT")]
     pub channel: Vec<String>,
-    /// Samples per second, if no column has the time
+    /// Samples per second, for recordings without a time column
     #[arg(long, value_name = "HZ", allow_hyphen_values = true)]
     pub rate: Option<String>,
 }
@@ -35,7 +36,7 @@ pub struct TransmissibilityArguments {
     pub output: Option<PathBuf>,
 }
 
-/// The quantities of a motion that are compared.
+/// Quantities of the motion that the command compares with the recording.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum By {
     /// Amplitude and phase.
@@ -47,14 +48,14 @@ pub enum By {
     Phase,
 }
 
-/// An unknown that is fitted together with the friction force.
+/// An unknown that the command fits together with the friction force.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Also {
     /// One damping ratio for all modes.
     Damping,
     /// A factor on all natural frequencies.
     Frequency,
-    /// Static over kinetic friction. Only motions with stops depend on it.
+    /// The ratio μ of static to kinetic friction. Only motions with stops depend on it.
     Stiction,
 }
 
@@ -64,7 +65,7 @@ pub struct IdentifyArguments {
     /// The description and the recordings.
     #[command(flatten)]
     pub recordings: RecordingArguments,
-    /// Quantities that are compared with the recording
+    /// Compare these quantities with the recording
     #[arg(long, value_enum, default_value_t)]
     pub by: By,
     /// Use only this mass; may be given more than once [default: every recorded mass]
@@ -73,19 +74,19 @@ pub struct IdentifyArguments {
     /// Fit this unknown together with the friction force; may be given more than once
     #[arg(long, value_enum)]
     pub also: Vec<Also>,
-    /// Use also the odd harmonics up to order N
+    /// Compare the odd harmonics up to order N as well
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     pub harmonics: Option<String>,
-    /// Range of friction forces to search, in N [default: from 0 to where the contact is stuck]
+    /// Range of friction forces to search, in N [default: from 0 to the force at which the contact is stuck]
     #[arg(long, value_name = "a:b", allow_hyphen_values = true)]
     pub between: Option<String>,
-    /// The recording is a free vibration of a scene with one mass
+    /// Treat the recording as a free vibration of a scene with one mass
     #[arg(long, conflicts_with_all = ["by", "mass", "harmonics", "between"])]
     pub decay: bool,
     /// The format.
     #[command(flatten)]
     pub format: FormatArguments,
-    /// Write to this file; .csv and .json have the answers, .svg (and .png with the feature png) shows the residuals
+    /// Write to this file: the answers as .csv or .json, or the residuals as .svg (.png with the feature png)
     #[arg(short, long, value_name = "OUT")]
     pub output: Option<PathBuf>,
 }
@@ -96,10 +97,10 @@ pub struct FitArguments {
     /// File with the description, whose values are the first guess; standard input if it is -
     #[arg(value_name = "FILE")]
     pub scene: PathBuf,
-    /// The sweep, as CSV: frequency_Hz, and NAME.transmissibility and NAME.deviation of masses
+    /// Sweep as CSV, with the columns frequency_Hz, and NAME.transmissibility and NAME.deviation for each mass
     #[arg(value_name = "SWEEP")]
     pub sweep: PathBuf,
-    /// Fit also one damping ratio for all modes
+    /// Fit one damping ratio for all modes as well
     #[arg(long)]
     pub damping: bool,
     /// The format.

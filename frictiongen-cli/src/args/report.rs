@@ -47,7 +47,7 @@ pub struct ReportArguments {
     /// The load.
     #[command(flatten)]
     pub load: LoadArguments,
-    /// Print only this mass, or `contact`; may be given more than once [default: see below]
+    /// Show only this mass, or `contact`; may be given more than once [default: see below]
     #[arg(long, value_name = "NAME")]
     pub of: Vec<String>,
     /// Write to this file instead of standard output
@@ -55,7 +55,7 @@ pub struct ReportArguments {
     pub output: Option<PathBuf>,
 }
 
-/// A range of frequencies as ratios, in Hz or in rad/s. It may be left out.
+/// An optional range of frequencies, as ratios, in Hz or in rad/s.
 #[derive(Debug, Args)]
 #[group(multiple = false)]
 struct RangeArguments {
@@ -70,7 +70,7 @@ struct RangeArguments {
     omega: Option<String>,
 }
 
-/// Frictions as ratios or in N. They may be left out.
+/// Optional frictions, as ratios or as forces in N.
 #[derive(Debug, Args)]
 #[group(multiple = false)]
 struct LevelArguments {

@@ -10,19 +10,19 @@ pub struct FileArgument {
     pub file: Option<PathBuf>,
 }
 
-/// The format in which numbers are printed. A table by default.
+/// The format in which the command prints numbers. The default is a table.
 #[derive(Debug, Args)]
 pub struct FormatArguments {
     /// Print JSON; infinity is the string "inf"
     #[arg(long, conflicts_with = "csv")]
     pub json: bool,
-    /// Print CSV, every number with all its digits
+    /// Print CSV with all digits of every number
     #[arg(long)]
     pub csv: bool,
-    /// In CSV, add a second line with the units of the columns
+    /// In CSV, print the units of the columns in a second line
     #[arg(long, conflicts_with = "json")]
     pub unit_row: bool,
-    /// In CSV, begin with comment lines (#): the scene, its natural frequencies, the load
+    /// In CSV, print comment lines (#) first: the scene, its natural frequencies, the load
     #[arg(long, conflicts_with = "json")]
     pub comments: bool,
 }
@@ -54,17 +54,17 @@ pub struct FrictionArguments {
     pub friction: Option<String>,
 }
 
-/// The amplitude of the load. With it, answers are in N and m.
+/// The amplitude of the load. With a load, results are in N and m.
 #[derive(Debug, Args)]
 pub struct LoadArguments {
     /// Amplitude P of the force in N, if a force on a mass drives the scene
     #[arg(long, value_name = "P", allow_hyphen_values = true)]
     pub force: Option<String>,
-    /// Amplitude Y of the base motion in m, if the base drives the scene; or the same velocity or acceleration at every
-    /// frequency: `0.1 m/s`, `2 m/s2`, `0.2g`
+    /// Amplitude Y of the base motion in m, if the base drives the scene. With a unit, a velocity or an acceleration
+    /// that is the same at every frequency: `0.1 m/s`, `2 m/s2`, `0.2g`
     #[arg(long, value_name = "Y", allow_hyphen_values = true)]
     pub base: Option<String>,
-    /// Unbalance m e of a rotor in kg m, instead of --force: a force m e omega^2
+    /// Unbalance m e of a rotor in kg m, instead of --force. The force is m e omega^2
     #[arg(
         long,
         value_name = "ME",

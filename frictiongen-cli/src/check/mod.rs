@@ -1,5 +1,5 @@
-//! `frictiongen check`: prints the errors and warnings of a description as a compiler does. Then it
-//! prints the numbers that show a wrong unit.
+//! `frictiongen check`: prints the errors and warnings of a description in the style of a compiler. For a valid
+//! description, prints numbers that reveal a wrong unit.
 
 mod numbers;
 
@@ -44,7 +44,7 @@ pub fn run(arguments: &CheckArguments, out: &mut dyn Write) -> Result<(), Failur
     Ok(out.flush()?)
 }
 
-/// Formats an error or a warning with its line of the description.
+/// Returns an error or a warning as text, with the affected line of the description.
 fn shown(name: &str, text: &str, error: &Diagnostic, level: Level<'_>) -> String {
     let snippet = Snippet::source(text)
         .path(name)

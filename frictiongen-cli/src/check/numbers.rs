@@ -1,4 +1,4 @@
-//! Writes the numbers by which an engineer recognises a wrong unit: frequencies, damping, mass and static displacement.
+//! Prints numbers that reveal a wrong unit: natural frequencies, damping, mass and static displacement.
 
 use crate::number::computed;
 use crate::summary::row;
@@ -7,9 +7,9 @@ use frictiongen::study::scene::{Excitation, Scene};
 use frictiongen::study::units::{Load, hertz};
 use std::io::{self, Write};
 
-/// Base motion under which the static displacement is written, in m.
+/// Base motion for the printed static displacement, in m.
 const BASE: f64 = 1e-3;
-/// Force under which the static displacement is written, in N.
+/// Force for the printed static displacement, in N.
 const FORCE: f64 = 1.0;
 
 /// Writes natural frequencies in Hz, modal damping ratios, the total mass, and the static displacement under a load.
@@ -55,7 +55,7 @@ pub fn write(scene: &Scene, out: &mut dyn Write) -> io::Result<()> {
     Ok(())
 }
 
-/// Largest number of masses of which every static displacement is written.
+/// Largest number of masses for which the command prints every static displacement.
 const MOST: usize = 4;
 
 /// Returns the static displacement x̄ of each mass under a unit load, while the contact carries no force.

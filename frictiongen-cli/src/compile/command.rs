@@ -1,10 +1,10 @@
-//! Writes the command, as a user can repeat it, into the head of an emitted file.
+//! Text of the command for the head of an emitted file, in a form that a user can run again.
 
 use crate::args::{CompileArguments, FileArgument, TableFormat};
 use std::path::Path;
 
-/// Returns the command with its options. File names have no folders, so that the same description gives the same text
-/// everywhere.
+/// Returns the command with its options. The text contains file names without folders, so that the same description
+/// gives the same text on every machine.
 pub(super) fn written(arguments: &CompileArguments) -> String {
     let mut words = vec!["frictiongen".to_owned(), "compile".to_owned()];
     words.push(description(&arguments.file));
@@ -36,7 +36,7 @@ pub(super) fn written(arguments: &CompileArguments) -> String {
     words.join(" ")
 }
 
-/// Returns the argument that names the description.
+/// Returns the command-line argument for the description.
 pub fn description(file: &FileArgument) -> String {
     file.path().map_or_else(|| "-".to_owned(), name)
 }
@@ -46,7 +46,7 @@ fn name(path: &Path) -> String {
     quoted(&name.to_string_lossy())
 }
 
-/// Returns a word, quoted if a shell would otherwise split or change it.
+/// Returns a word. If a shell would split or change it, the result is in quotes.
 fn quoted(word: &str) -> String {
     let plain = |letter: char| letter.is_alphanumeric() || "-_.:,+=".contains(letter);
     if !word.is_empty() && word.chars().all(plain) {

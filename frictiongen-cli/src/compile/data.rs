@@ -7,7 +7,7 @@ use frictiongen_codegen::known::{Known, KnownMotion, Outcome};
 use frictiongen_codegen::standalone::{NOTICE, Source, UnitConstants, known_answers, scene_hash};
 use serde_json::{Value, json};
 
-/// Writes the tables as JSON. The first fields say which description and which command made them.
+/// Returns the tables as JSON. The first fields name the description and the command.
 pub(super) fn written<S: frictiongen::scalar::Float>(source: &Source<'_, S>) -> String {
     let Source {
         scene,
@@ -27,7 +27,7 @@ pub(super) fn written<S: frictiongen::scalar::Float>(source: &Source<'_, S>) -> 
     format!("{{\"generated\":{generated},\"units\":{units},\"known_answers\":{known},{tables}")
 }
 
-/// Converts to JSON the constants that connect ratios with units.
+/// Converts the constants that relate ratios to units to JSON.
 fn units<S: frictiongen::scalar::Float>(scene: &Scene) -> Value {
     let units = UnitConstants::of::<S>(scene);
     json!({

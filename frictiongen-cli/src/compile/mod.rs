@@ -20,7 +20,7 @@ use frictiongen_codegen::{Limits, SceneTables};
 use std::io::Write;
 use std::path::Path;
 
-/// Limits of the macro on a description, except for tables. The command builds tables itself, with its options.
+/// Limits of a macro on a description, without tables. The command itself builds the tables, according to its options.
 const LIMITS: Limits = Limits {
     tables: false,
     ..Limits::MACRO
@@ -92,7 +92,7 @@ fn c_prefix(scene: &Scene, arguments: &CompileArguments) -> Result<String, Failu
     Ok(name.clone())
 }
 
-/// Lists on standard error the items of `provide` that the files leave out.
+/// Prints a line on standard error about those items of `provide` that the files do not contain.
 fn say_what_is_left_out(scene: &Scene) {
     let word = |item: &Provide| match item {
         Provide::Motion(Some(masses)) if !masses.is_empty() => {
@@ -115,7 +115,7 @@ fn say_what_is_left_out(scene: &Scene) {
     }
 }
 
-/// Replaces the accuracy, range and side in the description by those of the options.
+/// Replaces the accuracy, range and side of the description by those that the options give.
 fn declare(scene: &mut Scene, arguments: &CompileArguments) -> Result<(), Failure> {
     let declared = &mut scene.declared;
     // The option --prove decides whether there is a proof, not the proof that the description requests from the macro.
@@ -152,7 +152,7 @@ fn declare(scene: &mut Scene, arguments: &CompileArguments) -> Result<(), Failur
     checked.map(drop).map_err(told)
 }
 
-/// Returns the range of r that --r, --hz or --omega gives.
+/// Returns the range of r from --r, --hz or --omega, or `None` without these options.
 fn range(scene: &Scene, arguments: &CompileArguments) -> Result<Option<(f64, f64)>, Failure> {
     let options = [
         (&arguments.r, "--r", FrequencyUnit::Ratio, "0.2:2.5"),
@@ -245,7 +245,7 @@ fn write<S: frictiongen::scalar::Float>(
     }
 }
 
-/// Returns the sentence about the accuracy of the tables between the points that were checked.
+/// Returns a sentence about the accuracy of the tables between the checked points.
 fn told<S: frictiongen::scalar::Float>(tables: &Tables<S>, proof: &Proof, proves: bool) -> String {
     if proves || proof.evidence != Evidence::Checked {
         return proof.told();
@@ -259,7 +259,8 @@ fn told<S: frictiongen::scalar::Float>(tables: &Tables<S>, proof: &Proof, proves
     format!("Checked at {points} points, not proven: between them an error may be larger{remedy}.")
 }
 
-/// Returns the summary of the tables, one number in each line. `proves` is true if a proof was requested.
+/// Returns the summary of the tables as text, one number in each line. `proves` is true if the user has requested a
+/// proof.
 fn figures<S: frictiongen::scalar::Float>(
     scene: &Scene,
     tables: &Tables<S>,

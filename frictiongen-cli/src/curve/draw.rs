@@ -36,7 +36,7 @@ pub fn draw(report: &CurveReport, form: Form, out: &mut dyn Write) -> Result<(),
     picture::write(figure, &report.system, form, out)
 }
 
-/// Returns the legend's words for the start of a curve's motions.
+/// Returns the words in the legend for the initial states of a curve.
 fn way(start: CurveStart) -> &'static str {
     match start {
         CurveStart::Rest => ", from rest",

@@ -1,4 +1,4 @@
-//! `frictiongen curve`: computes responses along frequency in every regime.
+//! `frictiongen curve`: computes responses over frequency in every regime.
 
 #[cfg(feature = "pictures")]
 mod draw;
@@ -107,8 +107,8 @@ pub fn run(arguments: &CurveArguments, out: &mut dyn Write) -> Result<(), Failur
     Ok(())
 }
 
-/// Returns the curves for these pairs of friction ratio and start. After Ctrl-C the curves that have not begun are
-/// `None`.
+/// Returns one curve for each pair of friction ratio and initial state. After Ctrl-C, the curves that have not begun
+/// are `None`.
 fn followed(
     system: &System,
     request: &CurveRequest,
@@ -131,7 +131,7 @@ fn stopped(done: usize, all: usize) -> Failure {
     ))
 }
 
-/// Returns the starts of the curves in the order of the options, each once.
+/// Returns the initial states of the curves. Each occurs once, in the order of the options.
 fn starts(asked: &[StartFrom]) -> Result<Vec<CurveStart>, Failure> {
     let mut starts = Vec::new();
     for from in asked {

@@ -1,4 +1,4 @@
-//! Writes curves: one line for each point, with the number of its piece.
+//! Table of curves, with one line for each point. Each line has the index of the piece of its curve.
 
 #[cfg(feature = "pictures")]
 use crate::args::LogAxes;
@@ -13,28 +13,28 @@ use frictiongen::System;
 use frictiongen::study::columns::{Column, CurveRow, CurveTable, Friction, Setting};
 use frictiongen::study::curve::{Curve, CurveRequest};
 
-/// The curves, with the settings that are needed to write them.
+/// The curves, with the settings for their output.
 pub struct CurveReport {
     /// The system that the answers describe.
     pub system: System,
-    /// Range of frequencies over which the answers are computed.
+    /// Range of frequencies of the results.
     pub band: Band,
-    /// Frictions for which the answers are computed.
+    /// Frictions of the results.
     pub frictions: Frictions,
-    /// Units of the answers: SI units under a load, otherwise non-dimensional groups.
+    /// Units of the results: SI units under a load, otherwise non-dimensional groups.
     pub measure: Measure,
-    /// The contact and masses whose motions are written.
+    /// The contact and masses whose motions the output contains.
     pub parts: Vec<Part>,
-    /// True for velocities and accelerations of every motion.
+    /// True if the output contains velocities and accelerations of every motion.
     pub rates: bool,
-    /// The request that made the curves.
+    /// The request from which the library computed the curves.
     pub request: CurveRequest,
-    /// The curves, one for each friction and start.
+    /// The curves, one for each friction and initial state.
     pub curves: Vec<(Friction, Curve)>,
     /// The axes of a picture that are logarithmic.
     #[cfg(feature = "pictures")]
     pub log: LogAxes,
-    /// True if the user requested a start other than rest.
+    /// True if the user has requested an initial state other than rest.
     pub swept: bool,
 }
 

@@ -1,15 +1,15 @@
-//! Largest differences between the answers of two scenes at the same frequencies and friction forces.
+//! Largest differences between the results of two scenes at the same frequencies and friction forces.
 
 use frictiongen::System;
 use frictiongen::study::scene::{Excitation, FrictionLaw};
 use frictiongen::study::units::{Load, hertz};
 
-/// Number of frequencies at which answers are compared.
+/// Number of frequencies for the comparison.
 pub const FREQUENCIES: u32 = 400;
-/// Bounds of the compared frequencies: the lowest relative to the lowest natural frequency, the highest relative to the
-/// highest one.
+/// Bounds of the frequencies for the comparison: the lowest over the lowest natural frequency, and the highest over the
+/// highest natural frequency.
 const BAND: (f64, f64) = (0.2, 1.5);
-/// Friction of the compared motions, relative to the smaller limit of the old scene.
+/// Friction for the comparison of motions, relative to the smaller limit of the old scene.
 const FRICTION: f64 = 0.5;
 
 /// Words for the frequencies at which both limits are finite.
@@ -17,10 +17,10 @@ const FINITE: &str = "where both are finite";
 /// Words for the frequencies at which both scenes have a continuous motion.
 const CONTINUOUS: &str = "where both motions are continuous";
 
-/// Largest difference of an answer over the frequencies.
+/// Largest difference of one result over the frequencies.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Difference {
-    /// Name of the answer.
+    /// Name of the result.
     pub name: String,
     /// Unit of both values.
     pub unit: &'static str,
@@ -28,29 +28,29 @@ pub struct Difference {
     pub hertz: f64,
     /// Old and new value at this frequency.
     pub values: (f64, f64),
-    /// Difference of the two values at this frequency, over the larger value.
+    /// Difference of the two values at this frequency, divided by the larger value.
     pub relative: f64,
     /// Median of the relative differences.
     pub median: f64,
-    /// Number of frequencies at which both scenes have an answer.
+    /// Number of frequencies at which both scenes have a result.
     pub compared: usize,
-    /// Words for the compared frequencies, if they are not all frequencies of the band.
+    /// Words for the compared frequencies, if a comparison was not possible at all frequencies of the band.
     pub where_both: &'static str,
 }
 
 /// Natural frequencies of both scenes in Hz, mode by mode.
 pub type Modes = Vec<(Option<f64>, Option<f64>)>;
 
-/// Comparison of the answers of two scenes.
+/// Comparison of the results of two scenes.
 #[derive(Clone, Debug, Default)]
 pub struct Answers {
     /// Natural frequencies.
     pub modes: Modes,
-    /// Lowest and highest compared frequency, Hz.
+    /// Lowest and highest compared frequency, in Hz.
     pub band: Option<(f64, f64)>,
-    /// Largest differences, one for each answer.
+    /// Largest differences, one for each kind of result.
     pub differences: Vec<Difference>,
-    /// Reasons why answers could not be compared.
+    /// Reasons why some comparison was not possible.
     pub left_out: Vec<String>,
 }
 
@@ -112,7 +112,7 @@ pub fn compare(old: &System, new: &System) -> Answers {
     answers
 }
 
-/// Returns the masses that one of the scenes does not have.
+/// Returns a sentence about masses that only one scene has. `None` if both scenes have the same masses.
 fn unshared(old: &System, new: &System) -> Option<String> {
     let has =
         |system: &System, name: &str| system.scene().masses.iter().any(|mass| mass.name == name);
@@ -126,7 +126,7 @@ fn unshared(old: &System, new: &System) -> Option<String> {
     (!names.is_empty()).then(|| format!("motions of {}: only one scene has them", names.join(", ")))
 }
 
-/// Numbers of one answer over the frequencies.
+/// Values of one result over the frequencies.
 struct Series {
     name: String,
     unit: &'static str,

@@ -9,14 +9,14 @@ use similar::{ChangeTag, TextDiff};
 pub struct Code {
     /// Lines of source.
     pub lines: (usize, usize),
-    /// Number of lines that only the old source contains, and of lines that only the new source contains.
+    /// Number of lines in only the old source, and number of lines in only the new source.
     pub differing: (usize, usize),
     /// Bytes of source.
     pub bytes: (usize, usize),
     /// Bytes of tables with a declared accuracy.
     pub tables: (usize, usize),
-    /// Functions whose numbers of operations differ: name, old operations and new operations. `None` if a source lacks
-    /// the function.
+    /// Functions with a different number of operations: name, old operations and new operations. `None` if a source
+    /// does not contain the function.
     pub functions: Vec<(String, Option<String>, Option<String>)>,
 }
 
@@ -60,7 +60,7 @@ pub fn compare(old: &str, new: &str) -> Result<Code, String> {
     })
 }
 
-/// Returns the emitted source and the bytes of its tables.
+/// Returns the emitted source and the size of its tables in bytes.
 fn emitted(text: &str, which: &str) -> Result<(String, usize), String> {
     let description = parse_text(text, &Limits::MACRO).map_err(|diagnostics| {
         let first = diagnostics.list.first();

@@ -1,4 +1,4 @@
-//! `frictiongen diff`: compares two descriptions, their answers and their emitted code.
+//! `frictiongen diff`: compares two descriptions, their results and their emitted code.
 
 mod answers;
 mod code;
@@ -18,11 +18,11 @@ use serde_json::{Value as Json, json};
 use similar::TextDiff;
 use std::io::Write;
 
-/// Everything that differs between two descriptions.
+/// All differences between two descriptions.
 struct Differences {
     names: [String; 2],
     changes: Vec<Change>,
-    /// Sentences about answers of the emitted code that the comparison does not cover, for example those of tables.
+    /// Sentences about results of the emitted code that the comparison does not cover, such as those from tables.
     notes: Vec<String>,
     answers: Answers,
     code: Result<Code, String>,
@@ -57,7 +57,7 @@ pub fn run(arguments: &DiffArguments, out: &mut dyn Write) -> Result<(), Failure
     Ok(out.flush()?)
 }
 
-/// Compares two descriptions. If one has errors, returns these errors.
+/// Compares two descriptions. If a description has errors, the failure contains them.
 fn compare(names: [String; 2], texts: &[String; 2]) -> Result<Differences, Failure> {
     let mut errors = Vec::new();
     let mut systems = Vec::new();
@@ -89,8 +89,8 @@ fn compare(names: [String; 2], texts: &[String; 2]) -> Result<Differences, Failu
     })
 }
 
-/// Returns a sentence about the difference between the answers of the emitted code and those of the exact formulas in
-/// double precision.
+/// Returns a sentence if the emitted code of a scene does not use the exact formulas in double precision, which the
+/// comparison uses.
 fn note(which: &str, scene: &Scene) -> Option<String> {
     let tables = match (scene.declared.accuracy, scene.declared.budget) {
         (Accuracy::Relative(accuracy), _) => Some(format!(
@@ -104,7 +104,7 @@ fn note(which: &str, scene: &Scene) -> Option<String> {
     (!said.is_empty()).then(|| format!("the {which} emitted code {}", said.join(" and ")))
 }
 
-/// Writes the lines that differ between two texts.
+/// Writes the differing lines of two texts.
 fn unified(
     files: &[FileArgument; 2],
     texts: &[String; 2],
@@ -125,7 +125,7 @@ fn unified(
     Ok(out.flush()?)
 }
 
-/// Largest relative difference that roundings in both scenes can cause.
+/// Largest relative difference that rounding in both scenes can cause.
 const ROUNDINGS: f64 = 1e-12;
 
 /// Formats a relative change in per cent, with its sign.

@@ -5,18 +5,18 @@ use frictiongen::study::scene::{
     Side, StepInput,
 };
 
-/// A field of a description as text, and as a number if it is one.
+/// A field of a description, as text and, if possible, as a number.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Field {
     /// Name of the field, with the name of its mass or spring.
     pub name: String,
-    /// Value as a description writes it.
+    /// Value in the notation of a description.
     pub text: String,
-    /// Value as a number.
+    /// Value as a number, or `None` if it is not a number.
     pub number: Option<f64>,
 }
 
-/// A field in which two descriptions differ. A description without this field has the value `None`.
+/// A field with different values in two descriptions. The value is `None` if a description does not contain the field.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Change {
     /// Name of the field.
@@ -35,9 +35,9 @@ impl Change {
     }
 }
 
-/// Returns the old scene with the new names of its masses, and a change for each new name. A mass counts as renamed
-/// under two conditions. Both scenes have the same number of masses, and neither scene has the other scene's name of
-/// this mass.
+/// Returns the old scene with the new names of its masses, and a change for each new name. Two conditions are necessary
+/// for a new name. Both scenes have the same number of masses. The old scene does not contain the new name, and the new
+/// scene does not contain the old name.
 pub fn renamed(old: &Scene, new: &Scene) -> (Scene, Vec<Change>) {
     let (mut scene, mut changes) = (old.clone(), Vec::new());
     if old.masses.len() != new.masses.len() {
@@ -81,7 +81,7 @@ pub fn changes(old: &Scene, new: &Scene) -> Vec<Change> {
         .collect()
 }
 
-/// Returns every field of a scene that differs from its default value or has no default.
+/// Returns every field of a scene that has no default value or differs from it.
 fn fields(scene: &Scene) -> Vec<Field> {
     let mut fields = vec![word("name", scene.name.clone())];
     for mass in &scene.masses {

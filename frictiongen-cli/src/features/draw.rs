@@ -12,7 +12,7 @@ use frictiongen_plot::desk::{Drawn, Reading, Scales, keys_of, panel};
 use frictiongen_plot::{Colour, Figure, Label, Marker, Markers};
 use std::io::Write;
 
-/// The features that a picture marks. Each has a name, a marker and a legend entry.
+/// Kinds of features that a picture marks. Each has a name, a marker and a legend entry.
 const MARKS: [(&str, Marker, &str); 3] = [
     ("invariant point", Marker::Circle, "invariant point"),
     ("same amplitude", Marker::Square, "same amplitude"),
@@ -49,7 +49,7 @@ pub fn marks(
     marks
 }
 
-/// Draws each motion in a separate panel. Without a given friction it draws the motion without friction.
+/// Draws each motion in a panel of its own. If the user gives no friction, the panel shows the motion without friction.
 pub fn draw(
     report: &FeaturesReport<'_>,
     parts: &[Part],

@@ -1,4 +1,5 @@
-//! `frictiongen features`: lists the features of a scene's response without a sweep.
+//! `frictiongen features`: lists the features of a scene's response, such as resonances, thresholds and peaks, without
+//! a sweep.
 
 #[cfg(feature = "pictures")]
 pub mod draw;

@@ -1,4 +1,4 @@
-//! Writes features, one per line.
+//! Table of features, with one line for each feature.
 
 use crate::failure::Failure;
 use crate::frequency::Band;
@@ -10,19 +10,19 @@ use frictiongen::study::columns::{Column, FeatureLine, FeatureTable, Part, Setti
 use frictiongen::study::features::Sensed;
 use serde_json::{Value as Json, json};
 
-/// The features, with the settings that are needed to write them.
+/// The features, with the settings for their output.
 pub struct FeaturesReport<'s> {
     /// The system that the answers describe.
     pub system: &'s System,
-    /// Range of frequencies over which the answers are computed.
+    /// Range of frequencies of the results.
     pub band: Band,
-    /// Units of the answers: SI units under a load, otherwise non-dimensional groups.
+    /// Units of the results: SI units under a load, otherwise non-dimensional groups.
     pub measure: Measure,
     /// The features, one for each line.
     pub lines: Vec<FeatureLine>,
 }
 
-/// Returns the table of features.
+/// Returns the columns of features, for a system and its units.
 pub fn table<'a>(
     system: &'a System,
     band: &Band,
@@ -43,7 +43,7 @@ pub fn table<'a>(
 }
 
 impl FeaturesReport<'_> {
-    /// Returns the table of features.
+    /// Returns the columns of features, for the system and the units of this report.
     pub fn table(&self) -> FeatureTable<'_> {
         table(self.system, &self.band, self.measure, &[])
     }

@@ -10,10 +10,10 @@ use frictiongen_plot::Label;
 use frictiongen_plot::desk::{self, map_figure};
 use std::io::Write;
 
-/// Largest distance between a limit and its drawn line, in β/(1 + β).
+/// Largest distance between a limit and its line in the picture, in β/(1 + β).
 const LINES: f64 = 2e-4;
 
-/// Draws a map, with both limits as lines over it.
+/// Draws a map. Lines over the map show both limits.
 pub fn draw(
     report: &MapReport<'_>,
     boundaries: &[Boundary],

@@ -6,19 +6,19 @@ use crate::output::{Table, Visitor};
 use frictiongen::study::columns::{BoundaryRow, Column, MapRow, MapTable};
 use frictiongen::study::map::{Boundary, Map};
 
-/// The map, with the settings that are needed to write it.
+/// The map, with the settings for its output.
 pub struct MapReport<'m> {
     /// Grids, units, and the contact and masses whose motions the map contains.
     pub grids: Grids,
-    /// The map whose points are written.
+    /// The map.
     pub map: &'m Map,
 }
 
 /// The boundaries between the regions of a map, with the map itself.
 pub struct BoundaryReport<'m> {
-    /// The map itself.
+    /// The map with these regions.
     pub map: &'m MapReport<'m>,
-    /// The boundaries, in the order of the frequencies. At each frequency friction ascends.
+    /// The boundaries, in the order of the frequencies. At each frequency, friction ascends.
     pub boundaries: Vec<Boundary>,
 }
 

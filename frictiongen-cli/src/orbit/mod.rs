@@ -1,4 +1,4 @@
-//! `frictiongen orbit`: computes the steady state over frequency and friction, also where the contact stops.
+//! `frictiongen orbit`: computes the steady state over frequency and friction, in every regime.
 
 mod report;
 

@@ -1,5 +1,5 @@
-//! Writes steady states. A table has a line for each moving contact or mass. CSV has a line, and JSON an object, for
-//! each point.
+//! Table of steady states. The printed table has a line for each moving contact or mass. CSV has a line, and JSON an
+//! object, for each point.
 
 use crate::failure::Failure;
 use crate::grids::Grids;
@@ -7,14 +7,14 @@ use crate::layout::Layout;
 use crate::output::{Table, Visitor};
 use frictiongen::study::columns::{Column, OrbitRow, OrbitTable};
 
-/// The steady states, with the settings that are needed to write them.
+/// The steady states, with the settings for their output.
 pub struct OrbitReport {
-    /// Grids, units, and the contact and masses whose motions are written.
+    /// Grids, units, and the contact and masses whose motions the output contains.
     pub grids: Grids,
-    /// Orders n of the harmonics that the answers contain.
+    /// Orders n of the harmonics in the output.
     pub orders: Vec<u32>,
-    /// True if the user requested every steady state. If false, only the state that motion from rest reaches is
-    /// written.
+    /// True if the user has requested every steady state. If false, the output contains only the state that motion from
+    /// rest reaches.
     pub states: bool,
 }
 

@@ -15,10 +15,10 @@ use frictiongen_plot::{
 };
 use std::io::Write;
 
-/// Ratio of the end of an axis to the largest drawn value.
+/// Ratio of the end of an axis to the largest value on it.
 const ROOM: f64 = 1.15;
 
-/// Draws residuals over frequency, divided by their standard deviations. The picture has real parts, imaginary parts,
+/// Draws residuals over frequency, divided by their standard deviations. The picture shows real parts, imaginary parts,
 /// and lines at ±2.
 pub fn residuals(
     system: &System,
@@ -152,10 +152,10 @@ pub fn spectrum(
     picture::write_with(figure, sketch_under_record(system.scene()), form, out)
 }
 
-/// Index, name and values over time of a motion.
+/// A motion: its index, its name, and its values over time.
 type Track<'d> = (usize, &'d Part, Vec<(f64, f64)>);
 
-/// Returns the upper end of an axis that contains all values of some motions and their negatives.
+/// Returns the upper end of an axis that shows all values of some motions and the same values with opposite sign.
 fn edge<'t>(tracks: impl Iterator<Item = &'t [(f64, f64)]>) -> f64 {
     let values = tracks.flatten().map(|(_, value)| value.abs());
     let most = values.fold(0.0, f64::max);

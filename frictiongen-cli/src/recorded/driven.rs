@@ -11,10 +11,10 @@ use frictiongen::measure::columns::{Driven, DrivenRow};
 use frictiongen::study::columns::Column;
 use serde_json::{Value as Json, json};
 
-/// The motion under a recorded input, with the settings that are needed to write it.
+/// Motion under a recorded input, with the settings for its output.
 pub struct DrivenReport<'s> {
     system: &'s System,
-    /// The contact and masses whose motions are written.
+    /// The contact and masses whose motions the output contains.
     pub parts: Vec<Part>,
     /// The motion at every sample.
     pub motion: Driven,

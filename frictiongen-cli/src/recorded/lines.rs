@@ -1,4 +1,4 @@
-//! Writes results as lines. Each line has a quantity, its value with an interval, and its unit.
+//! Table of results with one quantity in each line: its value with an interval, and its unit.
 
 use crate::failure::Failure;
 use crate::output::{Table, Visitor};
@@ -7,13 +7,13 @@ use frictiongen::measure::columns::{QuantityLine, line_columns};
 use frictiongen::study::columns::Column;
 use serde_json::Value as Json;
 
-/// The quantities of a result, and the texts that are printed once above them.
+/// The quantities of a result, and texts for the lines above them.
 pub struct Lines<'a> {
-    /// The system that the answers describe.
+    /// The system of the results.
     pub system: &'a System,
     /// The quantities of the result, one for each line.
     pub lines: Vec<QuantityLine>,
-    /// Titles and texts that are printed before the quantities.
+    /// Titles and texts of the lines above the quantities.
     pub said: Vec<(&'static str, String)>,
     /// Names and keys that JSON contains in addition to these texts.
     pub keys: Vec<(&'static str, &'static str)>,

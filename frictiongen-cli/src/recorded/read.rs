@@ -35,7 +35,7 @@ pub fn text(path: &Path) -> Result<String, Failure> {
     })
 }
 
-/// Returns the failure for an error in a file, with the file's name.
+/// Returns the failure for an error in a file. The message contains the file's name.
 pub fn told(path: &Path, error: &MeasureError) -> Failure {
     Failure::new(format_args!("{}: {error}", path.display()))
 }
@@ -54,7 +54,7 @@ impl RecordingArguments {
         })
     }
 
-    /// Reads all recordings in the order given.
+    /// Reads all recordings, in the order of the command line.
     pub fn recordings(&self) -> Result<Vec<Recording>, Failure> {
         let request = self.request()?;
         let read = |path: &std::path::PathBuf| {
@@ -64,7 +64,7 @@ impl RecordingArguments {
         self.recordings.iter().map(read).collect()
     }
 
-    /// Reads the recording that drives a scene. There must be exactly one.
+    /// Reads the recording that drives a scene. Fails if the user gives more than one.
     pub fn inputs(&self) -> Result<Recording, Failure> {
         let [path] = self.recordings.as_slice() else {
             return Err(Failure::new("give only one recording to drive a scene"));

@@ -1,4 +1,4 @@
-//! Collects the content of the page from the user's options, and from defaults for everything else.
+//! Content of the page, from the user's options and, where an option is missing, from defaults.
 
 use super::words::Words;
 use crate::args::ReportArguments;
@@ -12,30 +12,31 @@ use frictiongen::study::scene::{Excitation, Node};
 use frictiongen::study::units;
 use frictiongen::{Of, System};
 
-/// Largest number of frictions on a page. More colours would be hard to distinguish.
+/// Largest number of frictions on a page. Colours for more frictions would be hard to distinguish.
 const MOST_FRICTIONS: usize = 6;
-/// Largest number of masses for which the page shows all motions.
+/// Largest number of masses for which the page shows every motion.
 const ALL_SHOWN: usize = 4;
 /// Bounds of the default range of frequencies, relative to the lowest and to the highest resonance.
 const RANGE: [f64; 2] = [0.3, 1.5];
 /// Default frictions, relative to the median of β*_lim over the range.
 const FRACTIONS: [f64; 3] = [0.1, 0.3, 0.7];
-/// Number of frequencies for the median of β*_lim, and for the largest motion with the contact stuck.
+/// Number of frequencies from which the command computes the median of β*_lim and the largest motion with the contact
+/// stuck.
 const PLACES: usize = 401;
 
 /// Content of the page.
 pub struct Asked {
-    /// The system that the answers describe.
+    /// The system of the results.
     pub system: System,
-    /// Range of frequencies over which the answers are computed.
+    /// Range of frequencies of the results.
     pub band: Band,
     /// The units and their words.
     pub words: Words,
     /// The contact and masses whose motions the page shows.
     pub parts: Vec<Part>,
-    /// Friction ratios β, if frictions are given.
+    /// Friction ratios β that the user gave. `None` for the default frictions.
     pub frictions: Option<Vec<f64>>,
-    /// Sentences about the choices that the command made, with their rules.
+    /// Sentences about the choices of the command, with the rules of these choices.
     pub chosen: Vec<String>,
 }
 
@@ -101,7 +102,7 @@ impl Asked {
         })
     }
 
-    /// Returns evenly spaced frequency ratios over the range, including both ends.
+    /// Returns evenly spaced frequency ratios over the range, including both bounds.
     pub fn even(&self, count: usize) -> impl Iterator<Item = f64> + use<> {
         evenly(&self.band, count)
     }
@@ -111,7 +112,7 @@ impl Asked {
         farthest_if_stuck(&self.system, &self.band)
     }
 
-    /// Returns the finite values of β*_lim over the range, ascending.
+    /// Returns the finite values of β*_lim over the range, in ascending order.
     pub fn sliding_limits(&self) -> Vec<f64> {
         let at = |r: f64| Some(self.system.at(r).ok()?.sliding_limit());
         let mut limits: Vec<f64> = self.even(PLACES).filter_map(at).collect();
@@ -154,7 +155,7 @@ impl Asked {
     }
 }
 
-/// Returns evenly spaced frequency ratios over a range, including both ends.
+/// Returns evenly spaced frequency ratios over a range, including both bounds.
 fn evenly(band: &Band, count: usize) -> impl Iterator<Item = f64> + use<> {
     let (from, to) = (band.from, band.to);
     let steps = count.max(2) - 1;
@@ -200,8 +201,8 @@ fn automatic(system: &System, in_hertz: bool) -> Band {
     )
 }
 
-/// Returns the contact and masses that the page shows: all of them, or the most important ones of a long chain. If the
-/// contact is with a wall, only its mass is listed, because both have the same motion.
+/// Returns the contact and masses that the page shows. For a long chain it returns only the most important ones. If a
+/// mass slides on a wall, the list does not contain the contact, because both have the same motion.
 fn shown(system: &System, band: &Band, chosen: &mut Vec<String>) -> Result<Vec<Part>, Failure> {
     let mut all = asked::parts(system, &[])?;
     let scene = system.scene();

@@ -13,27 +13,29 @@ use frictiongen::study::{
 use maud::{Markup, html};
 use serde_json::{Value as Json, json};
 
-/// Largest number of masses in a chain for which the page shows best frictions.
+/// Largest number of masses for which the page shows best frictions.
 const MOST_MASSES: usize = 16;
-/// Bound on the work of one search, in units of about 10 µs. The bound is lower than in `frictiongen optimum`,
-/// because a page should be ready within seconds.
+/// Bound on the work of one search, in units of about 10 µs. The bound is lower than in `frictiongen optimum`, because
+/// the page should be ready within seconds.
 const WORK: usize = 150_000;
-/// Largest number of motions that are searched in a chain of at most [`ALL_MOTIONS`] masses.
+/// Largest number of motions for which the command searches the best friction, in a chain of at most [`ALL_MOTIONS`]
+/// masses.
 const MOST_MOTIONS: usize = 4;
-/// Largest number of masses in a short chain. In a longer chain, [`MOST_OF_LONG`] motions are searched.
+/// Largest number of masses in a short chain. For a longer chain, the command searches the best friction for
+/// [`MOST_OF_LONG`] motions.
 const ALL_MOTIONS: usize = 4;
-/// Largest number of motions that are searched in a longer chain.
+/// Largest number of motions for which the command searches the best friction, in a longer chain.
 const MOST_OF_LONG: usize = 2;
 
-/// The best friction for one motion, or the reason why there is none.
+/// Best friction for one motion, or the reason why none was found.
 pub struct Best {
-    /// The contact or mass whose amplitude is minimised.
+    /// The contact or mass whose largest amplitude is minimised.
     pub part: Part,
     /// The result of the search.
     pub found: Result<Optimum, String>,
 }
 
-/// Searches for the best frictions. Returns the reason if no search is made.
+/// Searches for the best frictions. Returns the reason if the command makes no search.
 pub fn search(asked: &Asked) -> Result<Vec<Best>, String> {
     let masses = asked.system.scene().masses.len();
     if MOST_MASSES < masses {
@@ -76,8 +78,8 @@ pub fn search(asked: &Asked) -> Result<Vec<Best>, String> {
     Ok(at_once(parts, best))
 }
 
-/// Returns two friction ratios. Up to the first the contact sticks nowhere in the range. From the second on a stuck
-/// state exists in the whole range.
+/// Returns two friction ratios. Up to the first, the contact sticks at no frequency of the range. From the second on, a
+/// stuck state exists at every frequency of the range.
 pub fn limits(best: &Result<Vec<Best>, String>) -> Option<(f64, f64)> {
     let mut all = best.iter().flatten();
     let found = all.find_map(|best| best.found.as_ref().ok())?;
@@ -90,7 +92,7 @@ pub fn within(optimum: &Optimum) -> Option<(f64, f64)> {
     widest.map(|widest| (widest.from, widest.to))
 }
 
-/// Returns the result of the motion with the largest best amplitude.
+/// Returns the result for the motion whose best amplitude is largest.
 pub fn worst(best: &Result<Vec<Best>, String>) -> Option<(&Best, &Optimum)> {
     let all = best.as_ref().ok()?.iter();
     let found = all.filter_map(|best| Some((best, best.found.as_ref().ok()?)));
@@ -99,7 +101,7 @@ pub fn worst(best: &Result<Vec<Best>, String>) -> Option<(&Best, &Optimum)> {
     found.max_by(|a, b| a.1.amplitude.total_cmp(&b.1.amplitude))
 }
 
-/// Returns the words for the reason why the amplitude cannot be lower.
+/// Returns words for the reason why no other friction gives a lower amplitude.
 pub fn kind(optimum: &Optimum) -> &'static str {
     match (optimum.kind, optimum.end) {
         (_, OptimumEnd::WorkSpent) => {

@@ -1,4 +1,4 @@
-//! Determines cost and accuracy of the emitted code. It counts operations in the code, and compares answers with
+//! Cost and accuracy of the emitted code. The module counts operations in the code, and compares results with
 //! double-double.
 
 use super::asked::Asked;
@@ -11,11 +11,11 @@ use frictiongen_codegen::{Limits, SceneTables, parse_text, pretty};
 use maud::{Markup, html};
 use serde_json::{Value as Json, json};
 
-/// Largest number of masses for which answers are compared with double-double.
+/// Largest number of masses for which the command compares results with double-double.
 const MOST_COMPARED: usize = 16;
-/// Number of frequencies at which answers are compared with double-double.
+/// Number of frequencies at which the command compares results with double-double.
 const PLACES: usize = 101;
-/// Largest number of masses for which tables are built.
+/// Largest number of masses for which the command builds tables.
 const MOST_TABLED: usize = 4;
 /// Accuracy declared for the tables.
 const DECLARED: f64 = 1e-4;
@@ -23,7 +23,7 @@ const DECLARED: f64 = 1e-4;
 /// Number of steps in a period of the highest resonance.
 const STEPS_OF_A_PERIOD: f64 = 20.0;
 
-/// Largest differences between the answers and the answers in double-double.
+/// Largest differences between results and the same results in double-double.
 struct Measured {
     precision: &'static str,
     continuous: f64,
@@ -43,7 +43,7 @@ struct Tabled {
     operations: usize,
 }
 
-/// Upper bounds on evaluations, memory and operations of the solvers. They follow from the numbers of masses and modes.
+/// Upper bounds on evaluations, memory and operations of the solvers, from the numbers of masses and modes.
 struct Bounds {
     /// Largest number of evaluations of the modal sum in a search for β_lim.
     limit: u32,
@@ -51,8 +51,8 @@ struct Bounds {
     amplitude: u32,
     /// Size of a steady state with stops, in bytes.
     orbit: usize,
-    /// Length of a step of the stepper in seconds, and the operations of two kinds of steps: a step that uses only the
-    /// constant tables, and a step with one event. `None` if the scene declares no step.
+    /// Length of a step of the stepper in seconds, and the operations of two kinds of steps. The first kind uses only
+    /// the constant tables, the second has one event. `None` if the scene declares no step.
     step: Option<(f64, u64, u64)>,
 }
 
@@ -258,7 +258,7 @@ fn measured(text: &str, asked: &Asked) -> Result<Vec<Measured>, String> {
     ])
 }
 
-/// Returns the largest differences between the answers of a system and the answers of a reference.
+/// Returns the largest differences between the results of a system and those of a reference.
 fn compared<S: Float>(
     precision: &'static str,
     system: &System<S>,

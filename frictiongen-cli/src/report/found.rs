@@ -1,4 +1,4 @@
-//! Computes the motion at one frequency and one friction, and runs several questions in parallel.
+//! Computes the motion at one frequency and one friction. Also runs several computations in parallel.
 
 use super::asked::Asked;
 use frictiongen::study::{
@@ -7,10 +7,10 @@ use frictiongen::study::{
 };
 use frictiongen::{Error, Of, Regime};
 
-/// Friction ratio so large that the contact slides only near a resonance of the chain with its contact stuck.
+/// Friction ratio at which the contact is stuck, except very close to a resonance of the chain with its contact stuck.
 pub const STUCK: f64 = 1e9;
 
-/// Regime, amplitude and phase, or the reason why there are none.
+/// Regime, amplitude and phase, or the reason why no motion was found.
 pub type Found = Result<(Regime, Swing), Error>;
 
 /// Returns the motion at the frequency ratio `r` and the friction ratio `beta`. If `beta` is [`STUCK`], the contact is
@@ -45,7 +45,8 @@ pub fn found(asked: &Asked, r: f64, beta: f64, of: Of) -> Found {
     Ok((response.regime(), swing))
 }
 
-/// Answers questions in parallel, each in a separate thread. There are only a few questions, and each takes seconds.
+/// Answers questions in parallel. Each question has a thread of its own, because there are only a few questions and
+/// each takes seconds.
 pub fn at_once<Q: Send, A: Send>(questions: Vec<Q>, answer: impl Fn(Q) -> A + Sync) -> Vec<A> {
     let answer = &answer;
     std::thread::scope(|scope| {

@@ -21,7 +21,7 @@ use maud::{Markup, html};
 use serde_json::{Value as Json, json};
 use std::sync::Mutex;
 
-/// Largest distance between a limit and its drawn line, in β/(1 + β).
+/// Largest distance between a limit and its line in the picture, in β/(1 + β).
 const LINES: f64 = 5e-4;
 /// Number of rows of the table.
 const ROWS: usize = 31;
@@ -31,7 +31,7 @@ pub struct Regimes {
     lines: LimitLines,
     /// The map. `None` for a long chain, whose steady states take too long.
     map: Option<Map>,
-    /// True if Ctrl-C ended the map before its last frequency.
+    /// True if the map ends before its last frequency because the user pressed Ctrl-C.
     pub is_cut: bool,
     top: f64,
     rows: Vec<LimitsRow>,
@@ -48,7 +48,7 @@ pub struct Spread {
     pub stuck_from: f64,
 }
 
-/// Returns the number of frequencies and of frictions of a map.
+/// Returns the number of frequencies and of frictions of a map. `None` for a long chain.
 fn cells(masses: usize) -> Option<(usize, usize)> {
     match masses {
         0..=4 => Some((120, 72)),
@@ -59,7 +59,7 @@ fn cells(masses: usize) -> Option<(usize, usize)> {
 
 impl Regimes {
     /// Computes the map over the range, up to a friction above all `levels`. `known` contains the extreme values of
-    /// both limits, if a search has found them.
+    /// both limits if a search has already found them.
     pub fn of(asked: &Asked, levels: &[f64], known: Option<(f64, f64)>) -> Result<Self, Failure> {
         let system = &asked.system;
         let (from, to) = (asked.band.from, asked.band.to);
@@ -199,7 +199,7 @@ impl Regimes {
         )
     }
 
-    /// Returns the regime of each cell, row by row from the smallest friction.
+    /// Returns the regime of each cell, row by row from the smallest friction upwards.
     fn cells(&self, asked: &Asked) -> Json {
         let Some(map) = &self.map else {
             return Json::Null;
@@ -280,7 +280,7 @@ impl Regimes {
         }
     }
 
-    /// Returns the limits as JSON data. The points are those of `frictiongen limits --json`.
+    /// Returns the limits as JSON data, with the points of `frictiongen limits --json`.
     pub fn data(&self, asked: &Asked) -> Json {
         let words = &asked.words;
         let limit = |beta: f64| object(words.friction_json(beta));
@@ -312,7 +312,7 @@ fn table(asked: &Asked) -> LimitsTable<'_> {
     }
 }
 
-/// Returns the words for what the contact does with this pattern of motion.
+/// Returns words for the motion of the contact in this pattern.
 fn does(pattern: Pattern) -> String {
     use frictiongen::Regime;
     match (pattern.regime, pattern.period, pattern.stops) {

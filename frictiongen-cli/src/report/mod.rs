@@ -1,4 +1,4 @@
-//! `frictiongen report`: writes the answers about a description on one HTML page that needs no network.
+//! `frictiongen report`: writes the results for a description as one HTML page. The page needs no network.
 
 mod asked;
 mod best;
@@ -25,7 +25,7 @@ use page::Page;
 use std::io::Write;
 use std::path::Path;
 
-/// Returns an error unless the file has the name of a web page. A browser would show any other file as text.
+/// Fails if the file does not have the extension of a web page. A browser would show any other file as text.
 fn check_name(path: &Path) -> Result<(), Failure> {
     let shown = path.display();
     let ending = path

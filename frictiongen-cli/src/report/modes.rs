@@ -1,4 +1,4 @@
-//! Lists the modes: frequencies, damping, shapes, and participation of load and contact.
+//! Section about the modes: frequencies, damping, shapes, and participation of load and contact.
 
 use super::asked::Asked;
 use super::plot::{Across, Axes, Plot, Series};
@@ -9,11 +9,11 @@ use frictiongen_plot::{
 use maud::{Markup, html};
 use serde_json::{Value as Json, json};
 
-/// Largest number of modes that are drawn. More colours would be hard to distinguish.
+/// Largest number of modes in the picture. Colours for more modes would be hard to distinguish.
 const MOST_DRAWN: usize = 5;
-/// Largest number of modes in the table. The data contain all modes.
+/// Largest number of modes in the table. The JSON data contain all modes.
 const MOST_LISTED: usize = 16;
-/// Participation of a mode, relative to the largest, below which the mode counts as not participating.
+/// Participation of a mode, relative to the largest, below which it counts as zero.
 const NONE: f64 = 1e-12;
 
 /// A mode.
@@ -21,7 +21,7 @@ struct Mode {
     r: f64,
     hertz: f64,
     zeta: f64,
-    /// Displacement of each mass in the mode, scaled so that the largest is ±1.
+    /// Displacement of each mass in the mode. The largest displacement is 1 or −1.
     shape: Vec<f64>,
     load: f64,
     contact: f64,
@@ -206,7 +206,7 @@ impl Modes {
     }
 }
 
-/// Scales a shape so that its largest displacement is 1 and positive.
+/// Scales a shape so that its largest displacement is 1 with a positive sign.
 fn normalised(shape: &[f64]) -> Vec<f64> {
     let largest =
         shape.iter().copied().fold(

@@ -1,4 +1,4 @@
-//! Assembles the page from its head, its sections and its data.
+//! Assembles the page: its head, its sections and its data.
 
 use super::asked::Asked;
 use super::best::{self, Best};
@@ -12,14 +12,14 @@ use crate::measure;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use serde_json::{Value as Json, json};
 
-/// Version of the data's format. It increases when a field is renamed or changes its meaning.
+/// Version of the data's format. It increases when a field gets another name or another meaning.
 const VERSION: u32 = 1;
 
 /// Style sheet of the page.
 const STYLE: &str = include_str!("style.css");
 /// Script of the page.
 const SCRIPT: &str = include_str!("read.js");
-/// Hash of the page's script. The page allows no other script to run. A test compares the hash with the script.
+/// Hash of the page's script. A browser runs no other script in the page. A test compares the hash with the script.
 const SCRIPT_HASH: &str = include_str!("read.js.sha256");
 
 /// Contents of the page.
@@ -28,7 +28,7 @@ pub struct Page<'a> {
     pub file: &'a str,
     /// Doc comments of the description.
     pub documentation: &'a str,
-    /// Content of the page, as the user requested it or the command chose it.
+    /// Content of the page, from the user's options and the defaults.
     pub asked: Asked,
     /// Contents of the section about modes.
     pub modes: Modes,
@@ -38,7 +38,7 @@ pub struct Page<'a> {
     pub regimes: Regimes,
     /// Features of the response.
     pub features: Features,
-    /// Best friction of each motion, or the reason why it was not searched.
+    /// Best friction of each motion, or the reason why the command made no search.
     pub best: Result<Vec<Best>, String>,
     /// Cost of the emitted code.
     pub cost: Cost,
@@ -151,7 +151,7 @@ fn limits_of_the_page() -> Markup {
     }
 }
 
-/// Returns JSON for a script element. No string in it can end that element or begin a comment.
+/// Returns JSON for a script element. The result contains no text that would end the element or begin a comment.
 fn within_script(data: &Json) -> String {
     data.to_string()
         .replace('&', "\\u0026")

@@ -1,19 +1,19 @@
-//! Builds a picture with the data from which the page shows values under the pointer.
+//! A picture with the data of its curves. The page shows values from these data under the pointer.
 
 use super::words::rounded;
 use frictiongen_plot::{Colour, Figure, Label, Layer, Page, PanelFrame, Scale, Stroke};
 use maud::{Markup, PreEscaped, html};
 use serde_json::{Value as Json, json};
 
-/// Largest distance between the curve and the straight lines that join its data. It is the first number times the value
-/// there, plus the second number times the largest value of the curve.
+/// Largest distance between the curve and straight lines through its data. It is the sum of two terms: the first number
+/// times the value of the curve at this position, and the second number times the largest value of the curve.
 const STRAYS: [f64; 2] = [5e-4, 2e-5];
 
-/// A curve of a panel as it was drawn, in the units of the axes.
+/// A curve of a panel in the units of the axes.
 pub struct Series {
     name: String,
     colour: Colour,
-    /// Pieces of the curve. Each has a regime, or none.
+    /// Pieces of the curve. Each has a regime, or `None`.
     runs: Vec<(Option<&'static str>, Pieces)>,
 }
 
@@ -21,8 +21,8 @@ pub struct Series {
 type Pieces = Vec<Vec<(f64, f64)>>;
 
 impl Series {
-    /// Builds a series from the layers that draw one curve. If `by_regime` is true, the stroke of a layer determines
-    /// its regime.
+    /// Creates a series from the layers that draw one curve. If `by_regime` is true, the stroke of a layer gives its
+    /// regime.
     pub fn of(name: &Label, colour: Colour, layers: &[Layer], by_regime: bool) -> Self {
         let lines = layers.iter().filter_map(|layer| match layer {
             Layer::Line(line) => Some(line),
@@ -65,8 +65,8 @@ impl Series {
     }
 }
 
-/// Removes points of a piece without which straight lines still stay close to the curve. A curve that ends at a pole or
-/// an edge has many more points than a picture needs.
+/// Removes points of a piece as long as straight lines through the rest stay close to the curve. A curve that ends at a
+/// pole or an edge has many more points than a picture needs.
 fn thinned(piece: &[(f64, f64)], most: f64) -> Vec<(f64, f64)> {
     let [relative, absolute] = STRAYS;
     let mut kept = vec![false; piece.len()];
@@ -132,7 +132,7 @@ pub struct Across<'a> {
 }
 
 impl Plot {
-    /// Builds a plot of a figure, as wide as the screen of a telephone. `curves` has the curves of each panel, and
+    /// Creates a plot from a figure, with the width of a telephone screen. `curves` has the curves of each panel, and
     /// `more` has further data.
     pub fn new(
         id: &str,
@@ -187,13 +187,13 @@ impl Plot {
         }
     }
 
-    /// Returns the picture's data.
+    /// Returns the data of the picture as JSON.
     pub fn data(&self) -> &Json {
         &self.data
     }
 }
 
-/// Returns the position of a panel's frame, in the units of the picture, and the values at its sides.
+/// Returns the position of a panel's frame in the units of the picture, and the values at its sides.
 fn placed(frame: &PanelFrame) -> Json {
     json!({
         "left": rounded(frame.left),

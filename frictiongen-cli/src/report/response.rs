@@ -21,11 +21,11 @@ use serde_json::{Value as Json, json};
 
 /// Number of rows of the table.
 const ROWS: usize = 31;
-/// Largest number of frequency ranges with one regime each that the page lists in words.
+/// Largest number of frequency ranges that the page lists in words. In each range one regime exists.
 const MOST_STRETCHES: usize = 6;
 /// Bound on the work of one curve, in units of about 10 µs. A page has up to eight curves.
 const WORK: usize = 60_000;
-/// Smallest amplitude on an axis, relative to the largest. The axis therefore shows four decades.
+/// Smallest amplitude on an axis, relative to the largest. With this ratio the axis has four decades.
 const DECADES: f64 = 1e-4;
 
 /// A curve at one friction, with its name.
@@ -39,7 +39,7 @@ struct Level {
 /// Contents of the section about responses.
 pub struct Responses {
     levels: Vec<Level>,
-    /// Motions of the table: for each frequency, for each friction, for each contact or mass.
+    /// Motions in the table: for each frequency, a list for each friction, with one entry for each contact or mass.
     rows: Vec<(f64, Vec<Vec<Found>>)>,
 }
 
@@ -99,8 +99,8 @@ impl Responses {
         Ok(Self { levels, rows })
     }
 
-    /// Returns the regimes along a curve, each with its range of frequencies. `None` if there are too many ranges to
-    /// list.
+    /// Returns the regimes along a curve, each with its range of frequencies. Returns `None` if the page cannot list so
+    /// many ranges.
     pub fn stretches(&self, beta: f64) -> Option<Vec<(&'static str, f64, f64)>> {
         let level = self.levels.iter().find(|level| level.beta == beta)?;
         let mut found: Vec<(&'static str, f64, f64)> = Vec::new();
@@ -206,8 +206,8 @@ impl Responses {
         )
     }
 
-    /// Returns the bounds of the amplitude axis. They include all values. If an amplitude is unbounded, the upper bound
-    /// is a fixed multiple of the amplitudes at evenly spaced frequencies.
+    /// Returns the bounds of the amplitude axis. All finite values lie within them. If an amplitude is unbounded, the
+    /// upper bound is a fixed multiple of the amplitudes at evenly spaced frequencies.
     fn ends(&self, part: usize, words: &Words) -> (f64, f64) {
         let sizes = |level: &Level| -> Vec<f64> {
             let points = level.curve.pieces.iter().flat_map(|piece| &piece.points);
@@ -379,8 +379,8 @@ impl Responses {
     }
 }
 
-/// Returns the accuracy of a curve: the largest relative deviation of straight lines. It is coarser for more masses,
-/// because their steady states take longer.
+/// Returns the accuracy of a curve, which is the largest relative deviation of straight lines through its points. With
+/// more masses the accuracy is coarser, because their steady states take longer.
 fn accuracy(masses: usize) -> f64 {
     match masses {
         0..=4 => 5e-4,

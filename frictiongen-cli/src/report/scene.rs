@@ -1,4 +1,4 @@
-//! Describes the scene by a drawing and its values.
+//! Section about the scene: a drawing and the values.
 
 use super::asked::Asked;
 use super::words::digits;
@@ -13,7 +13,7 @@ fn node(scene: &Scene, node: Node) -> &str {
     scene.node_name(node)
 }
 
-/// Returns the sketch with its values. `None` if the chain is too long.
+/// Returns the sketch with its values, or `None` for a long chain.
 fn drawing(asked: &Asked) -> Option<String> {
     let scene = asked.system.scene();
     let plain = desk::sketch(scene, true);

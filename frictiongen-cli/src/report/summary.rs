@@ -1,4 +1,4 @@
-//! Writes the main results, which are the first lines of the page.
+//! Summary at the top of the page, with the main results.
 
 use super::asked::Asked;
 use super::best::{self, Best};

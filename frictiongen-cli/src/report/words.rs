@@ -1,4 +1,4 @@
-//! Formats the numbers of the page with four digits and the unit.
+//! Formats the numbers of the page with four digits and their unit.
 
 use crate::measure::{Dimension, Measure};
 use crate::number::Exact as _;
@@ -52,12 +52,12 @@ fn trimmed(text: &str) -> String {
     }
 }
 
-/// Converts a number to JSON. A string stands for infinity, which JSON lacks.
+/// Converts a number to JSON. Infinity becomes a string, because JSON has no infinity.
 pub fn number(value: f64) -> Json {
     crate::number::Cell::from(value).json()
 }
 
-/// Rounds to six digits, which is the resolution of a picture.
+/// Rounds a number to six digits, the resolution of a picture.
 pub fn rounded(value: f64) -> f64 {
     format!("{value:.5e}").parse().unwrap_or(value)
 }
@@ -72,13 +72,13 @@ impl Words {
         }
     }
 
-    /// Formats a displacement, given over P/k₁ or Y, with its unit.
+    /// Formats a displacement with its unit. `ratio` is the displacement over P/k₁ or Y.
     pub fn length(&self, ratio: f64) -> String {
         let value = digits(self.scales.length(ratio));
         format!("{value} {}", self.length_unit())
     }
 
-    /// Formats a friction, given as ratio β, with its unit.
+    /// Formats a friction with its unit. `beta` is the friction ratio.
     pub fn friction(&self, beta: f64) -> String {
         self.force(self.scales.friction(beta))
     }
@@ -92,7 +92,7 @@ impl Words {
         }
     }
 
-    /// Formats a frequency, given as ratio r, with its unit.
+    /// Formats a frequency with its unit. `r` is the frequency ratio.
     pub fn frequency(&self, r: f64) -> String {
         let value = digits(self.scales.frequency(r));
         if self.in_hertz {
@@ -107,7 +107,7 @@ impl Words {
         if self.in_hertz { "f (Hz)" } else { "r" }
     }
 
-    /// Formats a phase, given in rad, in degrees.
+    /// Formats an angle in degrees, given in rad.
     pub fn angle(radians: f64) -> String {
         // Readers need no finer resolution than a tenth of a degree.
         format!("{:.1}°", radians.to_degrees() + 0.0).replace('-', "−")

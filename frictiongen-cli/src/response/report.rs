@@ -1,5 +1,5 @@
-//! Writes responses. A table has a line for each moving contact or mass. CSV has a line, and JSON an object, for each
-//! point.
+//! Table of responses. The printed table has a line for each moving contact or mass. CSV has a line, and JSON an
+//! object, for each point.
 
 use crate::failure::Failure;
 use crate::grids::Grids;
@@ -7,11 +7,11 @@ use crate::layout::Layout;
 use crate::output::{Table, Visitor};
 use frictiongen::study::columns::{Column, ResponseRow, ResponseTable};
 
-/// The responses, with the settings that are needed to write them.
+/// The responses, with the settings for their output.
 pub struct ResponseReport {
-    /// Grids, units, and the contact and masses whose motions are written.
+    /// Grids, units, and the contact and masses whose motions the output contains.
     pub grids: Grids,
-    /// Orders n of the harmonics that the answers contain.
+    /// Orders n of the harmonics in the output.
     pub orders: Vec<u32>,
 }
 

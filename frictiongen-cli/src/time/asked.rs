@@ -1,4 +1,4 @@
-//! Parses the options of a motion over time: its length and its start.
+//! Parses the options of a motion over time: its length and its initial state.
 
 use super::course::Course;
 use crate::args::TimeArguments;
@@ -13,15 +13,15 @@ const MOST: u32 = MOST_SAMPLES as u32;
 /// Length and form of the motion that the user requests.
 #[derive(Clone, Copy, Debug)]
 pub struct Asked {
-    /// Number of cycles that are written.
+    /// Number of cycles in the output.
     pub cycles: u32,
-    /// Number of cycles that are computed before the first written one.
+    /// Number of cycles before the first cycle of the output.
     pub skip: u32,
     /// Number of samples in a cycle.
     pub samples: u32,
-    /// True if one period of the steady state is written instead of a run.
+    /// True if the output is one period of the steady state. If false, the output is a run from the initial state.
     pub steady: bool,
-    /// True if the spectrum is written instead of samples.
+    /// True if the output is the spectrum. If false, the output is samples or events.
     pub spectrum: bool,
 }
 
@@ -53,7 +53,7 @@ impl Asked {
 /// Displacements and velocities of all masses, as non-dimensional groups.
 pub type Start = (Vec<f64>, Vec<f64>);
 
-/// Parses the state of `--from`. The state is in the units of the load, if a load is given.
+/// Parses the state of `--from`. With a load, the state is in the units of the load.
 pub fn start(text: &str, system: &System, course: &Course<'_>) -> Result<Start, Failure> {
     let refuse = |why: &str| Failure::new(format_args!("--from `{text}`: {why}"));
     let halves: Vec<&str> = text.split(';').collect();

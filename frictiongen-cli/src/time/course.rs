@@ -17,9 +17,9 @@ pub struct Course<'a> {
     pub friction: Friction,
     /// Units of the answers: SI units under a load, otherwise non-dimensional groups.
     pub measure: Measure,
-    /// The contact and masses whose motions are written.
+    /// The contact and masses whose motions the output contains.
     pub parts: Vec<Part>,
-    /// True if times are written in seconds too.
+    /// True if the output has times in seconds as well.
     pub in_seconds: bool,
 }
 

@@ -1,4 +1,4 @@
-//! A motion over time in non-dimensional groups, with the units for the output.
+//! A motion over time in non-dimensional groups, with the units of the output.
 
 use super::asked::{Asked, Start};
 use super::course::Course;
@@ -18,9 +18,9 @@ pub struct Motion<'a> {
     pub course: Course<'a>,
     /// Samples and events of the motion.
     pub history: History,
-    /// Exact spectrum of each motion. It is empty unless the user requests the spectrum of a steady state.
+    /// Exact spectrum of each motion. The list is empty unless the user has requested the spectrum of a steady state.
     pub exact: Vec<Spectrum>,
-    /// Words for the start of the motion: from rest, from a state, or a steady state.
+    /// Words for the kind of motion: from rest, from a state, or a steady state.
     kind: &'static str,
     /// Regime of a steady state.
     regime: Option<&'static str>,
@@ -82,7 +82,7 @@ impl<'a> Motion<'a> {
         frequency.chain(friction)
     }
 
-    /// Returns the fields that JSON contains once.
+    /// Returns fields that JSON contains once.
     pub fn head(&self) -> Vec<(String, Json)> {
         let history = &self.history;
         let point = self.point();
@@ -128,7 +128,7 @@ impl<'a> Motion<'a> {
     }
 }
 
-/// Returns the message for an error in terms of the command's options.
+/// Returns the message for an error, with the names of the command's options.
 fn told(error: HistoryError) -> Failure {
     match error {
         HistoryError::TooManySamples => {

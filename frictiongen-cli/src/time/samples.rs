@@ -1,4 +1,4 @@
-//! Writes the samples and the events of a motion.
+//! Tables of the samples and of the events of a motion.
 
 use super::motion::Motion;
 use crate::failure::Failure;
@@ -7,15 +7,15 @@ use crate::output::{Table, Visitor};
 use frictiongen::study::columns::{Column, EventRow, SampleRow};
 use serde_json::Value as Json;
 
-/// Writes the samples of a motion.
+/// Table of the samples of a motion.
 pub struct SamplesReport<'m> {
-    /// The motion over time whose data are written.
+    /// The motion over time.
     pub motion: &'m Motion<'m>,
 }
 
-/// Writes the events of a motion.
+/// Table of the events of a motion.
 pub struct EventsReport<'m> {
-    /// The motion over time whose data are written.
+    /// The motion over time.
     pub motion: &'m Motion<'m>,
 }
 

@@ -1,4 +1,4 @@
-//! Writes the spectra of a motion.
+//! Table of the spectra of a motion.
 
 use super::motion::Motion;
 use crate::failure::Failure;
@@ -9,15 +9,15 @@ use frictiongen::study::history::Spectrum;
 use serde_json::Value as Json;
 use std::borrow::Cow;
 
-/// Writes the spectra of a motion.
+/// Table of the spectra of a motion.
 pub struct SpectrumReport<'m> {
-    /// The motion over time whose data are written.
+    /// The motion over time.
     pub motion: &'m Motion<'m>,
-    /// Spectrum of the contact and of each mass that is written.
+    /// Spectra of the contact and masses in the output.
     pub spectra: &'m [Spectrum],
 }
 
-/// Returns the exact spectra of a steady state, or computes the spectra of a run's samples.
+/// Returns the exact spectra of a steady state. For a run, computes the spectra of its samples.
 pub fn spectra<'m>(motion: &'m Motion<'_>) -> Cow<'m, [Spectrum]> {
     if !motion.exact.is_empty() {
         return Cow::Borrowed(&*motion.exact);

@@ -1,4 +1,4 @@
-//! Emits the scene's type with its documentation: where it comes from, its description, and what it offers.
+//! Emits the scene's type with its documentation: its origin, its description and its methods.
 
 use super::emission::Emission;
 use super::fingerprint::fingerprint;
@@ -7,7 +7,7 @@ use crate::standalone::rust_text;
 use frictiongen_model::scene::FrictionLaw;
 use proc_macro2::TokenStream;
 
-/// From this number of masses on, the documentation does not name their methods one by one.
+/// Number of masses from which on the documentation no longer names the methods of each mass.
 const MANY_MASSES: usize = 9;
 
 /// Emits the scene's type.
@@ -71,13 +71,13 @@ fn lines(emission: &Emission<'_>) -> Vec<String> {
     spaced.collect()
 }
 
-/// Returns a fence of backticks that no line of a text ends.
+/// Returns a fence of backticks that is longer than every run of backticks in a text.
 fn fence(text: &str) -> String {
     let runs = text.split(|letter| letter != '`').map(str::len);
     "`".repeat(runs.max().unwrap_or(0).max(2) + 1)
 }
 
-/// Lists what the scene offers.
+/// Lists the methods and constants of the scene.
 fn offers(emission: &Emission<'_>) -> Vec<String> {
     let TypeNames {
         at,
@@ -146,7 +146,7 @@ fn offers(emission: &Emission<'_>) -> Vec<String> {
     items
 }
 
-/// Lists methods, and those that have the names of masses.
+/// Lists methods, and the methods that have the names of masses.
 fn methods(emission: &Emission<'_>, masses: &[usize], first: &[&str]) -> String {
     let mut methods: Vec<String> = first.iter().map(|method| format!("`{method}`")).collect();
     if masses.len() < MANY_MASSES {

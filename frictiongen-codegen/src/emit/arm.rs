@@ -1,17 +1,17 @@
-//! Emits a function body that depends on the mass, with straight-line code for each mass.
+//! Emits a function body with one match arm for each mass. Each arm is straight-line code.
 
 use super::emission::mentions;
 use proc_macro2::{Literal, TokenStream};
 
-/// Code of one match arm, shared by all masses in `masses`.
+/// Code of one match arm, for all masses in `masses`.
 pub(super) struct Arm {
     pub masses: Vec<usize>,
     pub statements: TokenStream,
     pub value: TokenStream,
 }
 
-/// Returns the statements and the value expression for a chain of `all` masses. The emitted function returns `None` for
-/// any mass without an arm.
+/// Returns the statements and the value expression for a chain of `all` masses. For a mass without an arm, the emitted
+/// function returns `None`.
 pub(super) fn chosen(arms: &[Arm], all: usize) -> (TokenStream, TokenStream) {
     let literals = |masses: &[usize]| -> Vec<Literal> {
         let masses = masses.iter().copied();

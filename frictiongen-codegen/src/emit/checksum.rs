@@ -1,4 +1,4 @@
-//! Checksums of emitted tables, so that a review sees at once whether a table has changed.
+//! Checksums of emitted tables. A reviewer sees from the checksum whether a table has changed.
 
 use proc_macro2::{TokenStream, TokenTree};
 
@@ -13,7 +13,7 @@ pub(super) fn about(table: &TokenStream) -> String {
     )
 }
 
-/// Collects the numbers with their signs, in the order of the text.
+/// Collects the numbers with their signs, in the order in which they occur in the tokens.
 fn collect(tokens: &TokenStream, numbers: &mut Vec<String>) {
     let mut negative = false;
     for token in tokens.clone() {
@@ -32,7 +32,7 @@ fn collect(tokens: &TokenStream, numbers: &mut Vec<String>) {
     }
 }
 
-/// Returns the CRC-32 of zip and Ethernet.
+/// Returns the CRC-32 of some bytes, as zip and Ethernet define it.
 fn crc(bytes: &[u8]) -> u32 {
     let crc = bytes.iter().fold(u32::MAX, |crc, byte| {
         (0..8).fold(crc ^ u32::from(*byte), |crc, _| {
@@ -46,7 +46,7 @@ fn crc(bytes: &[u8]) -> u32 {
 mod tests {
     use super::{about, crc};
 
-    /// The check value of the catalogue of CRC algorithms.
+    /// Checks the check value in the catalogue of CRC algorithms.
     #[test]
     fn check_value() {
         assert_eq!(crc(b"123456789"), 0xcbf4_3926);

@@ -223,7 +223,7 @@ pub(super) fn rubbing(mass: Option<usize>) -> TokenStream {
     }
 }
 
-/// Emits modes as constants. The first explains the fields.
+/// Emits modes as constants. Comments in the first mode explain the fields.
 pub(super) fn mode_constants(emission: &Emission<'_>, modes: &[Mode<f64>]) -> Vec<TokenStream> {
     let modes = modes.iter().enumerate();
     modes
@@ -287,7 +287,7 @@ pub(super) fn kind(kind: Kind) -> TokenStream {
     }
 }
 
-/// Returns the documentation line about the largest work of an answer at one frequency.
+/// Returns the documentation line with the worst-case work of the methods at one frequency.
 fn work_about(emission: &Emission<'_>) -> String {
     if emission.is_tabled() {
         return " Worst case: the operations of `tabled_limit` and `tabled_sliding_limit`."
@@ -321,7 +321,8 @@ fn answers(emission: &Emission<'_>) -> String {
     answers.join(", ")
 }
 
-/// Emits the relative motion of a contact on a moving base for r → 0. A number that the formulas fold has no name.
+/// Emits the relative motion of a contact on a moving base for r → 0, by its name. If the formulas fold the number, it
+/// has no name.
 fn at_rest_by_name(emission: &Emission<'_>, at_rest: f64) -> TokenStream {
     if at_rest == 0.0 || at_rest.abs() == 1.0 {
         emission.literal(at_rest)
@@ -330,7 +331,7 @@ fn at_rest_by_name(emission: &Emission<'_>, at_rest: f64) -> TokenStream {
     }
 }
 
-/// Emits the constant that `at_rest_by_name` names, if it names one.
+/// Emits the constant that `at_rest_by_name` names, if the number has a name.
 fn at_rest(emission: &Emission<'_>) -> Option<TokenStream> {
     let scalar = &emission.scalar;
     let at_rest = emission.reduced.chain.on_moving_base?;

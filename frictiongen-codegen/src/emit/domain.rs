@@ -1,4 +1,4 @@
-//! Emits the range in which tables hold, and lists the constants of tables for the self-check.
+//! Emits the range in which tables are valid, and lists the constants of tables for the self-check.
 
 use super::emission::{Checked, Emission};
 use frictiongen_kernel::Float;

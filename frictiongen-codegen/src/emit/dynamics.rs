@@ -118,8 +118,8 @@ pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> Constants {
     }
 }
 
-/// Emits all modes. The constant `MODES` of the steady response is reused if it lists the same
-/// modes.
+/// Emits all modes. If the constant `MODES` of the steady response lists the same modes, the emitted code uses it
+/// again.
 fn modes(emission: &Emission<'_>, transient: &Transient<f64>) -> TokenStream {
     let all = |modes: &[Mode<f64>]| {
         let modes = mode_constants(emission, modes);

@@ -1,4 +1,4 @@
-//! Defines the data that all emitted items share, and `Part`, the output of one file of this folder.
+//! Data that all emitted items share, and `Part`, the code that one file of this folder emits.
 
 use super::names::{TypeNames, local};
 use super::self_check;
@@ -12,7 +12,7 @@ use frictiongen_model::reduced::Reduced;
 use frictiongen_model::scene::{Precision, Provide, Scene};
 use proc_macro2::{Ident, TokenStream, TokenTree};
 
-/// Smallest number of modes with which the emitted sums over the modes of a motion are calls of the kernel. With fewer
+/// Smallest number of modes for which the emitted code calls the kernel's sums over the modes of a motion. With fewer
 /// modes, each mass has its own straight-line code.
 const SUMS_FROM: usize = 3;
 
@@ -21,18 +21,19 @@ pub(super) struct Emission<'a> {
     pub description: &'a Description,
     pub scene: &'a Scene,
     pub modal: Modal,
-    /// The driven modes, rounded from double-double to the scene's precision and stored as `f64`.
+    /// The modes that the load or the contact drives, rounded from double-double to the scene's precision and stored as
+    /// `f64`.
     pub reduced: Reduced<f64>,
     pub precision: Precision,
     /// The scalar type, `f64` or `f32`.
     pub scalar: TokenStream,
     pub names: TypeNames,
     pub facade: &'a TokenStream,
-    /// Smallest number of modes with which the frequency stage is emitted as passes.
+    /// Smallest number of modes for which the emitted frequency stage consists of passes over the modes.
     pub passes_from: usize,
 }
 
-/// The answers that a scene provides.
+/// Groups of methods that a scene provides.
 pub(super) struct Wanted<'a> {
     pub motion: Option<Vec<(usize, &'a Ident)>>,
     pub stuck: bool,
@@ -43,7 +44,7 @@ pub(super) struct Wanted<'a> {
 }
 
 impl Wanted<'_> {
-    /// Returns whether a mass has an answer at one frequency, so that mode shapes are needed.
+    /// Returns true if some method at one frequency is specific to a mass, so that the code needs mode shapes.
     pub fn shapes(&self) -> bool {
         let moves = |masses: &Vec<(usize, &Ident)>| !masses.is_empty();
         self.stuck || self.motion.as_ref().is_some_and(moves)
@@ -89,13 +90,13 @@ impl<'a> Emission<'a> {
         modes.map(|mode| local(&format!("{name}_{mode}"))).collect()
     }
 
-    /// Emits the statement that binds the modes' constants to the names that `body` mentions.
+    /// Emits the statement that binds those constants of the modes whose names occur in `body`.
     pub fn constants(&self, body: &TokenStream) -> TokenStream {
         bound(&self.constant_names(), body, &code!(&Self::MODES))
     }
 
-    /// Emits the statements that bind what the formulas of a motion need: 1/r, the sums of the contact, the modes and
-    /// their constants, as far as `body` mentions them.
+    /// Emits the statements that bind the inputs of a motion's formulas: 1/r, the sums of the contact, the modes and
+    /// their constants. They bind only the names that occur in `body`.
     pub fn inputs(&self, body: &TokenStream) -> TokenStream {
         let mut inputs = TokenStream::new();
         if mentions(body, "inverse_r") {
@@ -116,22 +117,22 @@ impl<'a> Emission<'a> {
         bound(&names, body, &source)
     }
 
-    /// Returns a graph for formulas of this scene.
+    /// Returns an empty graph for formulas of this scene.
     pub fn graph(&self, modes: usize) -> Graph {
         Graph::new(modes).in_precision(self.precision)
     }
 
-    /// Returns whether the frequency stage is emitted as passes over the modes.
+    /// Returns true if the emitted frequency stage consists of passes over the modes.
     pub fn in_passes(&self) -> bool {
         self.modes() >= self.passes_from
     }
 
-    /// Returns whether the sums over the modes of a mass are emitted as calls of the kernel.
+    /// Returns true if the emitted code calls the kernel for the sums over the modes of a mass.
     pub fn in_sums(&self) -> bool {
         self.modes() >= SUMS_FROM.min(self.passes_from)
     }
 
-    /// Returns whether the scene declares an accuracy and has tables.
+    /// Returns true if the scene declares an accuracy and has tables.
     pub fn is_tabled(&self) -> bool {
         self.description.tables.is_some()
     }
@@ -140,12 +141,12 @@ impl<'a> Emission<'a> {
         self.reduced.chain.damped
     }
 
-    /// Returns whether this mass moves as the contact does, because it rubs on a support at rest.
+    /// Returns true if this mass moves exactly as the contact does, because it slides on a support at rest.
     pub fn moves_as_contact(&self, mass: usize) -> bool {
         self.reduced.chain.on_moving_base.is_none() && self.reduced.rubbing == Some(mass)
     }
 
-    /// Returns whether the load acts on the mass that rubs, so that V = H.
+    /// Returns true if the load acts on the mass that slides on a support, so that V = H.
     pub(super) fn loads_contact(&self) -> bool {
         let Reduced { chain, modes, .. } = &self.reduced;
         self.reduced.quadratures.is_empty() && chain.loads_contact(modes)
@@ -156,21 +157,23 @@ impl<'a> Emission<'a> {
         self.scene.stiffness.is_some()
     }
 
-    /// Returns the last argument of a kernel type in the user's module, with a comma before it. It selects the law of an
-    /// elastic contact, and is empty for a rigid contact.
+    /// Returns the last type argument of a kernel type in the user's module, with a comma before it. The argument
+    /// selects the law of an elastic contact. It is empty for a rigid contact.
     pub fn law_in_types(&self) -> Option<TokenStream> {
         let Self { facade, scalar, .. } = self;
         self.is_elastic()
             .then(|| code!(, #facade::kernel::motion::ElasticChain<::core::primitive::#scalar>))
     }
 
-    /// Returns the same argument for items of the hidden block.
+    /// Returns the last type argument of a kernel type in the hidden block, with a comma before it. The argument
+    /// selects the law of an elastic contact. It is empty for a rigid contact.
     pub fn law(&self) -> Option<TokenStream> {
         let scalar = &self.scalar;
         self.is_elastic().then(|| code!(, ElasticChain<#scalar>))
     }
 
-    /// Returns the word by which `wraps!` takes a type of an elastic contact.
+    /// Returns the additional argument of the macro `wraps!` for a type with an elastic contact. It is empty for a
+    /// rigid contact.
     pub fn law_word(&self) -> Option<TokenStream> {
         self.is_elastic().then(|| code!(elastic))
     }
@@ -225,7 +228,7 @@ impl<'a> Emission<'a> {
     }
 }
 
-/// Emits `let [a, _, c] = source;` with the names that `body` mentions, or nothing if it mentions none.
+/// Emits `let [a, _, c] = source;` for those names that occur in `body`. Emits nothing if no name occurs.
 fn bound(names: &[Ident], body: &TokenStream, source: &TokenStream) -> TokenStream {
     let mentioned: Vec<bool> = names
         .iter()
@@ -242,7 +245,7 @@ fn bound(names: &[Ident], body: &TokenStream, source: &TokenStream) -> TokenStre
     code!(let [#(#names),*] = #source;)
 }
 
-/// Returns whether a name stands in the tokens, other than as a field.
+/// Returns true if a name occurs in the tokens, other than as the name of a field.
 pub(super) fn mentions(tokens: &TokenStream, name: &str) -> bool {
     let mut field = false;
     tokens.clone().into_iter().any(|token| {
@@ -275,7 +278,7 @@ pub(super) struct Part {
     pub associated: TokenStream,
     /// Hidden items outside that `impl`.
     pub items: TokenStream,
-    /// Tables of numbers, as associated constants apart from the code.
+    /// Tables of numbers, as associated constants, in a block separate from the code.
     pub tables: TokenStream,
     /// The constants, for the self-check.
     pub constants: Vec<Checked>,
@@ -283,15 +286,16 @@ pub(super) struct Part {
 
 /// Constants of the emitted code with their checksum.
 pub(super) struct Checked {
-    /// Name that a fault states.
+    /// Name of the constants in the message of a failed self-check.
     pub name: String,
-    /// A reference to the constants.
+    /// Expression for a reference to the constants in the emitted code.
     pub numbers: TokenStream,
     pub sum: u32,
 }
 
 impl Checked {
-    /// Creates the entry of constants that are the expression `numbers` in the emitted code, and have these values.
+    /// Creates the entry of constants with the given values. `numbers` is the expression for the constants in the
+    /// emitted code.
     pub fn new(name: &str, numbers: TokenStream, values: &impl Listed<f64>) -> Self {
         Self::of_sum(name, numbers, self_check::sum(values))
     }

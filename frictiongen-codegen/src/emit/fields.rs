@@ -1,4 +1,4 @@
-//! Emits the fields of a structure, each with its explanation above it.
+//! Emits the fields of a structure. Each field may have an explanation above it.
 
 use super::names::local;
 use proc_macro2::TokenStream;
@@ -6,8 +6,8 @@ use proc_macro2::TokenStream;
 /// A field: its name, its value and its explanation.
 pub(super) type Field<'a> = (&'a str, TokenStream, &'a str);
 
-/// Emits `name: value, …`, with the explanations if `explained` is true. In a list of structures the first explains its
-/// fields for all.
+/// Emits `name: value, …`, with the explanations if `explained` is true. In a list of structures only the first has the
+/// explanations.
 pub(super) fn fields(explained: bool, fields: &[Field<'_>]) -> TokenStream {
     let fields = fields.iter().map(|(name, value, about)| {
         let name = local(name);

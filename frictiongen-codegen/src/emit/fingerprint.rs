@@ -1,4 +1,4 @@
-//! Hashes a scene. Emitted code states the hash, so that a reader sees from which scene it comes.
+//! Hash of a scene. Emitted code contains the hash, so that a reader can identify the scene from which the code comes.
 
 use frictiongen_model::scene::{
     Accuracy, Beyond, Contact, Damping, DampingFrom, Declared, Excitation, FrictionLaw, Mass, Node,
@@ -87,7 +87,7 @@ impl Fnv {
         }
     }
 
-    /// Hashes a variant whose fields follow.
+    /// Hashes a variant. The caller then hashes the fields of the variant.
     fn variant(&mut self, variant: u8) -> &mut Self {
         self.unit(variant);
         self

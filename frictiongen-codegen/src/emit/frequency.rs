@@ -11,12 +11,11 @@ use frictiongen_kernel::contact::sums::Chain;
 use frictiongen_kernel::oscillator::mode::{Kind, Mode};
 use proc_macro2::{Ident, Literal, TokenStream};
 
-/// Code of the frequency stage: the methods of the kernel's `Scene` and the function that they
-/// share.
+/// Code of the frequency stage: methods of the kernel's `Scene`, and the function that they call.
 pub(super) struct Stage {
     pub function: TokenStream,
     pub methods: TokenStream,
-    /// The last argument of the kernel's `scene_items`.
+    /// Last argument of the kernel macro `scene_items`.
     pub in_passes: TokenStream,
 }
 
@@ -84,15 +83,15 @@ pub(super) fn emit(emission: &Emission<'_>) -> Stage {
     }
 }
 
-/// Lines that the documentation of emitted code has in addition if damping acts on velocities relative to the moving
-/// base.
+/// Additional lines of emitted documentation, if damping acts on velocities relative to the moving base.
 const FROM_BASE: [&str; 3] = [
     " Damping acts relative to the base: to residue·`response` in V comes i(φᵀw)·2ζλΓ/x·`response` with Γ = φᵀΓ1, and on a moving",
     " base `static_residue` − 2iζx·wall takes the place of `static_residue`·(1 − 2iζx), wall being `static_residue` − (φᵀw)Γ.",
     " `QUADRATURES` has 2ζλΓ and wall of each mode.",
 ];
 
-/// Returns the line that states the number of operations of a function, without those on constants alone.
+/// Returns the documentation line with the number of operations of a function. Operations on constants alone do not
+/// count.
 pub(super) fn operations_about(operations: &Count) -> String {
     format!(" Operations: {operations}.")
 }
@@ -102,10 +101,10 @@ fn uniform_kind(modes: &[Mode<f64>]) -> Option<Kind> {
     modes.iter().all(|mode| mode.kind == kind).then_some(kind)
 }
 
-/// Names that the code around the formulas already uses.
+/// Names that the code around the formulas uses. The formulas must not use them again.
 const TAKEN: [&str; 3] = ["inverse_r", "contact", "modes"];
 
-/// Emits the stage of a single mode. The scale is the size of this mode.
+/// Emits the stage of a scene with one mode. The scale E is the size of this mode.
 fn single(emission: &Emission<'_>) -> (TokenStream, Count) {
     let graph = emission.graph(1);
     let tracer = Tracer::over_constants(&graph, &emission.modal, emission.precision);
@@ -161,7 +160,7 @@ fn straight(emission: &Emission<'_>) -> (TokenStream, Count) {
 }
 
 /// Emits the functions of each mode, then a call of the kernel's sum for each mode. The compiler inlines the calls, so
-/// the compiled code is the same as for straight-line code.
+/// that the compiled code equals that of straight-line code.
 fn summed(emission: &Emission<'_>) -> (TokenStream, Count) {
     let (calls, blocks, count) = blocks(emission);
     let graph = emission.graph(emission.modes());
@@ -196,8 +195,7 @@ fn summed(emission: &Emission<'_>) -> (TokenStream, Count) {
     (code!(#constants #body), count)
 }
 
-/// Emits the functions of each mode, the scale, and the modes at that scale, from which the sums
-/// over the modes start.
+/// Emits the functions of each mode, the scale E, and the functions multiplied by E, which the sums over the modes use.
 fn blocks(emission: &Emission<'_>) -> (TokenStream, TokenStream, Count) {
     let mut count = Count::default();
     let (mut calls, mut body) = (TokenStream::new(), TokenStream::new());

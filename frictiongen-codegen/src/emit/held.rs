@@ -120,7 +120,7 @@ fn tabled<S: Float + Listed<S>>(emission: &Emission<'_>, tables: &Tables<S>) -> 
     }
 }
 
-/// The distinct pole sets of the stuck responses.
+/// The different sets of poles of the stuck responses.
 struct Poles<'a, S> {
     sets: Vec<&'a HeldForm<S>>,
 }

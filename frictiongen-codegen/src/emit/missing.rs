@@ -1,5 +1,5 @@
-//! Emits uncallable methods for everything that the scene does not provide. Their messages state what to add to
-//! `provide`.
+//! Emits placeholder methods for everything that the scene does not provide. A call does not compile, and the compiler
+//! message says what to add to `provide`.
 
 use super::emission::{Emission, Part, Wanted};
 use super::names::TypeNames;

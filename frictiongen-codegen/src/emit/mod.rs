@@ -39,18 +39,18 @@ use quote::format_ident;
 pub(crate) use fingerprint::fingerprint;
 pub use trace::traces;
 
-/// Smallest number of modes with which the frequency stage is emitted as passes over an array of modes. Straight-line
-/// code is faster, but grows with the number of modes. `scripts/passes-trial` measures both.
+/// Smallest number of modes for which the emitted frequency stage consists of passes over an array of modes.
+/// Straight-line code is faster, but grows with the number of modes. `scripts/passes-trial` measures both.
 pub const PASSES_FROM: usize = 17;
 
-/// Returns the solver of a description.
+/// Returns the emitted code of a description.
 #[must_use]
 pub fn emit(description: &Description) -> TokenStream {
     emit_in_passes(description, PASSES_FROM)
 }
 
-/// Returns the solver of a description, with another smallest number of modes for passes. `scripts/passes-trial` uses
-/// this function to find the number of modes at which passes are better.
+/// Returns the emitted code of a description, with another value for [`PASSES_FROM`]. `scripts/passes-trial` measures
+/// with it from which number of modes on passes are better.
 #[must_use]
 pub fn emit_in_passes(description: &Description, passes_from: usize) -> TokenStream {
     let mut emission = Emission::of(description, passes_from);
@@ -118,7 +118,7 @@ pub fn emit_in_passes(description: &Description, passes_from: usize) -> TokenStr
     }
 }
 
-/// Emits the import of π and 2π, as far as the items mention them.
+/// Emits the imports of π and 2π, if the names occur in the items.
 fn pi(items: &TokenStream, scalar: &TokenStream) -> TokenStream {
     let names = ["PI", "TAU"].into_iter();
     let names = names.filter(|name| emission::mentions(items, name));
@@ -129,7 +129,7 @@ fn pi(items: &TokenStream, scalar: &TokenStream) -> TokenStream {
     names.collect()
 }
 
-/// Emitted code of one kind of answer, with the names of its types.
+/// Emitted code of one group of methods, with the names of its types.
 struct Group {
     types: Vec<Ident>,
     part: Part,

@@ -1,5 +1,5 @@
-//! Emits the functions of one mode at one frequency ratio r: one function for each damping kind, one call for each
-//! mode.
+//! Emits the functions of one mode at one frequency ratio r. Each kind of damping has one function, and each mode has
+//! one call.
 
 use super::emission::Emission;
 use super::frequency::operations_about;
@@ -10,7 +10,8 @@ use crate::graph::{Expr, Graph, Operand};
 use frictiongen_kernel::oscillator::mode::{Kind, Mode, ModeResponse};
 use proc_macro2::TokenStream;
 
-/// Emits the pole-free functions of a mode: one function for each damping kind, which several modes share.
+/// Emits the functions of a mode, multiplied so that they have no pole. Modes with the same kind of damping share one
+/// function.
 pub(super) fn functions(emission: &Emission<'_>) -> TokenStream {
     if emission.modes() == 1 {
         return TokenStream::new();
@@ -46,16 +47,16 @@ pub(super) fn functions(emission: &Emission<'_>) -> TokenStream {
     functions.collect()
 }
 
-/// Returns whether g is not 0 for this damping kind.
+/// Returns true if g is not 0 for this kind of damping.
 pub(super) fn has_g(kind: Kind) -> bool {
     kind != Kind::Undamped
 }
 
-/// The constant parameter of emitted functions that requests g. Limits without search need no g. The compiler alone
-/// does not remove all of its computation.
+/// Name of the constant parameter of emitted functions that selects whether they compute g. Limits without search need
+/// no g, and the compiler alone would not remove all of its computation.
 pub(super) const WITH_G: &str = "WITH_G";
 
-/// The damping kinds, each with the name and the documentation of its function.
+/// Kinds of damping, each with the name and the documentation of its function.
 const KINDS: [(Kind, &str, &str); 5] = [
     (
         Kind::Undamped,
@@ -84,7 +85,8 @@ const KINDS: [(Kind, &str, &str); 5] = [
     ),
 ];
 
-/// Emits the path of the function for this damping kind. `with_g` is the argument that requests g.
+/// Emits the path of the function for this kind of damping. `with_g` is the argument that selects whether the function
+/// computes g.
 pub(super) fn function_of(kind: Kind, with_g: &TokenStream) -> TokenStream {
     let function = KINDS.iter().find(|(of, ..)| *of == kind);
     let function = local(function.map_or("", |(_, function, _)| function));

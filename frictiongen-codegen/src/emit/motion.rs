@@ -12,7 +12,7 @@ use crate::graph::{Expr, Operand};
 use frictiongen_kernel::response::coefficients::{Fundamental, ModalCoefficients};
 use proc_macro2::{Ident, Literal, TokenStream};
 
-/// Names that the code around the formulas already uses.
+/// Names that the code around the formulas uses. The formulas must not use them again.
 const TAKEN: [&str; 8] = [
     "at",
     "inverse_r",
@@ -118,8 +118,7 @@ pub(super) fn emit(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> Part 
     }
 }
 
-/// Emits straight-line code for the motions of a scene with few modes. The code consists of methods of the kernel's
-/// `ProvidesMotion`.
+/// Emits straight-line code for the motions of a scene with few modes, as methods of the kernel's `ProvidesMotion`.
 fn in_lines(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> TokenStream {
     let scalar = &emission.scalar;
     let masses: Vec<usize> = masses
@@ -173,14 +172,14 @@ fn in_lines(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> TokenStream 
     }
 }
 
-/// Coefficients of a motion: the common ones and those of each mode.
+/// Coefficients of a motion: the coefficients of the fundamental component, and the coefficients of each mode.
 struct Coefficients<'g> {
     fundamental: Fundamental<Expr<'g>>,
     /// Coefficients of each mode; `None` for a mode that the contact does not drive.
     modal: Vec<Option<ModalCoefficients<Expr<'g>>>>,
 }
 
-/// Returns the documentation line about the work that the number of operations does not include.
+/// Returns the documentation line about work that the number of operations does not include.
 fn waves_about(emission: &Emission<'_>) -> String {
     let modes = emission.modes();
     let plural = if modes == 1 { "" } else { "s" };
@@ -218,8 +217,8 @@ fn of_contact(emission: &Emission<'_>, tracer: &Tracer<'_>) -> (TokenStream, Cou
     (body, count)
 }
 
-/// Emits the common statements of the masses' motions, and the statements of each mass. Returns them with the operations
-/// of the mass that needs most.
+/// Emits the statements that all masses share, and the statements of each mass. Also returns the operations of the mass
+/// that needs most.
 fn of_masses(
     emission: &Emission<'_>,
     tracer: &Tracer<'_>,

@@ -1,10 +1,10 @@
-//! Defines the names in emitted code.
+//! Names in emitted code.
 
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::format_ident;
 
-/// Names that emitted code imports from the kernel. If a type of the scene has such a name, the emitted block refers to
-/// the scene's types by aliases.
+/// Names that emitted code imports from the kernel. If a type of the scene has one of these names, the emitted block
+/// uses aliases for the scene's types.
 const IMPORTED: [&str; 95] = [
     "check",
     "locals",
@@ -103,7 +103,7 @@ const IMPORTED: [&str; 95] = [
     "Transfer",
 ];
 
-/// The names of the emitted types.
+/// Names of the emitted types.
 pub(super) struct TypeNames {
     pub name: Ident,
     pub at: Ident,
@@ -116,7 +116,7 @@ pub(super) struct TypeNames {
 }
 
 impl TypeNames {
-    /// Returns the names for a scene of this name.
+    /// Returns the names of the types for a scene with this name.
     pub fn of(scene: &Ident) -> Self {
         let suffixed = |suffix| suffixed(scene, suffix);
         Self {
@@ -131,7 +131,7 @@ impl TypeNames {
         }
     }
 
-    /// Returns true if one of the names, of an emitted type or not, is also a name that emitted code imports.
+    /// Returns true if one of the type names is also a name that emitted code imports.
     pub fn clash(&self) -> bool {
         let Self {
             name,
@@ -155,12 +155,12 @@ fn suffixed(name: &Ident, suffix: &str) -> Ident {
     ident
 }
 
-/// Returns a local name that the user's code cannot capture.
+/// Returns a name for a local variable that cannot refer to an item of the user.
 pub(super) fn local(name: &str) -> Ident {
     Ident::new(name, Span::mixed_site())
 }
 
-/// Emits `field: value`, or `field` alone where the value has the same name.
+/// Emits `field: value`, or only `field` if the value has the same name.
 pub(super) fn field(name: &str, value: &TokenStream) -> TokenStream {
     let ident = local(name);
     if value.to_string() == name {

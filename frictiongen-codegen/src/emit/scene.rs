@@ -115,7 +115,7 @@ fn quadratures(emission: &Emission<'_>) -> (TokenStream, TokenStream) {
     (constant, method)
 }
 
-/// Mode shapes of the masses that the scene provides: a constant, and methods of the kernel's `Scene`.
+/// Mode shapes of the masses that the scene provides, as a constant and methods of the kernel's `Scene`.
 struct Shapes {
     constant: Option<TokenStream>,
     methods: TokenStream,
@@ -155,7 +155,8 @@ fn shapes(emission: &Emission<'_>, wanted: &Wanted<'_>) -> Shapes {
     let moves = partly.then(|| {
         let moving = moving.into_iter().map(Literal::usize_unsuffixed);
         code! {
-            /// Returns whether the motion of this mass is provided.  Other masses have shapes for the stuck response alone.
+            /// Returns true if the scene provides the motion of this mass.  The other masses have mode shapes only for
+            /// the stuck response.
             #[inline]
             fn moves(&self, mass: usize) -> bool {
                 match mass { #(#moving)|* => true, _ => false }

@@ -10,18 +10,19 @@ use frictiongen_kernel::number::dd::Dd;
 use frictiongen_model::scene::Precision;
 use proc_macro2::{Literal, TokenStream};
 
-/// Largest error of an answer of the exact formulas, in roundings. Frequencies are chosen where 32 roundings of r change
-/// no answer by more than an eighth of it.
+/// Largest error of an answer of the exact formulas, in rounding units. The known frequencies are such that a change of
+/// r by 32 rounding units changes no answer by more than an eighth of this error.
 const ROUNDINGS: f64 = 4096.0;
-/// Lowest frequency ratio of the known answers over the lowest resonance, and highest over the highest one.
+/// Lowest known frequency ratio over the lowest resonance, and highest known frequency ratio over the highest
+/// resonance.
 const BAND: (f64, f64) = (0.2, 1.5);
 
-/// Returns the checksum of a constant that the emitted code has with these numbers.
+/// Returns the checksum that the emitted code computes for a constant with these numbers.
 pub(super) fn sum(numbers: &(impl Listed<f64> + ?Sized)) -> u32 {
     check::sum::<f64>(numbers)
 }
 
-/// Returns the checksum of a constant in double-double, each of whose numbers is rounded once.
+/// Returns the checksum of a constant in double-double, after rounding each number once.
 pub(super) fn sum_of_rounded(numbers: &impl Listed<Dd>, precision: Precision) -> u32 {
     let mut sum = 0;
     numbers.list(&mut |number| {
@@ -30,7 +31,7 @@ pub(super) fn sum_of_rounded(numbers: &impl Listed<Dd>, precision: Precision) ->
     sum
 }
 
-/// Emits `self_check` with the known answers. `constants` are those of all other parts.
+/// Emits `self_check` with the known answers. `constants` are the constants of all other parts.
 pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>, constants: &[&Checked]) -> Part {
     let scalar = &emission.scalar;
     let at_frequency = emission.scene.needs_frequency();
@@ -80,7 +81,7 @@ fn hexadecimal(sum: u32) -> TokenStream {
     text.parse().unwrap_or_default()
 }
 
-/// Returns the largest error of an answer, and the known answers.
+/// Returns the largest allowed error of an answer, and the known answers.
 fn answers(emission: &Emission<'_>, wanted: &Wanted<'_>) -> (f64, Vec<Known>) {
     use crate::lower::SceneTables;
     let scene = emission.scene;
@@ -151,7 +152,7 @@ fn known_answers(
     (tables, Some(checked))
 }
 
-/// Returns the numbers of known answers for each mass with a motion and for each stuck response.
+/// Returns two counts of numbers in a known answer: for the motions of masses, and for the stuck responses.
 fn sizes(emission: &Emission<'_>, wanted: &Wanted<'_>) -> [Literal; 2] {
     let masses = wanted.motion.as_ref().map_or(0, Vec::len);
     let forces = if wanted.stuck {
@@ -332,7 +333,7 @@ fn about(all: &[Known], wanted: &Wanted<'_>) -> Vec<String> {
     about
 }
 
-/// Returns the documentation line about the largest work.
+/// Returns the documentation line with the worst-case work of the self-check.
 fn work(wanted: &Wanted<'_>, answers: usize) -> String {
     let mut work =
         " Worst case: four integer operations for each half of a constant's number".to_owned();

@@ -1,9 +1,10 @@
-//! Emits mode shapes by masses, as the kernel reads them. `MODE_SHAPES` is reused where its numbers are the same.
+//! Emits mode shapes in the kernel's order, mass after mass. Where the numbers are the same, the emitted code uses
+//! `MODE_SHAPES` again.
 
 use super::emission::{Emission, rounded};
 use proc_macro2::{Literal, TokenStream};
 
-/// Emits `[mass][mode]` from shapes that are listed mass after mass.
+/// Emits `[mass][mode]` from a list of mode shapes, mass after mass.
 pub(super) fn by_masses(emission: &Emission<'_>, shapes: &[f64]) -> TokenStream {
     let masses = emission.scene.masses.len();
     let modes = shapes.len() / masses.max(1);

@@ -1,8 +1,8 @@
-//! Keeps the user's constants out of emitted patterns.
+//! Prevents the user's constants from changing emitted patterns.
 //!
 //! A pattern `let r` refers to a constant `r` if the user's module has one. A function of the same name hides that
-//! constant, and a pattern may hide the function. The library defines such functions for the variables that the code of
-//! most scenes has. This file emits the functions for all other variables.
+//! constant, and a pattern may hide the function. The library defines such functions for the variables that most scenes
+//! have. This file emits the functions for all other variables.
 
 use frictiongen_kernel::emitted::locals::NAMES;
 use frictiongen_model::validate::is_keyword;
@@ -38,8 +38,8 @@ fn is_of_a_mode(text: &str) -> bool {
     rest.starts_with('_')
 }
 
-/// Collects every word that a pattern may bind. Such a word begins with a small letter, is not in a path, and is
-/// neither called nor defined.
+/// Collects every word that a pattern may bind. Such a word begins with a small letter and is not in a path. It is also
+/// not the name of a function.
 fn collect(tokens: TokenStream, names: &mut BTreeSet<String>) {
     let tokens: Vec<TokenTree> = tokens.into_iter().collect();
     let sign = |index: Option<usize>, sign: char| matches!(index.and_then(|index| tokens.get(index)), Some(TokenTree::Punct(punct)) if punct.as_char() == sign);

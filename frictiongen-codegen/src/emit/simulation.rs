@@ -106,7 +106,7 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
     }
 }
 
-/// Emits the constructors of a run where the kinetic friction force is constant.
+/// Emits the constructors of a simulation with constant kinetic friction.
 fn starts(emission: &Emission<'_>, parts: &Literal) -> [TokenStream; 2] {
     let Emission {
         scalar,
@@ -153,7 +153,7 @@ fn starts(emission: &Emission<'_>, parts: &Literal) -> [TokenStream; 2] {
     [starts, trait_of]
 }
 
-/// Emits the constructors of a run where the kinetic friction force depends on the speed.
+/// Emits the constructors of a simulation whose kinetic friction depends on the speed.
 fn starts_under(emission: &Emission<'_>, parts: &Literal) -> ([TokenStream; 2], Vec<Checked>) {
     let Emission {
         scene,

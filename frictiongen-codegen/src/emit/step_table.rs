@@ -1,4 +1,5 @@
-//! Emits the tables of a declared step. They describe each oscillator over the step, in double-double and rounded once.
+//! Emits the tables of a declared step. The tables describe each oscillator over the step. Each number is computed in
+//! double-double and rounded once.
 
 use super::checksum;
 use super::dynamics::count;
@@ -33,7 +34,8 @@ impl Sizes {
     }
 }
 
-/// Emits the tables, and returns their checksum. Returns `None` for a step that the kernel refuses. `lower` has then reported the error.
+/// Emits the tables, and returns their checksum. Returns `None` for a step that the kernel refuses, because `lower` has
+/// already reported the error.
 pub(super) fn emit(
     emission: &Emission<'_>,
     scene: &StepScene<'_, Dd, AnyContact<Dd>>,
@@ -47,8 +49,8 @@ pub(super) fn emit(
     }
 }
 
-/// Bound on the rounding error of a vanishing double-double sum, as a fraction of its terms. A smaller acceleration is
-/// set to 0, because the input's force does not act on the contact.
+/// Bound on the rounding error of a double-double sum near zero, as a fraction of its terms. An acceleration below the
+/// bound is set to 0, because the input then does not act on the contact.
 const ROUNDING: f64 = 1e-26;
 
 fn table<const D: usize>(
@@ -153,7 +155,7 @@ fn table<const D: usize>(
     Some((tables, sum))
 }
 
-/// Returns the number of power series terms that the scene's scalar needs.
+/// Returns the number of power series terms that the scene's scalar type needs.
 fn terms<S: Float>(emission: &Emission<'_>, step: Dd) -> Option<u32> {
     let to = |value: Dd| S::constant(rounded(value, emission.precision));
     let Emission { scene, modal, .. } = emission;
@@ -164,7 +166,7 @@ fn terms<S: Float>(emission: &Emission<'_>, step: Dd) -> Option<u32> {
     Some(pace.terms)
 }
 
-/// Writes double-doubles in the scene's scalar.
+/// Writes double-double numbers in the scene's scalar type.
 struct Writer<'e>(&'e Emission<'e>);
 
 impl Writer<'_> {

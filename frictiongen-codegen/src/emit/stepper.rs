@@ -1,4 +1,4 @@
-//! Emits the stepper, which advances by a fixed step in physical time under any input.
+//! Emits the stepper, which advances in steps of fixed physical time under any input.
 
 use super::dynamics::{Constants, count};
 use super::emission::{Checked, Emission, Part, rounded};
@@ -164,7 +164,7 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
     }
 }
 
-/// Emits the stepper's scene as constants.
+/// Emits the stepper's data of the scene as constants.
 fn step_scene(emission: &Emission<'_>) -> (TokenStream, Vec<Checked>) {
     let Emission {
         scene,
@@ -330,8 +330,8 @@ fn types(
     }
 }
 
-/// Returns the fields of the input for the loaded masses: `force` for the excited mass, otherwise
-/// the name of the mass.
+/// Returns the fields of the input for the loaded masses. The field of the excited mass is `force`. The fields of other
+/// masses have the name of the mass.
 fn force_fields(emission: &Emission<'_>, steps: &Steps<Dd>) -> Vec<Ident> {
     let places = steps.forces.iter().enumerate();
     let names = places.filter_map(|(place, mass)| {

@@ -100,7 +100,7 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
     }
 }
 
-/// Emits straight-line code for the stuck response of a scene with few modes. The code is a method of the kernel's
+/// Emits straight-line code for the stuck response of a scene with few modes, as a method of the kernel's
 /// `ProvidesStuck`.
 fn in_lines(emission: &Emission<'_>) -> TokenStream {
     let scalar = &emission.scalar;

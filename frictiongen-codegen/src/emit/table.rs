@@ -197,7 +197,7 @@ pub(super) fn quotient<S: Float>(emission: &Emission<'_>, product: &Product<S>) 
     quotient_over(emission, product, &code!(&#denominator))
 }
 
-/// Emits a quotient of products whose poles are the expression `denominator`.
+/// Emits a quotient of products. `denominator` is the expression for its poles.
 pub(super) fn quotient_over<S: Float>(
     emission: &Emission<'_>,
     product: &Product<S>,

@@ -1,4 +1,4 @@
-//! Records the formulas as code: each emitted function becomes a graph with named outputs.
+//! Records the formulas as graphs. Each emitted function becomes a graph with named outputs.
 
 use super::emission::rounded;
 use crate::graph::count::Count;
@@ -14,7 +14,7 @@ use frictiongen_model::modal::Modal;
 use frictiongen_model::reduced::Reduced;
 use frictiongen_model::scene::{Precision, Scene};
 
-/// A recorded function under construction.
+/// Recording of one function.
 pub(super) struct Tracer<'g> {
     pub graph: &'g Graph,
     pub reduced: Reduced<Expr<'g>>,
@@ -28,9 +28,9 @@ impl<'g> Tracer<'g> {
         }
     }
 
-    /// Creates a tracer that names the constants of the modes as fields of `constants_1`, `constants_2`, …, and those of
-    /// the chain as fields of `CHAIN`. The emitted code then has each number once. Numbers that fold away (0, 1 and −1)
-    /// stay numbers.
+    /// Creates a tracer that gives names to the constants: fields of `constants_1`, `constants_2`, … for the modes, and
+    /// fields of `CHAIN` for the chain. The emitted code then contains each number once. Numbers that fold (0, 1 and
+    /// −1) get no name.
     pub fn over_constants(graph: &'g Graph, modal: &Modal, precision: Precision) -> Self {
         let mut tracer = Self::new(graph, modal, precision);
         let modes = &mut tracer.reduced.modes;
@@ -65,8 +65,8 @@ impl<'g> Tracer<'g> {
         tracer
     }
 
-    /// Returns the components of a mass in the mode shapes, as `shape_1`, `shape_2`, …. Masses whose components fold
-    /// alike then have the same formulas.
+    /// Returns the components of a mass in the mode shapes, as `shape_1`, `shape_2`, …. Masses for which the same
+    /// components fold then have the same formulas.
     pub fn shape(&self, mass: usize) -> Vec<Expr<'g>> {
         let components = self.reduced.shape(mass).iter().zip(1..);
         let named = components.map(|(component, number)| match *component {
@@ -128,7 +128,7 @@ impl<'g> Tracer<'g> {
         }
     }
 
-    /// Returns the pole-free functions of a mode as inputs.
+    /// Returns the functions of a mode as inputs. They are multiplied so that they have no pole.
     pub fn response(&self, name: &str) -> ModeResponse<Expr<'g>> {
         let of = |field: &str| self.graph.input(format!("{name}.{field}"));
         ModeResponse {
@@ -158,7 +158,7 @@ impl<'g> Tracer<'g> {
         }
     }
 
-    /// Records the whole frequency stage, unrolled. `g` maps the g of each mode.
+    /// Records the whole frequency stage without loops. The closure `g` replaces the damping function g of each mode.
     pub fn frequency(
         &self,
         inverse_r: Expr<'g>,
@@ -193,7 +193,7 @@ impl<'g> Tracer<'g> {
         (contact, at)
     }
 
-    /// Records the sums over the modes' functions `mode_1` … and `at_1` ….
+    /// Records the sums over the modes from their functions `mode_1`, `at_1` and so on.
     pub fn joined(&self) -> ContactAt<Expr<'g>> {
         let Reduced {
             modes,
@@ -213,7 +213,7 @@ impl<'g> Tracer<'g> {
         chain.completed(&sum, self.graph.input("inverse_r"))
     }
 
-    /// Prints `outputs` for a function body that already uses the names in `taken`.
+    /// Prints `outputs` for a function body. `taken` lists the names that the body already uses.
     pub fn print(
         &self,
         outputs: &[Operand],
@@ -227,7 +227,7 @@ impl<'g> Tracer<'g> {
     }
 }
 
-/// Returns a number as a constant with the name `text`. A value that already has a name is returned unchanged.
+/// Returns a number as a constant with the name `text`. If the value already has a name, returns it unchanged.
 fn constant<'g>(graph: &'g Graph, text: &str, value: Expr<'g>) -> Expr<'g> {
     match value {
         Expr::Number(value) => graph.constant(text, value),
@@ -277,7 +277,7 @@ pub(super) fn mode_outputs(at: &ModeAt<Expr<'_>>) -> Vec<Operand> {
         .to_vec()
 }
 
-/// Evaluates a scene's traced functions in numbers. Tests compare the recorded graph with the compiled code and with
+/// Evaluates the recorded functions of a scene in numbers. Tests compare these numbers with the compiled code and with
 /// the run-time system.
 pub fn traces<S: frictiongen_kernel::Float>(
     scene: &Scene,

@@ -1,4 +1,4 @@
-//! Emits the constants that connect ratios with units, and the hash of the scene.
+//! Emits the constants that convert between ratios and units, and the hash of the scene.
 
 use super::emission::{Checked, Emission, Part};
 use super::fingerprint::fingerprint;
@@ -14,7 +14,8 @@ pub(super) fn constants(emission: &Emission<'_>) -> UnitConstants {
     }
 }
 
-/// Emits the reference frequency by its name. 1 has no name, because no division by it is emitted.
+/// Emits the reference frequency √(k₁/m₁) by its name. If it is 1, it has no name, because the emitted code then
+/// contains no division by it.
 pub(super) fn reference_by_name(emission: &Emission<'_>, reference: f64) -> TokenStream {
     if reference == 1.0 {
         emission.literal(reference)
@@ -23,8 +24,8 @@ pub(super) fn reference_by_name(emission: &Emission<'_>, reference: f64) -> Toke
     }
 }
 
-/// Emits the constants as associated items, and the conversions as items for the end of the same block. The checksum
-/// covers natural frequencies and resonances too.
+/// Emits the constants as associated items, and the conversions as items at the end of the same block. The checksum
+/// also covers natural frequencies and resonances.
 pub(super) fn emit(emission: &Emission<'_>, (frequencies, resonances): (&[f64], &[f64])) -> Part {
     let scalar = &emission.scalar;
     let UnitConstants {
@@ -94,7 +95,7 @@ fn hexadecimal(hash: u64) -> TokenStream {
     format!("0x{}", words.join("_")).parse().unwrap_or_default()
 }
 
-/// Emits the conversions from units.
+/// Emits the conversions between ratios and units.
 fn conversions(emission: &Emission<'_>, named: bool) -> TokenStream {
     let scalar = &emission.scalar;
     let frequency_ratio = if named {

@@ -1,5 +1,5 @@
-//! Prints several alternatives. The emitted code evaluates only one of them. Operations that all alternatives share
-//! come before the choice.
+//! Prints several alternatives, of which the emitted code evaluates only one. The operations that all alternatives
+//! share are before the choice.
 
 use super::count::Count;
 use super::print::{Printed, Printer};
@@ -8,15 +8,15 @@ use frictiongen_model::scene::Precision;
 use proc_macro2::TokenStream;
 use std::collections::BTreeSet;
 
-/// One of several alternatives, with the names that its formula gave.
+/// One of several alternatives, with the names from its formula.
 pub struct Alternative {
     nodes: Vec<Recorded>,
     outputs: Vec<Operand>,
 }
 
 impl Alternative {
-    /// Takes the operations behind `outputs`, and clears the names. The next formula gives its own names, because an
-    /// operation that both formulas share may have another meaning there.
+    /// Takes the operations on which `outputs` depend, and clears their names. The next formula gives its own names,
+    /// because the same operation may have another meaning in it.
     #[must_use]
     pub fn of(graph: &Graph, outputs: Vec<Operand>) -> Self {
         let nodes = graph.reachable(&outputs);
@@ -31,7 +31,7 @@ impl Alternative {
     }
 }
 
-/// Returns the operations of the alternative that has most.
+/// Returns the number of operations of the longest alternative.
 #[must_use]
 pub fn most_operations(graph: &Graph, alternatives: &[Alternative]) -> Count {
     let counts = alternatives
@@ -40,7 +40,7 @@ pub fn most_operations(graph: &Graph, alternatives: &[Alternative]) -> Count {
     counts.max_by_key(Count::total).unwrap_or_default()
 }
 
-/// Groups equal alternatives, with all keys that lead to each.
+/// Groups equal alternatives. Each group has the keys of all its alternatives.
 pub fn grouped<T>(all: impl Iterator<Item = (T, Alternative)>) -> (Vec<Vec<T>>, Vec<Alternative>) {
     let (mut groups, mut alternatives): (Vec<Vec<T>>, Vec<Alternative>) = (Vec::new(), Vec::new());
     for (of, alternative) in all {
@@ -87,8 +87,8 @@ pub fn print(
     (statements, alternatives.collect())
 }
 
-/// Returns the operations that all alternatives need and to which all give the same name. The list is empty for a
-/// single alternative.
+/// Returns the operations that all alternatives need and that have the same name in all of them. The list is empty for
+/// a single alternative.
 fn common(alternatives: &[Alternative]) -> Vec<Recorded> {
     let [first, others @ ..] = alternatives else {
         return Vec::new();

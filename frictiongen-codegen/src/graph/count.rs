@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 pub struct Count(BTreeMap<&'static str, usize>);
 
 impl Count {
-    /// Counts the operations that `outputs` need.
+    /// Counts the operations on which `outputs` depend.
     #[must_use]
     pub fn of(graph: &Graph, outputs: &[Operand]) -> Self {
         let mut count = Self::default();

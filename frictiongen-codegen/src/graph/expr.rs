@@ -1,11 +1,11 @@
-//! Defines the scalar that records the operations performed on it.
+//! Scalar type that records the operations performed on it.
 
 use super::{Binary, Graph, Id, Node, Operand, Unary};
 use frictiongen_kernel::Scalar;
 use frictiongen_model::scene::Precision;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// A number that is known during emission, or a value that the emitted code computes.
+/// A number that is known when the code is emitted, or a value that the emitted code computes.
 #[derive(Clone, Copy)]
 pub enum Expr<'g> {
     /// A known number.
@@ -14,7 +14,7 @@ pub enum Expr<'g> {
     Node(&'g Graph, Id),
 }
 
-/// The outcome of a comparison, known during emission or computed by the emitted code.
+/// Result of a comparison. It is known when the code is emitted, or the emitted code computes it.
 #[derive(Clone, Copy)]
 pub enum Condition<'g> {
     /// A known outcome.
@@ -24,13 +24,13 @@ pub enum Condition<'g> {
 }
 
 impl Graph {
-    /// Records an external value by the Rust expression that names it.
+    /// Records an external value. `text` is the Rust expression that names it.
     pub fn input(&self, text: impl Into<String>) -> Expr<'_> {
         Expr::Node(self, self.record(Node::Input(text.into())))
     }
 
-    /// Records a constant of the scene by the Rust expression that names it. The numbers 0, 1 and −1 fold, so they get no
-    /// name.
+    /// Records a constant of the scene. `text` is the Rust expression that names it. The numbers 0, 1 and −1 fold, so
+    /// that they get no name.
     pub fn constant(&self, text: impl Into<String>, value: f64) -> Expr<'_> {
         if value == 0.0 || value.abs() == 1.0 {
             return Expr::Number(value);
@@ -39,8 +39,8 @@ impl Graph {
         Expr::Node(self, self.record_known(node, value))
     }
 
-    /// Records a value that the emitted code computes only if the constant parameter `flag` is true. Otherwise the
-    /// value is 0. The result of this choice gets the name of the value.
+    /// Records a value that the emitted code computes only if the constant parameter `flag` is true. If it is false,
+    /// the value is 0. The recorded choice has the name of the value.
     #[must_use]
     pub fn where_asked<'g>(&'g self, flag: &str, value: Expr<'g>) -> Expr<'g> {
         let Expr::Node(_, id) = value else {
@@ -59,7 +59,7 @@ impl Graph {
 }
 
 impl<'g> Expr<'g> {
-    /// Returns the operand of this value.
+    /// Returns this value as an operand of an operation.
     #[must_use]
     pub fn operand(self) -> Operand {
         match self {
@@ -79,7 +79,7 @@ impl<'g> Expr<'g> {
         matches!(self, Self::Number(value) if value == number)
     }
 
-    /// Returns the value of a number, or of an expression of constants of the scene.
+    /// Returns the value of a number, or of an expression that contains only constants of the scene.
     fn value(self) -> Option<f64> {
         match self {
             Self::Number(value) => Some(value),
@@ -123,7 +123,7 @@ impl<'g> Expr<'g> {
         }
     }
 
-    /// Returns a if this value was recorded as `-a`, so that a − (−b) is recognised.
+    /// Returns a if this value was recorded as `-a`. Formulas thus recognise a − (−b) as a sum.
     fn negated(self) -> Option<Self> {
         let Self::Node(graph, id) = self else {
             return None;
@@ -342,9 +342,9 @@ impl<'g> Scalar for Expr<'g> {
     }
 }
 
-/// Returns true if an operation on constants of the scene stays in the emitted code. The compiler then computes it in
+/// Returns true if the emitted code keeps an operation on constants of the scene, which the compiler then computes in
 /// the scene's precision. The result must equal `value`, which is computed in double precision and then rounded to the
-/// scene's precision. An operation does not stay if its result folds further operations, or if compilers may round its
+/// scene's precision. An operation is not kept if its result allows further folding, or if compilers may round its
 /// function differently.
 fn stays(precision: Precision, op: Binary, operands: [f64; 2], value: f64) -> bool {
     let rounded = |value: f64| match precision {

@@ -1,4 +1,4 @@
-//! Evaluates a graph in numbers, with the operations and the order of its emitted code.
+//! Evaluates a graph in numbers, with the operations of the emitted code in the same order.
 
 use super::{Binary, Graph, Id, Node, Operand, Unary};
 use frictiongen_kernel::Float;
@@ -11,8 +11,8 @@ enum Value<S> {
     Truth(bool),
 }
 
-/// Returns the values of `outputs`. `input` gives the external values by their text. Returns `None`
-/// if an input is not known.
+/// Returns the values of `outputs`. `input` returns the value of an external value, given its text. Returns `None` if
+/// `input` does not know a value.
 pub fn interpret<S: Float>(
     graph: &Graph,
     outputs: &[Operand],

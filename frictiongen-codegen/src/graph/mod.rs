@@ -1,8 +1,9 @@
-//! The expression graph, which records the closed forms as code.
+//! Expression graph, which records the closed forms as code.
 //!
-//! [`Expr`] is a scalar like any other. Evaluating a formula with it records the operations. Constants fold during
-//! recording, and equal operations are recorded once. A recorded [`Graph`] can be interpreted in numbers
-//! ([`interpret`]), counted ([`count`]) and printed as Rust ([`mod@print`]; [`alternatives`]).
+//! [`Expr`] is a scalar type. The evaluation of a formula with this type records the operations. Constants fold during
+//! the recording, and equal operations are recorded once. A recorded [`Graph`] can be evaluated in numbers
+//! ([`interpret`]), its operations can be counted ([`count`]), and it can be printed as Rust ([`mod@print`];
+//! [`alternatives`]).
 
 pub mod alternatives;
 pub mod count;
@@ -17,7 +18,7 @@ use std::collections::HashMap;
 
 pub use expr::{Condition, Expr};
 
-/// The index of an operation in its graph. Operands come before their users.
+/// Index of an operation in its graph. The operands of an operation have lower indices.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Id(pub(crate) usize);
 
@@ -69,9 +70,9 @@ pub enum Binary {
 /// A recorded operation.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Node {
-    /// An external value, by the Rust expression that names it.
+    /// An external value, with the Rust expression that names it.
     Input(String),
-    /// A constant of the scene, by the Rust expression that names it and the bits of its value.
+    /// A constant of the scene, with the Rust expression that names it and the bits of its value.
     Constant(String, u64),
     /// An operation on one number.
     Unary(Unary, Operand),
@@ -81,7 +82,7 @@ pub enum Node {
     SinCosPi(Operand),
     /// The pair (sin π(h − d), cos π(h − d)).
     SinCosPiMinus(Operand, Operand),
-    /// The first or the second of a pair.
+    /// The first or the second result of an operation that returns a pair.
     Part(Id, bool),
     /// The comparison a < b.
     Less(Operand, Operand),
@@ -94,7 +95,7 @@ pub enum Node {
 /// A recorded operation with its index and its name.
 pub(crate) type Recorded = (Id, Node, Option<Name>);
 
-/// The name of an operation, with the explanation that its formula gave.
+/// Name of an operation, with the explanation from its formula.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Name {
     pub text: String,
@@ -114,7 +115,7 @@ struct Inner {
 #[derive(Default)]
 pub struct Graph {
     inner: RefCell<Inner>,
-    /// True if the names of a mode's values carry the mode's number.
+    /// True if names of values contain the number of the mode.
     numbered: bool,
     /// Precision in which the emitted code computes.
     precision: Precision,
@@ -131,7 +132,7 @@ impl Graph {
         }
     }
 
-    /// Returns the graph for code that computes in this precision.
+    /// Returns the graph for emitted code that computes in this precision.
     #[must_use]
     pub fn in_precision(mut self, precision: Precision) -> Self {
         self.precision = precision;
@@ -177,13 +178,13 @@ impl Graph {
         id
     }
 
-    /// Removes the names of all operations. Formulas that are recorded afterwards name operations again, even
-    /// operations that were recorded before.
+    /// Removes the names of all operations. Formulas that are recorded later then give names again, even to operations
+    /// that already exist.
     pub(crate) fn unname(&self) {
         self.inner.borrow_mut().names.fill(None);
     }
 
-    /// Returns the recorded operations that `outputs` need, operands first.
+    /// Returns the recorded operations on which `outputs` depend. Operands are before the operations that use them.
     pub(crate) fn reachable(&self, outputs: &[Operand]) -> Vec<Recorded> {
         let inner = self.inner.borrow();
         let mut needed = vec![false; inner.nodes.len()];

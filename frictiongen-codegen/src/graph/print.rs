@@ -1,5 +1,5 @@
-//! Prints a graph as Rust. Values with a name or with several uses become `let` statements. All other values are
-//! written at the place of their use.
+//! Prints a graph as Rust. A value with a name or with several uses becomes a `let` statement. Every other value is
+//! part of the expression that uses it.
 
 use super::literal::literal;
 use super::{Binary, Graph, Id, Name, Node, Operand, Recorded, Unary, operands};
@@ -32,7 +32,7 @@ pub struct Printed {
     pub outputs: Vec<TokenStream>,
 }
 
-/// Prints the operations that `outputs` need. `taken` lists names that the surrounding code uses.
+/// Prints the operations on which `outputs` depend. `taken` lists names that the surrounding code uses.
 #[must_use]
 pub fn print(graph: &Graph, outputs: &[Operand], precision: Precision, taken: &[&str]) -> Printed {
     let mut printer = Printer::new(precision, taken);
@@ -40,7 +40,7 @@ pub fn print(graph: &Graph, outputs: &[Operand], precision: Precision, taken: &[
     printer.printed(outputs)
 }
 
-/// The values bound so far, and their names.
+/// Values that the printed code has bound so far, with their names.
 #[derive(Clone)]
 pub(super) struct Printer {
     precision: Precision,
@@ -63,7 +63,7 @@ impl Printer {
         }
     }
 
-    /// Binds values that have a name or that are used more than once. An output counts as `each` uses of its value.
+    /// Binds values that have a name or more than one use. An output counts as `each` uses of its value.
     pub(super) fn visit_all(&mut self, nodes: &[Recorded], outputs: &[Operand], each: usize) {
         let mut uses: BTreeMap<Id, usize> = BTreeMap::new();
         for (_, node, _) in nodes {
@@ -193,7 +193,7 @@ impl Printer {
         }
     }
 
-    /// Returns the operand, in parentheses unless its precedence is at least `least`.
+    /// Returns the operand. It is in parentheses if its precedence is below `least`.
     fn within(&self, operand: &Operand, least: Binds) -> TokenStream {
         let text = self.text(operand);
         let tokens = text.tokens;
@@ -298,8 +298,7 @@ impl Printer {
     }
 }
 
-/// Returns the doc comment of a `let` statement. The compiler ignores the comment, but a reader finds it beside the
-/// statement.
+/// Returns the doc comment of a `let` statement. The compiler ignores this comment, which is for the reader.
 fn explained(about: &str) -> TokenStream {
     if about.is_empty() {
         return TokenStream::new();

@@ -9,24 +9,25 @@ pub struct Limits {
     pub masses: usize,
     /// True if the tables of a declared accuracy are built.
     pub tables: bool,
-    /// The proof of the tables.
+    /// Whether the code proves the tables.
     pub proof: ProofAt,
 }
 
-/// The proof of tables, as a caller of the parser wants it.
+/// Selects whether the code proves the tables.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum ProofAt {
-    /// The tables are not proven. A check of a description needs no proof.
+    /// No proof. A check of a description needs none.
     Never,
-    /// The tables are proven as far as the description requests. It needs the feature `proof`.
+    /// The proof that the description requests. It requires the feature `proof`.
     Requested,
-    /// The tables are not proven, and `proof: whole` is an error that names the feature `proof`.
+    /// No proof, because this build lacks the feature `proof`. `proof: whole` in a description is then an error that
+    /// names the feature.
     Missing,
 }
 
 impl ProofAt {
-    /// The proof in a macro of this build.
+    /// The proof in a macro: as requested with the feature `proof`, missing without it.
     pub const MACRO: Self = if cfg!(feature = "proof") {
         Self::Requested
     } else {
@@ -35,18 +36,18 @@ impl ProofAt {
 }
 
 impl Limits {
-    /// Limits of a macro expansion. Each mass becomes a method and a stretch of code.
+    /// Limits for a macro expansion. Each mass causes a method and a section of code.
     pub const MACRO: Self = Self {
         masses: 64,
         tables: true,
         proof: ProofAt::MACRO,
     };
-    /// Limits of a macro expansion without a proof, for checks that discard the emitted code.
+    /// Limits for a macro expansion without a proof, for checks that discard the emitted code.
     pub const CHECK: Self = Self {
         proof: ProofAt::Never,
         ..Self::MACRO
     };
-    /// Limits of a scene that is solved at run time, without tables.
+    /// Limits for a scene that is solved at run time, without tables.
     pub const RUN_TIME: Self = Self {
         masses: MOST_MASSES,
         tables: false,

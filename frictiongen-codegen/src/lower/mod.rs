@@ -1,4 +1,4 @@
-//! Turns a parsed description into a scene with the tables and names that emitted code needs.
+//! Converts a parsed description to a scene with the tables and names that emitted code needs.
 
 mod limits;
 mod written;
@@ -25,7 +25,7 @@ pub use limits::{Limits, ProofAt};
 /// The error of `proof: whole` in a build without the feature `proof`.
 const WITHOUT_PROOF: &str = "`proof: whole` needs the feature `proof` of frictiongen, which is off; write `frictiongen = { version = \"0.1\", features = [\"proof\"] }` in Cargo.toml, or leave `proof` out, so that the table is checked but not proven";
 
-/// A description that was read and that makes physical sense.
+/// A valid description, after parsing and checking.
 pub struct Description {
     /// The doc comments and attributes before the struct, as attributes of Rust.
     pub attributes: TokenStream,
@@ -35,13 +35,13 @@ pub struct Description {
     pub visibility: TokenStream,
     /// The name of the struct.
     pub name: Ident,
-    /// The path of the facade crate, `::frictiongen` unless the description gives another one.
+    /// Path of the facade crate. It is `::frictiongen` unless the description has another path.
     pub facade: TokenStream,
     /// The scene that the description defines.
     pub scene: Scene,
-    /// The names of the masses with the user's spans, in the order of [`Scene::masses`].
+    /// Names of the masses with the spans of the user's tokens, in the order of [`Scene::masses`].
     pub mass_names: Vec<Ident>,
-    /// The tables of a declared accuracy; `None` for an exact scene.
+    /// Tables of a declared accuracy, or `None` for a scene without tables.
     pub tables: Option<SceneTables>,
     /// The description as it was written, without the doc comments before the struct.
     pub written: String,
@@ -56,7 +56,7 @@ impl Description {
     }
 }
 
-/// Tables in the scene's scalar.
+/// Tables in the scene's scalar type.
 #[derive(Clone, Debug)]
 pub enum SceneTables {
     /// Tables in double precision.
@@ -66,7 +66,7 @@ pub enum SceneTables {
 }
 
 impl SceneTables {
-    /// Builds the tables that a scene declares. Returns `None` for an exact scene.
+    /// Builds the tables that a scene declares. Returns `None` for a scene without tables.
     ///
     /// # Errors
     /// Returns every [`TableError`].
@@ -139,8 +139,7 @@ pub fn parse_tokens(tokens: TokenStream, limits: &Limits) -> Result<Description,
     }
 }
 
-/// Reads a text in the language of the macro call. The names in the result carry the span of the
-/// call, if there is a call.
+/// Reads a text in the language of the macro call. In a macro call, the names in the result have the span of the call.
 ///
 /// # Errors
 /// Returns all errors of the text, with line and column.
@@ -155,8 +154,8 @@ pub fn parse_text(text: &str, limits: &Limits) -> Result<Description, Diagnostic
         .ok_or_else(|| problems.into_diagnostics())
 }
 
-/// Returns the scene. If `problems` has errors, returns the fields from which a macro can still
-/// emit a type.
+/// Returns the description with its tables. If `problems` contains errors, returns the fields from which a macro can
+/// still emit a type.
 fn lower(
     syntax: &Syntax,
     sources: &Sources,
@@ -207,7 +206,7 @@ fn lower(
     }
 }
 
-/// Reports a step and a damping with which the emitted motion in time would lose its digits.
+/// Reports a step or a damping for which the emitted motion in time would lose its digits.
 fn check_motion_in_time(located: &Located<'_>, problems: &mut Problems) {
     let scene = &located.scene;
     if !problems.is_empty() {

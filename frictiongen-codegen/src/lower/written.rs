@@ -1,8 +1,9 @@
-//! Finds the description as it was written, for the documentation of the emitted type.
+//! Extracts the text of a description for the documentation of the emitted type.
 
 use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
 
-/// Returns a text without byte order mark, and without the doc comments before the struct, which the emitted type has.
+/// Returns a text without byte order mark and without the doc comments before the struct. The emitted type has these
+/// doc comments already.
 pub(super) fn of_text(text: &str) -> String {
     let text = text.trim_start_matches('\u{feff}');
     let mut before = true;
@@ -16,8 +17,8 @@ pub(super) fn of_text(text: &str) -> String {
     lines.join("\n").trim().to_owned()
 }
 
-/// Returns the text of a macro's tokens without attributes. It has the comments and the layout of the source, unless
-/// another macro made the tokens.
+/// Returns the text of a macro's tokens without attributes. The text has the comments and the layout of the source,
+/// unless another macro produced the tokens.
 pub(super) fn of_tokens(tokens: &TokenStream) -> String {
     let mut trees: Vec<TokenTree> = tokens.clone().into_iter().collect();
     while let [TokenTree::Punct(sign), TokenTree::Group(group), ..] = trees.as_slice()
@@ -34,8 +35,8 @@ pub(super) fn of_tokens(tokens: &TokenStream) -> String {
     format!("{head} {body}")
 }
 
-/// Returns the source of a group, if it has the group's own tokens. Tokens of another macro have a source with that
-/// macro's parameters.
+/// Returns the source text of a group, if it consists of the group's own tokens. The source of tokens from another
+/// macro contains parameters of that macro instead.
 fn source(group: &Group) -> Option<String> {
     let text = group.span().source_text()?;
     let read: TokenStream = text.parse().ok()?;
@@ -59,7 +60,7 @@ fn is_same(one: TokenStream, other: TokenStream) -> bool {
     }
 }
 
-/// Removes the indentation that all lines after the first have.
+/// Removes the indentation that all lines after the first have in common.
 fn outdented(text: &str) -> String {
     let indentation = |line: &str| line.len() - line.trim_start().len();
     let lines = text.lines().skip(1).filter(|line| !line.trim().is_empty());

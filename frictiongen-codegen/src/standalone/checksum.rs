@@ -1,10 +1,10 @@
-//! The checksum of emitted numbers, as the emitted code computes it.
+//! Checksum of emitted numbers, with the same algorithm as in the emitted code.
 
 use super::Numbers;
 pub(super) use frictiongen_kernel::emitted::check::{MULTIPLIER, TURN};
 use frictiongen_kernel::emitted::check::{mixed, with};
 
-/// Why the checksum has this form, for the emitted files.
+/// Explanation of the checksum's form, for the emitted files.
 pub(super) const ABOUT: &str = "A step is a bijection of the sum, so one changed word always changes the result.  Several changed words go unseen in one of 2^32 cases.";
 
 /// Returns the checksum of numbers in the precision of a file. An `f32` enters as its 32 bits. An `f64` enters as two
@@ -23,7 +23,7 @@ pub(super) fn of_numbers(numbers: Numbers, values: impl IntoIterator<Item = f64>
         })
 }
 
-/// Returns the checksum of indices, one word each.
+/// Returns the checksum of indices. Each index is one word.
 #[allow(
     clippy::cast_possible_truncation,
     reason = "an index of a piece has at most 16 bits"

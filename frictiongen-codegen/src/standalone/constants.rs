@@ -1,18 +1,18 @@
-//! Collects the numbers that the formulas of a file need. Each number gets a name, and all numbers stand in one place
-//! of the file.
+//! Collects the numbers in the formulas of a file. Each number gets a name, and all numbers are in one place of the
+//! file.
 
 use super::{Language, Numbers};
 
-/// Form of a constant, with the names of its numbers.
+/// Form of a constant: a single number, or a structure with named numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Form {
     /// One number.
     Number,
-    /// A zero of a product.
+    /// A zero on the imaginary axis, as a factor of a product.
     Zero,
-    /// A pair of zeros of a product that do not lie on the axis.
+    /// A pair of zeros off the imaginary axis, as a factor of a product.
     Pair,
-    /// A pair of roots of a complex product.
+    /// A pair of complex roots, as a factor of a complex product.
     RootPair,
 }
 
@@ -27,7 +27,7 @@ impl Form {
         }
     }
 
-    /// Returns the name of the type: in C, then in Rust.
+    /// Returns the name of the type in C or in Rust.
     fn type_name(self, language: Language) -> &'static str {
         match (self, language) {
             (Self::Number, _) => "",
@@ -40,7 +40,7 @@ impl Form {
         }
     }
 
-    /// Returns the meaning of the numbers.
+    /// Returns an explanation of the numbers, for a comment in the file.
     pub fn about(self) -> &'static str {
         match self {
             Self::Number => "",
@@ -99,7 +99,7 @@ impl Constants {
         shown
     }
 
-    /// Returns whether a form is in use.
+    /// Returns true if the file has a constant of this form.
     pub fn uses(&self, form: Form) -> bool {
         self.list.iter().any(|constant| constant.form == form)
     }
@@ -111,7 +111,7 @@ impl Constants {
             .flat_map(|constant| constant.values.iter().copied())
     }
 
-    /// Returns an expression for each number, in the order of [`values`](Self::values), in lines.
+    /// Returns an expression for each number, in the order of [`values`](Self::values). The text is divided into lines.
     pub fn expressions(&self) -> String {
         let prefix = match self.numbers.language {
             Language::C => "",
@@ -131,7 +131,7 @@ impl Constants {
         each.collect()
     }
 
-    /// Writes the types of the constants in use.
+    /// Writes the types of those forms that occur.
     pub fn types(&self) -> String {
         let Numbers { real, language, .. } = self.numbers;
         let forms = [Form::Zero, Form::Pair, Form::RootPair];

@@ -1,4 +1,4 @@
-//! Collects all formulas of a file, with the constants that they name.
+//! Collects all formulas of a file, with the constants in them.
 
 use super::constants::{Constants, Form};
 use super::products::quotient;
@@ -13,18 +13,18 @@ pub(super) struct Formulas {
     pub constants: Constants,
     /// The expression for β*_lim.
     pub sliding: String,
-    /// |V|, or V of an undamped chain, if it is a product.
+    /// Expression for |V|, or for V of an undamped chain. `None` if V is not a product.
     pub excitation: Option<String>,
     /// The responses while the contact is stuck.
     pub stuck: Option<Stuck>,
-    /// Start of the buckets and number of buckets per unit of r.
+    /// Expressions for the start of the first bucket, and for the number of buckets per unit of r.
     pub index: [String; 2],
-    /// Undamped resonances that the load drives.
+    /// Expressions for the undamped resonances that the load drives.
     pub unbounded: Vec<String>,
 }
 
 impl Formulas {
-    /// Returns the formulas. Returns `None` if β*_lim has no closed product form.
+    /// Returns the formulas. Returns `None` if β*_lim is not stored as a product.
     pub fn of<S: Float>(source: &Source<'_, S>, language: Language) -> Option<Self> {
         let Source { scene, tables, .. } = source;
         let numbers = Numbers::of::<S>(language);
@@ -87,7 +87,7 @@ impl Formulas {
         })
     }
 
-    /// Returns whether a formula calls this operation.
+    /// Returns true if a formula calls this operation.
     pub fn calls(&self, operation: &str) -> bool {
         let call = format!("{operation}(");
         let stuck = self.stuck.iter().flat_map(Stuck::texts);
@@ -96,13 +96,13 @@ impl Formulas {
         texts.any(|text| text.contains(&call))
     }
 
-    /// Returns whether r is compared with a resonance.
+    /// Returns true if the file compares r with a resonance.
     pub fn compares(&self) -> bool {
         let stuck = self.stuck.as_ref();
         !self.unbounded.is_empty() || stuck.is_some_and(|stuck| !stuck.resonances.is_empty())
     }
 
-    /// Returns a condition that r is one of some resonances. Returns `None` if there are none.
+    /// Returns the condition that r equals one of some resonances. Returns `None` if the list is empty.
     pub fn on(resonances: &[String]) -> Option<String> {
         let on = resonances.iter().map(|own| format!("is_at(r, {own})"));
         let on: Vec<String> = on.collect();

@@ -1,4 +1,4 @@
-//! The known answers with which a file compares its own.
+//! Known answers, with which an emitted file compares its own answers.
 
 use super::{Numbers, Source, domain};
 use crate::known::{Known, Outcome, Question, known};
@@ -6,12 +6,12 @@ use frictiongen_kernel::Float;
 use frictiongen_model::modal::Modal;
 use frictiongen_model::scene::Precision;
 
-/// Number of roundings that an answer may have in addition to the error of the table.
+/// Allowed error of an answer in addition to the error of the table, in rounding units.
 const ROUNDINGS: f64 = 64.0;
 
-/// Returns the largest error of an answer against a known one, and the known answers.
+/// Returns the allowed error of an answer, and the known answers.
 ///
-/// The error is the accuracy of the tables, and 64 roundings for the emitted arithmetic and for r and β.
+/// The allowed error is the accuracy of the tables, plus 64 rounding units for the emitted arithmetic and for r and β.
 #[must_use]
 pub fn known_answers<S: Float>(source: &Source<'_, S>) -> (f64, Vec<Known>) {
     let Source { scene, tables, .. } = source;
@@ -43,7 +43,7 @@ pub(super) fn numbers(known: &Known) -> Vec<f64> {
     numbers
 }
 
-/// Returns the name of a status in the tables of statuses.
+/// Returns the name of the status of a known answer, as in [`STATUSES`](super::STATUSES).
 pub(super) fn status(known: &Known) -> &'static str {
     match known.motion.as_ref().map(|motion| motion.outcome) {
         None | Some(Outcome::Continuous) => "Ok",
@@ -52,7 +52,7 @@ pub(super) fn status(known: &Known) -> &'static str {
     }
 }
 
-/// Returns a text for each known answer: the numbers of a row, without the status.
+/// Returns three texts for each known answer: the numbers of its row, without the status.
 pub(super) fn rows(numbers: Numbers, all: &[Known]) -> Vec<[String; 3]> {
     let row = |known: &Known| {
         let head = numbers.list([known.r, known.continuous, known.sliding]);

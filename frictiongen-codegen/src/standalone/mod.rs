@@ -1,7 +1,8 @@
 //! Writes tables as code without dependencies: a Rust file, or C99.
 //!
-//! Both perform the kernel's operations in the same order, so that all three agree to the last bit. The arc tangent of
-//! a phase is an exception. It is the platform's function, or the file's own in Rust without std.
+//! Both files perform the kernel's operations in the same order, so that all results have the same bits. The only
+//! exception is the arc tangent of a phase. It is the function of the platform, or in Rust without std a function of
+//! the file itself.
 
 mod c;
 mod checksum;
@@ -33,7 +34,7 @@ pub struct Source<'a, S> {
     pub scene: &'a Scene,
     /// The tables of the scene.
     pub tables: &'a Tables<S>,
-    /// The description and the command.
+    /// The text of the description, and the command.
     pub origin: Origin<'a>,
 }
 
@@ -173,12 +174,12 @@ fn piece_numbers<S: Float>(tables: &Tables<S>) -> Vec<f64> {
     pieces.map(|number| number.to_f64()).collect()
 }
 
-/// Returns the first step of the search for a piece, within its bucket.
+/// Returns the first step of the search for a piece within its bucket, in pieces.
 fn first_step<S>(tables: &Tables<S>) -> usize {
     (1_usize << tables.index.halvings) >> 1
 }
 
-/// Status values of the functions: name, number in C, meaning.
+/// Status values of the functions: name, number in C, and meaning.
 const STATUSES: [(&str, i32, &str); 5] = [
     ("OutOfDomain", -1, "r or beta is not in the domain"),
     ("Ok", 0, "the values are written"),
@@ -199,13 +200,13 @@ const STATUSES: [(&str, i32, &str); 5] = [
     ),
 ];
 
-/// Words of the documentation that depend on the load.
+/// Words of the documentation that depend on the kind of load.
 struct Words {
-    /// Meaning of beta: F/P, or F/(k₁Y) where the base moves.
+    /// Meaning of β: F/P, or F/(k₁Y) if the base moves.
     beta: &'static str,
     /// Meaning of an amplitude.
     amplitude: &'static str,
-    /// Load by which forces are divided.
+    /// The load by which forces are divided.
     load: &'static str,
 }
 
@@ -220,7 +221,7 @@ impl Words {
     }
 }
 
-/// The declared ranges as numbers of the file's scalar: r, then β.
+/// Returns the declared ranges of r and of β, as numbers of the file's scalar type.
 pub(crate) fn domain<S: Float>(scene: &Scene, tables: &Tables<S>) -> [(f64, f64); 2] {
     let round = |value: f64| S::constant(value).to_f64();
     let (low, high) = tables.request.r;

@@ -1,4 +1,5 @@
-//! Writes where a file comes from: its description, the command that made it, the version and the scene's hash.
+//! Writes the origin of an emitted file: its description, the command that made it, the version, and the hash of the
+//! scene.
 
 use crate::emit::fingerprint;
 use frictiongen_model::scene::Scene;
@@ -22,7 +23,7 @@ pub fn scene_hash(scene: &Scene) -> String {
 }
 
 impl Origin<'_> {
-    /// Returns the lines that say which version and command made a file from which scene.
+    /// Returns three lines with the version, the command and the scene of a file.
     fn head(&self, scene: &Scene) -> [String; 3] {
         [
             format!(
@@ -35,7 +36,8 @@ impl Origin<'_> {
         ]
     }
 
-    /// Returns line comments in Rust without the description, for code whose documentation has the description.
+    /// Returns the origin as line comments in Rust, without the description. It serves code whose documentation already
+    /// contains the description.
     #[must_use]
     pub fn rust_head(&self, scene: &Scene) -> String {
         let head = self.head(scene);
@@ -43,7 +45,7 @@ impl Origin<'_> {
         lines.collect()
     }
 
-    /// Returns the lines at the head of a file.
+    /// Returns the comment lines at the beginning of a file.
     fn lines(&self, scene: &Scene) -> Vec<String> {
         let mut lines = self.head(scene).to_vec();
         if let Some(last) = lines.last_mut() {
@@ -55,7 +57,7 @@ impl Origin<'_> {
         lines
     }
 
-    /// Returns a block comment in C, in ASCII.
+    /// Returns the origin as a block comment in C, in ASCII.
     pub(super) fn c_comment(&self, scene: &Scene) -> String {
         let lines = self.lines(scene);
         let lines = lines.iter().map(|line| c_text(line));
@@ -66,7 +68,7 @@ impl Origin<'_> {
         format!("/*{} */\n", text.strip_prefix(" *").unwrap_or(&text))
     }
 
-    /// Returns line comments in Rust.
+    /// Returns the origin as line comments in Rust.
     pub(super) fn rust_comment(&self, scene: &Scene) -> String {
         let lines = self.lines(scene);
         let lines = lines.iter().map(|line| format!("// {}", rust_text(line)));
@@ -74,8 +76,9 @@ impl Origin<'_> {
     }
 }
 
-/// Returns a text that may stand in a comment of C: in ASCII, without the marks that begin or end a comment, and
-/// without trigraphs. A backslash at the end of a line gets a full stop, because the compiler would join two lines.
+/// Returns a text that is safe in a comment of C. The text is in ASCII, without trigraphs and without the marks that
+/// begin or end a comment. The function adds a full stop to a backslash at the end of a line, because the compiler
+/// would join two lines.
 pub(super) fn c_text(text: &str) -> String {
     let mut out = String::new();
     for letter in text.chars() {
@@ -101,8 +104,8 @@ pub(super) fn c_text(text: &str) -> String {
     out
 }
 
-/// Returns a text that may stand in a comment of Rust: without control characters, and without those that change the
-/// direction of a text, which the compiler refuses.
+/// Returns a text that is safe in a comment of Rust. The text contains no control characters, and no characters that
+/// change the text direction, which the compiler refuses.
 pub(crate) fn rust_text(text: &str) -> String {
     let turns = |letter| matches!(letter, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
     let mut out = String::new();

@@ -1,11 +1,11 @@
-//! Writes products over zeros and poles as expressions in r, which C and Rust share.
+//! Writes products over zeros and poles as expressions in r. The same expressions are valid in C and Rust.
 
 use super::{Constants, Form};
 use frictiongen_kernel::Float;
 use frictiongen_kernel::table::{Factor, Root};
 use frictiongen_model::table::Product;
 
-/// Writes a product of factors. `name` begins the names of its constants. Returns `None` if there are no factors.
+/// Writes a product of factors. The names of its constants begin with `name`. Returns `None` if there are no factors.
 pub(super) fn factors<S: Float>(
     constants: &mut Constants,
     name: &str,
@@ -39,7 +39,7 @@ pub(super) fn factors<S: Float>(
     (!all.is_empty()).then(|| all.join("\n        * "))
 }
 
-/// Writes a product over its own poles.
+/// Writes a product, including the division by its own poles.
 pub(super) fn quotient<S: Float>(
     constants: &mut Constants,
     name: &str,
@@ -60,7 +60,7 @@ fn grouped(factors: String) -> String {
     }
 }
 
-/// Writes a product whose poles are the expression `poles`.
+/// Writes a product divided by the expression `poles`.
 pub(super) fn quotient_over<S: Float>(
     constants: &mut Constants,
     name: &str,

@@ -1,4 +1,4 @@
-//! Builds the responses while the contact is stuck, as expressions that C and Rust share.
+//! Expressions for the responses while the contact is stuck. The same expressions are valid in C and Rust.
 
 use super::constants::{Constants, Form};
 use super::products::{factors, quotient_over, roots};
@@ -27,12 +27,12 @@ pub(super) struct Stuck {
     /// The response of each mass, by the name of the mass, and the force that holds the contact.
     pub masses: Vec<Function>,
     pub force: Expression,
-    /// Frequency ratios of the undamped resonances.
+    /// Expressions for the frequency ratios of the undamped resonances of the stuck chain.
     pub resonances: Vec<String>,
 }
 
 impl Stuck {
-    /// Builds the expressions of a scene, and adds their constants.
+    /// Creates the expressions of a scene, and adds their constants to `constants`.
     pub fn of<S: Float>(constants: &mut Constants, scene: &Scene, held: &Held<S>) -> Self {
         let sets = held.pole_sets();
         let mut poles = Vec::new();
@@ -83,7 +83,7 @@ impl Stuck {
         })
     }
 
-    /// Returns whether a response is complex.
+    /// Returns true if some response is complex.
     pub fn is_complex(&self) -> bool {
         let values = self.masses.iter().map(|mass| &mass.value);
         values

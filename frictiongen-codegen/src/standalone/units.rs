@@ -1,22 +1,22 @@
-//! The constants that connect ratios with units.
+//! Constants that convert between ratios and units.
 
 use frictiongen_kernel::Float;
 use frictiongen_model::modal::Modal;
 use frictiongen_model::rounded;
 use frictiongen_model::scene::Scene;
 
-/// The constants that connect ratios with units, rounded to a scalar.
+/// Constants that convert between ratios and units, rounded to a scalar type.
 #[derive(Clone, Debug, PartialEq)]
 pub struct UnitConstants {
-    /// k₁, the stiffness of the first spring: N/m, if springs are in N/m.
+    /// k₁, the stiffness of the first spring, in N/m if springs are in N/m.
     pub k1: f64,
     /// The two nodes of the first spring.
     pub spring: String,
-    /// m₁, the first mass: kg, if masses are in kg.
+    /// m₁, the first mass, in kg if masses are in kg.
     pub m1: f64,
     /// Name of the first mass.
     pub mass: String,
-    /// √(k₁/m₁), by which angular frequencies are divided: rad/s.
+    /// √(k₁/m₁), the divisor of angular frequencies, in rad/s.
     pub reference: f64,
     /// Natural frequencies ω_i/(2π) in Hz, ascending.
     pub hertz: Vec<f64>,
@@ -25,7 +25,7 @@ pub struct UnitConstants {
 }
 
 impl UnitConstants {
-    /// Returns the constants of a scene. `S` is the scalar to which they are rounded.
+    /// Returns the constants of a scene, rounded to the scalar type `S`.
     #[must_use]
     pub fn of<S: Float>(scene: &Scene) -> Self {
         let modal = Modal::of(scene);

@@ -10,15 +10,15 @@ use frictiongen::study::response::Size;
 use frictiongen::study::units::polar;
 use frictiongen::{Of, Regime};
 
-/// The quantity of a motion that a curve shows: amplitude, phase, or one harmonic.
+/// Quantity of a motion that a curve shows: amplitude, phase, rate, or one harmonic.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reading {
-    /// The amplitude of the motion. If the contact is stuck, it is the centred amplitude, because the contact may have
-    /// come to rest at many positions.
+    /// The amplitude of the motion. For a stuck contact it is the centred amplitude, because the contact may have
+    /// stopped at many positions.
     Amplitude,
     /// The phase of the motion in degrees.
     Phase,
-    /// The largest velocity or acceleration of the motion, which the curve must contain.
+    /// The largest velocity or acceleration of the motion. The curve must contain it.
     Rate(Size),
     /// The amplitude of a harmonic, by its index among the requested harmonics.
     Harmonic(usize),
@@ -39,9 +39,9 @@ pub struct Drawn<'a> {
 
 /// Largest difference of phase, in radians, between neighbouring points that are joined by a line.
 const TURN: f64 = 0.6;
-/// Smallest amplitude at which the plot shows a phase, relative to the median amplitude over the range of the piece.
-/// Below it the phase is mostly rounding error. The amplitude itself has an error of about 1e-13 of the largest term of
-/// its sum.
+/// Smallest amplitude at which the figure shows a phase, relative to the median amplitude over the range of the piece.
+/// At a smaller amplitude the phase is mostly rounding error. The amplitude itself has an error of about 1e-13 of the
+/// largest term of its sum.
 const VANISHING: f64 = 1e-10;
 
 /// Returns the stroke in which a regime is drawn.
@@ -80,7 +80,7 @@ impl Reading {
         matches!(self, Self::Phase | Self::HarmonicPhase(_))
     }
 
-    /// Returns the amplitude that is drawn at a point of a piece, in the unit of the axis.
+    /// Returns the amplitude to draw at a point of a piece, in the unit of the axis.
     fn size(self, piece: &Piece, point: &CurvePoint, part: usize, scales: &Scales) -> Option<f64> {
         if self == Self::Amplitude && piece.regime == Regime::Stuck {
             let centred = point.movements.get(part)?.centred;
@@ -280,8 +280,8 @@ fn phase_axis(drawn: &[Drawn<'_>], part: usize, reading: Reading, scales: &Scale
     Axis::new("phase *φ* (degrees)", low, high).degrees()
 }
 
-/// Returns the upper end of an amplitude axis. The axis contains all amplitudes. If one amplitude is unbounded, the
-/// axis contains the amplitudes over nine tenths of the range.
+/// Returns the upper end of an amplitude axis, which shows all amplitudes. If one amplitude is unbounded, the axis
+/// shows the amplitudes over nine tenths of the range.
 fn top(drawn: &[Drawn<'_>], part: usize, reading: Reading, scales: &Scales) -> f64 {
     let mut largest = 0.0_f64;
     for drawn in drawn {
@@ -329,8 +329,8 @@ fn exceeded(points: &[Point], share: f64) -> f64 {
     0.0
 }
 
-/// Returns a figure with one row for each requested motion: amplitude on the left, phase on the right. A velocity or an
-/// acceleration has no phase.
+/// Returns a figure with one row for each requested motion: amplitude on the left, phase on the right. A row of a
+/// velocity or an acceleration has no phase.
 #[must_use]
 pub fn curve_figure(
     title: impl Into<Label>,
@@ -367,8 +367,8 @@ mod tests {
     use frictiongen::study::response::Size;
     use frictiongen::{Of, System};
 
-    /// Checks that a phase is drawn wherever it has significant digits. The last mass of a long chain hardly moves at
-    /// high frequency.
+    /// Checks that the figure shows a phase wherever it has significant digits. The test uses the last mass of a long
+    /// chain, which hardly moves at high frequency.
     #[test]
     fn phases_are_drawn_as_far_as_they_are_known() -> Result<(), Box<dyn std::error::Error>> {
         let chain: System = "struct Chain {
@@ -390,8 +390,8 @@ mod tests {
         Ok(())
     }
 
-    /// Checks the phases of a long chain, which lag by several turns. They must lie in (−180, 180] too. The legend must
-    /// list the regimes that occur.
+    /// Checks the phases of a long chain, which lag by several turns. The figure must show them in (−180, 180] as well.
+    /// The legend must list the regimes that occur.
     #[test]
     fn pictures_have_one_turn_and_their_own_regimes() -> Result<(), Box<dyn std::error::Error>> {
         let chain: System = "struct Chain {

@@ -19,10 +19,10 @@ pub enum Shade {
     Amplitude(usize),
 }
 
-/// Number of cells of a map along an axis on which the sampled values are not evenly spaced.
+/// Number of cells of a map along an axis whose sampled values are not evenly spaced.
 const CELLS: usize = 400;
 
-/// Returns a figure of a map, with β_lim, β*_lim and the boundaries between motions over it.
+/// Returns a figure of a map. Lines over the map show β_lim, β*_lim and the boundaries between motions.
 #[must_use]
 pub fn map_figure(
     title: impl Into<Label>,
@@ -40,7 +40,7 @@ pub fn map_figure(
     )
 }
 
-/// Returns a panel of a map, with β_lim, β*_lim and the boundaries between motions over it.
+/// Returns a panel of a map. Lines over the map show β_lim, β*_lim and the boundaries between motions.
 #[must_use]
 pub fn map_panel(
     title: impl Into<Label>,
@@ -168,7 +168,8 @@ fn values(places: &SampledPlaces<'_>, read: impl Fn(&MapPoint) -> f64) -> Vec<f6
 }
 
 /// Returns the upper end of the colour scale, and the largest value. The end is at most twice the value that nine
-/// tenths of the cells do not exceed. Without this bound, a pole would leave all other cells in one colour.
+/// tenths of the cells do not exceed. Without this bound, the cells near a pole would leave all other cells in one
+/// colour.
 fn upper(cells: &[f64]) -> (f64, f64) {
     let mut finite: Vec<f64> = cells
         .iter()
@@ -217,8 +218,8 @@ fn classes(places: &SampledPlaces<'_>) -> Cells {
     }
 }
 
-/// Classes of a map by the number of stops. The classes for continuous motion, two stops and stuck have the colours of
-/// these regimes.
+/// Classes of a map by the number of stops, each with its colour. The classes for continuous motion, two stops and
+/// stuck have the colours of these regimes.
 const STOPS: [(&str, usize); 8] = [
     ("continuous", 0),
     ("reversals only", 7),
@@ -267,7 +268,7 @@ fn class(pattern: Pattern) -> String {
     }
 }
 
-/// Joins the boundaries between different stick-slip motions to lines, from one column of the map to the next.
+/// Connects the boundaries between different stick-slip motions by lines, from one column of the map to the next.
 fn trace(map: &Map, boundaries: &[Boundary], scales: &Scales) -> Vec<Vec<Point>> {
     let inner = |of: &&Boundary| {
         let slips = |side: &Result<Pattern, Error>| {

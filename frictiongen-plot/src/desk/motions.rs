@@ -9,9 +9,9 @@ use std::f64::consts::PI;
 const FLOOR: f64 = 1e-5;
 
 /// Returns a figure of displacements and friction force over time, with phase portraits. If the contact is among the
-/// motions, the figure has its hysteresis loop, the friction force over the slip. The area of the loop of one period is
-/// the energy that the contact dissipates in that period. If `turned` is true, the contact's motion has the opposite
-/// sign.
+/// motions, the figure also shows its hysteresis loop, the friction force over the slip. The area of the loop of one
+/// period is the energy that the contact dissipates in that period. If `turned` is true, the figure shows the contact's
+/// motion with the opposite sign.
 #[must_use]
 pub fn history_figure(
     title: impl Into<Label>,

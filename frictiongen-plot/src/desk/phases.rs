@@ -5,14 +5,14 @@ use crate::Point;
 /// Largest rounding error of a phase of 180 degrees, in degrees.
 const SEAM: f64 = 1e-6;
 
-/// Returns a phase in degrees as every command prints it, in (−180, 180].
+/// Returns a phase in degrees, converted to (−180, 180], as every command prints it.
 #[must_use]
 pub fn principal(phase: f64) -> f64 {
     phase - 360.0 * ((phase - 180.0 - SEAM) / 360.0).ceil()
 }
 
 /// Folds runs of phases in degrees into (−180, 180]. A run that leaves the range at one end continues as another run at
-/// the other end. Runs of a single point, which no line shows, are left out.
+/// the other end. The function leaves out runs of a single point, because no line can show them.
 #[must_use]
 pub fn folded(runs: &[Vec<Point>]) -> Vec<Vec<Point>> {
     let mut folded: Vec<Vec<Point>> = Vec::new();

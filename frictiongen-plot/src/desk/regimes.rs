@@ -4,7 +4,7 @@ use super::scales::Scales;
 use crate::{Axis, Colour, Fill, Label, Line, Panel, Point, Region, Stroke};
 use frictiongen::study::map::LimitLines;
 
-/// Name of the regime above β*_lim and below β_lim, in which the initial state decides about the motion.
+/// Name of the regime above β*_lim and below β_lim, in which the motion depends on the initial state.
 const BISTABLE: &str = "sliding or stuck, by the start";
 /// Smallest height of an area that is drawn, relative to the height of the axis.
 const SEEN: f64 = 1e-3;
@@ -107,8 +107,8 @@ impl AreaEdge {
     }
 }
 
-/// Returns the position with the most space for an area's name. It is the middle of the highest interval in which the
-/// area stays high. `None` if there is not enough space.
+/// Returns the position with the most space for an area's name. It is in the middle of the highest interval in which
+/// the area stays high. Returns `None` if no position has enough space.
 fn roomiest(places: &[(f64, f64, f64)], top: f64) -> Option<(f64, f64)> {
     let first = places.first()?.0;
     let width = places.last()?.0 - first;

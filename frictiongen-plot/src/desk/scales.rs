@@ -6,7 +6,8 @@ use frictiongen::{Of, System};
 
 /// Smallest value on a logarithmic axis, as a fraction of the largest.
 const DECADES: f64 = 1e-6;
-/// Factor between the ends of a logarithmic axis of amplitudes and the values.
+/// Factor from the largest value to the upper end of a logarithmic amplitude axis, and from its lower end to the
+/// smallest value.
 const LOG_ROOM: f64 = 1.2;
 
 /// Units in which a figure shows frequencies, frictions, displacements and times.
@@ -14,12 +15,12 @@ const LOG_ROOM: f64 = 1.2;
 pub struct Scales {
     /// Frequency in Hz that belongs to r = 1. `None` if the figure shows r.
     hertz: Option<f64>,
-    /// Units of force and displacement under the load. `None` if the figure shows non-dimensional groups.
+    /// Units of force and displacement for a given load. `None` if the figure shows non-dimensional groups.
     load: Option<LoadScale>,
     base_motion: bool,
     /// Angular frequency that belongs to r = 1, rad/s.
     reference: f64,
-    /// Exponent n with which the amplitude of the load falls over frequency, as r⁻ⁿ.
+    /// Exponent n of the load, whose amplitude is proportional to r⁻ⁿ.
     fall: i32,
     /// True if amplitudes are forces.
     force: bool,
@@ -66,8 +67,8 @@ impl Scales {
         }
     }
 
-    /// Returns the same units, for a load whose amplitude falls over frequency as r⁻ⁿ. The load of [`under`](Self::under)
-    /// is that at r = 1.
+    /// Returns the same units for a load whose amplitude is proportional to r⁻ⁿ. [`under`](Self::under) sets the load
+    /// at r = 1.
     #[must_use]
     pub fn falling(self, fall: i32) -> Self {
         Self { fall, ..self }
@@ -79,7 +80,7 @@ impl Scales {
         self.length(ratio * self.unit_at(r))
     }
 
-    /// Returns the amplitude of the load at r over that at r = 1.
+    /// Returns the amplitude of the load at r, divided by the amplitude at r = 1.
     fn unit_at(&self, r: f64) -> f64 {
         match self.load {
             Some(_) => r.powi(-self.fall),
@@ -96,7 +97,7 @@ impl Scales {
         }
     }
 
-    /// Returns the units for the amplitudes of a motion: those of a force for a spring and for the base shear.
+    /// Returns the units for the amplitudes of a motion. For a spring and for the base shear they are those of a force.
     #[must_use]
     pub fn showing(self, of: Of) -> Self {
         Self {
@@ -105,8 +106,8 @@ impl Scales {
         }
     }
 
-    /// Returns the same units, with a logarithmic frequency axis and logarithmic axes of amplitudes, each if its flag is
-    /// true.
+    /// Returns the same units. `frequency` selects a logarithmic frequency axis, `amplitude` logarithmic axes of
+    /// amplitudes.
     #[must_use]
     pub fn with_log(self, frequency: bool, amplitude: bool) -> Self {
         Self {

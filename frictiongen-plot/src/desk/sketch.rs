@@ -3,8 +3,8 @@
 use crate::{Contact, End, Excitation, Label, Sketch, Spring};
 use frictiongen::study::scene::{self, Node, Scene};
 
-/// Returns the sketch of a scene whose excitation is a recording: *y*(*t*) or *f*(*t*) instead of a cosine. The masses
-/// have their own names.
+/// Returns the sketch of a scene whose excitation is a recording. The sketch shows *y*(*t*) or *f*(*t*) instead of a
+/// cosine, and the masses have the names of the scene.
 #[must_use]
 pub fn sketch_under_record(scene: &Scene) -> Sketch {
     let mut sketch = sketch(scene, true);

@@ -10,7 +10,7 @@ use frictiongen_model::interval::{Interval, TINY};
 ///
 /// Taylor's formula gives the function at r₀ + t as its first N − 1 terms at r₀ plus a remainder. The remainder is
 /// t^{N−1} times a number. This number lies within the last coefficient over any interval that contains both r₀ and r₀
-/// + t. [`joined`](Self::joined) relies on this property.
+/// + t. [`joined`](Self::joined) uses this property.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct IntervalSeries<const N: usize> {
     /// The Taylor coefficients f⁽ᵏ⁾/k!. The first is the value of f.
@@ -19,8 +19,8 @@ pub struct IntervalSeries<const N: usize> {
 
 /// Number of summed terms of the series of sin(πz)/(πz). The next term is below 10⁻²⁹ for |z| ≤ 1.
 const SINC_TERMS: usize = 21;
-/// Bound on the neglected terms of the kth derivative of the series, divided by k!, for k below the number of terms of
-/// a series.
+/// Bound on the neglected terms of the kth derivative of this series, divided by k!. It is valid for each k below the
+/// number of terms of an [`IntervalSeries`].
 const SINC_REST: f64 = 1e-17;
 
 impl<const N: usize> IntervalSeries<N> {
@@ -124,9 +124,9 @@ impl<const N: usize> IntervalSeries<N> {
 
     /// Returns Σ a_j b_{k−j} over j ≤ k, from j = `first` on.
     ///
-    /// The bounds of the products are summed to nearest. The sum is then widened once for all roundings: with n
-    /// products whose magnitudes sum to s, the roundings are less than (n + 1)εs. The code uses slices, because
-    /// iterators become calls without optimisation.
+    /// The function sums the bounds of the products with rounding to nearest, and widens the sum once for all
+    /// roundings. With n products whose magnitudes sum to s, the rounding error is less than (n + 1)εs. The code uses
+    /// slices, because without optimisation iterators would become function calls.
     #[inline(always)]
     fn convolved(a: &[Interval], b: &[Interval], k: usize, first: usize) -> Interval {
         let from = if k < first + b.len() {
@@ -161,7 +161,7 @@ impl<const N: usize> IntervalSeries<N> {
         Interval::new(low - room, high + room)
     }
 
-    /// Returns Σ a_j b_{k−j}, with a rounding after each term. `convolved` uses this function if bounds are infinite or
+    /// Returns Σ a_j b_{k−j}, rounded outward after each term. `convolved` uses this function if bounds are infinite or
     /// every product is 0.
     fn convolved_term_by_term(a: &[Interval], b: &[Interval]) -> Interval {
         let pairs = a.iter().zip(b.iter().rev());
@@ -252,7 +252,7 @@ impl<const N: usize> IntervalSeries<N> {
         root
     }
 
-    /// Returns sin(πz)/(πz), where z is this series. The function is computed by its own power series, which needs
+    /// Returns sin(πz)/(πz), where z is this series. The function uses the power series of sin(πz)/(πz), which needs
     /// |z| ≤ 1. Returns `ALL` if |z| may exceed 1.
     #[must_use]
     pub fn sinc(&self) -> Self {
@@ -295,8 +295,8 @@ impl<const N: usize> IntervalSeries<N> {
         sum
     }
 
-    /// Returns a polynomial in t whose values contain the function at r₀ + t. Its last coefficient is the coefficient
-    /// over the interval. All other coefficients are the coefficients at r₀.
+    /// Returns a polynomial in t whose values contain the function at r₀ + t. Its last coefficient comes from `over`,
+    /// the series over the interval. All other coefficients come from `at`, the series at r₀.
     #[must_use]
     pub fn joined(at: &Self, over: &Self) -> Self {
         let mut joined = *at;
@@ -306,8 +306,8 @@ impl<const N: usize> IntervalSeries<N> {
         joined
     }
 
-    /// Returns the coefficients over an interval, tightened by Taylor's formula from the coefficients `at` a point in
-    /// it. `away` is the interval minus that point.
+    /// Returns the coefficients over an interval, made narrower by Taylor's formula with the coefficients `at` a point
+    /// of the interval. `away` is the interval minus that point.
     #[must_use]
     pub fn refined(&self, at: &Self, away: Interval) -> Self {
         let mut refined = *self;

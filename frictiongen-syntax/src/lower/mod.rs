@@ -1,4 +1,4 @@
-//! Turns a syntax tree into a scene that makes physical sense.
+//! Converts a syntax tree to a scene, and checks that the scene makes physical sense.
 
 mod places;
 mod readable;
@@ -23,14 +23,14 @@ pub struct Located<'s> {
 }
 
 impl Located<'_> {
-    /// Returns the position of an item, or the position of the scene's name if the item was not
-    /// written.
+    /// Returns the position of an item. If the description does not contain the item, returns the position of the
+    /// scene's name.
     #[must_use]
     pub fn place(&self, path: Path) -> Place {
         self.places.of(path)
     }
 
-    /// Returns the position of an item; `None` if the item was not written.
+    /// Returns the position of an item, or `None` if the description does not contain the item.
     #[must_use]
     pub fn written(&self, path: Path) -> Option<Place> {
         self.places.find(path)

@@ -1,4 +1,4 @@
-//! Finds the position in the description of each item of a scene.
+//! Positions of a scene's items in the description.
 
 use frictiongen_model::validate::Path;
 
@@ -8,25 +8,26 @@ use crate::parse::syntax::{
     AccuracyEntry, DampingKind, LawEntry, ProvideEntry, SpringEntry, Syntax,
 };
 
-/// Maps the items of a scene back to the description.
+/// Links from the items of a scene to the description.
 pub(super) struct Places<'s> {
     pub(super) syntax: &'s Syntax,
-    /// The written entry of each spring of the scene. A faulty spring is written but not part of the scene.
+    /// Entry in the description of each spring of the scene. Faulty springs are not in this list, because the scene
+    /// does not contain them.
     pub(super) springs: Vec<&'s SpringEntry>,
-    /// The written entry of each provided item.
+    /// Entry in the description of each provided item.
     pub(super) provide: Vec<&'s ProvideEntry>,
-    /// The written name of each mass that the stepper may load.
+    /// Name, as written, of each mass on which the stepper may apply a force.
     pub(super) force: Vec<&'s Name>,
 }
 
 impl Places<'_> {
-    /// Returns the position of an item, or the position of the scene's name if the item was not
-    /// written.
+    /// Returns the position of an item. If the description does not contain the item, returns the position of the
+    /// scene's name.
     pub(super) fn of(&self, path: Path) -> Place {
         self.find(path).unwrap_or(self.syntax.place)
     }
 
-    /// Returns the position of an item; `None` if the item was not written.
+    /// Returns the position of an item, or `None` if the description does not contain the item.
     pub(super) fn find(&self, path: Path) -> Option<Place> {
         let fields = &self.syntax.fields;
         let mass = |index: usize| {

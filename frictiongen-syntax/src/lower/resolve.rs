@@ -1,4 +1,4 @@
-//! Resolves names to masses, and checks the scene as far as it could be read.
+//! Resolves names to masses, and checks those items of the scene that the parser could read.
 
 use std::collections::{HashMap, HashSet};
 
@@ -134,7 +134,7 @@ fn report_missing(syntax: &Syntax, problems: &mut Problems) {
     }
 }
 
-/// The masses by name. If two masses have the same name, the name stands for the first one.
+/// Masses by name. If two masses have the same name, the name refers to the first one.
 struct Names<'s> {
     index: HashMap<&'s str, usize>,
     order: Vec<&'s str>,
@@ -169,18 +169,18 @@ impl<'s> Names<'s> {
     }
 }
 
-/// A scene under construction.
+/// A scene during its conversion from the syntax tree.
 pub(super) struct Lowering<'s, 'p> {
     names: Names<'s>,
     pub(super) problems: &'p mut Problems,
     pub(super) checks: Checks,
-    /// Paths of the numbers that could not be read.
+    /// Paths of the numbers that the parser could not read.
     unread: HashSet<Path>,
 }
 
 impl<'s> Lowering<'s, '_> {
-    /// Returns a number. An unread number becomes NaN, and its path is noted because its error is
-    /// already reported.
+    /// Returns a number. If the parser could not read it, returns NaN and stores its path. The parser has then already
+    /// reported the error.
     pub(super) fn number(&mut self, number: Number, path: Path) -> f64 {
         number.value.unwrap_or_else(|| {
             self.unread.insert(path);
@@ -188,7 +188,7 @@ impl<'s> Lowering<'s, '_> {
         })
     }
 
-    /// Finds the mass with this name. `supports` lists the other words that are valid here.
+    /// Finds the mass with this name. `supports` lists the other words that are valid in this place.
     pub(super) fn mass(&mut self, name: &Name, supports: &[&str]) -> Result<usize, Reported> {
         let text = name.text.as_str();
         if let Some(&index) = self.names.index.get(text) {

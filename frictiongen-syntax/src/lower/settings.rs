@@ -1,4 +1,4 @@
-//! Turns the damping, declarations and provided items as written into the fields of the scene.
+//! Converts the damping, the declarations and the provided items from the syntax tree to fields of the scene.
 
 use std::collections::HashSet;
 
@@ -88,7 +88,7 @@ impl<'s> Lowering<'s, '_> {
         }
     }
 
-    /// Returns the provided items that could be read, each with its written entry.
+    /// Returns the provided items that the parser could read, each with its entry in the description.
     pub(super) fn provide(&mut self, fields: &'s Fields) -> (Vec<Provide>, Vec<&'s ProvideEntry>) {
         let default = || (vec![Provide::Limits, Provide::Motion(None)], Vec::new());
         self.checks.provide = match &fields.provide {

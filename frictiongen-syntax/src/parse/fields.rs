@@ -198,10 +198,11 @@ fn field(
     }
 }
 
-/// Words for the amount of friction. The amount belongs to a question about the scene, not to the scene.
+/// Words for a friction force or friction ratio. A description must not contain them, because the user gives the
+/// friction later, for each computation.
 const AMOUNTS: [&str; 4] = ["friction_force", "friction_ratio", "beta", "coulomb"];
 
-/// Other words that belong to a question about the scene, with the message for each word.
+/// Other words that a description must not contain. Each group of words has its message.
 const ASKED: [(&[&str], &str); 2] = [
     (
         &["frequency", "frequency_ratio", "omega", "r"],
@@ -210,8 +211,8 @@ const ASKED: [(&[&str], &str); 2] = [
     (&["mu", "static_friction"], "did you mean `stiction`?"),
 ];
 
-/// Returns the field that a word names. A misspelt word is reported and then read as the intended
-/// field, so that this field is not reported as missing too.
+/// Returns the field that a word names. If a word is misspelt, the function reports it and returns the intended field.
+/// The parser then does not report this field as missing.
 fn recognise(word: &Name, reader: &Reader<'_>, problems: &mut Problems) -> Option<Field> {
     let text = word.text.as_str();
     if AMOUNTS.contains(&text) {
@@ -238,7 +239,7 @@ fn recognise(word: &Name, reader: &Reader<'_>, problems: &mut Problems) -> Optio
     })
 }
 
-/// Parses the value of a field and stores it. If the description has the field twice, the first value is kept.
+/// Parses the value of a field and stores it. If the description contains the field twice, the first value counts.
 fn store<'t, T>(
     slot: &mut Slot<T>,
     word: &Name,

@@ -68,8 +68,8 @@ pub(crate) fn damping(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<
     }
 }
 
-/// Returns the damping ratio that a bare number most likely means. A number below 1 is the ratio itself. A number of 1
-/// or more, or a number before `%`, is a percentage.
+/// Returns the damping ratio that the author of a bare number probably means. A number below 1 is the ratio itself. A
+/// number of 1 or more, or a number before `%`, is a percentage.
 fn ratio_for(reader: &Reader<'_>) -> Option<f64> {
     let Some(Token {
         kind: Kind::Number(text),
@@ -139,7 +139,7 @@ fn rayleigh(
     }
 }
 
-/// Parses the numbers in parentheses. Fails if an error makes it unknown which entry of the list a number is.
+/// Parses the numbers in parentheses. Fails if an error makes the index of a number in the list unknown.
 fn arguments(mut inside: Inside<'_>, problems: &mut Problems) -> Result<Vec<Number>, Reported> {
     let list = numbers(&mut inside.reader, problems);
     if list.complete {

@@ -18,7 +18,7 @@ pub enum Attribute {
         /// The position of the comment.
         place: Place,
     },
-    /// An attribute, of which only the name and the outer form are checked.
+    /// An attribute. The parser checks only its name and its outer form.
     Other {
         /// The group in square brackets.
         group: Token,
@@ -50,8 +50,8 @@ pub enum Visibility {
 const FORM: &str =
     "write `struct Name { masses: { … }, springs: { … }, contact: …, excitation: … }`";
 
-/// Attributes allowed before a scene: documentation, lint levels and deprecation. Any other
-/// attribute would act on only one of the items that the scene becomes.
+/// Attributes that may precede a scene: documentation, lint levels and deprecation. The macro replaces the struct by
+/// several items, and any other attribute would apply to only one of them.
 const ATTRIBUTES: [&str; 7] = [
     "doc",
     "allow",
@@ -137,7 +137,7 @@ fn attribute(
 }
 
 /// Returns the reason why an attribute has a wrong form, in the words of `syn`. The function ignores numbers and
-/// comments. It does not read the expression after `=`, because only emitted code needs this expression.
+/// comments. It does not check the expression after `=`, because only emitted code contains this expression.
 fn fault(mut reader: Reader<'_>) -> Option<&'static str> {
     reader.next();
     let ignored =

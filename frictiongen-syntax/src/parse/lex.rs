@@ -1,7 +1,7 @@
 //! Splits a text into tokens.
 //!
-//! The compiler's lexer is unsuitable. Inside a macro it gives every token of a text the position
-//! of the call. Outside a macro it keeps every text in memory, and its errors have no messages.
+//! The compiler's lexer does not serve here. Inside a macro it gives every token of a text the position of the call.
+//! Outside a macro it keeps every text in memory, and its errors have no messages.
 
 use core::str::Chars;
 
@@ -10,8 +10,8 @@ use unicode_ident::{is_xid_continue, is_xid_start};
 use super::token::{DEEPEST, Delimiter, Kind, TOO_DEEP, Token};
 use crate::diagnostics::{Place, Problems, Reported};
 
-/// Returns the tokens of a text and the position of its end. Fails only if brackets or comments are
-/// not closed. A stray character is reported and skipped.
+/// Returns the tokens of a text and the position of its end. Fails only if a bracket or a comment is not closed. The
+/// function reports and skips a stray character.
 pub(crate) fn lex(text: &str, problems: &mut Problems) -> Result<(Vec<Token>, Place), Reported> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let mut lexer = Lexer {
@@ -35,7 +35,7 @@ struct Lexer<'t, 'p> {
 struct Open {
     bracket: Delimiter,
     place: Place,
-    /// Tokens that were read before the bracket.
+    /// Tokens before the bracket.
     before: Vec<Token>,
 }
 
@@ -122,7 +122,8 @@ impl Lexer<'_, '_> {
         self.problems.report(place, message)
     }
 
-    /// Reads a word, a number, a string, a punctuation character or a meaningless character.
+    /// Reads one token other than a bracket: a word, a number, a string or a punctuation character. Reports and skips a
+    /// stray character.
     fn leaf(&mut self, next: char, place: Place, out: &mut Vec<Token>) -> Result<(), Reported> {
         if is_start(next) {
             if let Ok(kind) = self.word(place) {
@@ -193,7 +194,7 @@ impl Lexer<'_, '_> {
         Ok(Kind::Word(if raw { format!("r#{name}") } else { name }))
     }
 
-    /// Reads a number as Rust does: `0..2` contains two numbers, and `1.5.x` a number and a point.
+    /// Reads a number as Rust does: `0..2` contains two numbers, and `1.5.x` contains a number and a point.
     fn number(&mut self) -> String {
         let mut text = self.take_while(|next| next.is_ascii_digit() || next == '_');
         if self.peek(0) == Some('.')

@@ -1,7 +1,7 @@
-//! Parses a description into a syntax tree, with positions and without name resolution.
+//! Parses a description into a syntax tree with positions. The parser does not resolve names.
 //!
-//! The parser reports every error and continues. Inside a list it continues with the next entry,
-//! otherwise with the next field.
+//! The parser reports every error and continues. Inside a list it continues with the next entry, otherwise with the
+//! next field.
 
 mod chain;
 mod declared;
@@ -24,7 +24,7 @@ use self::syntax::{Fields, Syntax};
 use self::token::{Delimiter, Token};
 use crate::diagnostics::{Place, Problems};
 
-/// Parses the tokens of a description. `end` is the position of errors at the end of the tokens.
+/// Parses the tokens of a description. `end` is the position for errors at the end of the tokens.
 pub fn parse_tokens(tokens: &[Token], end: Place, problems: &mut Problems) -> Syntax {
     let mut reader = Reader::new(tokens, end);
     let mut reader = call(&mut reader, problems).unwrap_or(reader);
@@ -64,8 +64,8 @@ pub fn parse_tokens(tokens: &[Token], end: Place, problems: &mut Problems) -> Sy
     syntax
 }
 
-/// Parses the names of a description with a reported error after which further errors would be meaningless. The result
-/// has no scene.
+/// Parses only the names of a description. The caller has reported an error that makes all further errors meaningless.
+/// The result has no scene.
 #[must_use]
 pub fn parse_faulty(tokens: &[Token], end: Place) -> Syntax {
     let mut syntax = parse_tokens(tokens, end, &mut Problems::default());
@@ -73,7 +73,7 @@ pub fn parse_faulty(tokens: &[Token], end: Place) -> Syntax {
     syntax
 }
 
-/// Returns the inside of a macro call, if the text is a macro call that contains the description.
+/// Returns the tokens inside a macro call, if the text is a macro call around the description.
 fn call<'t>(reader: &mut Reader<'t>, problems: &mut Problems) -> Option<Reader<'t>> {
     const NAME: &str = "friction_system";
     let mut ahead = *reader;
@@ -94,7 +94,7 @@ fn call<'t>(reader: &mut Reader<'t>, problems: &mut Problems) -> Option<Reader<'
     Some(inside.reader)
 }
 
-/// Returns the inside of the braces, which contains the fields.
+/// Returns the tokens inside the braces, which are the fields.
 fn body<'t>(reader: &mut Reader<'t>, problems: &mut Problems) -> Option<Reader<'t>> {
     let place = reader.place();
     if let Some(inside) = reader.take_group(Delimiter::Brace) {

@@ -4,7 +4,7 @@ use super::reader::{Read, Reader};
 use super::token::{Delimiter, Kind, Token};
 use crate::diagnostics::{Place, Problems, Reported};
 
-/// A number and the position at which it begins. A number that could not be read has no value.
+/// A number and the position at which it begins. The value is missing if the parser could not read the number.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Number {
     pub(crate) value: Option<f64>,
@@ -68,7 +68,8 @@ fn product(reader: &mut Reader<'_>, problems: &mut Problems) -> Result<f64, Repo
     }
 }
 
-/// Parses a signed number. A loop reads the signs, because recursion over a million signs would exhaust the stack.
+/// Parses a number with signs before it. A loop reads the signs, because recursion over a million signs would exhaust
+/// the stack.
 fn signed(reader: &mut Reader<'_>, problems: &mut Problems) -> Result<f64, Reported> {
     let mut negative = false;
     loop {
@@ -206,7 +207,7 @@ fn literal(text: &str, place: Place, problems: &mut Problems) -> Result<f64, Rep
     nonzero(value, !is_zero, place, problems)
 }
 
-/// Reports a result that overflowed, and a result that underflowed to zero.
+/// Reports a result that overflows, and a result that underflows to zero.
 fn nonzero(
     value: f64,
     expected: bool,

@@ -19,13 +19,13 @@ pub(crate) struct Reader<'t> {
     end: Place,
 }
 
-/// The inside of a bracket and the position of its opening.
+/// Tokens inside a bracket, and the position of the opening bracket.
 pub(crate) struct Inside<'t> {
     pub(crate) reader: Reader<'t>,
     pub(crate) place: Place,
 }
 
-/// An item that was parsed. `clean` is false if an error left the reader at an unknown position.
+/// A parsed item. `clean` is false if an error left the reader at an unknown position.
 pub(crate) struct Read<T> {
     pub(crate) value: Option<T>,
     pub(crate) clean: bool,
@@ -53,7 +53,7 @@ impl<T> From<Result<T, Reported>> for Read<T> {
     }
 }
 
-/// A list. `complete` is true if every entry could be read.
+/// A list. `complete` is true if the parser could read every entry.
 pub(crate) struct List<T> {
     pub(crate) entries: Vec<T>,
     pub(crate) complete: bool,
@@ -82,7 +82,7 @@ impl<'t> Reader<'t> {
         self.rest.is_empty()
     }
 
-    /// Returns the number of unread tokens. A caller compares two such numbers to find out whether anything was read.
+    /// Returns the number of unread tokens. If this number has not changed, nothing was read.
     pub(crate) fn left(&self) -> usize {
         self.rest.len()
     }
@@ -98,8 +98,8 @@ impl<'t> Reader<'t> {
             .map_or_else(|| "the end".to_owned(), Token::describe)
     }
 
-    /// Returns the advice for a number in the place of a name. A decimal comma is the usual cause, because `1,2` reads
-    /// as two entries.
+    /// Returns the advice for a number in the place of a name. The usual cause is a decimal comma, because the parser
+    /// reads `1,2` as two entries.
     pub(crate) fn comma_hint(&self) -> &'static str {
         match self.peek(0).map(|token| &token.kind) {
             Some(Kind::Number(_)) => {
@@ -162,7 +162,8 @@ impl<'t> Reader<'t> {
         }
     }
 
-    /// Reads the colon between a name and its value. `=` is reported and accepted as a colon.
+    /// Reads the colon between a name and its value. If `=` takes its place, the function reports the `=` and
+    /// continues.
     pub(crate) fn take_colon(
         &mut self,
         problems: &mut Problems,
@@ -195,7 +196,7 @@ impl<'t> Reader<'t> {
         }
     }
 
-    /// Reports and skips doc comments and attributes where they have no meaning.
+    /// Reports and skips doc comments and attributes in a place where they have no meaning.
     fn skip_attributes(&mut self, problems: &mut Problems) {
         loop {
             let place = self.place();
@@ -222,9 +223,9 @@ impl<'t> Reader<'t> {
         }
     }
 
-    /// Parses entries separated by commas. A faulty entry is skipped, and the next entry is read. `begins` returns true
-    /// if an entry begins here although the comma before it is missing. `begins_after_error` returns the same after an
-    /// error that left the reader at an unknown position.
+    /// Parses entries separated by commas. After a faulty entry the function continues with the next entry. `begins`
+    /// returns true if an entry begins at the present token although the comma before it is missing.
+    /// `begins_after_error` returns the same after an error that left the reader at an unknown position.
     pub(crate) fn list<T>(
         &mut self,
         problems: &mut Problems,

@@ -12,7 +12,8 @@ use super::syntax::{Choice, FrictionEntry, LawEntry, Placed};
 use super::token::{Delimiter, Kind, Token};
 use crate::diagnostics::{Place, Problems, Reported};
 
-/// Returns the advice for an amount of friction in a description. `amount` is its token.
+/// Returns the advice for a friction force in a description, which must not contain one. `amount` is the token of the
+/// number.
 pub(crate) fn how_much(amount: Option<&Token>) -> String {
     let force = match amount.map(|token| &token.kind) {
         Some(Kind::Number(text)) => text.as_str(),
@@ -55,7 +56,7 @@ pub(crate) fn friction(reader: &mut Reader<'_>, problems: &mut Problems) -> Read
     }
 }
 
-/// Parses the points in parentheses. Fails if after an error the position of a point is unknown.
+/// Parses the points in parentheses. Fails if an error makes the index of a point unknown.
 fn points(
     reader: &mut Reader<'_>,
     problems: &mut Problems,

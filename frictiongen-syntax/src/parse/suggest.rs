@@ -1,7 +1,7 @@
 //! Suggests a correction for a misspelt word: "Did you mean …?"
 
-/// Longest word that is compared. Longer words are not misspellings, and the comparison would be
-/// slow.
+/// Length of the longest word that the function compares. Longer words are hardly misspellings, and the comparison
+/// would be slow.
 const LONGEST: usize = 64;
 
 /// Returns the candidate that a misspelt word most likely means.
@@ -43,7 +43,8 @@ pub(crate) fn hint<'c>(
     )
 }
 
-/// Returns the number of letters to insert, delete, replace, or swap with a neighbour.
+/// Returns the number of edits from one word to another. An edit inserts, deletes or replaces a letter, or swaps two
+/// neighbouring letters.
 fn distance(from: &str, to: &str) -> usize {
     let to: Vec<char> = to.chars().collect();
     let mut before: Vec<usize> = Vec::new();

@@ -1,4 +1,4 @@
-//! Defines the syntax tree: the written words with their positions. Names are not resolved yet.
+//! Syntax tree: the words of the description with their positions. Names are not resolved yet.
 
 use frictiongen_model::scene::{Beyond, DampingFrom, Precision, Proving, Side, StepInput};
 
@@ -74,7 +74,7 @@ pub(crate) struct ProvideEntry {
 
 pub(crate) enum ProvideKind {
     Limits,
-    /// The masses that are named. `None` stands for all masses.
+    /// The motions of the listed masses. `None` selects all masses.
     Motion(Option<List<Name>>),
     Stuck,
     Orbit,
@@ -95,7 +95,7 @@ pub(crate) struct Span {
     pub(crate) high: Number,
 }
 
-/// The ranges over which an accuracy is declared.
+/// Ranges of r and β of a declared accuracy.
 pub(crate) struct RangeEntry {
     pub(crate) place: Place,
     pub(crate) ratio: Option<Span>,
@@ -110,7 +110,7 @@ pub(crate) struct FrictionEntry {
 
 pub(crate) enum LawEntry {
     Coulomb,
-    /// Speed and kinetic level of each point.
+    /// Points of the law, each with a speed and a level of the kinetic friction.
     Stribeck(Vec<[Number; 2]>),
 }
 
@@ -123,11 +123,11 @@ pub(crate) struct Choice<T> {
 /// A path of Rust, as written.
 #[derive(Clone, Debug)]
 pub struct RustPath {
-    /// The words of the path. Each has the position of the `::` before it, if there is one.
+    /// Words of the path. Each has the position of the `::` before it, if the path has one there.
     pub segments: Vec<(Option<Place>, Name)>,
 }
 
-/// A whole description, as far as it could be read.
+/// A whole description, as far as the parser could read it.
 pub struct Syntax {
     /// The doc comments and attributes before the struct.
     pub attributes: Vec<Attribute>,
@@ -135,7 +135,7 @@ pub struct Syntax {
     pub visibility: Visibility,
     /// The name of the struct. `None` if the written name cannot be used.
     pub name: Option<Name>,
-    /// Position at which missing fields are reported.
+    /// Position for errors about missing fields.
     pub(crate) place: Place,
     /// True if the description has braces with fields.
     pub(crate) has_body: bool,
@@ -149,7 +149,7 @@ impl Syntax {
         self.fields.facade.given()
     }
 
-    /// Returns the names of the masses that could be read, in the order of the text.
+    /// Returns the names of the masses that the parser could read, in the order of the text.
     pub fn mass_names(&self) -> impl Iterator<Item = &Name> {
         let masses = self.fields.masses.given();
         let entries = masses.map_or(&[][..], |masses| &masses.list.entries);

@@ -1,11 +1,11 @@
-//! Defines tokens with positions, from the compiler or from a text.
+//! Tokens with positions, from the compiler or from a text.
 
 use crate::Place;
 
-/// Largest nesting depth of brackets, so that no input can exhaust the stack.
+/// Largest nesting depth of brackets. The limit prevents that an input exhausts the stack.
 pub const DEEPEST: usize = 64;
 
-/// The message for brackets that nest too deep.
+/// Message for brackets that are nested too deeply.
 pub const TOO_DEEP: &str = "brackets are nested more than 64 deep here; compute the innermost numbers and write their results";
 
 /// A token or a bracketed group of tokens.
@@ -20,7 +20,7 @@ pub struct Token {
 /// The kinds of tokens.
 #[derive(Clone, Debug)]
 pub enum Kind {
-    /// A word, which may be a keyword. It keeps the `r#` of a raw identifier.
+    /// A word, which may be a keyword. A raw identifier has its `r#`.
     Word(String),
     /// A number as written.
     Number(String),
@@ -28,7 +28,7 @@ pub enum Kind {
     Quoted {
         /// The token as written.
         text: String,
-        /// The value of a string in a text. A caller that passes tokens has the value in its own list.
+        /// Value of a string in a text. A caller that passes tokens finds the value in its own list.
         value: String,
     },
     /// A single character of punctuation.
@@ -42,9 +42,9 @@ pub enum Kind {
         /// The position of the closing bracket.
         close: Place,
     },
-    /// A doc comment on the following item, in a text.
+    /// A doc comment of the item after it, in a text.
     Doc(String),
-    /// A doc comment on the enclosing item, in a text.
+    /// A doc comment of the item that contains it, in a text.
     InnerDoc,
 }
 

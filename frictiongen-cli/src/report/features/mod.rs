@@ -1,4 +1,4 @@
-//! Lists the features of the response. They are the features of `frictiongen features`, in the words of the page.
+//! Section about the features of the response. They are the features of `frictiongen features`, in other words.
 
 mod tables;
 
@@ -10,12 +10,12 @@ use frictiongen::study::columns::{FeatureLine, FeaturesAsked};
 use maud::{Markup, html};
 use serde_json::{Value as Json, json};
 
-/// Largest number of masses for which features are searched. Each feature has derivatives with respect to all masses
-/// and springs, which take time.
+/// Largest number of masses for which the command searches features. A feature has derivatives with respect to all
+/// masses and springs, which take time.
 const MOST_MASSES: usize = 16;
-/// Largest number of masses for which the page has true peaks, and features at every given friction.
+/// Largest number of masses for which the page shows exact peaks, and features at every given friction.
 const ALL_FRICTIONS: usize = 4;
-/// Largest number of rows of a table. The data contain all rows.
+/// Largest number of rows of a table on the page. The JSON data contain all rows.
 const MOST_ROWS: usize = 24;
 
 /// Contents of the section about features.
@@ -88,8 +88,8 @@ impl Features {
         lines.filter(move |line| line.feature == feature)
     }
 
-    /// Returns the features as the command prints them, each with the parameter to which its first number is most
-    /// sensitive.
+    /// Returns the features as `frictiongen features` prints them. Each has the parameter to which its first number is
+    /// most sensitive.
     fn report<'a>(&self, asked: &'a Asked) -> FeaturesReport<'a> {
         FeaturesReport {
             system: &asked.system,
@@ -125,8 +125,8 @@ impl Features {
         }
     }
 
-    /// Returns the section as JSON data. It has the lines of `frictiongen features --json`, but only one derivative in
-    /// each line.
+    /// Returns the section as JSON data. It contains the lines of `frictiongen features --json`, but only one
+    /// derivative in each line.
     pub fn data(&self, asked: &Asked) -> Json {
         if let Err(reason) = &self.lines {
             return json!({ "none": reason });

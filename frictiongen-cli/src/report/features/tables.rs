@@ -286,7 +286,7 @@ fn limit(words: &Words, force: f64) -> String {
     }
 }
 
-/// Formats the amplitude of a line, which is already in m under a load.
+/// Formats the amplitude of a line. With a load this amplitude is already in m.
 fn amplitude(words: &Words, line: &FeatureLine) -> String {
     match line.amplitude {
         None => String::new(),
@@ -295,7 +295,7 @@ fn amplitude(words: &Words, line: &FeatureLine) -> String {
     }
 }
 
-/// Returns words for the quantity that stays constant or grows.
+/// Returns words for the quantity that is constant or grows.
 fn measured(detail: &str) -> &'static str {
     if detail.starts_with("fundamental") {
         "fundamental component"
@@ -308,7 +308,7 @@ fn measured(detail: &str) -> &'static str {
     }
 }
 
-/// Returns the words for what the contact does in a regime.
+/// Returns words for the motion of the contact in a regime.
 fn does(regime: &str) -> &str {
     match regime {
         "continuous" => "slides all the time",

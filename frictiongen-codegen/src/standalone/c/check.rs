@@ -7,7 +7,7 @@ use super::{constant, header, status};
 use crate::standalone::origin::c_text;
 use frictiongen_kernel::Float;
 
-/// Returns the values of the enumeration: name and meaning.
+/// Returns the values of the enumeration of faults, each with its name and meaning.
 fn faults<S: Float>(source: &Source<'_, S>) -> Vec<(String, String)> {
     let mut faults = [
         ("NONE", "nothing is wrong"),

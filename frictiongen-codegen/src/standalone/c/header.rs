@@ -57,8 +57,8 @@ pub fn c_header<S: Float>(source: &Source<'_, S>, name: &str) -> String {
     text
 }
 
-/// Returns a number for the header's guard that differs between different tables: the FNV-1a hash of all pieces, of the
-/// summary and of the scene.
+/// Returns a number for the header's guard that is different for different tables. It is the FNV-1a hash of all pieces,
+/// of the summary and of the scene.
 fn mark<S: Float>(source: &Source<'_, S>) -> String {
     let numbers = piece_numbers(source.tables).into_iter();
     let bytes = numbers.flat_map(|number| number.to_bits().to_le_bytes());
@@ -71,7 +71,7 @@ fn mark<S: Float>(source: &Source<'_, S>) -> String {
     format!("{hash:#010x}")
 }
 
-/// Writes the constants that connect ratios with units, the declared ranges, and the conversions.
+/// Writes the constants that convert between ratios and units, the declared ranges, and the conversions.
 fn units<S: Float>(source: &Source<'_, S>, name: &str, words: &Words) -> String {
     let numbers = Numbers::of::<S>(Language::C);
     let units = UnitConstants::of::<S>(source.scene);
@@ -179,7 +179,7 @@ fn stuck<S: Float>(source: &Source<'_, S>, name: &str, words: &Words) -> String 
     )
 }
 
-/// Returns the checksum of the constants in the header and of the reference frequency.
+/// Returns the checksum of the constants in the header, including the reference frequency.
 pub(super) fn checksum_of_units<S: Float>(source: &Source<'_, S>) -> u32 {
     let numbers = Numbers::of::<S>(Language::C);
     checksum::of_numbers(numbers, unit_numbers(source))

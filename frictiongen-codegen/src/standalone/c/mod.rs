@@ -20,23 +20,24 @@ pub fn c_name(scene: &Scene) -> String {
     snake(&scene.name)
 }
 
-/// Returns the name of the file with the numbers, from that of the header: `frame.h` has `frame_tables.h`.
+/// Returns the name of the file with the numbers, derived from the name of the header: `frame.h` gives
+/// `frame_tables.h`.
 #[must_use]
 pub fn c_tables_name(header: &str) -> String {
     format!("{}_tables.h", header.strip_suffix(".h").unwrap_or(header))
 }
 
-/// Returns a constant of the status enumeration.
+/// Returns the name of a constant in the status enumeration.
 fn status(name: &str, of: &str) -> String {
     constant(name, &snake(of))
 }
 
-/// Returns the name of a constant: in capitals, with the prefix.
+/// Returns the name of a constant in capital letters, with the prefix.
 fn constant(name: &str, of: &str) -> String {
     format!("{}_{}", name.to_uppercase(), of.to_uppercase())
 }
 
-/// Returns the conditions that r, and that r and β are out of the domain.
+/// Returns two conditions: that r is outside the domain, and that r or β is outside the domain.
 fn outside(name: &str) -> [String; 2] {
     let of = |of: &str| constant(name, of);
     let within = |value: &str| {
@@ -50,15 +51,15 @@ fn outside(name: &str) -> [String; 2] {
     [format!("!({r})"), format!("!({r} && {})", within("BETA"))]
 }
 
-/// Writes a return at a condition.
+/// Writes a statement that returns `status` if a condition is true.
 fn refusal(condition: &str, status: &str) -> String {
     format!("    if ({condition}) {{\n        return {status};\n    }}\n")
 }
 
-/// Writes the source file. Without a header name it contains the texts of the header and of the numbers. Its functions
+/// Writes the source file. If `header` is `None`, the file contains the header and the numbers as well. The functions
 /// begin with `name`, as those of the header do.
 ///
-/// Returns `None` if β*_lim has no closed product form. Only the exact formulas keep the accuracy then.
+/// Returns `None` if β*_lim is not stored as a product, because then only the exact formulas have the accuracy.
 #[must_use]
 pub fn c_source<S: Float>(
     source: &Source<'_, S>,
@@ -138,7 +139,7 @@ fn polynomial(real: &str, terms: usize) -> String {
     sum
 }
 
-/// Writes the factors of products that the formulas call.
+/// Writes the functions for the factors of products, if the formulas call them.
 fn factors(formulas: &Formulas) -> String {
     let Numbers { real, .. } = formulas.numbers;
     let all = [
@@ -174,7 +175,7 @@ fn factors(formulas: &Formulas) -> String {
     text
 }
 
-/// Writes the limits.
+/// Writes the functions of both limits.
 fn limits<S: Float>(source: &Source<'_, S>, formulas: &Formulas, name: &str) -> String {
     let Numbers { real, .. } = formulas.numbers;
     let Formulas { sliding, .. } = formulas;
@@ -198,7 +199,7 @@ fn limits<S: Float>(source: &Source<'_, S>, formulas: &Formulas, name: &str) -> 
     )
 }
 
-/// Writes the conversions from units.
+/// Writes the functions that convert between ratios and units.
 fn units(formulas: &Formulas, name: &str) -> String {
     let Numbers { real, .. } = formulas.numbers;
     format!(

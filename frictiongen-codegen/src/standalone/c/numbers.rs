@@ -10,7 +10,7 @@ use super::{header, status};
 use crate::standalone::origin::c_text;
 use frictiongen_kernel::Float;
 
-/// Writes the file that `frame.c` includes as `frame_tables.h`. Returns `None` if β*_lim has no closed product form.
+/// Writes the file that `frame.c` includes as `frame_tables.h`. Returns `None` if β*_lim is not stored as a product.
 #[must_use]
 pub fn c_tables<S: Float>(source: &Source<'_, S>, name: &str) -> Option<String> {
     let formulas = Formulas::of(source, Language::C)?;

@@ -5,7 +5,7 @@ use super::super::formulas::Formulas;
 use super::super::stuck::{Expression, Function, Stuck};
 use super::{outside, refusal, status};
 
-/// Writes the responses while the contact is stuck, with the complex operations that they need.
+/// Writes the functions for the responses while the contact is stuck, and the complex operations that they call.
 pub(super) fn source(formulas: &Formulas, stuck: &Stuck, name: &str) -> String {
     let numbers = formulas.numbers;
     let Numbers { real, .. } = numbers;
@@ -45,8 +45,7 @@ pub(super) fn source(formulas: &Formulas, stuck: &Stuck, name: &str) -> String {
     format!("{}{functions}", operations(formulas, stuck))
 }
 
-/// Writes the complex operations that the file calls. An unused operation would cause a compiler
-/// warning.
+/// Writes only those complex operations that the file calls, because an unused one would cause a compiler warning.
 fn operations(formulas: &Formulas, stuck: &Stuck) -> String {
     let numbers = formulas.numbers;
     let (Numbers { real, .. }, letter) = (numbers, numbers.letter());
