@@ -152,7 +152,8 @@ impl Axis {
 /// fewer digits.
 const SMALLEST: f64 = 1e-304;
 
-/// Returns the smallest and the largest of the finite values that are at least `least`. `None` if there is none.
+/// Returns the smallest and the largest of the finite values that are at least `least`. Returns `None` if there is
+/// none.
 fn ends(values: impl IntoIterator<Item = f64>, least: f64) -> Option<(f64, f64)> {
     values
         .into_iter()
@@ -201,7 +202,7 @@ impl Mapping {
         }
     }
 
-    /// Returns the position of a value on paper. `None` if the value cannot be drawn.
+    /// Returns the position of a value on paper. Returns `None` if the value cannot be drawn.
     pub(crate) fn at(&self, value: f64) -> Option<f64> {
         if !value.is_finite() || (self.scale == Scale::Log && value <= 0.0) {
             return None;

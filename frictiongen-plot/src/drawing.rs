@@ -24,7 +24,7 @@ const MARGIN: f64 = 8.0;
 pub(crate) const ALONE: f64 = 1000.0;
 
 impl Sketch {
-    /// Returns the sketch as a separate SVG document. `None` if there are no masses or too many.
+    /// Returns the sketch as a separate SVG document. Returns `None` if there are no masses or too many.
     #[must_use]
     pub fn svg(&self) -> Option<String> {
         let (width, height) = self.size(ALONE)?;
@@ -35,7 +35,7 @@ impl Sketch {
         Some(canvas.document((width + 2.0 * MARGIN, height + 2.0 * MARGIN), &title, ""))
     }
 
-    /// Returns width and height of the sketch within the width `room`. `None` if the sketch is not drawn.
+    /// Returns width and height of the sketch within the width `room`. Returns `None` if the sketch is not drawn.
     pub(crate) fn size(&self, room: f64) -> Option<(f64, f64)> {
         Plan::new(self, room).map(|plan| plan.size())
     }

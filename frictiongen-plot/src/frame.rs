@@ -257,7 +257,7 @@ impl Frame {
     }
 }
 
-/// Returns the axis of the colour bar. `None` unless the panel has a map of values.
+/// Returns the axis of the colour bar. Returns `None` unless the panel has a map of values.
 fn bar_of(panel: &Panel) -> Option<&Axis> {
     panel.layers.iter().find_map(|layer| match layer {
         Layer::Raster(raster) => match &raster.cells {

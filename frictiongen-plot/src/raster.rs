@@ -59,7 +59,7 @@ pub(crate) fn draw(
     }
 }
 
-/// Returns the grid of a map on the page. `None` if an axis cannot show an end of the map.
+/// Returns the grid of a map on the page. Returns `None` if an axis cannot show an end of the map.
 fn grid(raster: &Raster, frame: &Frame) -> Option<CellGrid> {
     let (columns, rows) = (raster.columns.max(1), raster.rows());
     let (left, right) = (frame.x.at(raster.x.0)?, frame.x.at(raster.x.1)?);

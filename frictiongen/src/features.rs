@@ -42,8 +42,8 @@ use frictiongen_kernel::{Float, Scalar};
 /// Writes the limit of continuous motion β_lim at every resonance into the caller's slice, in ascending order of the
 /// resonances.
 ///
-/// Without damping, β_lim at resonance i is the threshold β_n,i (6.2, 6.26), below which the amplitude is unbounded.
-/// With damping, (7.62) estimates β_lim. If the contact does not drive a mode, its entry has no meaning.
+/// Without damping, β_lim at resonance i is the threshold β_n,i (6.2, 6.26). Below this friction ratio the amplitude is
+/// unbounded. With damping, (7.62) estimates β_lim. If the contact does not drive a mode, its entry has no meaning.
 ///
 /// # Errors
 /// [`SweepError::Length`] for a slice whose length is not the number of resonances. The slice then stays unchanged.
@@ -65,8 +65,7 @@ pub fn thresholds_into<F: FrictionSystem>(
     Ok(())
 }
 
-/// Returns β_lim and β*_lim for r → 0. β_lim is 0 (6.4). For β up to β*_lim the contact slides at the quasi-static
-/// start (6.5).
+/// Returns β_lim and β*_lim for r → 0. β_lim is 0 (6.4). For β up to β*_lim the contact slides for r → 0 (6.5).
 ///
 /// # Errors
 /// No errors, because 0 is in the domain.
@@ -86,7 +85,7 @@ pub fn limits_at_infinity<F: FrictionSystem>(system: &F) -> Result<Limits<F::Sca
 /// A frequency at which the regime changes, with the regimes on both sides.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Change<S> {
-    /// The last frequency ratio r at which the regime is `before`.
+    /// Highest frequency ratio r at which the regime is `before`.
     pub r: S,
     /// The regime below the frequency ratio r.
     pub before: Regime,
@@ -94,7 +93,7 @@ pub struct Change<S> {
     pub after: Regime,
 }
 
-/// Iterator over the changes of the regime along frequency. [`regime_changes`] creates it.
+/// Iterator over the changes of the regime, in ascending order of frequency. [`regime_changes`] creates it.
 #[derive(Clone, Debug)]
 pub struct RegimeChanges<'s, F: FrictionSystem> {
     system: &'s F,
@@ -112,8 +111,8 @@ pub struct RegimeChanges<'s, F: FrictionSystem> {
 /// these frequencies. `System::features` misses fewer regimes, and says whether its list is complete.
 ///
 /// # Errors
-/// [`OutOfDomain`] for a range that does not run from above 0 to a larger, finite r; for NaN, negative and infinite β;
-/// and for zero steps.
+/// [`OutOfDomain`] unless the range begins above 0 and ends at a larger, finite r. [`OutOfDomain`] also for NaN,
+/// negative and infinite β, and for zero steps.
 pub fn regime_changes<F: FrictionSystem>(
     system: &F,
     beta: F::Scalar,

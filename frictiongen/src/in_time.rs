@@ -52,8 +52,8 @@ pub trait OrbitAt: LimitsAt {
     /// [`NoOrbit`], with the reason why motion from rest reaches no steady state.
     fn orbit(&self, beta: Self::Scalar) -> Result<Self::Orbit<'_>, NoOrbit>;
 
-    /// Returns the steady state as [`orbit`](Self::orbit) does. If the motion from rest does not settle, it returns the
-    /// last 64 cycles of this motion instead, and [`SteadyState::is_settled`] is false.
+    /// Returns the steady state of [`orbit`](Self::orbit). If the motion from rest does not settle, returns the last 64
+    /// cycles of this motion, and [`SteadyState::is_settled`] is false.
     ///
     /// # Errors
     /// [`NoOrbit`] if the motion is unbounded, if the search takes too many steps, or if β is negative or not finite.
@@ -67,7 +67,7 @@ pub trait SteadyState {
 
     /// Returns the number of excitation cycles after which the motion repeats: 1, or up to 64 for a subharmonic state.
     fn period(&self) -> u32;
-    /// Returns true if the motion repeats. If false, this state describes the last 64 computed cycles.
+    /// Returns true if the motion repeats. If false, this state contains the last 64 computed cycles.
     fn is_settled(&self) -> bool;
     /// Returns the number of stops of the contact in a period. At a stop the contact starts to stick.
     fn stops(&self) -> usize;
@@ -93,9 +93,9 @@ pub trait SteadyState {
     ) -> Option<T>;
 }
 
-/// The methods of the kernel's steady state, as a separate trait. [`SteadyState`] is implemented for every type that
-/// derefs to a type with `Kept`. Without `Kept`, an implementation of [`SteadyState`] for the kernel's type would
-/// conflict if that type implemented `Deref` in a later version.
+/// Methods of the kernel's steady state, as a separate trait. [`SteadyState`] has an implementation for every type that
+/// derefs to a type with `Kept`. A direct implementation for the kernel's type would conflict with it, if the kernel's
+/// type implemented `Deref` in a later version.
 #[doc(hidden)]
 pub trait Kept {
     type Scalar: Float;
@@ -231,7 +231,7 @@ pub trait Periodic {
 
     /// Returns the largest |x̄| of the period.
     fn amplitude(&self) -> Self::Scalar;
-    /// Returns the lag of the maximum of x̄ behind the maximum of the excitation, rad, in (−π, π].
+    /// Returns the lag of the maximum of x̄ behind the maximum of the excitation, in rad, in (−π, π].
     fn phase(&self) -> Self::Scalar;
     /// Returns the displacement x̄ at the phase τ. At τ = 0 the contact's relative motion has a maximum.
     fn displacement(&self, tau: Self::Scalar) -> Self::Scalar;

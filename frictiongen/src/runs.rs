@@ -56,8 +56,8 @@ pub trait Simulates: FrictionSystem {
     -> Result<Self::Run<'_>, OutOfDomain>;
 }
 
-/// A scene whose exact motion in time depends on the load's amplitude. It is an emitted scene with
-/// `friction: stribeck`, or any run-time system.
+/// A scene whose exact motion in time depends on the load's amplitude. This is an emitted scene with `friction:
+/// stribeck`, or any run-time system.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` gives no motion in time under a load of known amplitude",
     label = "add `simulation` to the scene's `provide: [...]`; without `friction: stribeck` it is `Simulates`"
@@ -98,14 +98,14 @@ pub trait Run {
     fn cycles(&self) -> u64;
     /// Returns the phase τ = ωt within the excitation's cycle, in [0, 2π).
     fn phase(&self) -> Self::Scalar;
-    /// Returns the state of the contact (sticking, or sliding in a direction) from the present instant on.
+    /// Returns the state of the contact just after the present instant: sticking, or sliding in a direction.
     fn contact(&self) -> Contact;
     /// Returns the relative displacement z̄ and the relative velocity dz̄/dτ in the contact.
     fn relative(&self) -> (Self::Scalar, Self::Scalar);
     /// Returns the friction force in the contact over the load amplitude P.
     fn friction(&self) -> Self::Scalar;
-    /// Returns the present displacement and velocity of a mass. `mass` is the index in the description. If there is no
-    /// such mass, both are 0.
+    /// Returns the present displacement and velocity of a mass. `mass` is the index in the description. For an invalid
+    /// index, both are 0.
     fn moment(&self, mass: usize) -> Moment<Self::Scalar>;
 }
 

@@ -10,7 +10,7 @@ use frictiongen_kernel::table::{SteadyContact, TabledMotion};
 /// Selects a motion: that of the contact, of a mass, or of a combination of masses and base.
 ///
 /// Emitted solvers provide the motions of the contact and of masses. A run-time `System` also provides those of
-/// combinations. The largest value of a force is in units of P, for base motion of k₁Y.
+/// combinations. The largest value of a force is in units of P (of k₁Y for base motion).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Of {
@@ -20,7 +20,8 @@ pub enum Of {
     Mass(usize),
     /// The displacement of the first mass relative to the second, by their indices.
     Relative(usize, usize),
-    /// The displacement of a mass relative to the base, by its index. The base moves only if it is excited.
+    /// The displacement of a mass relative to the base, by the index of the mass. If the base is not excited, it is at
+    /// rest.
     FromBase(usize),
     /// The force in a spring, by its index in the description. It is positive if the second end of the spring moves
     /// away from the first.
@@ -30,7 +31,7 @@ pub enum Of {
 }
 
 impl Of {
-    /// Returns true if this is the force of a spring or the base shear.
+    /// Returns true if the motion is the force of a spring or the base shear.
     #[must_use]
     pub fn is_force(self) -> bool {
         matches!(self, Self::Spring(_) | Self::Shear)
@@ -48,7 +49,7 @@ pub trait Steady {
     fn amplitude(&self) -> Self::Scalar;
     /// Returns the monoharmonic estimate of the amplitude (5.50, 7.33).
     fn amplitude_monoharmonic(&self) -> Self::Scalar;
-    /// Returns the lag of the maximum of x̄ behind the maximum of the excitation, rad, in (−π, π].
+    /// Returns the lag of the maximum of x̄ behind the maximum of the excitation, in rad, in (−π, π].
     fn phase(&self) -> Self::Scalar;
     /// Returns the displacement x̄ at the phase τ. At τ = 0 the contact's relative motion has a maximum.
     fn displacement(&self, tau: Self::Scalar) -> Self::Scalar;

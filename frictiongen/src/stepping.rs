@@ -122,8 +122,8 @@ pub trait Stepping {
         &mut self,
         load: &StepLoad<'_, Self::Scalar>,
     ) -> Result<Stepped<Self::Scalar>, OutOfDomain>;
-    /// Returns the present displacement and velocity of a mass. `index` is the index in the description. If there is no
-    /// such mass, both are 0.
+    /// Returns the present displacement and velocity of a mass. `index` is the index in the description. For an invalid
+    /// index, both are 0.
     fn mass(&self, index: usize) -> MassNow<Self::Scalar>;
     /// Returns the present state of the contact, with its relative motion and friction force.
     fn contact(&self) -> ContactNow<Self::Scalar>;
@@ -143,7 +143,7 @@ pub trait Stepping {
 }
 
 /// Implements [`Steps`] for an emitted scene and [`Stepping`] for its stepper. The macro passes only the masses on
-/// which the stepper accepts a force. The kernel knows everything else.
+/// which the stepper accepts a force. The kernel's types contain all other data.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! emitted_stepper {

@@ -51,13 +51,13 @@ pub struct LimitsPoint<S> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum SweepError {
-    /// A value of r or β is out of the domain. The results before this value are written.
+    /// A value of r or β is outside the domain. The results before this value are already written.
     OutOfDomain(OutOfDomain),
     /// The slice for the results does not have one entry for each point.
     Length {
         /// Number of points, for each of which there is one result.
         points: usize,
-        /// Number of results for which the slice has space.
+        /// Number of results that fit into the slice.
         room: usize,
     },
 }
@@ -92,10 +92,10 @@ fn check_length(points: usize, room: usize) -> Result<(), SweepError> {
     }
 }
 
-/// Writes the limits β_lim and β*_lim at every frequency ratio into a slice.
+/// Computes the limits β_lim and β*_lim at every frequency ratio, and writes them to a slice.
 ///
 /// # Errors
-/// [`SweepError`] if a frequency ratio is out of the domain, or if the slices have different lengths.
+/// [`SweepError`] if a frequency ratio is outside the domain, or if the slices have different lengths.
 pub fn limits<F: FrictionSystem>(
     system: &F,
     ratios: &[F::Scalar],
@@ -113,11 +113,11 @@ pub fn limits<F: FrictionSystem>(
     Ok(())
 }
 
-/// Writes the regime at every pair of frequency ratio and friction ratio into a slice. All β of the first r come first.
-/// The limits are computed once for each r.
+/// Computes the regime at every pair of frequency ratio and friction ratio, and writes it to a slice. The results for
+/// all β of the first r come first. The call computes the limits once for each r.
 ///
 /// # Errors
-/// [`SweepError`] if an r or β is out of the domain, or if the slice does not have one entry for each pair.
+/// [`SweepError`] if an r or β is outside the domain, or if the slice does not have one entry for each pair.
 pub fn regimes<F: FrictionSystem>(
     system: &F,
     ratios: &[F::Scalar],
@@ -134,12 +134,12 @@ pub fn regimes<F: FrictionSystem>(
     Ok(())
 }
 
-/// Writes the exact amplitude at every pair of frequency ratio and friction ratio into a slice. All β of the first r
-/// come first. An entry is `None` outside the continuous regime, on an unbounded resonance, and for a motion that the
-/// scene does not provide.
+/// Computes the exact amplitude at every pair of frequency ratio and friction ratio, and writes it to a slice. The
+/// results for all β of the first r come first. An entry is `None` outside the continuous regime, on an unbounded
+/// resonance, and for a motion that the scene does not provide.
 ///
 /// # Errors
-/// [`SweepError`] if an r or β is out of the domain, or if the slice does not have one entry for each pair.
+/// [`SweepError`] if an r or β is outside the domain, or if the slice does not have one entry for each pair.
 pub fn amplitudes<F>(
     system: &F,
     of: Of,

@@ -1,5 +1,5 @@
-//! Traits that emitted solvers and the run-time `System` have in common. A sweep, a map or a fit therefore needs to be
-//! written only once.
+//! Traits that emitted solvers and the run-time `System` have in common. One sweep, map or fit over these traits serves
+//! both.
 
 pub use crate::steady::{Of, Steady};
 use crate::targets::{HeldStill, InParts, Limited, Moved};
@@ -41,7 +41,7 @@ pub trait FrictionSystem {
     where
         Self: 'a;
 
-    /// Returns the frequency ratios of the undamped resonances, ascending.
+    /// Returns the frequency ratios of the undamped resonances, in ascending order.
     fn resonances(&self) -> &[Self::Scalar];
     /// Returns the number of masses.
     fn masses(&self) -> usize;
@@ -64,11 +64,11 @@ pub trait FrictionSystem {
             sliding: at.sliding_limit(),
         })
     }
-    /// Computes [both limits without search](Self::limits_without_search) at each frequency ratio of a slice. Writes
-    /// them into two slices of the same length.
+    /// Computes [both limits without search](Self::limits_without_search) at each frequency ratio of a slice, and
+    /// writes them to two slices of the same length.
     ///
-    /// The results are bit for bit those of the single calls. They take less time if all modes are undamped or all are
-    /// lightly damped, because the call then computes several frequencies at once.
+    /// The results have the same bits as those of single calls. If all modes are undamped or all are lightly damped,
+    /// the call takes less time, because it computes several frequencies at once.
     ///
     /// ```
     /// use frictiongen::{FrictionSystem, friction_system};
@@ -91,7 +91,7 @@ pub trait FrictionSystem {
     ///
     /// # Errors
     /// [`OutOfDomain`] for a slice of another length, which leaves both slices unchanged. [`OutOfDomain`] also at the
-    /// first NaN or negative r. The results before this r are written.
+    /// first NaN or negative r. The results before this r are already written.
     fn limits_without_search_into(
         &self,
         rs: &[Self::Scalar],
@@ -103,7 +103,7 @@ pub trait FrictionSystem {
 }
 
 /// Implements [`FrictionSystem`] for an emitted scene. The macro passes only the names of the masses, because the
-/// kernel knows everything else.
+/// kernel's types contain all other data.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! emitted_system {
@@ -156,8 +156,8 @@ pub trait LimitsAt {
     fn continuous_limit(&self) -> Self::Scalar;
     /// Returns an upper bound on β_lim. It replaces the velocity constraint S by its limit for τ → 0 (5.64).
     fn continuous_limit_without_search(&self) -> Self::Scalar;
-    /// Returns a lower bound on β_lim, as the thesis prints it (5.55, 7.37). The velocity constraint S is the maximum
-    /// over time of a sum over the modes. The bound replaces S by the sum of each mode's own maximum.
+    /// Returns the lower bound on β_lim that the thesis prints (5.55, 7.37). The exact velocity constraint S is the
+    /// maximum over time of a sum over the modes. The bound uses the sum of the modes' own maxima instead.
     fn continuous_limit_per_mode(&self) -> Self::Scalar;
     /// Returns the limit of sliding β*_lim. A stuck state exists for β ≥ β*_lim (6.11, 6.27, 6.33).
     fn sliding_limit(&self) -> Self::Scalar;
@@ -173,8 +173,7 @@ pub trait LimitsAt {
     /// # Errors
     /// [`OutOfDomain`] for NaN, negative and infinite β.
     fn regime(&self, beta: Self::Scalar) -> Result<Regime, OutOfDomain>;
-    /// Returns the margin β/min(β_lim, β*_lim) − 1. The margin is negative below both limits, where the closed form
-    /// exists.
+    /// Returns the margin β/min(β_lim, β*_lim) − 1. It is negative below both limits, where the closed form exists.
     ///
     /// # Errors
     /// [`OutOfDomain`] for NaN, negative and infinite β.

@@ -1,5 +1,5 @@
-//! Follows one frequency of a signal, sample by sample, in a fixed amount of memory. A device can so monitor its own
-//! friction.
+//! Evaluates one frequency of a signal, sample by sample, in a fixed amount of memory. A device can use it to monitor
+//! its own friction.
 //!
 //! A [`Watch`] is a sliding Goertzel filter. It computes the Fourier sum of its last N samples at one frequency, which
 //! must have whole cycles in N samples. Two filters, one for the base and one for a mass, give the displacement
@@ -27,16 +27,15 @@ use frictiongen_kernel::Float;
 #[derive(Clone, Debug)]
 pub struct Watch<S, const N: usize> {
     samples: [S; N],
-    /// Index at which the next sample is written.
+    /// Index of the next sample in the buffer.
     place: usize,
     full: bool,
     /// Fourier sum Σ x e^{−iωt} of the last N samples, before normalisation.
     sum: Complex<S>,
-    /// Fourier sum of the samples since the buffer was last written from its start. Every N samples it replaces `sum`,
+    /// Fourier sum of the samples since the last return to the start of the buffer. Every N samples it replaces `sum`,
     /// so that older rounding errors disappear.
     fresh: Complex<S>,
-    /// `turn` is the factor e^{−iωt} of the next sample. `step` is the factor from one sample's `turn` to the next
-    /// one's.
+    /// `turn` is the factor e^{−iωt} of the next sample. `step` is the ratio of this factor for two successive samples.
     turn: Complex<S>,
     step: Complex<S>,
 }
@@ -98,7 +97,7 @@ impl<S: Float, const N: usize> Watch<S, N> {
     }
 
     /// Returns the complex amplitude X of the fundamental x = Re X e^{iωt} over the last N samples. t = 0 is the first
-    /// sample that was ever added. Returns `None` until N samples have been added.
+    /// of all samples. Returns `None` before N samples have been added.
     #[must_use]
     pub fn fundamental(&self) -> Option<Complex<S>> {
         #[allow(clippy::cast_precision_loss, reason = "a count of samples")]

@@ -112,7 +112,7 @@ pub fn compare(old: &System, new: &System) -> Answers {
     answers
 }
 
-/// Returns a sentence about masses that only one scene has. `None` if both scenes have the same masses.
+/// Returns a sentence about masses that only one scene has. Returns `None` if both scenes have the same masses.
 fn unshared(old: &System, new: &System) -> Option<String> {
     let has =
         |system: &System, name: &str| system.scene().masses.iter().any(|mass| mass.name == name);

@@ -28,7 +28,7 @@ pub struct Change {
 }
 
 impl Change {
-    /// Returns the change relative to the old number. `None` unless both values are numbers.
+    /// Returns the change relative to the old number. Returns `None` unless both values are numbers.
     pub fn relative(&self) -> Option<f64> {
         let (old, new) = (self.old.as_ref()?.number?, self.new.as_ref()?.number?);
         (old != 0.0).then(|| (new - old) / old)

@@ -48,7 +48,7 @@ pub struct Spread {
     pub stuck_from: f64,
 }
 
-/// Returns the number of frequencies and of frictions of a map. `None` for a long chain.
+/// Returns the number of frequencies and of frictions of a map. Returns `None` for a long chain.
 fn cells(masses: usize) -> Option<(usize, usize)> {
     match masses {
         0..=4 => Some((120, 72)),

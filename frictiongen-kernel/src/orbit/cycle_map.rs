@@ -109,8 +109,8 @@ impl<'f, 'a, S: Float, K: ContactChain<S>> CycleMap<'f, 'a, S, K> {
         }
     }
 
-    /// Returns the index of the stored contact force in a state vector. `None` if the contact stores no force, or if
-    /// the vector contains only the modes.
+    /// Returns the index of the stored contact force in a state vector. Returns `None` if the contact stores no force,
+    /// or if the vector contains only the modes.
     pub(super) fn force_in(&self, state: &[S]) -> Option<usize> {
         let place = 2 * self.setting.dynamics.in_contact();
         (0 < self.remembered() && state.len() == self.size()).then_some(place)

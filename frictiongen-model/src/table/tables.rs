@@ -120,7 +120,7 @@ impl<S: Float> Tables<S> {
         Ok(tables.with(Self::held_of(modal, &request).as_ref()))
     }
 
-    /// Returns the kinks of β_lim, ascending.
+    /// Returns the kinks of β_lim, in ascending order.
     #[must_use]
     pub fn kinks(&self) -> &[f64] {
         &self.kinks

@@ -7,9 +7,9 @@ use crate::study::scene::Excitation;
 
 /// The inputs of a stepper at every sample of a recording: base motion or forces, and the friction force.
 ///
-/// The base is recorded as displacement, velocity or acceleration. Between samples a displacement follows a cubic
-/// spline, and a velocity or an acceleration changes linearly. The base starts at rest, and displacements are relative
-/// to the first sample. Forces and a recorded friction force change linearly between samples.
+/// The base motion is a recorded displacement, velocity or acceleration. Between samples, the code joins displacements
+/// by a cubic spline, and velocities or accelerations by straight lines. The base starts at rest, and displacements are
+/// relative to the first sample. Straight lines also join samples of forces and of a recorded friction force.
 ///
 /// ```
 /// use frictiongen::System;
@@ -35,14 +35,14 @@ pub struct Inputs<'r> {
     dt: f64,
     len: usize,
     base: Option<Vec<[f64; 2]>>,
-    /// The recorded force on the excited mass, if there is one.
+    /// The recorded force on the excited mass, or `None`.
     force: Option<SiChannel<'r>>,
     /// The recorded forces on other masses, each with the name of the mass.
     others: Vec<(&'r str, SiChannel<'r>)>,
     friction: DriveFriction<'r>,
 }
 
-/// A channel whose samples are converted to SI units.
+/// A channel with conversion of its samples to SI units.
 #[derive(Clone, Copy, Debug)]
 struct SiChannel<'r> {
     samples: &'r [f64],
@@ -64,11 +64,11 @@ enum DriveFriction<'r> {
 impl<'r> Inputs<'r> {
     /// Collects the inputs of a scene from the channels of a recording. The channel `base` is the base motion, and
     /// `force` the force on the excited mass. Other channels are forces on the masses of the same name. The kinetic
-    /// friction force is `friction`, in N, or the channel `friction`.
+    /// friction force is the argument `friction`, in N, or the channel `friction`.
     ///
     /// # Errors
-    /// [`MeasureError`] for channels with other names, for units that do not fit, and if the excitation is not
-    /// recorded. [`MeasureError`] also unless there is exactly one friction force.
+    /// [`MeasureError`] for channels with other names, for units that do not fit, and for a missing excitation.
+    /// [`MeasureError`] also unless there is exactly one friction force.
     pub fn of(
         recording: &'r Recording,
         system: &System,
@@ -130,7 +130,7 @@ impl<'r> Inputs<'r> {
         self.len
     }
 
-    /// Returns true if the recording has no samples, which is never the case.
+    /// Returns false, because a recording always has samples.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.len == 0
@@ -239,8 +239,8 @@ pub(super) fn accelerations(channel: &Channel, dt: f64) -> Result<Vec<[f64; 2]>,
     })
 }
 
-/// Returns the slopes, per sample step, of the cubic spline through `values` that begins at rest and ends without
-/// curvature.
+/// Returns the slopes, per sample step, of the cubic spline through `values`. The spline begins with slope 0 and ends
+/// with curvature 0.
 fn spline_slopes(values: &[f64]) -> Vec<f64> {
     // Spline equations: s₀ = 0; s_{i−1} + 4s_i + s_{i+1} = 3(y_{i+1} − y_{i−1}); s_{n−1} + 2s_n = 3(y_n − y_{n−1}).
     let last = values.len().saturating_sub(1);

@@ -27,7 +27,7 @@ pub enum MeasureError {
     NoUnit(String),
     /// A unit with this name is unknown.
     UnknownUnit(String),
-    /// Two channels have this name.
+    /// Two channels have the same name, which is the field.
     Twice(String),
     /// The sampling rate is not known.
     NoRate,
@@ -40,13 +40,13 @@ pub enum MeasureError {
         /// The other time step, s.
         after: f64,
     },
-    /// Channels have different numbers of samples. The field has the name of a channel.
+    /// Two channels have different numbers of samples. The field has the name of one of them.
     Lengths(String),
-    /// The recording is too short for the frequency to be found.
+    /// The recording is too short to find the frequency.
     TooShort {
         /// The length of the recording, as text.
         found: String,
-        /// The length that is needed, as text.
+        /// The necessary length, as text.
         needed: &'static str,
     },
     /// A sample is not a finite number.
@@ -58,7 +58,7 @@ pub enum MeasureError {
     },
     /// All samples of this channel are equal.
     Constant(String),
-    /// A channel stays at its largest or smallest value, although it moves fast just before (clipping).
+    /// A channel is clipped: it stays at its largest or smallest value, although it moves fast just before.
     Clipped {
         /// Name of the channel.
         channel: String,
@@ -89,7 +89,7 @@ pub enum MeasureError {
         /// Unit of the channel.
         unit: &'static str,
     },
-    /// The excitation does not exceed its noise. The field has the name of its channel.
+    /// The excitation does not exceed the noise of its channel. The field has the name of the channel.
     Silent(String),
     /// The frequency of the excitation is not constant.
     Drifts {
@@ -137,7 +137,7 @@ pub enum MeasureError {
         /// Lag of the mass behind the excitation with the best-fitting friction force, degrees.
         nearest: f64,
     },
-    /// There are fewer measured values than unknowns.
+    /// The measured values are fewer than the unknowns.
     TooFewData {
         /// Number of measured values.
         data: usize,
@@ -148,7 +148,7 @@ pub enum MeasureError {
     NoFit,
     /// The request does not apply to this scene, or an argument is out of range.
     Asked(&'static str),
-    /// A free decay has too few peaks. The number is the number of peaks that were found.
+    /// A free decay has too few peaks. The field is the number of peaks found.
     FewPeaks(usize),
     /// The peaks of a free decay do not decrease.
     NoDecay,

@@ -9,14 +9,15 @@ use nalgebra::{DMatrix, DVector};
 /// Largest number of steps of a fit. Rejected steps count too.
 const MOST_STEPS: usize = 200;
 /// Relative bound at which the fit ends. It ends when the last step changes every parameter by less than this fraction.
-/// It also ends when the last step changes the residuals together by less than this fraction of a standard deviation.
+/// It also ends when the last step changes all residuals together by less than this fraction of a standard deviation.
 const SMALL: f64 = 1e-10;
 /// Factor by which the damping grows after a rejected step and shrinks after an accepted one (Marquardt's choice).
 const GROWTH: f64 = 10.0;
-/// Ratio of a singular value to the largest one, below which its direction in parameter space counts as undetermined.
+/// Ratio of a singular value to the largest one, below which the data do not determine its direction in parameter
+/// space.
 const RANK: f64 = 1e-12;
-/// Relative change of a parameter along an undetermined direction of length 1. Below this change the parameter still
-/// counts as determined.
+/// Bound on the component of a parameter along an undetermined direction of length 1. Below this bound the data still
+/// determine the parameter.
 const APART: f64 = 1e-6;
 
 /// Residuals of a fit, and their derivatives with respect to the parameters: one column of the Jacobian for each
@@ -26,7 +27,7 @@ pub(super) struct Linearised {
     pub(super) jacobian: DMatrix<f64>,
 }
 
-/// Result of a fit: parameters, sum of squares, and what the data determine.
+/// Result of a fit: parameters, sum of squares, and the directions that the data determine.
 #[derive(Debug)]
 pub(super) struct Fit {
     pub(super) parameters: Vec<f64>,
@@ -37,10 +38,10 @@ pub(super) struct Fit {
     /// Number of independent directions in parameter space that the data determine. It equals the number of parameters
     /// if the data determine all of them.
     pub(super) rank: usize,
-    /// Condition number of the fit: the largest singular value of the Jacobian over the smallest one of a determined
-    /// direction. Each parameter is divided by its scale.
+    /// Condition number of the fit: the largest singular value of the Jacobian over the smallest singular value of a
+    /// determined direction. The Jacobian is that of the scaled parameters.
     pub(super) condition: f64,
-    /// The scale of each parameter. Changes of the parameter are divided by it.
+    /// The scale of each parameter. The fit divides changes of the parameter by it.
     sizes: Vec<f64>,
     /// Directions of relative parameter changes, each with its singular value. The singular value is 0 if the data do
     /// not determine the direction.
@@ -83,8 +84,8 @@ impl Fit {
     }
 }
 
-/// Returns the scale of each parameter, by which its changes are divided. The scale is the larger of two numbers: the
-/// parameter itself, and the change that shifts the residuals by one standard deviation. The second number serves a
+/// Returns the scale of each parameter, by which the fit divides its changes. The scale is the larger of two numbers:
+/// the parameter itself, and the change that shifts the residuals by one standard deviation. The second number serves a
 /// parameter that tends to zero.
 fn sizes(parameters: &[f64], jacobian: &DMatrix<f64>) -> Vec<f64> {
     let columns = jacobian.column_iter();
@@ -103,8 +104,8 @@ fn sizes(parameters: &[f64], jacobian: &DMatrix<f64>) -> Vec<f64> {
 /// Minimises the sum of squared residuals over the parameters, from a starting point.
 ///
 /// `residuals` returns the residuals at given parameters, or `None` if they are undefined. `linearise` returns the
-/// residuals with their derivatives. The parameters stay within `bounds`. The result is `None` if the starting point
-/// cannot be evaluated.
+/// residuals with their derivatives. The parameters stay within `bounds`. Returns `None` if the residuals are undefined
+/// at the starting point.
 pub(super) fn minimise(
     start: &[f64],
     bounds: &[(f64, f64)],
@@ -171,7 +172,7 @@ pub(super) fn minimise(
     Some(fit)
 }
 
-/// Returns the result of a fit. A singular value decomposition shows which directions the data determine.
+/// Returns the result of a fit. A singular value decomposition gives the directions that the data determine.
 fn judged(parameters: Vec<f64>, squares: f64, jacobian: &DMatrix<f64>) -> Fit {
     let mut scaled = jacobian.clone();
     let sizes = sizes(&parameters, jacobian);

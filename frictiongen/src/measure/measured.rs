@@ -1,4 +1,4 @@
-//! The steady motion that a recording shows: driving frequency, transmissibilities, phases and harmonics.
+//! Steady motion in a recording: driving frequency, transmissibilities, phases and harmonics.
 
 use super::recording::Dimension;
 use super::tone::{FEWEST_CYCLES, HARMONICS, Tone, ToneBasis, frequency};
@@ -66,8 +66,7 @@ impl Transmissibility {
         polar(self.value).0
     }
 
-    /// Returns the lag of the mass behind the excitation, rad, in (−π, π] (4.5, with the sign that makes a lag
-    /// positive).
+    /// Returns the lag of the mass behind the excitation, in rad, in (−π, π] (4.5, with a positive sign for a lag).
     #[must_use]
     pub fn lag(&self) -> f64 {
         polar(self.value).1
@@ -75,15 +74,15 @@ impl Transmissibility {
 }
 
 impl Measured {
-    /// Finds the steady motion in a recording. The channel of the excitation is called `base` or `force`. The other
-    /// channels have the names of the scene's masses.
+    /// Finds the steady motion in a recording. The channel of the excitation must have the name `base` or `force`. The
+    /// other channels must have the names of the scene's masses.
     ///
-    /// Velocities and accelerations are converted to displacements at each harmonic.
+    /// The call converts velocities and accelerations to displacements at each harmonic.
     ///
     /// # Errors
     /// [`MeasureError`] for a channel that does not belong to the scene or has an impossible unit. [`MeasureError`]
-    /// also if excitation or masses are missing, for an excitation without motion or with a drift, for too few cycles,
-    /// and for a motion that is never steady.
+    /// also for a missing excitation or missing masses, for an excitation without motion or with a drift, for too few
+    /// cycles, and for a motion that is never steady.
     pub fn of(recording: &Recording, scene: &Scene) -> Result<Self, MeasureError> {
         let places = places(recording, scene)?;
         let rate = recording.rate();
@@ -144,7 +143,7 @@ impl Measured {
     }
 
     /// Returns the complex amplitude X_1 of the fundamental component of a mass, divided by the complex amplitude of
-    /// the excitation. `None` if the mass was not recorded.
+    /// the excitation. Returns `None` if the recording does not contain the mass.
     #[must_use]
     pub fn transmissibility(&self, mass: usize) -> Option<Transmissibility> {
         let tone = self.tone(mass)?;
@@ -158,7 +157,7 @@ impl Measured {
     }
 
     /// Returns the complex amplitude X_n of harmonic n of a mass, divided by the amplitude of the excitation. τ = 0 is
-    /// a maximum of the excitation. `None` if the mass was not recorded.
+    /// a maximum of the excitation. Returns `None` if the recording does not contain the mass.
     #[must_use]
     pub fn harmonic(&self, mass: usize, n: u32) -> Option<Complex<f64>> {
         let tone = self.tone(mass)?;
@@ -169,7 +168,8 @@ impl Measured {
         Some(value / (turn.powu(n) * drive.norm()))
     }
 
-    /// Returns mean and harmonics of the displacement of a mass, in m. `None` if the mass was not recorded.
+    /// Returns mean and harmonics of the displacement of a mass, in m. Returns `None` if the recording does not contain
+    /// the mass.
     #[must_use]
     pub fn tone(&self, mass: usize) -> Option<&Tone> {
         let found = self.masses.iter().find(|(place, _)| *place == mass);

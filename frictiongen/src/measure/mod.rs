@@ -1,4 +1,4 @@
-//! Measurements of a structure: recordings, the friction force that they show, and the parameters of a scene.
+//! Measurements of a structure: recordings, friction forces from recordings, and parameters of a scene from sweeps.
 //!
 //! * [`Recording`]: samples from CSV or UFF58, each channel with its unit.
 //! * [`Measured`]: driving frequency, transmissibility, phase and harmonics of the steady interval, with their
@@ -12,7 +12,7 @@
 //! * [`Inputs`]: inputs of a scene's stepper, from a recording.
 //! * [`Recording::regression`]: mass and friction of an axis that has no spring.
 //!
-//! On a microcontroller [`crate::watch`] follows one frequency sample by sample.
+//! On a microcontroller [`crate::watch`] evaluates one frequency, sample by sample.
 
 #[doc(hidden)]
 pub mod columns;

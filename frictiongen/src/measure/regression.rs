@@ -3,8 +3,8 @@
 //! The equation M q̈ + F_v q̇ + F_c sgn q̇ + offset = force is linear in all four unknowns. This is the identification
 //! of a drive, as in the EMPS benchmark (Janot, Gautier and Brunot, Data set and reference models of EMPS, 2019).
 //!
-//! No signal is differentiated. The equation is multiplied by a bump function, which is zero with zero slope at both
-//! ends of a window, and then integrated by parts (modulating functions, Shinbrot 1957). A derivative of a smoothed
+//! The method differentiates no signal. It multiplies the equation by a bump function, which is zero with zero slope at
+//! both ends of a window, and integrates by parts (modulating functions, Shinbrot 1957). A derivative of a smoothed
 //! position would be too small, and the mass would be too large by the same factor.
 
 use super::identify::Estimate;
@@ -29,7 +29,7 @@ pub struct Regression {
     pub coulomb: Estimate,
     /// Constant force on the axis, the offset in the equation of motion, N.
     pub offset: Estimate,
-    /// Root mean square of the force that the equation leaves unexplained, N.
+    /// Root mean square of the force that the equation does not explain, in N.
     pub residual: f64,
     /// Condition number of the regression, with each column scaled to unit length.
     pub condition: f64,
@@ -39,13 +39,14 @@ impl Recording {
     /// Finds mass, viscous friction, Coulomb friction and offset from the position of an axis (the channel `axis`) and
     /// the force on it (the channel `force`).
     ///
-    /// Both channels are divided into windows of `seconds`, which should be short compared with the motion. Windows in
-    /// which the direction changes are left out. The windows do not overlap, so that their errors are independent.
+    /// The call divides both channels into windows of `seconds`, which should be short compared with the motion. It
+    /// leaves out windows in which the direction changes. The windows do not overlap, so that their errors are
+    /// independent.
     ///
     /// # Errors
     /// [`MeasureError`] for a channel that is missing or has the wrong quantity, and for windows of fewer than 5
-    /// samples. [`MeasureError`] also for fewer than 12 windows, and for a motion that does not separate the four
-    /// unknowns.
+    /// samples. [`MeasureError`] also for fewer than 12 windows, and for a motion from which the four unknowns cannot
+    /// be separated.
     pub fn regression(&self, axis: &str, seconds: f64) -> Result<Regression, MeasureError> {
         let (position, force) = (
             self.channel_of(axis, Dimension::Displacement)?,
@@ -110,7 +111,7 @@ impl Recording {
     }
 }
 
-/// Returns the weights of the samples of a window: the bump function φ = (1 − s²)⁵ over s from −1 to 1, φ̇ and φ̈,
+/// Returns three weights for each sample of a window: the bump function φ = (1 − s²)⁵ over s from −1 to 1, φ̇ and φ̈,
 /// times the step. The bump function is so flat at both ends that sums are as accurate as integrals.
 fn bump(length: usize, step: f64) -> Vec<[f64; 3]> {
     let half = 0.5 * length as f64 * step;
@@ -131,7 +132,7 @@ fn bump(length: usize, step: f64) -> Vec<[f64; 3]> {
 
 /// The equation of motion of the axis, integrated over one window.
 struct Window {
-    /// The four integrals over the window that are multiplied by M, F_v, F_c and the offset in the equation.
+    /// The four integrals over the window that are the factors of M, F_v, F_c and the offset in the equation.
     columns: [f64; 4],
     force: f64,
     /// Smallest distance between the mean positions of two neighbouring quarters of the window. It is 0 if the axis
@@ -140,7 +141,8 @@ struct Window {
 }
 
 impl Window {
-    /// Integrates the equation over the samples of position and force. Each comes with its factor to the SI unit.
+    /// Integrates the equation over the samples of position and force. Each list of samples comes with its factor to
+    /// the SI unit.
     fn of(
         (motion, metres): (&[f64], f64),
         (push, newtons): (&[f64], f64),

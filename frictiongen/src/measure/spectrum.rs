@@ -1,4 +1,4 @@
-//! Response spectra: the largest displacement of damped oscillators whose base follows a recorded motion.
+//! Response spectra: the largest displacement of damped oscillators on a base with a recorded motion.
 
 use super::drive::accelerations;
 use super::{MeasureError, Recording};
@@ -11,7 +11,7 @@ const STEPS: f64 = 40.0;
 /// Number of periods in a decade of [`periods`].
 const DECADE: f64 = 60.0;
 
-/// The peak response of an oscillator to a recorded motion of its base.
+/// Peak response of an oscillator to a recorded motion of its base.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PeakResponse {
@@ -29,8 +29,7 @@ impl PeakResponse {
     }
 }
 
-/// Returns the periods at which a spectrum of a record is drawn, in s: 60 in a decade, from two samples to the length of
-/// the record.
+/// Returns periods for the spectrum of a record, in s: 60 in a decade, from two samples to the length of the record.
 #[doc(hidden)]
 #[must_use]
 pub fn periods(recording: &Recording) -> Vec<f64> {
@@ -43,8 +42,8 @@ pub fn periods(recording: &Recording) -> Vec<f64> {
         .collect()
 }
 
-/// Returns the peak response of an oscillator at rest at the start, for each period. The oscillator has the damping
-/// ratio ζ, below 1, and its base follows the channel `base` of the recording.
+/// Returns the peak response of an oscillator for each period. The oscillator starts at rest and has the damping ratio
+/// ζ, below 1. Its base follows the channel `base` of the recording.
 ///
 /// # Errors
 /// [`MeasureError`] if the recording has no channel `base`, or if the unit of the channel is not that of a motion.
@@ -74,8 +73,8 @@ struct Oscillator {
     damped: f64,
 }
 
-/// Linear step of an oscillator: [u, u′] at its end are `state` times [u, u′] at its start, plus `load` times the
-/// accelerations of the base at start and end.
+/// One step of an oscillator, as a linear map. [u, u′] at the end of the step is the sum of `state` times [u, u′] at
+/// the start, and of `load` times the accelerations of the base at start and end.
 #[derive(Clone, Copy, Debug)]
 struct Step {
     state: [[f64; 2]; 2],
@@ -102,7 +101,8 @@ impl Oscillator {
         }
     }
 
-    /// Returns [u, u′] after a time t from [u, u′], while the acceleration of the base is a + st (Nigam and Jennings).
+    /// Returns the state [u, u′] a time t later. During this time the acceleration of the base is a + st (Nigam and
+    /// Jennings).
     fn moved(&self, [u, v]: [f64; 2], a: f64, s: f64, t: f64) -> [f64; 2] {
         let (omega, decay) = (self.omega, self.zeta * self.omega);
         let stiffness = omega * omega;
@@ -128,7 +128,8 @@ impl Oscillator {
         }
     }
 
-    /// Returns the largest |u| while the base has, in each step of length dt, an acceleration that changes linearly.
+    /// Returns the largest |u|. In each step of length `dt`, the acceleration of the base changes linearly between the
+    /// two numbers in `steps`.
     fn peak(&self, steps: &[[f64; 2]], dt: f64) -> f64 {
         let parts = (STEPS * self.omega * dt / std::f64::consts::TAU)
             .ceil()

@@ -5,12 +5,13 @@ pub(super) const NORMAL: f64 = 1.959_963_984_540_054;
 /// 95 % quantile of χ² with one degree of freedom, the square of [`NORMAL`].
 pub(super) const CHI: f64 = NORMAL * NORMAL;
 
-/// Value that the normal distribution exceeds with probability 1/1000.
+/// Value that a normally distributed number exceeds with probability 1/1000.
 const RARE: f64 = 3.090_232_306_167_813;
 
-/// Returns a bound on the sum of squared residuals over the degrees of freedom, for noise of known deviations. Chance
-/// exceeds the bound in one of 1000 recordings. The bound is the χ² quantile by Wilson and Hilferty's approximation
-/// (Abramowitz and Stegun, 26.4.17). It is 3 % above the exact quantile for one degree of freedom and 0.6 % for ten.
+/// Returns an upper bound on the sum of squared residuals over the degrees of freedom, for noise of known deviations.
+/// By chance, one of 1000 recordings exceeds the bound. The bound is the χ² quantile by Wilson and Hilferty's
+/// approximation (Abramowitz and Stegun, 26.4.17). It is 3 % above the exact quantile for one degree of freedom and 0.6
+/// % for ten.
 fn most_by_chance(freedom: usize) -> f64 {
     let spread = 2.0 / (9.0 * freedom.max(1) as f64);
     (1.0 - spread + RARE * spread.sqrt()).powi(3)
@@ -22,8 +23,8 @@ pub(super) fn is_chance(misfit: Option<f64>, freedom: usize) -> bool {
     misfit.is_none_or(|misfit| misfit <= most_by_chance(freedom))
 }
 
-/// Returns the factor by which the variances of a fit are multiplied. If noise does not explain the misfit, it is the
-/// misfit. Otherwise it is 1, because the deviations are known.
+/// Returns the factor on the variances of a fit. If noise does not explain the misfit, the factor is the misfit.
+/// Otherwise it is 1, because the deviations are known.
 pub(super) fn excess(misfit: Option<f64>, freedom: usize) -> f64 {
     let unexplained = misfit.filter(|misfit| !is_chance(Some(*misfit), freedom));
     unexplained.unwrap_or(1.0)
@@ -74,7 +75,7 @@ fn within(t: f64, freedom: usize) -> f64 {
 mod tests {
     use super::{most_by_chance, student};
 
-    /// Compares the bound with a textbook table of χ² values that are exceeded with probability 0.001.
+    /// Compares the bound with a textbook table of χ² values that noise exceeds with probability 0.001.
     #[test]
     fn rare_sums_of_squares() {
         for (freedom, expected, apart) in [

@@ -9,23 +9,22 @@ use std::f64::consts::TAU;
 const BLOCK: f64 = 2.0;
 /// Largest number of blocks into which a recording is divided.
 const MOST_BLOCKS: usize = 40;
-/// Smallest number of blocks from which the motion is judged steady.
+/// Smallest number of blocks from which the code decides that the motion is steady.
 const FEWEST_BLOCKS: usize = 4;
-/// Largest phase deviation, in rad, of the excitation from a constant frequency. At this deviation the frequency varies
-/// by 1/30 of the width of a spectral line.
+/// Largest phase deviation of the excitation from a constant frequency, in rad. It corresponds to a variation of the
+/// frequency by 1/30 of the width of a spectral line.
 const STRAY: f64 = 0.05;
-/// Largest relative change of the excitation's amplitude that counts as steady.
+/// Largest relative change of the excitation's amplitude at which the excitation counts as steady.
 const SWELL: f64 = 0.05;
 /// Number of standard deviations up to which a change counts as noise.
 const SURE: f64 = 6.0;
-/// Largest relative changes of the fundamental that count as steady. The search tries the first value, and then the
-/// second, wider one, which allows for friction that changes slowly.
+/// Largest relative changes of the fundamental at which the motion counts as steady. The search first tries the smaller
+/// value, and then the larger one, which allows for friction that changes slowly.
 const STEADY: [f64; 2] = [2e-3, 2e-2];
 /// Largest relative scatter of a fundamental about its mean at which the motion counts as steady.
 const SCATTER: f64 = 0.1;
 
-/// The complex fundamental of a channel in each block of samples. The phases of all blocks refer to one origin of
-/// time.
+/// Complex fundamental of a channel in each block of samples. All blocks have the same origin of time for their phases.
 struct Blocks {
     values: Vec<Complex<f64>>,
     deviation: f64,
@@ -52,8 +51,8 @@ fn mean(values: &[Complex<f64>]) -> Complex<f64> {
     values.iter().sum::<Complex<f64>>() / values.len().max(1) as f64
 }
 
-/// Returns the index of the first sample after which all channels are steady. The excitation is the first of
-/// `channels`.
+/// Returns the index of the first sample after which all channels are steady. The first of `channels` is the
+/// excitation.
 pub(super) fn start(
     channels: &[(&str, &[f64])],
     per_sample: f64,
@@ -84,7 +83,7 @@ pub(super) fn start(
     Ok(first * length)
 }
 
-/// Fails unless the excitation keeps its frequency and its amplitude. A start from rest is ignored.
+/// Fails unless frequency and amplitude of the excitation are constant. The check ignores a start from rest.
 fn steady_drive(name: &str, blocks: &Blocks, hertz: f64, seconds: f64) -> Result<(), MeasureError> {
     let skip = blocks.values.len() / 4;
     let kept = blocks.values.get(skip..).unwrap_or(&[]);
@@ -139,7 +138,7 @@ fn bend(phases: &[f64]) -> (f64, f64, f64) {
     (line(early).0, line(late).0, away.fold(0.0, f64::max))
 }
 
-/// Returns the index of the first block after which the fundamental of a channel stays constant.
+/// Returns the index of the first block after which the fundamental of a channel is constant.
 fn settled(name: &str, blocks: &Blocks) -> Result<usize, MeasureError> {
     let values = &blocks.values;
     let last = values

@@ -2,23 +2,23 @@
 //!
 //! Thesis 4.3.3 takes the peak of a spectrum under a Hann window with zero padding. This file uses the same window, but
 //! avoids two errors of that method. It solves the window's sums for the mean and all harmonics at once, so that no
-//! harmonic leaks into another. Its frequency is not limited to the grid of a spectrum.
+//! harmonic affects another. Its frequency is not limited to the grid of a spectrum.
 
 use crate::Complex;
 use nalgebra::{DMatrix, DVector};
 use rustfft::FftPlanner;
 use std::f64::consts::TAU;
 
-/// Largest number of harmonics that are separated. With few samples it is lower.
+/// Largest number of harmonics. With few samples the number is lower.
 pub const HARMONICS: usize = 5;
-/// Half-width of the frequency band in which the noise is measured, over the driving frequency. A wider band would
-/// reach half and one and a half times the driving frequency, where a contact may have components.
+/// Half-width of the frequency band for the noise, divided by the driving frequency. A wider band would include half
+/// and one and a half times the driving frequency, where a contact may cause components.
 const BESIDE: f64 = 0.45;
 /// Distance from a harmonic, in bins of a Hann window, within which a bin belongs to the harmonic and not to the
 /// noise.
 const LINE: f64 = 3.0;
-/// Number of bins with which the noise is known to less than a tenth. If the band has fewer bins, the bins between the
-/// harmonics are used too.
+/// Number of bins for an estimate of the noise with an error below a tenth. If the band has fewer bins, the code also
+/// uses the bins between the harmonics.
 const ENOUGH_BINS: usize = 64;
 /// Smallest number of bins from which the noise is estimated.
 const FEWEST_BINS: usize = 12;
@@ -59,8 +59,8 @@ pub(super) struct ToneBasis {
 }
 
 impl ToneBasis {
-    /// Prepares a fit to `count` samples, of the frequency `per_sample` in cycles per sample, with at most `most`
-    /// harmonics.
+    /// Prepares a fit to `count` samples. `per_sample` is the frequency in cycles per sample, and `most` the largest
+    /// number of harmonics.
     pub(super) fn new(count: usize, per_sample: f64, most: usize) -> Self {
         let middle = 0.5 * (count as f64 - 1.0);
         let window = (0..count).map(|t| {
@@ -94,7 +94,7 @@ impl ToneBasis {
         }
     }
 
-    /// Returns mean and complex harmonics of samples. Returns `None` if mean and harmonics cannot be separated.
+    /// Returns mean and complex harmonics of samples. Returns `None` if the samples do not separate mean and harmonics.
     fn components(&self, samples: &[f64]) -> Option<(f64, Vec<Complex<f64>>)> {
         let mut sums = vec![Complex::new(0.0, 0.0); self.harmonics + 1];
         for ((value, weight), turn) in samples.iter().zip(&self.window).zip(&self.turns) {
@@ -118,7 +118,7 @@ impl ToneBasis {
         Some((*mean, harmonics.collect()))
     }
 
-    /// Returns mean and harmonics of samples with their uncertainty. `None` if the samples have too few cycles.
+    /// Returns mean and harmonics of samples with their uncertainty. Returns `None` if the samples have too few cycles.
     pub(super) fn tone(&self, samples: &[f64]) -> Option<Tone> {
         let (mean, harmonics) = self.components(samples)?;
         let left: Vec<f64> = samples
@@ -147,8 +147,8 @@ impl ToneBasis {
         })
     }
 
-    /// Returns the noise, the mean of |D|² near the driving frequency. D = Σ w x e^{−iωt} is the spectrum of the
-    /// remainder `left`.
+    /// Returns the noise, which is the mean of |D|² near the driving frequency. D = Σ w x e^{−iωt} is the spectrum of
+    /// `left`, the samples without mean and harmonics.
     fn floor(&self, left: &[f64], residual: f64) -> f64 {
         let count = left.len();
         let windowed = left.iter().zip(&self.window).map(|(x, w)| x * w);
@@ -215,16 +215,17 @@ fn normal(sums: &[Complex<f64>], harmonics: usize) -> DMatrix<f64> {
     })
 }
 
-/// Factor by which added zeros lengthen the samples before the spectrum is computed.
+/// Factor by which zeros lengthen the samples before the code computes the spectrum.
 const PADDING: usize = 4;
-/// Number of samples above which no zeros are added.
+/// Number of samples above which the code adds no zeros.
 const LONG: usize = 1 << 20;
-/// Number of steps that refine a frequency by the phases of the first and second half of the samples.
+/// Number of steps of the refinement of a frequency. A step uses the phases of the first and second half of the
+/// samples.
 const STEPS: usize = 4;
 /// Smallest number of cycles with which a frequency can be determined.
 pub(super) const FEWEST_CYCLES: f64 = 4.0;
 
-/// Returns the dominant frequency of samples in cycles per sample. `None` if the samples have fewer than
+/// Returns the dominant frequency of samples in cycles per sample. Returns `None` if the samples have fewer than
 /// [`FEWEST_CYCLES`] cycles of that frequency.
 pub(super) fn frequency(samples: &[f64]) -> Option<f64> {
     let count = samples.len();

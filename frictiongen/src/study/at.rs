@@ -165,7 +165,8 @@ impl<S: Float> System<S> {
     /// Returns β_lim and β*_lim without search, and the real part of the receptance H of the contact, times r²E. E is
     /// the scale of the modal sums. The function serves damped chains, and chains with many modes.
     ///
-    /// This function is not inlined, because that makes the shorter code for an undamped chain with one mass faster.
+    /// The compiler must not inline this function. The shorter caller is then faster for an undamped chain with one
+    /// mass.
     #[inline(never)]
     fn limits_of_sums(&self, inverse_r: S) -> (Limits<S>, S) {
         limits_of_sums(&self, inverse_r)

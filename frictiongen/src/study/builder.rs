@@ -1,4 +1,4 @@
-//! Builds a scene in code instead of from text.
+//! Creates a scene in code instead of from text.
 
 use super::error::InvalidScene;
 use super::system::System;
@@ -9,7 +9,7 @@ use frictiongen_model::scene::{
 };
 use frictiongen_model::validate::{Checks, validate_known};
 
-/// Builds a scene in code. A node is named as in a description: by the name of a mass, `base` or `wall`.
+/// Builder of a scene in code. Nodes have the same names as in a description: the name of a mass, `base` or `wall`.
 ///
 /// ```
 /// use frictiongen::study::{System, scene::Damping};
@@ -69,7 +69,7 @@ impl System {
 }
 
 impl Builder {
-    /// Names the scene. The default name is `Scene`.
+    /// Sets the name of the scene. The default name is `Scene`.
     pub fn name(mut self, name: &str) -> Self {
         name.clone_into(&mut self.name);
         self
@@ -109,8 +109,8 @@ impl Builder {
         self
     }
 
-    /// Selects the velocities on which the damping acts if the base moves. They are absolute velocities by default, or
-    /// velocities relative to the base.
+    /// Selects the velocities on which the damping acts if the base moves. The default is absolute velocities. The
+    /// alternative is velocities relative to the base.
     pub fn damping_from(mut self, damping_from: DampingFrom) -> Self {
         self.damping_from = damping_from;
         self
@@ -130,8 +130,8 @@ impl Builder {
         self
     }
 
-    /// Sets the friction law. The default is Coulomb's law. With any other law `at` returns an error, and only the
-    /// stepper and `simulation_under` compute motions.
+    /// Sets the friction law. The default is Coulomb's law. With any other law, only the stepper and `simulation_under`
+    /// compute motions, and `at` returns an error.
     ///
     /// ```
     /// use frictiongen::study::System;
@@ -155,13 +155,13 @@ impl Builder {
         self
     }
 
-    /// Sets the length of the stepper's time step, in s. Only code that is emitted from the scene uses this length.
+    /// Sets the length of the stepper's time step, in s. Only emitted code uses this length.
     pub fn step(mut self, step: f64) -> Self {
         self.step = Some(step);
         self
     }
 
-    /// Sets how the stepper's input varies between samples. The default is linear.
+    /// Sets the interpolation of the stepper's input between samples. The default is linear.
     pub fn input(mut self, input: StepInput) -> Self {
         self.input = input;
         self

@@ -1,6 +1,6 @@
 //! Motions that combine masses and base: relative displacements, spring forces and the base shear.
 //!
-//! A spring force over P is the spring's elongation x̄ times k/k₁. Every method for displacements therefore also
+//! A spring force over P equals the spring's elongation x̄ times k/k₁. Every method for displacements therefore also
 //! returns forces.
 
 use super::held::{SystemHeld, static_share};
@@ -31,7 +31,7 @@ pub(super) struct Combined<S> {
     base: S,
 }
 
-/// A motion of a steady state (contact, mass, or a combination of masses and base), with the data that it needs.
+/// A motion of a steady state (contact, mass, or a combination of masses and base), with the necessary data.
 #[derive(Clone, Debug)]
 pub(super) enum InOrbit<S> {
     Contact,
@@ -42,7 +42,7 @@ pub(super) enum InOrbit<S> {
 }
 
 impl<S: Float> InOrbit<S> {
-    /// Returns a motion of a steady state. The caller has checked that the mass exists.
+    /// Returns a motion of a steady state. The caller must have checked that the mass exists.
     pub(super) fn motion<'o, 'a>(
         &'o self,
         orbit: &'o SystemOrbit<'a, S>,
@@ -82,8 +82,8 @@ impl Terms {
         }
     }
 
-    /// Returns Σ c_k x_k + b y for `N` numbers at once. `base` has the numbers y of the base, and `mass` returns the
-    /// numbers x_k of a mass. Returns `None` if `mass` returns `None` for one of the masses.
+    /// Returns Σ c_k x_k + b y for `N` numbers at once. `base` contains the numbers y of the base, and `mass` returns
+    /// the numbers x_k of a mass. Returns `None` if `mass` returns `None` for one of the masses.
     fn sum<S: Float, const N: usize>(
         &self,
         base: [S; N],
@@ -131,8 +131,8 @@ impl<S: Float> System<S> {
         }
     }
 
-    /// Returns the simplest motion with the same displacement: the contact's or a mass's motion, if the given
-    /// combination equals one of these.
+    /// Returns the simplest motion with the same displacement. It is the motion of the contact or of a mass, if the
+    /// given combination equals one of these.
     pub(super) fn simplest(&self, of: Of) -> Of {
         let contact = self.scene.contact;
         let sides = [contact.from, contact.to];
@@ -157,7 +157,7 @@ impl<S: Float> System<S> {
         }
     }
 
-    /// Returns true if a motion is the contact's relative motion with the opposite sign. It is then the motion of the
+    /// Returns true if a motion is the contact's relative motion with the opposite sign. This is the motion of the
     /// earlier mass relative to the later mass.
     fn is_reversed_contact(&self, of: Of) -> bool {
         matches!(of, Of::Relative(of, to) if self.simplest(Of::Relative(to, of)) == Of::Contact)
@@ -215,9 +215,9 @@ impl<S: Float> System<S> {
         self.combined(&self.terms(of), own, modes, || self.exact_shapes())
     }
 
-    /// Returns a weighted sum of the motions of masses and base, with its component in each mode. `own` has the
-    /// components of the first mass, then those of the second, and so on. `exact` returns the same components to about 30
-    /// digits. With them, the difference of two masses that move almost alike keeps its digits.
+    /// Returns a weighted sum of the motions of masses and base, with its component in each mode. `own` contains the
+    /// components of the first mass, then those of the second, and so on. `exact` returns the same components to about
+    /// 30 digits. With these digits, the difference of two nearly equal motions stays accurate.
     fn combined<'e>(
         &self,
         terms: &Terms,
@@ -240,8 +240,8 @@ impl<S: Float> System<S> {
 }
 
 impl<'a, S: Float> SystemMotion<'a, S> {
-    /// Returns the motion of the contact, of a mass, or of a combination of masses and base. `None` if the scene has no
-    /// such motion.
+    /// Returns the motion of the contact, of a mass, or of a combination of masses and base. Returns `None` if the
+    /// scene has no such motion.
     #[must_use]
     pub fn motion_of(&self, of: Of) -> Option<SystemSteady<'a, S>> {
         let system = *self.at().scene();
@@ -258,7 +258,7 @@ impl<'a, S: Float> SystemMotion<'a, S> {
 
 impl<'a, S: Float> SystemOrbit<'a, S> {
     /// Calls `question` with the motion of the contact, of a mass, or of a combination of masses and base, and returns
-    /// the result of `question`. `None` if the scene has no such motion.
+    /// the result of `question`. Returns `None` if the scene has no such motion.
     pub fn ask_of<A>(
         &self,
         of: Of,
@@ -268,7 +268,7 @@ impl<'a, S: Float> SystemOrbit<'a, S> {
         Some(question(&motion.motion(self)))
     }
 
-    /// Returns a motion with the data that it needs. `None` if the scene has no such motion.
+    /// Returns a motion with the necessary data, or `None` if the scene has no such motion.
     pub(super) fn prepared(&self, of: Of) -> Option<InOrbit<S>> {
         let system = self.system;
         let known = system.has_motion(of);
@@ -292,7 +292,7 @@ impl<'a, S: Float> SystemOrbit<'a, S> {
 
 impl<S: Float> SystemStuck<'_, S> {
     /// Returns a motion as a complex amplitude and a constant displacement, for a contact that sticks at `offset`.
-    /// `None` if the scene has no such motion.
+    /// Returns `None` if the scene has no such motion.
     pub(super) fn motion_at(&self, of: Of, offset: S) -> Option<(Complex<S>, S)> {
         let (system, zero) = (*self.at().scene(), S::constant(0.0));
         if !system.has_motion(of) {
@@ -319,8 +319,8 @@ impl<S: Float> SystemStuck<'_, S> {
 }
 
 impl SystemHeld<'_> {
-    /// Returns a motion as a complex amplitude and a constant displacement. The offset of the contact causes the
-    /// constant displacement. `None` if the scene has no such motion.
+    /// Returns a motion as a complex amplitude and a constant displacement, which the offset of the contact causes.
+    /// Returns `None` if the scene has no such motion.
     #[must_use]
     pub fn motion_of(&self, of: Of) -> Option<(Complex<f64>, f64)> {
         self.stuck.motion_at(of, self.offset)
@@ -328,8 +328,8 @@ impl SystemHeld<'_> {
 }
 
 impl SystemStepper<'_> {
-    /// Returns the present displacement and velocity of a motion, or the present force and its derivative in time, in
-    /// the scene's units. `None` if the scene has no such motion.
+    /// Returns the present displacement and velocity of a motion, in the scene's units. For a force, returns the force
+    /// and its derivative in time. Returns `None` if the scene has no such motion.
     #[must_use]
     pub fn motion_of(&self, of: Of) -> Option<(f64, f64)> {
         let system = self.system;
@@ -358,7 +358,7 @@ impl SystemStepper<'_> {
 }
 
 impl SystemSimulation<'_> {
-    /// Returns the present displacement and velocity of a motion. `None` if the scene has no such motion.
+    /// Returns the present displacement and velocity of a motion, or `None` if the scene has no such motion.
     #[must_use]
     pub fn motion_of(&self, of: Of) -> Option<(f64, f64)> {
         let system = self.system;

@@ -1,4 +1,5 @@
-//! A run-time system with tables like the tables that the macro emits for the field `accuracy` of a description.
+//! A run-time system with tables. They correspond to the tables that the macro emits for the field `accuracy` of a
+//! description.
 
 pub use super::compiled_stuck::CompiledStuck;
 use super::error::UnknownMass;
@@ -60,7 +61,7 @@ pub struct CompiledSystem<'s, S: Float = f64> {
 }
 
 impl<S: Float> System<S> {
-    /// Builds tables of β_lim, of the contact's motion and of the stuck responses over a range of r. `accuracy` is the
+    /// Creates tables of β_lim, of the contact's motion and of the stuck responses over a range of r. `accuracy` is the
     /// largest relative error of a number in a table. For a phase it is the largest error in radians.
     ///
     /// # Errors
@@ -79,7 +80,7 @@ impl<S: Float> System<S> {
         })
     }
 
-    /// Builds tables for a [`Request`], which has all options such as range, accuracy and side.
+    /// Creates tables for a [`Request`], which has all options such as range, accuracy and side.
     ///
     /// # Errors
     /// Same errors as [`compile`](Self::compile).
@@ -95,7 +96,7 @@ impl<S: Float> System<S> {
     }
 }
 
-/// Converts the fitted polynomial pieces to arrays of C coefficients. Functions that were not requested are 0.
+/// Converts the fitted polynomial pieces to arrays of C coefficients. Functions outside the request are 0.
 fn arrays<S: Float, const C: usize>(pieces: &[Fitted<S>]) -> Vec<Piece<S, FUNCTIONS, C>> {
     let array = |piece: &Fitted<S>| {
         let mut coefficients = [[S::constant(0.0); C]; FUNCTIONS];
@@ -138,8 +139,8 @@ impl<'s, S: Float> CompiledSystem<'s, S> {
         &self.tables
     }
 
-    /// Returns the tables with proofs for β_lim and the contact's motion, as far as the work suffices. [`Work::WHOLE`]
-    /// takes a few seconds.
+    /// Returns the tables with proofs for β_lim and the contact's motion, as far as the permitted `work` suffices.
+    /// [`Work::WHOLE`] takes a few seconds.
     #[cfg(feature = "proof")]
     #[must_use]
     pub fn proven(mut self, work: Work) -> Self {
@@ -147,8 +148,8 @@ impl<'s, S: Float> CompiledSystem<'s, S> {
         self
     }
 
-    /// Returns the proof for β_lim. Without a call of `proven`, which needs the feature `proof`, the tables are only
-    /// checked at points.
+    /// Returns the proof for β_lim. `proven`, which needs the feature `proof`, makes this proof. Without it, the tables
+    /// are only compared with exact values at points.
     ///
     /// `tables().motion_proof` is the proof for the contact's motion. `tables().sliding_proof` is the proof for β*_lim,
     /// which needs no evaluations.

@@ -7,7 +7,7 @@ use frictiongen_kernel::orbit::NoDerivative;
 use frictiongen_model::validate::SceneError;
 use frictiongen_syntax::Diagnostics;
 
-/// The error that the scene has no mass with the requested name.
+/// The scene has no mass with the requested name.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct UnknownMass {
     /// The requested name, which no mass has.
@@ -29,7 +29,7 @@ impl std::fmt::Display for UnknownMass {
 
 impl std::error::Error for UnknownMass {}
 
-/// The error that a scene built in code is invalid, with all its faults.
+/// A scene built in code is invalid. The error lists all its faults.
 #[derive(Clone, Debug, PartialEq)]
 pub struct InvalidScene {
     /// Messages about missing nodes or fields, and about names that are not defined.
@@ -70,7 +70,7 @@ pub enum LoadError {
     DrivenByForce(String),
     /// The amplitude is not above 0 and finite.
     Amplitude,
-    /// The units of force P and length P/k₁, or k₁Y, are too small or too large for the number type.
+    /// The units of force (P or k₁Y) or of length (P/k₁ or Y) are too small or too large for the number type.
     OutOfRange,
     /// The request needs a rigid contact, but the contact is elastic.
     ElasticContact,
@@ -99,7 +99,7 @@ impl std::fmt::Display for LoadError {
 
 impl std::error::Error for LoadError {}
 
-/// Any error of a run-time system, so that one function can use `?` on all of its calls.
+/// Any error of a run-time system. A function can use `?` on all of its calls.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum StudyError {
@@ -111,7 +111,7 @@ pub enum StudyError {
     Solver(Error),
     /// The scene has no mass with the requested name.
     UnknownMass(UnknownMass),
-    /// A name is not the name of a motion.
+    /// A name does not denote a motion.
     UnknownMotion(UnknownMotion),
     /// The requested motion names a mass or a spring that the scene does not have.
     NoSuchMotion(Of),

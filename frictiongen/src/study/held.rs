@@ -6,7 +6,7 @@ use frictiongen_kernel::Float;
 use frictiongen_kernel::response::Scene as _;
 use std::ops::Deref;
 
-/// The response while the contact is stuck, at the offset from its centre where the contact came to rest.
+/// The response while the contact is stuck, at the offset from its centre at which the contact stopped.
 #[derive(Clone, Debug)]
 pub struct SystemHeld<'a> {
     pub(super) stuck: SystemStuck<'a>,
@@ -28,15 +28,15 @@ impl<'a> SystemHeld<'a> {
         self.offset_range
     }
 
-    /// Returns the constant part of the friction force, over P, for base motion over k₁Y. This part keeps the contact
-    /// at its offset. A positive force acts against positive sliding.
+    /// Returns the constant part of the friction force, over P (over k₁Y for base motion). This part keeps the contact
+    /// at its offset. A positive force opposes positive sliding.
     #[must_use]
     pub fn constant_force(&self) -> f64 {
         -(self.offset / receptance(self.stuck.at().scene()))
     }
 
-    /// Returns the constant displacement of a mass that the offset of the contact causes. `None` if the scene has no
-    /// such mass.
+    /// Returns the constant displacement of a mass that the offset of the contact causes. Returns `None` if the scene
+    /// has no such mass.
     #[must_use]
     pub fn mass_offset(&self, index: usize) -> Option<f64> {
         let system = *self.stuck.at().scene();
@@ -63,8 +63,8 @@ pub(super) fn static_share<S: Float>(system: &System<S>, mass: usize) -> Option<
     Some(moved / receptance(system))
 }
 
-/// Returns the constant displacement of a contact that has never slid, −s for a rigid contact.  The spring of an elastic
-/// contact has no force at the start of the motion, and yields to the spring forces of the chain afterwards.
+/// Returns the constant displacement of a contact that has never slid. It is −s for a rigid contact.  The spring of an
+/// elastic contact has no force at the start of the motion. Later the spring forces of the chain deform it.
 pub(super) fn offset_from_rest<S: Float>(system: &System<S>) -> S {
     if system.numbers().chain.on_moving_base.is_none() {
         return S::constant(0.0);

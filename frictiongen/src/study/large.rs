@@ -1,9 +1,9 @@
 //! Modal analysis of large scenes: nalgebra's symmetric eigensolver, then one-sided Jacobi sweeps.
 //!
 //! Let G be the matrix whose singular values are the frequency ratios √λ, and V the eigenvectors of Γ^−½K̄Γ^−½. The
-//! columns of G·V are orthogonal, except for digits lost in forming K̄. A low frequency loses most digits if other
-//! frequencies are high. One or two sweeps of one-sided Jacobi rotations on these columns, in double precision, restore
-//! the digits.
+//! computation of K̄ from G loses digits, especially those of a low frequency next to high ones. Apart from these
+//! digits, the columns of G·V are orthogonal. One or two sweeps of one-sided Jacobi rotations on these columns, in
+//! double precision, restore the digits.
 
 use frictiongen_model::modal::Modal;
 use frictiongen_model::scene::Scene;
@@ -11,7 +11,7 @@ use nalgebra::DMatrix;
 
 /// Largest number of masses for which the modal analysis is in double-double arithmetic.
 pub(super) const LARGEST_EXACT: usize = 64;
-/// Fraction of its largest possible size below which a residue counts as rounding.
+/// Fraction of its largest possible size below which a residue counts as rounding error.
 const NOISE: f64 = 1e-13;
 /// Cosine of the angle between two columns below which they count as orthogonal.
 const ORTHOGONAL: f64 = 1e-15;

@@ -1,4 +1,4 @@
-//! The continuous and stuck motions of a run-time system. They extend the kernel's motions by access to masses by name.
+//! Continuous and stuck motions of a run-time system. They add access to masses by name to the kernel's motions.
 
 use super::error::UnknownMass;
 use super::system::System;

@@ -11,11 +11,11 @@ use frictiongen_model::scene::Node;
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum UnknownMotion {
-    /// The scene has no mass with a name that occurs.
+    /// A name in the expression is not the name of a mass.
     Mass(UnknownMass),
-    /// A mass relative to itself does not move.
+    /// The motion is that of a mass relative to itself, which is zero.
     Itself(String),
-    /// The base is named first. It can only be the reference: `roof-base`, not `base-roof`.
+    /// The base is the first of two names. It must be the second: `roof-base`, not `base-roof`.
     BaseFirst(String),
     /// No spring connects the two nodes. The second field lists the springs of the scene.
     Spring(String, Vec<String>),
@@ -90,7 +90,7 @@ impl<S: Float> System<S> {
     /// | `spring(first-roof)` | force in the spring between `first` and `roof` |
     /// | `shear` | base shear: the sum of the forces in all springs between a mass and the base |
     ///
-    /// A force is over P, for base motion over k₁Y.
+    /// A force is over P (over k₁Y for base motion).
     ///
     /// ```
     /// use frictiongen::{Of, System};

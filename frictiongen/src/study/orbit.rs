@@ -1,5 +1,4 @@
-//! Steady states of a run-time system in any regime. They extend the kernel's steady states by access to masses by
-//! name.
+//! Steady states of a run-time system in any regime. They add access to masses by name to the kernel's steady states.
 
 use super::error::UnknownMass;
 use super::system::System;
@@ -10,7 +9,7 @@ use frictiongen_kernel::motion::{AnyContact, Part};
 use frictiongen_kernel::orbit::{Orbit, OrbitMotion};
 use std::ops::Deref;
 
-/// The kernel's steady state, with vectors, that a [`SystemOrbit`] derefs to.
+/// The kernel's steady state with vectors, to which a [`SystemOrbit`] derefs.
 #[doc(hidden)]
 pub type SystemOrbitState<'a, S = f64> =
     Orbit<'a, S, Vec<Part<S>>, Vec<S>, Vec<Complex<S>>, AnyContact<S>>;
@@ -76,8 +75,8 @@ impl<'a, S: Float> SystemOrbit<'a, S> {
         Ok(self.orbit.mass(self.system.mass_index(name)?))
     }
 
-    /// Returns the phase of the contact's relative motion with the opposite sign, in (−π, π]. The description means
-    /// this phase if [`contact_is_reversed`](System::contact_is_reversed) is true.
+    /// Returns the phase of the contact's relative motion with the opposite sign, in (−π, π]. It is the phase in the
+    /// sense of the description if [`contact_is_reversed`](System::contact_is_reversed) is true.
     #[must_use]
     pub fn reversed_contact_phase(&self) -> S {
         let phase = self.orbit.contact().phase();
@@ -91,8 +90,8 @@ impl<'a, S: Float> SystemOrbit<'a, S> {
 }
 
 impl<S> SystemOrbit<'_, S> {
-    /// Returns true if motion from the requested start ends in this state. If false, that motion did not settle, and
-    /// this is another steady state.
+    /// Returns true if motion from the requested initial state ends in this state. If false, that motion did not
+    /// settle, and this is another steady state.
     #[must_use]
     pub fn is_from_rest(&self) -> bool {
         self.from_rest

@@ -6,14 +6,14 @@ use super::units::Load;
 use frictiongen_model::scene::{Damping, Scene};
 use frictiongen_model::sensitivity::Quantity;
 
-/// An operating point: the frequency, friction and load at which a response is wanted.
+/// Operating point of a response: the frequency, the friction and the load.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum OperatingPoint {
     /// Non-dimensional groups r and β.
     Groups {
         /// Frequency ratio r = ω√(m₁/k₁).
         r: f64,
-        /// Friction ratio β = F/P, for base motion F/(k₁Y).
+        /// Friction ratio β = F/P (F/(k₁Y) for base motion).
         beta: f64,
     },
     /// Physical units: Hz, N, and the unit of the load.
@@ -50,7 +50,7 @@ pub struct Slope {
 }
 
 impl Slope {
-    /// Returns the relative derivative (p/X)·dX/dp. `parameter` is the value of p. `None` where X is 0.
+    /// Returns the relative derivative (p/X)·dX/dp. `parameter` is the value of p. Returns `None` if X is 0.
     #[must_use]
     pub fn relative(&self, parameter: f64) -> Option<f64> {
         let relative = parameter / self.value * self.derivative;

@@ -1,8 +1,8 @@
 //! Derivatives of a response with respect to every number of a description and of an operating point, in any regime.
 //!
-//! In physical units the derivatives are taken at constant frequency in Hz, friction force and load. The
-//! non-dimensional groups refer to the first mass m₁ and the first spring k₁. A change of m₁ or k₁ therefore also
-//! changes r, β or the unit of displacement.
+//! In physical units the derivatives are at constant frequency in Hz, friction force and load. The non-dimensional
+//! groups refer to the first mass m₁ and the first spring k₁. A change of m₁ or k₁ therefore also changes r, β or the
+//! unit of displacement.
 
 use super::error::StudyError;
 use super::held::offset_from_rest;
@@ -23,22 +23,22 @@ use frictiongen_model::sensitivity::Quantity;
 /// The derivatives of a response with respect to one parameter p.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ParameterSensitivity {
-    /// The parameter p with respect to which the derivatives are taken.
+    /// The parameter p of the derivatives.
     pub parameter: Parameter,
     /// The value of the parameter p, in its own unit.
     pub value: f64,
     /// Largest displacement and its derivative with respect to p, in m. For a non-dimensional operating point the unit
-    /// is P/k₁, for base motion Y.
+    /// is P/k₁ (Y for base motion).
     pub amplitude: Slope,
     /// Lag of the largest displacement and its derivative with respect to p, rad. `None` if the contact or mass does
     /// not move.
     pub phase: Option<Slope>,
     /// The limit of continuous motion β_lim and its derivative with respect to p. The unit is N under a load. For a
-    /// non-dimensional operating point the limit is a friction ratio. `None` where the limit or its derivative is not
+    /// non-dimensional operating point the limit is a friction ratio. `None` if the limit or its derivative is not
     /// finite.
     pub continuous_limit: Option<Slope>,
-    /// The limit of sliding β*_lim and its derivative with respect to p, in the units of `continuous_limit`. `None`
-    /// where the limit or its derivative is not finite.
+    /// The limit of sliding β*_lim and its derivative with respect to p, in the units of `continuous_limit`. `None` if
+    /// the limit or its derivative is not finite.
     pub sliding_limit: Option<Slope>,
 }
 
@@ -200,7 +200,7 @@ impl System {
 }
 
 /// Returns amplitude and phase of a known response with their derivatives. The phase is `None` if the contact or mass
-/// does not move. If `turned` is true, the result belongs to the contact's relative motion with the opposite sign.
+/// does not move. If `turned` is true, the result is that of the contact's relative motion with the opposite sign.
 pub(super) fn swing(
     varied: &Varied,
     response: &SystemResponse<'_>,
@@ -324,8 +324,8 @@ fn groups(
 /// Largest relative difference between the offset of a motion and the offset of a contact that has never slid.
 const SAME_OFFSET: f64 = 1e-9;
 
-/// Fraction of X, or of 1 if X is larger, below which the change p·dX/dp counts as 0. In numbers with 30 digits,
-/// rounding leaves a remainder of this size.
+/// Fraction of X, or of 1 if X is larger, below which the change p·dX/dp counts as 0. With numbers of 30 digits,
+/// rounding causes changes of this size.
 const NOTHING: f64 = 1e-24;
 
 /// Returns a number and its derivative with respect to one parameter. `parameter` is the value of that parameter.

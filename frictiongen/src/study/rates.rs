@@ -1,17 +1,17 @@
-//! The largest velocity and acceleration of a continuous motion, from its closed form.
+//! Largest velocity and acceleration of a continuous motion, from its closed form.
 //!
-//! The search samples sixteen instants in a half-turn of the fastest mode, and refines every maximum between them. It
-//! can only miss a maximum that lies within one sampling step of another one. Two such maxima differ by less than a
-//! thousandth of their value.
+//! The search samples sixteen instants in a half-turn of the fastest mode, and refines every maximum of the samples. It
+//! can miss a maximum only within one sampling step of another one. Two such maxima differ by less than a thousandth of
+//! their value.
 
 use super::motion::SystemMotion;
 use super::response::Size;
 use crate::Of;
 use std::f64::consts::PI;
 
-/// Number of sampled instants in a half-turn of the fastest mode.
+/// Number of samples in a half-turn of the fastest mode.
 const PLACES: f64 = 16.0;
-/// Upper bound on the number of sampled instants.
+/// Upper bound on the number of samples.
 const MOST: f64 = 4096.0;
 /// Largest number of steps of a refinement. A golden section keeps at most 0.62 of the interval.
 const STEPS: usize = 40;
@@ -20,9 +20,9 @@ const GOLDEN: f64 = 0.618_033_988_749_894_8;
 /// Last instant of the half period before the contact reverses, in units of π.
 const LAST: f64 = 1.0 - f64::EPSILON;
 
-/// Returns the largest |dx̄/dτ| or |d²x̄/dτ²| of a continuous motion. `None` if the scene has no such motion.
+/// Returns the largest |dx̄/dτ| or |d²x̄/dτ²| of a continuous motion. Returns `None` if the scene has no such motion.
 ///
-/// The motion repeats with the opposite sign after half a period, so one half period is searched.
+/// The function searches one half period, because the motion repeats with the opposite sign afterwards.
 pub(super) fn largest_rate(motion: &SystemMotion<'_>, of: Of, size: Size) -> Option<f64> {
     let steady = motion.motion_of(of)?;
     let at = |tau: f64| match size {

@@ -43,8 +43,8 @@ use frictiongen_kernel::response::Scene as _;
 pub enum SystemResponse<'a> {
     /// The continuous response in closed form: the contact slides all the time.
     Continuous(SystemMotion<'a>),
-    /// Any other steady state, computed from event to event. If the motion does not settle, the response is its last 64
-    /// cycles.
+    /// Any other steady state, computed from event to event. If the motion does not settle, the response contains its
+    /// last 64 cycles.
     StickSlip(Box<SystemOrbit<'a>>),
     /// The stuck response: the contact never slides.
     Stuck(SystemHeld<'a>),
@@ -53,15 +53,15 @@ pub enum SystemResponse<'a> {
 /// The amplitude of a motion, which is its largest displacement, and the phase of that maximum.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Swing {
-    /// The largest |x̄| of the period, over P/k₁, for base motion over Y.
+    /// The largest |x̄| of the period, over P/k₁ (over Y for base motion).
     pub amplitude: f64,
-    /// Lag of this largest |x̄| behind the maximum of the excitation, rad, in (−π, π]. `None` if the contact or mass
+    /// Lag of this largest |x̄| behind the maximum of the excitation, in rad, in (−π, π]. `None` if the contact or mass
     /// does not move.
     pub phase: Option<f64>,
 }
 
 impl Swing {
-    /// Amplitude and phase of a contact or mass that does not move: amplitude 0, no phase.
+    /// Amplitude and phase of a contact or mass that does not move: the amplitude is 0, and there is no phase.
     pub const REST: Self = Self {
         amplitude: 0.0,
         phase: None,
@@ -69,7 +69,7 @@ impl Swing {
 }
 
 /// Selects a quantity of a motion: displacement, velocity, acceleration, or a quantity of the contact. The largest
-/// displacement, velocity or acceleration is in units of P/k₁, for base motion of Y.
+/// displacement, velocity or acceleration is in units of P/k₁ (of Y for base motion).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Size {
     /// The largest displacement |x̄|.
@@ -78,10 +78,10 @@ pub enum Size {
     Velocity,
     /// The largest acceleration |d²x̄/dτ²|. Multiply by ω² for the acceleration in time.
     Acceleration,
-    /// The largest force in the contact, in units of P, for base motion of k₁Y. Only the contact has it.
+    /// The largest force in the contact, in units of P (of k₁Y for base motion). Only the contact has this quantity.
     Force,
-    /// The energy that the contact takes in a cycle of the excitation, in units of P²/k₁, for base motion of k₁Y².
-    /// Only the contact has it.
+    /// The energy that the contact dissipates in a cycle of the excitation, in units of P²/k₁ (of k₁Y² for base
+    /// motion). Only the contact has this quantity.
     Energy,
 }
 
@@ -97,7 +97,7 @@ impl SystemResponse<'_> {
         }
     }
 
-    /// Returns true if the motion repeats. If false, the response is the last 64 cycles of a motion that did not
+    /// Returns true if the motion repeats. If false, the response contains the last 64 cycles of a motion that did not
     /// settle.
     #[must_use]
     pub fn is_settled(&self) -> bool {
@@ -107,7 +107,7 @@ impl SystemResponse<'_> {
         }
     }
 
-    /// Returns amplitude and phase of the contact or of a mass. `None` if the scene has no such mass.
+    /// Returns amplitude and phase of the contact or of a mass. Returns `None` if the scene has no such mass.
     #[must_use]
     pub fn swing(&self, of: Of) -> Option<Swing> {
         let moving = |(amplitude, phase)| Swing {
@@ -132,8 +132,8 @@ impl SystemResponse<'_> {
         }
     }
 
-    /// Returns the centred amplitude: half the distance between the least and the largest x̄, in units of P/k₁, for
-    /// base motion of Y. `None` if the scene has no such mass.
+    /// Returns the centred amplitude: half the distance between the least and the largest x̄, in units of P/k₁ (of Y
+    /// for base motion). Returns `None` if the scene has no such mass.
     #[must_use]
     pub fn centred_amplitude(&self, of: Of) -> Option<f64> {
         match self {
@@ -143,14 +143,14 @@ impl SystemResponse<'_> {
         }
     }
 
-    /// Returns the lag −arg X₁ of the fundamental component behind the excitation, rad, in (−π, π]. `None` where the
-    /// contact or mass does not move, and if the scene has no such mass.
+    /// Returns the lag −arg X₁ of the fundamental component behind the excitation, in rad, in (−π, π]. Returns `None`
+    /// if the contact or mass does not move, and if the scene has no such mass.
     #[must_use]
     pub fn fundamental_phase(&self, of: Of) -> Option<f64> {
         fundamental_phase(self.harmonic(of, 1)?, self.centred_amplitude(of)?)
     }
 
-    /// Returns the offset of the contact's relative motion from its centre, in units of P/k₁, for base motion of Y. A
+    /// Returns the offset of the contact's relative motion from its centre, in units of P/k₁ (of Y for base motion). A
     /// symmetric motion has offset 0.
     #[must_use]
     pub fn offset(&self) -> f64 {
@@ -161,8 +161,8 @@ impl SystemResponse<'_> {
         }
     }
 
-    /// Returns the largest |offset| of the contact, if this state is one of a continuum of steady states that differ by
-    /// their offset. See [`SystemOrbit::offset_range`](frictiongen_kernel::orbit::Orbit::offset_range).
+    /// Returns the largest |offset| of the contact, if this state belongs to a continuum of steady states that differ
+    /// by their offset. See [`SystemOrbit::offset_range`](frictiongen_kernel::orbit::Orbit::offset_range).
     #[must_use]
     pub fn offset_range(&self) -> Option<f64> {
         match self {
@@ -193,8 +193,9 @@ impl SystemResponse<'_> {
         }
     }
 
-    /// Returns the phase of the contact's relative motion with the opposite sign. The description means this phase if
-    /// [`contact_is_reversed`](System::contact_is_reversed) is true. `None` for a contact that does not move.
+    /// Returns the phase of the contact's relative motion with the opposite sign. It is the phase in the sense of the
+    /// description if [`contact_is_reversed`](System::contact_is_reversed) is true. Returns `None` for a contact that
+    /// does not move.
     #[must_use]
     pub fn reversed_contact_phase(&self) -> Option<f64> {
         match self {
@@ -203,8 +204,8 @@ impl SystemResponse<'_> {
         }
     }
 
-    /// Returns the monoharmonic estimate of an amplitude (5.50, 7.33). `None` outside the continuous regime, and if
-    /// the scene has no such mass.
+    /// Returns the monoharmonic estimate of an amplitude (5.50, 7.33). Returns `None` outside the continuous regime,
+    /// and if the scene has no such mass.
     #[must_use]
     pub fn monoharmonic(&self, of: Of) -> Option<f64> {
         let Self::Continuous(motion) = self else {
@@ -213,10 +214,10 @@ impl SystemResponse<'_> {
         Some(motion.motion_of(of)?.amplitude_monoharmonic())
     }
 
-    /// Returns the largest displacement, velocity or acceleration of the contact or of a mass. `None` if the scene has
-    /// no such mass.
+    /// Returns the largest displacement, velocity or acceleration of the contact or of a mass. Returns `None` if the
+    /// scene has no such mass.
     ///
-    /// An acceleration jumps where the friction force jumps. The values on both sides of a jump count.
+    /// An acceleration jumps when the friction force jumps. The result includes the values on both sides of a jump.
     #[must_use]
     pub fn largest(&self, of: Of, size: Size) -> Option<f64> {
         match size {
@@ -234,8 +235,8 @@ impl SystemResponse<'_> {
         }
     }
 
-    /// Returns X_n, the complex amplitude of harmonic n in x̄ = Re Σ X_n e^{inτ}, for the contact or a mass. τ counts
-    /// from a maximum of the excitation. `None` if the scene has no such mass.
+    /// Returns X_n, the complex amplitude of harmonic n in x̄ = Re Σ X_n e^{inτ}, for the contact or a mass. τ = 0 is a
+    /// maximum of the excitation. Returns `None` if the scene has no such mass.
     #[must_use]
     pub fn harmonic(&self, of: Of, n: u32) -> Option<Complex<f64>> {
         match self {
@@ -252,9 +253,9 @@ impl SystemResponse<'_> {
         }
     }
 
-    /// Returns the largest friction force of the period over the load amplitude P. It is β if the contact slides
-    /// without a stop, and μβ if the contact stops and breaks away. If the contact never slides, it is μβ*_lim plus the
-    /// constant force due to its offset.
+    /// Returns the largest friction force of the period over the load amplitude P. If the contact slides without a
+    /// stop, it is β. If the contact stops and breaks away, it is μβ. If the contact never slides, it is μβ*_lim plus
+    /// the constant force due to its offset.
     #[must_use]
     pub fn contact_force(&self) -> f64 {
         match self {
@@ -269,7 +270,7 @@ impl SystemResponse<'_> {
         }
     }
 
-    /// Returns the work of friction in one cycle of the excitation, in units of P²/k₁, for base motion of k₁Y².
+    /// Returns the work of friction in one cycle of the excitation, in units of P²/k₁ (of k₁Y² for base motion).
     #[must_use]
     pub fn friction_work(&self) -> f64 {
         match self {

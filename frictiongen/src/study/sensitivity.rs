@@ -1,5 +1,5 @@
-//! Sensitivities: exact derivatives of every result with respect to a number of the description. The formulas are
-//! evaluated with dual numbers.
+//! Sensitivities: exact derivatives of every result with respect to a number of the description. The code evaluates the
+//! formulas with dual numbers.
 
 use super::at::SystemAt;
 use super::orbit::SystemOrbit;
@@ -21,13 +21,13 @@ use frictiongen_model::transient::Transient;
 use std::sync::OnceLock;
 
 /// A number with its derivative, each with about 30 digits. A [`Varied`] system uses such numbers, so that derivatives
-/// keep enough digits close to a resonance.
+/// have enough digits close to a resonance.
 pub type Sensitive = Dual<Dd>;
 
 /// A system whose results have derivatives with respect to one quantity of the description.
 ///
-/// For derivatives with respect to r or β, pass `Dual::variable` to an [`unvaried`](System::unvaried) system.
-/// Derivatives are taken at constant r and β. For derivatives at a constant angular frequency, pass r from
+/// For derivatives with respect to r or β, pass `Dual::variable` to an [`unvaried`](System::unvaried) system. The
+/// derivatives are at constant r and β. For derivatives at a constant angular frequency, pass r from
 /// [`frequency_ratio`](Self::frequency_ratio), which varies with the first mass and the first spring.
 ///
 /// ```
@@ -59,8 +59,8 @@ pub type Sensitive = Dual<Dd>;
 pub struct Varied {
     system: System<Sensitive>,
     data: Modal<Sensitive>,
-    /// The system without derivatives (`plain`), and the data for motion in time with derivatives (`transient`). Each
-    /// of them is computed when it is first used.
+    /// The system without derivatives (`plain`), and below it the data for motion in time with derivatives
+    /// (`transient`). The first use of each computes it.
     plain: OnceLock<System>,
     transient: OnceLock<Option<Transient<Sensitive>>>,
 }
@@ -86,9 +86,9 @@ impl Varied {
     /// stops. The search finds the steady state without derivatives. One more pass over the period with dual numbers
     /// then gives the derivatives. The Floquet multipliers have no derivatives.
     ///
-    /// An amplitude and a phase have a derivative wherever the steady state has a derivative. A contact may stop at its
-    /// largest displacement. The phase of the contact is then the end of the stop that is nearer to the excitation's
-    /// maximum. It is 0 if the maximum falls within the stop.
+    /// An amplitude and a phase have a derivative if the steady state has one. If the contact stops at its largest
+    /// displacement, the phase of the contact is that end of the stop which is closer to the excitation's maximum. If
+    /// the maximum falls within the stop, the phase is 0.
     ///
     /// ```
     /// use frictiongen::study::{System, sensitivity::{Quantity, Sensitive}};
@@ -162,8 +162,8 @@ impl Varied {
         })
     }
 
-    /// Returns the data for motion in time, with derivatives. `None` if modes have the same frequency and the varied
-    /// quantity separates their frequencies.
+    /// Returns the data for motion in time, with derivatives. Returns `None` if modes have the same frequency and the
+    /// varied quantity separates them.
     pub(super) fn transient(&self) -> Option<&Transient<Sensitive>> {
         let transient = self
             .transient
@@ -198,13 +198,14 @@ impl FrictionSystem for Varied {
 }
 
 impl<S: Float> System<S> {
-    /// Returns the same scene with derivatives with respect to `quantity`. `None` if the scene has no such quantity.
+    /// Returns the same scene with derivatives with respect to `quantity`. Returns `None` if the scene has no such
+    /// quantity.
     #[must_use]
     pub fn along(&self, quantity: Quantity) -> Option<Varied> {
         Some(self.varied(self.modal.along(&self.scene, quantity)?))
     }
 
-    /// Returns the same scene with no quantity varied, for derivatives with respect to r or β.
+    /// Returns the same scene without a varied quantity, for derivatives with respect to r or β.
     #[must_use]
     pub fn unvaried(&self) -> Varied {
         self.varied(self.modal.fixed())
@@ -269,8 +270,8 @@ impl<S: Float> System<S> {
     }
 }
 
-/// Returns every quantity of a description with respect to which a derivative exists: masses, springs, damping, the
-/// stiffness of the contact and stiction.
+/// Returns every quantity of a description for which derivatives exist: masses, springs, damping, the stiffness of the
+/// contact and stiction.
 pub(super) fn quantities(scene: &Scene) -> Vec<Quantity> {
     let masses = (0..scene.masses.len()).map(Quantity::Mass);
     let springs = (0..scene.springs.len()).map(Quantity::Stiffness);

@@ -9,8 +9,8 @@ use crate::{Error, Given, NoOrbit, NotContinuous, OutOfDomain, Regime, StuckReso
 use frictiongen_kernel::oscillator::mode::{Kind, Mode};
 use frictiongen_kernel::response::Scene as _;
 
-/// Relative tolerance, in units of the machine epsilon, within which √λ_i/r counts as an even integer. A Floquet
-/// multiplier within the same tolerance counts as on the unit circle.
+/// Tolerance within which √λ_i/r counts as an even integer, in units of the machine epsilon. The same tolerance decides
+/// whether a Floquet multiplier is on the unit circle.
 const ON_CIRCLE: f64 = 4096.0;
 
 /// The state of a steady motion at a maximum of the excitation: displacement and velocity of every mass.
@@ -24,8 +24,8 @@ pub(super) struct Carried {
 
 #[cfg(feature = "desk")]
 impl Carried {
-    /// Returns the same state in the units of a load whose amplitude falls over frequency as r⁻ⁿ, at another frequency
-    /// ratio.
+    /// Returns the same state at another frequency ratio, in the units of a load whose amplitude is proportional to
+    /// r⁻ⁿ. n is `fall`.
     pub(super) fn under(&self, fall: i32, r: f64) -> Self {
         let factor = (r / self.r).powi(fall);
         let scaled = |values: &[f64]| values.iter().map(|value| value * factor).collect();
@@ -57,11 +57,11 @@ impl<'a> SystemAt<'a> {
     ///
     /// With μ = 1 this state is the closed form for every β < β_lim. The exception is a chain without damping at r =
     /// 1/2n, where the closed form belongs to a continuum of steady states. With μ > 1, other states may exist in
-    /// addition to the closed form and to the stuck state. The motion is then computed from event to event.
+    /// addition to the closed form and to the stuck state. The call then computes the motion from event to event.
     ///
     /// If motion from rest does not settle, the call returns another stable steady state, if it finds one. The search
     /// starts from the closed form, a neighbouring friction ratio or the stuck state. [`SystemOrbit::is_from_rest`] is
-    /// then false. If no such state is found, the call returns the last 64 cycles of the motion from rest.
+    /// then false. If the search finds no such state, the call returns the last 64 cycles of the motion from rest.
     ///
     /// # Errors
     /// [`NotContinuous::Unbounded`] and [`StuckResonance`](crate::StuckResonance) on an undamped resonance.
@@ -88,8 +88,8 @@ impl<'a> SystemAt<'a> {
         }
     }
 
-    /// Returns the response in which motion from the state `start` ends, and the state of this response, from which the
-    /// next call can start.
+    /// Returns the response in which motion from the state `start` ends. Also returns the state of this response, which
+    /// can be the initial state of the next call.
     #[cfg(feature = "desk")]
     pub(super) fn response_from(
         &self,
@@ -116,8 +116,8 @@ impl<'a> SystemAt<'a> {
         Ok((self.told(orbit, motion)?, carried))
     }
 
-    /// Returns the regime of a steady state at this frequency ratio. Other steady states at the same β do not influence
-    /// the result. A motion that does not settle counts as stick-slip.
+    /// Returns the regime of a steady state at this frequency ratio. Other steady states at the same β have no
+    /// influence on the result. A motion that does not settle counts as stick-slip.
     #[must_use]
     pub fn regime_of(&self, orbit: &SystemOrbit<'_>) -> Regime {
         // Just below β*_lim rounding can hide a small motion. The code therefore also compares β with β*_lim.
@@ -132,8 +132,8 @@ impl<'a> SystemAt<'a> {
         }
     }
 
-    /// Returns the largest force in the contact and the energy that it takes in a cycle, in a steady state of this
-    /// frequency ratio. `None` where the contact never slides and no stuck response exists.
+    /// Returns the largest force in the contact and the energy that it dissipates in a cycle, in a steady state of this
+    /// frequency ratio. Returns `None` if the contact never slides and no stuck response exists.
     pub(super) fn contact_of(&self, orbit: &SystemOrbit<'_>) -> Option<(f64, f64)> {
         let energy = orbit.beta() * orbit.sliding_distance() / f64::from(orbit.period());
         let force = if orbit.is_settled() && orbit.never_slides() {
@@ -147,7 +147,7 @@ impl<'a> SystemAt<'a> {
         Some((force, energy))
     }
 
-    /// Returns the steady state as a response of its regime: continuous, stick-slip or stuck.
+    /// Returns the steady state as the response of its regime: continuous, stick-slip or stuck.
     fn told(
         &self,
         orbit: SystemOrbit<'a>,
@@ -171,8 +171,8 @@ impl<'a> SystemAt<'a> {
         }
     }
 
-    /// Returns the response with so much friction that the contact never leaves its initial position. A rigid contact on
-    /// a moving base stays at the relative displacement −Y. Any other contact stays at the relative displacement 0.
+    /// Returns the response under so much friction that the contact never leaves its initial position. A rigid contact
+    /// on a moving base stays at the relative displacement −Y. Any other contact stays at the relative displacement 0.
     pub(super) fn locked(&self) -> Result<SystemResponse<'a>, Error> {
         let offset = offset_from_rest(self.scene());
         Ok(SystemResponse::Stuck(self.held(offset, f64::INFINITY)?))
@@ -200,8 +200,8 @@ impl<'a> SystemAt<'a> {
         Ok(other.map_or(last, SystemOrbit::not_from_rest))
     }
 
-    /// Returns true if no other steady state can exist in addition to the closed form. With μ = 1 no other state
-    /// exists, unless √λ_i/r is an even integer for an undamped mode that the contact drives.
+    /// Returns true if no other steady state than the closed form can exist. With μ = 1 no other state exists, unless
+    /// √λ_i/r is an even integer for an undamped mode that the contact drives.
     fn is_unique(&self) -> bool {
         let numbers = self.scene().numbers();
         let even = |x: f64| {
@@ -233,8 +233,8 @@ mod tests {
     use super::Carried;
     use crate::study::System;
 
-    /// Checks the start of a motion from a state at another frequency. Displacements and velocities in time stay
-    /// unchanged, where dx̄/dτ = (dx̄/dt)/ω. A contact that sticks at once keeps its offset, which depends on the
+    /// Checks a motion that starts from a state at another frequency. Displacements and velocities in time stay
+    /// unchanged, with dx̄/dτ = (dx̄/dt)/ω. A contact that sticks at once keeps its offset, which depends on the
     /// initial position and velocity.
     #[test]
     fn a_state_goes_over_to_another_frequency() {

@@ -90,7 +90,7 @@ impl<S: Plain> System<S> {
     /// force, Y for a base motion.
     ///
     /// The speeds of `friction: stribeck` need the amplitude. With a constant kinetic friction force, nothing depends
-    /// on the amplitude. β is the kinetic friction force at zero speed over P, for base motion over k₁Y.
+    /// on the amplitude. β is the kinetic friction force at zero speed over P (over k₁Y for base motion).
     ///
     /// ```
     /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -187,7 +187,7 @@ impl<'a, S: Float> SystemSimulation<'a, S> {
         Ok(self.run.mass(self.system.mass_index(name)?))
     }
 
-    /// Returns the kernel's simulation, which has the phase, the number of cycles, the relative motion and the friction
+    /// Returns the kernel's simulation. It has the phase, the number of cycles, the relative motion and the friction
     /// force.
     #[must_use]
     pub fn run(&self) -> &KernelSimulation<'a, S> {

@@ -44,9 +44,9 @@ impl<S: Plain> System<S> {
         self.steady_state_of(r, beta, Start::Rest)
     }
 
-    /// Returns the steady state that a motion from a given state reaches, as [`steady_state`](Self::steady_state) does
-    /// from rest. `state` contains x̄ and dx̄/dτ of every mass at a maximum of the excitation. An elastic contact
-    /// starts without force.
+    /// Returns the steady state that a motion from a given state reaches. Apart from the initial state, the call equals
+    /// [`steady_state`](Self::steady_state). `state` contains x̄ and dx̄/dτ of every mass at a maximum of the
+    /// excitation. An elastic contact starts without force.
     ///
     /// # Errors
     /// Same errors as [`steady_state`](Self::steady_state). [`OutOfDomain`] also for a state that is not finite or not
@@ -75,11 +75,11 @@ impl<S: Plain> System<S> {
         self.settled_from(r, beta, start, (limit, false))
     }
 
-    /// Returns β*_lim = |f|/μ, the smallest β = F/P at which the contact need not slide, with the force f of the stuck
+    /// Returns β*_lim = |f|/μ, the smallest β = F/P for which the contact need not slide. f is the force of the stuck
     /// contact over P. The contact may be rigid or elastic.
     ///
-    /// An elastic contact that starts without force never slides from this β on. After a motion with slides, its slider
-    /// may rest at another position. The contact then has a constant force in addition.
+    /// From this β on, an elastic contact that starts without force never slides. After a motion with slides, its
+    /// slider may rest at another position. The contact then carries an additional constant force.
     ///
     /// # Errors
     /// [`StuckResonance`] on an undamped resonance of the chain with its contact stuck. [`OutOfDomain`] for r that is
@@ -90,8 +90,8 @@ impl<S: Plain> System<S> {
         Ok(self.limit_of(force))
     }
 
-    /// Returns the complex amplitude of every mass while the contact never slides, over P/k₁, for base motion over Y. The
-    /// contact may be rigid or elastic.
+    /// Returns the complex amplitude of every mass while the contact never slides, over P/k₁ (over Y for base motion).
+    /// The contact may be rigid or elastic.
     ///
     /// # Errors
     /// Same errors as [`stuck_limit`](Self::stuck_limit).
@@ -116,8 +116,8 @@ impl<S: Plain> System<S> {
         Ok((setting, parts))
     }
 
-    /// Returns the steady state that a motion from `start` reaches. The last arguments are β*_lim and a flag. If the
-    /// flag is true, a motion that does not settle returns its last cycles.
+    /// Returns the steady state that a motion from `start` reaches. `sliding` is β*_lim. If `last` is true and the
+    /// motion does not settle, the result contains its last cycles.
     pub(super) fn settled_from(
         &self,
         r: S,

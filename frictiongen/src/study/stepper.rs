@@ -11,11 +11,11 @@ use frictiongen_kernel::stepper::{
 use frictiongen_kernel::{Float, Plain};
 use std::ops::{Deref, DerefMut};
 
-/// Number of polynomial coefficients that describe the input over one step. It suffices for each kind of input.
+/// Number of polynomial coefficients of the input over one step. It is large enough for each kind of input.
 const COEFFICIENTS: usize = 4;
 
-/// Constant tables for steps of one length, as vectors. They advance each mode while the contact slides and while it
-/// sticks.
+/// Constant tables for steps of one length, as vectors. They advance each mode of the sliding chain and of the stuck
+/// chain.
 #[doc(hidden)]
 #[derive(Clone, Debug)]
 pub struct SystemStepTables<S> {
@@ -69,8 +69,7 @@ where
     }
 }
 
-/// The state of a stepper, as vectors: displacement and velocity of each mode while the contact slides and while it
-/// sticks.
+/// State of a stepper, as vectors: displacement and velocity of each mode of the sliding chain and of the stuck chain.
 #[doc(hidden)]
 #[derive(Clone, Debug)]
 pub struct SystemStepStore<S> {
@@ -129,7 +128,7 @@ pub type SystemStepSaved<S = f64> = Saved<S, SystemStepStore<S>>;
 pub struct SystemStepper<'a, S = f64> {
     pub(super) system: &'a System<S>,
     stepper: KernelStepper<'a, S>,
-    /// One force for each mass, because a run-time system accepts a load on every mass. The excited mass comes first.
+    /// One force for each mass, because a run-time system accepts a force on every mass. The excited mass comes first.
     forces: Vec<S>,
 }
 
@@ -150,7 +149,7 @@ pub struct SystemInput<'n, S = f64> {
     friction: S,
 }
 
-/// The load at the excitation of the scene: a force on a mass, or displacement and velocity of the base.
+/// The load that excites the scene: a force on a mass, or displacement and velocity of the base.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum ExcitationLoad<S> {
     Force(S),
@@ -192,7 +191,8 @@ impl<'n, S: Float> SystemInput<'n, S> {
 impl<S: Plain> System<S> {
     /// Returns a stepper with time steps of `dt` seconds, from rest without load.
     ///
-    /// A load can act on every mass. The scene defines the friction law and how the input varies between samples.
+    /// A force can act on every mass. The scene defines the friction law and the interpolation of the input between
+    /// samples.
     ///
     /// ```
     /// use frictiongen::study::SystemInput;
@@ -224,7 +224,7 @@ impl<S: Plain> System<S> {
     /// [`OutOfDomain`] for a step that is not positive and finite, or in which the fastest oscillator advances by more
     /// than [`MAX_PARTS`](frictiongen_kernel::stepper::MAX_PARTS) radians.
     /// [`Unsupported::CriticalDamping`](crate::Unsupported::CriticalDamping) if too many modes are at or beyond
-    /// critical damping. Less than half of the digits would then remain.
+    /// critical damping, so that less than half of the digits would remain.
     pub fn stepper(&self, dt: S) -> Result<SystemStepper<'_, S>, OutOfDomain> {
         self.stepping(dt, None)
     }
@@ -259,8 +259,8 @@ impl<S: Plain> System<S> {
 }
 
 impl<'a, S: Plain> SystemStepper<'a, S> {
-    /// Sets the input at the start of the first step. The default is no input. The contact responds to the input at
-    /// once.
+    /// Sets the input at the start of the first step. The default is no input. [`contact`](Self::contact) then returns
+    /// the force under this input.
     ///
     /// # Errors
     /// Same errors as [`advance`](Self::advance). A call after the first step returns [`OutOfDomain`].
@@ -279,8 +279,8 @@ impl<'a, S: Plain> SystemStepper<'a, S> {
     ///
     /// # Errors
     /// [`OutOfDomain`] for a number that is NaN or infinite, and for friction below zero. [`OutOfDomain`] also for a
-    /// force where the base is excited, and for a base motion where a mass is excited. [`UnknownMass`] for an unknown
-    /// name. The stepper is unchanged after an error.
+    /// force if the base is excited, and for a base motion if a mass is excited. [`UnknownMass`] for an unknown name.
+    /// The stepper is unchanged after an error.
     pub fn advance(&mut self, input: SystemInput<'_, S>) -> Result<Stepped<S>, StudyError> {
         let (base, friction) = self.lay(&input)?;
         let forces = &self.forces;
@@ -322,8 +322,8 @@ impl<'a, S: Plain> SystemStepper<'a, S> {
         Ok(self.stepper.mass(self.system.mass_index(name)?))
     }
 
-    /// Returns the present displacement and velocity of a mass. `index` is its position in the description. The result
-    /// is rest if there is no such mass.
+    /// Returns the present displacement and velocity of a mass. `index` is the index in the description. For an invalid
+    /// index, both are 0.
     #[must_use]
     pub fn mass_at(&self, index: usize) -> MassNow<S> {
         self.stepper.mass(index)

@@ -94,13 +94,13 @@ pub(super) fn rounded<S: Float>(value: Dd) -> S {
 }
 
 impl<S: Float> System<S> {
-    /// Builds the system of a scene that is known to be valid.
+    /// Creates the system of a valid scene.
     fn from_scene(scene: Scene) -> Self {
         let modal = large::modal(&scene);
         Self::with_data(scene, modal.clone(), &modal, rounded::<S>)
     }
 
-    /// Builds the system from the modal data `data`. `to` converts every number to the scalar.
+    /// Creates the system from the modal data `data`. `to` converts every number to the scalar type.
     pub(super) fn with_data<T: Float>(
         scene: Scene,
         modal: Modal,
@@ -163,8 +163,8 @@ impl<S: Float> System<S> {
             .get_or_init(|| self.modal.reduced(|value| value).shapes)
     }
 
-    /// Returns the components as [`exact_shapes`](Self::exact_shapes) does, in the modes of the motion in time. These
-    /// modes have another order.
+    /// Returns the components of all masses to about 30 digits, in the modes of the motion in time.
+    /// [`exact_shapes`](Self::exact_shapes) returns them in another order of the modes.
     pub(super) fn exact_shapes_in_time(&self) -> &[Dd] {
         self.exact_shapes_in_time
             .get_or_init(|| Transient::of(&self.scene, &self.modal, |value| value).shapes)
@@ -177,7 +177,7 @@ impl<S: Float> System<S> {
             .get_or_init(|| Steps::of(&self.scene, &self.modal, masses, rounded::<S>))
     }
 
-    /// Returns the scene as the description or the builder defines it.
+    /// Returns the scene as described in text or in code.
     #[must_use]
     pub fn scene(&self) -> &Scene {
         &self.scene
@@ -192,7 +192,7 @@ impl<S: Float> System<S> {
         &self.modal
     }
 
-    /// Returns the natural frequencies ω_i, rad/s in the scene's own units, in ascending order.
+    /// Returns the natural frequencies ω_i in rad/s in the scene's own units, in ascending order.
     #[must_use]
     pub fn natural_frequencies(&self) -> Vec<S> {
         self.modal
@@ -208,7 +208,7 @@ impl<S: Float> System<S> {
         &self.resonances
     }
 
-    /// Returns the mode shapes φ by mode and mass, with φᵀΓφ = 1.
+    /// Returns the mode shapes φ, first by mode and then by mass, with φᵀΓφ = 1.
     #[must_use]
     pub fn mode_shapes(&self) -> Vec<Vec<S>> {
         let shapes = self.modal.shapes.iter();
@@ -234,17 +234,17 @@ impl<S: Float> System<S> {
     /// result is needed at this r.
     ///
     /// # Errors
-    /// [`OutOfDomain`] for NaN and negative r. At r = 0 and r = ∞ the call returns the limit values.
-    /// [`OutOfDomain`] also for `friction: stribeck`. The exact continuous response needs a kinetic friction force that
-    /// does not depend on the speed.
+    /// [`OutOfDomain`] for NaN and negative r. At r = 0 and r = ∞ the call returns the limit values. [`OutOfDomain`]
+    /// also for `friction: stribeck`, because the exact continuous response requires a kinetic friction force that does
+    /// not depend on the speed.
     pub fn limits_without_search(&self, r: S) -> Result<Limits<S>, OutOfDomain> {
         self.constant_force()?;
         At::limits_without_search(&self, r)
     }
 
     /// Returns the threshold β_n,i of every resonance (6.2, 6.26). Below this friction ratio the amplitude at the
-    /// undamped resonance i is unbounded. `None` for a mode that the contact does not drive. As in every closed form, F
-    /// is a constant kinetic friction force.
+    /// undamped resonance i is unbounded. The entry is `None` for a mode that the contact does not drive. As in every
+    /// closed form, F is a constant kinetic friction force.
     #[must_use]
     pub fn resonance_thresholds(&self) -> Vec<Option<S>> {
         // An elastic contact dissipates less than a rigid one in each cycle, but the same for large amplitudes, so that
@@ -256,8 +256,8 @@ impl<S: Float> System<S> {
             .collect()
     }
 
-    /// Returns the displacement x̄ of every mass for r → 0 at the friction ratio β (6.5). `None` if the contact is
-    /// stuck at r = 0, and for an elastic contact.
+    /// Returns the displacement x̄ of every mass for r → 0 at the friction ratio β (6.5). Returns `None` if the contact
+    /// is stuck at r = 0, and for an elastic contact.
     ///
     /// ```
     /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -280,9 +280,9 @@ impl<S: Float> System<S> {
         Some(start.into_iter().map(rounded).collect())
     }
 
-    /// Returns the peak amplitude of a mass at a damped resonance, estimated for small ζ (7.60). `mode` is the index
-    /// of the resonance in ascending order, `mass` the index in the description. `None` for a mode without damping, and for an elastic
-    /// contact.
+    /// Returns the peak amplitude of a mass at a damped resonance, estimated for small ζ (7.60). `mode` is the index of
+    /// the resonance in ascending order, `mass` the index in the description. Returns `None` for a mode without
+    /// damping, and for an elastic contact.
     #[must_use]
     pub fn resonant_peak_estimate(&self, mode: usize, mass: usize, beta: S) -> Option<S> {
         self.rigid().ok()?;

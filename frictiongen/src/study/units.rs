@@ -1,8 +1,8 @@
-//! Conversion between physical units and dimensionless groups: hertz and r, newtons and β, metres and x̄.
+//! Conversions between physical units and non-dimensional groups: hertz and r, newtons and β, metres and x̄.
 //!
-//! Units are the scene's own. With masses in kg and stiffnesses in N/m, a force is in N, a length in m and an angular
-//! frequency in rad/s. The groups refer to the first mass m₁ and the first spring k₁ of the description. Another order
-//! of masses or springs therefore gives other groups, but the same physical results.
+//! The units are those of the scene. With masses in kg and stiffnesses in N/m, a force is in N, a length in m and an
+//! angular frequency in rad/s. The groups refer to the first mass m₁ and the first spring k₁ of the description.
+//! Another order of masses or springs therefore gives other groups, but the same physical results.
 
 pub use super::error::LoadError;
 use super::system::System;
@@ -14,15 +14,15 @@ use frictiongen_model::scene::{Excitation, Node};
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Load<S = f64> {
-    /// Amplitude P of a force P cos ωt on a mass, N in SI.
+    /// Amplitude P of a force P cos ωt on a mass, in N in SI.
     Force(S),
-    /// Amplitude Y of a motion Y cos ωt of the base, m in SI.
+    /// Amplitude Y of a motion Y cos ωt of the base, in m in SI.
     Base(S),
-    /// Amplitude v of the velocity of the base at every frequency, m/s in SI: Y = v/ω.
+    /// Amplitude v of the velocity of the base, the same at every frequency, in m/s in SI: Y = v/ω.
     BaseVelocity(S),
-    /// Amplitude a of the acceleration of the base at every frequency, m/s² in SI: Y = a/ω².
+    /// Amplitude a of the acceleration of the base, the same at every frequency, in m/s² in SI: Y = a/ω².
     BaseAcceleration(S),
-    /// Unbalance m·e of a rotor, mass times eccentricity, kg·m in SI: P = m·e·ω².
+    /// Unbalance m·e of a rotor, mass times eccentricity, in kg·m in SI: P = m·e·ω².
     Unbalance(S),
 }
 
@@ -46,7 +46,7 @@ impl<S: Copy> Load<S> {
         !matches!(self, Self::Force(_) | Self::Unbalance(_))
     }
 
-    /// Returns the exponent n with which the amplitude P or Y falls over frequency, as ω⁻ⁿ. It is 0 for a constant
+    /// Returns the exponent n of the load, whose amplitude P or Y is proportional to ω⁻ⁿ. It is 0 for a constant
     /// amplitude.
     #[doc(hidden)]
     #[must_use]
@@ -104,13 +104,13 @@ impl<S: Float> LoadScale<S> {
         }
     }
 
-    /// Returns the unit of length, by which x̄ is multiplied: P/k₁, for base motion Y.
+    /// Returns the unit of length, the factor from x̄ to x: P/k₁ (Y for base motion).
     #[must_use]
     pub fn length(&self) -> S {
         self.length
     }
 
-    /// Returns the unit of force, by which β, β_lim and β*_lim are multiplied: P, for base motion k₁Y.
+    /// Returns the unit of force, the factor from β, β_lim and β*_lim to forces: P (k₁Y for base motion).
     #[must_use]
     pub fn force(&self) -> S {
         self.force
@@ -176,9 +176,9 @@ pub fn seconds<S: Float>(tau: S, omega: S) -> S {
 
 /// Returns the lag of a motion with the opposite sign: half a turn from `lag`, in (−π, π].
 ///
-/// The result is not exact for a contact that stops at its largest displacement, because the contact keeps that
-/// displacement during the whole stop. Use
-/// [`SystemOrbit::reversed_contact_phase`](super::orbit::SystemOrbit::reversed_contact_phase) for such a contact.
+/// For a contact that stops at its largest displacement the result is not exact, because the displacement stays the
+/// same during the whole stop. For such a contact, use
+/// [`SystemOrbit::reversed_contact_phase`](super::orbit::SystemOrbit::reversed_contact_phase).
 #[doc(hidden)]
 #[must_use]
 pub fn reversed_phase<S: Float>(lag: S) -> S {
@@ -189,8 +189,8 @@ pub fn reversed_phase<S: Float>(lag: S) -> S {
     }
 }
 
-/// Returns the lag of the fundamental component X₁ of a motion, rad, in (−π, π]. `centred` is the centred amplitude of
-/// the motion. `None` where X₁ is 0 or only rounding.
+/// Returns the lag of the fundamental component X₁ of a motion, in rad, in (−π, π]. `centred` is the centred amplitude
+/// of the motion. Returns `None` if X₁ is 0 or only rounding error.
 #[doc(hidden)]
 #[must_use]
 pub fn fundamental_phase(x1: Complex<f64>, centred: f64) -> Option<f64> {
@@ -313,7 +313,7 @@ impl<S: Float> System<S> {
         hertz(self.angular_frequency(r))
     }
 
-    /// Returns true if all results have the contact's relative motion with the opposite sign of the description.
+    /// Returns true if the sign of the contact's relative motion in all results is opposite to the description.
     ///
     /// A contact `a - b` in a description is the motion of b relative to a. The results contain the motion of the mass
     /// listed later relative to the mass listed earlier. If these two motions differ in sign, their phases differ by

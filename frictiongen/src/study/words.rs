@@ -1,4 +1,4 @@
-//! Words for regimes, answers, events and features. Tables, files and all languages use the same word for each.
+//! Words for regimes, results, events and features. Tables, files and all languages use the same word for each.
 
 use super::{
     StudyError, SystemAt,
@@ -125,7 +125,7 @@ pub fn found(orbit: &SystemOrbit<'_>) -> &'static str {
     }
 }
 
-/// Returns the word for the method that computed a point of a curve, or the reason why there is none.
+/// Returns the word for the method that computed a point of a curve. If there is no point, returns the reason.
 #[cfg(feature = "desk")]
 #[must_use]
 pub fn on_curve(point: Result<&CurvePoint, Error>) -> &'static str {
@@ -141,7 +141,7 @@ pub fn on_curve(point: Result<&CurvePoint, Error>) -> &'static str {
     }
 }
 
-/// Returns the word for the start of the motions of a curve.
+/// Returns the word for the initial state of the motions of a curve.
 #[cfg(feature = "desk")]
 #[must_use]
 pub fn start(start: CurveStart) -> &'static str {
@@ -226,7 +226,7 @@ pub fn end(end: OptimumEnd) -> &'static str {
     }
 }
 
-/// Returns the reason why there is no derivative. `None` if the request itself is at fault.
+/// Returns the reason why there is no derivative. Returns `None` if the request itself is invalid.
 #[must_use]
 pub fn no_derivative(error: &StudyError) -> Option<&'static str> {
     Some(match error {
@@ -262,7 +262,8 @@ pub fn condition(point: &InvariantPoint) -> &'static str {
     }
 }
 
-/// Returns the words for what ends an inversion. An inversion is a range of r in which more friction enlarges a motion.
+/// Returns the words for the reason why an inversion ends. An inversion is a range of r in which more friction makes a
+/// motion larger.
 #[must_use]
 pub fn edge(edge: Edge) -> &'static str {
     match edge {

@@ -1,5 +1,5 @@
-//! Counts the work that a response costs. The work is not measured as time. A bound on work therefore stops a search at
-//! the same point on every machine.
+//! Counts the work that a response costs. The code does not measure time, so that a bound on work stops a search at the
+//! same point on every machine.
 //!
 //! One unit of work is about 10 µs. The constants are rounded means over random frames of one to six masses.
 
@@ -8,12 +8,12 @@ use super::system::System;
 use crate::study::scene::Damping;
 use crate::{Error, NoOrbit};
 
-/// Work of a motion from rest that did not settle within its last cycle. The number is multiplied by the number of
-/// masses plus two.
+/// Work of a motion from rest that did not settle, for its last cycles. The code multiplies this number by the number
+/// of masses plus two.
 const UNSETTLED: usize = 400;
-/// Work of a response whose motion from rest did not settle, if another steady state was found instead.
+/// Additional work of a response if motion from rest did not settle and the search found another steady state.
 const ANOTHER: usize = 1000;
-/// Number of vibrations of the fastest mode in a cycle at which the work of the cycle doubles.
+/// Number of vibrations of the fastest mode in a cycle for which the work of the cycle is twice that of a slow mode.
 const VIBRATIONS: f64 = 10.0;
 /// Work of a motion that settled, for each mass of a damped chain.
 const DAMPED: usize = 8;

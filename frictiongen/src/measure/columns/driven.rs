@@ -38,8 +38,8 @@ impl Driven {
     }
 
     /// Adds the present state of a stepper to the table. `parts` are the masses and the contact of the table. `events`
-    /// is the number of events since the previous sample. If `turned` is true, the signs of the contact's motion and
-    /// force are reversed.
+    /// is the number of events since the previous sample. If `turned` is true, the table contains the contact's motion
+    /// and force with opposite signs.
     pub fn push(&mut self, stepper: &SystemStepper<'_>, parts: &[Part], turned: bool, events: u32) {
         let signed = |value: f64| if turned { 0.0 - value } else { value };
         let contact = stepper.contact();

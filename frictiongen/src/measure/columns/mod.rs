@@ -1,5 +1,5 @@
 //! Tables of measurements, with rows and columns as in [`study::columns`](crate::study::columns), and single values
-//! with their keys. All values have SI units.
+//! under keys. All values are in SI units.
 
 mod driven;
 mod lines;

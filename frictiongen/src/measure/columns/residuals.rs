@@ -64,7 +64,8 @@ impl ResidualRow<'_> {
         apart / self.datum.deviation
     }
 
-    /// Returns a residual over its standard deviation. Returns `None` unless both amplitude and phase were measured.
+    /// Returns a residual divided by its standard deviation. Returns `None` unless both amplitude and phase were
+    /// measured.
     fn whole(&self, residual: f64) -> Option<f64> {
         (self.known == MotionKnown::Both).then(|| residual / self.datum.deviation)
     }
@@ -75,8 +76,8 @@ fn name(system: &System, mass: usize) -> &str {
     mass.map_or("", |mass| mass.name.as_str())
 }
 
-/// Returns the rows of all motions of all observations. `known` has, for each observation, the quantities that were
-/// measured.
+/// Returns the rows of all motions of all observations. `known` has one entry for each observation: the measured
+/// quantities.
 #[must_use]
 pub fn residuals<'o>(
     system: &'o System,

@@ -9,15 +9,15 @@ use std::f64::consts::PI;
 
 /// Step of a finite difference, relative to the scale of the parameter.
 const DIFFERENCE: f64 = 1e-6;
-/// Index of the number of samples in a half cycle in [`Shape`].
+/// Index in [`Shape`] of the number of samples in a half cycle.
 const HALF: usize = 3;
-/// Index of the decrement of a half cycle in [`Shape`].
+/// Index in [`Shape`] of the decrement of a half cycle.
 const DECREMENT: usize = 4;
-/// Index of F/k in [`Shape`].
+/// Index in [`Shape`] of F/k.
 const LENGTH: usize = 5;
 
-/// Parameters of the decay, in samples and m. They are the position and value of the first extreme, the middle, the
-/// half cycle, the decrement of a half cycle, and F/k.
+/// Parameters of the decay, in samples and m: position and value of the first extreme, the middle, the half cycle, the
+/// decrement of a half cycle, and F/k.
 type Shape = [f64; 6];
 
 /// Returns the displacement at each sample from the first extreme to the last.
@@ -143,7 +143,7 @@ impl<'s> DecayFit<'s> {
         }
     }
 
-    /// Returns all parameters, given the values of those to fit.
+    /// Returns all parameters. `free` are the values of the fitted ones.
     fn shape(&self, free: &[f64]) -> Option<Shape> {
         let mut shape = self.start;
         for (part, value) in self.free.iter().zip(free) {

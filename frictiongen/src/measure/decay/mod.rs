@@ -1,10 +1,12 @@
 //! Finds friction and damping from a free vibration of one mass (thesis 4.3.2).
 //!
 //! After its release, a mass oscillates about one point while it moves up, and about another point while it moves down.
-//! The two points are 2F/k apart. The extremes decrease by 4F/k in a cycle (4.2). With viscous damping each half cycle
-//! also multiplies the distance from the point by e^{−πζ/√(1−ζ²)} (Feeny and Liang, J. Sound Vib. 195 (1996) 149). The
-//! extremes give a first guess. All samples between the first and the last extreme are then fitted, because single
-//! peaks of a noisy signal appear too high.
+//! The distance between the two points is 2F/k. The extremes decrease by 4F/k in a cycle (4.2). With viscous damping
+//! each half cycle also multiplies the distance from the point by e^{−πζ/√(1−ζ²)} (Feeny and Liang, J. Sound Vib. 195
+//! (1996) 149).
+//!
+//! The extremes give a first guess. The code then fits all samples between the first and the last extreme, because
+//! noise makes single peaks appear too high.
 
 mod fit;
 mod swings;
@@ -18,7 +20,7 @@ use fit::DecayFit;
 use std::f64::consts::PI;
 use swings::{Swings, noise};
 
-/// Fraction of a swing below which its decrease in a half cycle counts as rounding error.
+/// Fraction of a swing. A decrease in a half cycle below this fraction counts as rounding error.
 const ROUNDING: f64 = 1e-9;
 
 /// Friction, damping and natural frequency found in a free vibration.
@@ -34,10 +36,10 @@ pub struct FreeDecay {
     pub hertz: Estimate,
     /// F/k by the linear decrement, m: the mean of (x⁽¹⁾ − x⁽²⁾)/4 over the extremes (4.2).
     pub linear_decrement: f64,
-    /// The extremes that were used. Each is a pair: time from the first sample in s, and displacement in m.
+    /// The extremes that the fit has used. Each is a pair: time from the first sample in s, and displacement in m.
     pub extremes: Vec<(f64, f64)>,
     /// Standard deviation of the residuals, divided by the standard deviation of the noise. If it is far above 1, the
-    /// mass does not move as the model says.
+    /// model does not describe the motion of the mass.
     pub misfit: f64,
 }
 
@@ -50,7 +52,7 @@ impl FreeDecay {
 }
 
 impl System {
-    /// Returns ζ of the first mode, if the description gives damping ratios. It may serve as the known damping in
+    /// Returns ζ of the first mode, if the description gives damping ratios. Use it as the known damping in
     /// [`free_decay`](Self::free_decay).
     #[must_use]
     pub fn described_damping(&self) -> Option<f64> {
@@ -63,7 +65,7 @@ impl System {
 
     /// Finds friction, damping and natural frequency from a free vibration of a scene with one mass.
     ///
-    /// `damping` is ζ if it is known. With `None`, ζ is fitted together with the other unknowns.
+    /// `damping` is ζ if it is known. If `damping` is `None`, the call fits ζ together with the other unknowns.
     ///
     /// ```
     /// use frictiongen::measure::{Channel, Recording, Unit};
@@ -147,8 +149,8 @@ fn of(
     })
 }
 
-/// Returns the estimate of a monotone function of a fitted parameter. The parameter is given as its value and the half
-/// width of its interval.
+/// Returns the estimate of a monotone function of a fitted parameter. The pair contains the value of the parameter and
+/// the half width of its interval.
 fn between((value, reach): (f64, f64), of: &dyn Fn(f64) -> f64) -> Estimate {
     let (a, b) = if reach.is_finite() {
         (of(value - reach), of(value + reach))

@@ -3,15 +3,15 @@
 use super::ROUNDING;
 use crate::measure::MeasureError;
 
-/// Smallest number of extremes. It is one more than the number of unknowns in their decrease.
+/// Smallest number of extremes, which is one more than the number of unknowns of the decay.
 const FEWEST: usize = 4;
-/// Smallest motion in the opposite direction that ends a swing, in standard deviations of the noise. [`PART`] is
-/// another lower bound.
+/// Smallest motion in the opposite direction that ends a swing, in standard deviations of the noise. A swing is the
+/// motion from one extreme to the next. The motion must also exceed [`PART`].
 const TURN: f64 = 8.0;
-/// Smallest motion in the opposite direction that ends a swing, as a fraction of the whole range.
+/// Smallest motion in the opposite direction that ends a swing, as a fraction of the whole range of the samples.
 const PART: f64 = 0.02;
 
-/// The swings of a free vibration from extreme to extreme.
+/// Swings of a free vibration. A swing is the motion from one extreme to the next.
 pub(super) struct Swings {
     /// Index and value of the sample at each extreme.
     pub(super) turns: Vec<(usize, f64)>,
@@ -62,7 +62,8 @@ impl Swings {
     }
 }
 
-/// Returns the standard deviation of the noise, from third differences. A smooth motion contributes little to them.
+/// Returns the standard deviation of the noise, estimated from third differences. A smooth motion contributes little to
+/// them.
 pub(super) fn noise(samples: &[f64]) -> f64 {
     let thirds = samples.windows(4).filter_map(|w| {
         let &[a, b, c, d] = w else { return None };
@@ -72,8 +73,8 @@ pub(super) fn noise(samples: &[f64]) -> f64 {
     (thirds.sum::<f64>() / (20.0 * count)).sqrt()
 }
 
-/// Returns the index and the value of each sample at which the motion reverses. The start of the record and reversals
-/// within the noise are left out.
+/// Returns the index and the value of each sample at which the motion reverses. The result contains neither the start
+/// of the record nor reversals within the noise.
 fn extremes(samples: &[f64], turn: f64) -> Vec<(usize, f64)> {
     let mut found = Vec::new();
     let Some(first) = samples.first() else {
@@ -113,9 +114,9 @@ mod tests {
     use rand_distr::{Distribution, StandardNormal};
     use std::f64::consts::TAU;
 
-    /// Checks the estimated noise of white noise with the deviation 1, also on a motion a hundred times as large. From
-    /// 40,000 samples the estimate has a standard deviation of 0.54 %, and the tolerance is five of these. The motion's
-    /// own third differences are 100 (2π/2000)³, about 3e-6.
+    /// Checks the noise estimate for white noise with the deviation 1, alone and on a motion a hundred times as large.
+    /// The estimate from 40,000 samples has a standard deviation of 0.54 %, and the tolerance is five times this value.
+    /// The motion's own third differences are 100 (2π/2000)³, about 3e-6.
     #[test]
     fn white_noise_has_its_deviation() {
         let mut random = ChaCha8Rng::seed_from_u64(1);

@@ -28,9 +28,9 @@ impl Estimate {
 /// Conclusion about the friction force that a measurement allows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Verdict {
-    /// The description does not explain the measurement. Noise of the given deviations causes such residuals in fewer
-    /// than one of 1000 recordings. Force and interval are those of the best fit, and may be far from the force of the
-    /// rig.
+    /// The description does not explain the measurement. Noise of the given deviations would cause such residuals in
+    /// fewer than one of 1000 recordings. Force and interval belong to the best fit, and may be far from the force of
+    /// the rig.
     NotExplained,
     /// The measurement determines one friction force.
     Determined,
@@ -41,8 +41,8 @@ pub enum Verdict {
     /// The measurement does not determine the friction force. Either the response hardly changes with friction at this
     /// frequency, as at an invariant point, or friction is too small to exceed the noise.
     NotDetermined,
-    /// Amplitudes without phases allow two conclusions: the contact almost sticks, or a unit is wrong by 1000 or a
-    /// million. A motion that is larger by this factor would agree with the description as well.
+    /// Amplitudes without phases allow two conclusions. Either the contact almost sticks, or a unit is wrong by a
+    /// factor of 1000 or a million. The description would also explain a motion that is larger by this factor.
     AlmostStuck,
 }
 
@@ -90,7 +90,7 @@ impl std::fmt::Display for Verdict {
 /// One observation and the response of the fitted scene.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Explained {
-    /// Friction ratio β = F/P, for base motion F/(k₁Y).
+    /// Friction ratio β = F/P (F/(k₁Y) for base motion).
     pub beta: f64,
     /// Frequency ratio r.
     pub r: f64,
@@ -105,8 +105,8 @@ pub struct Explained {
 pub struct Identified {
     /// The friction force F, N.
     pub friction: Estimate,
-    /// All friction forces that explain the measurements equally well, with their intervals, ascending. There is one if
-    /// the verdict is [`Verdict::Determined`].
+    /// All friction forces that explain the measurements equally well, with their intervals, in ascending order. If the
+    /// verdict is [`Verdict::Determined`], the list has one force.
     pub levels: Vec<Estimate>,
     /// The conclusion about the friction force.
     pub verdict: Verdict,
@@ -114,8 +114,8 @@ pub struct Identified {
     /// with an infinite interval.
     pub unknowns: Vec<(Unknown, Estimate)>,
     /// Sum of the squared residuals over their variances, divided by the degrees of freedom. `None` without degrees of
-    /// freedom. If it exceeds 1 by more than chance, the verdict is [`Verdict::NotExplained`], and the intervals are
-    /// wider by its square root.
+    /// freedom. If it exceeds 1 by more than chance explains, the verdict is [`Verdict::NotExplained`], and the
+    /// intervals are wider by the square root of this number.
     pub misfit: Option<f64>,
     /// Degrees of freedom: number of data minus the number of unknowns that the data determine.
     pub freedom: usize,
@@ -128,15 +128,16 @@ pub struct Identified {
 }
 
 impl Identified {
-    /// Returns true if noise explains the residuals. Without degrees of freedom the residuals cannot be judged, and the
+    /// Returns true if noise explains the residuals. Without degrees of freedom nothing contradicts the fit, and the
     /// result is true.
     #[must_use]
     pub fn is_explained(&self) -> bool {
         is_chance(self.misfit, self.freedom)
     }
 
-    /// Returns the unknowns that the measurements do not determine. Either the response does not change with them, or
-    /// two of them change it in the same way. The other estimates are valid for any value of these unknowns.
+    /// Returns the unknowns that the measurements do not determine. The response may not change with such an unknown,
+    /// or two unknowns may change the response in the same way. The other estimates are valid for any value of these
+    /// unknowns.
     #[must_use]
     pub fn undetermined(&self) -> Vec<Unknown> {
         let all = self.unknowns.iter();

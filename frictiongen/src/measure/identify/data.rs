@@ -5,7 +5,7 @@ use crate::Complex;
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::PI;
 
-/// Largest standard deviation of a phase that the fit uses, in rad. Phases with a larger deviation are left out.
+/// Largest standard deviation of a phase, in rad. The fit ignores phases with a larger deviation.
 const VAGUE: f64 = 0.3;
 
 /// The quantities of one observation that the fit compares, with the covariance of their errors.
@@ -38,9 +38,9 @@ fn seen_change(using: Using, value: Complex<f64>, change: Complex<f64>) -> Vec<f
 }
 
 impl<'o> Weighed<'o> {
-    /// Builds the covariance from the errors of each channel and of the load. All motions share the error of the load.
-    /// A relative error ε of the load's amplitude changes x/Y by −x/Y·ε. Through β = F/(k₁Y) it also changes the
-    /// computed motion by −β·dx/dβ·ε. `friction` contains the derivative β·dx/dβ, which equals F·dx/dF.
+    /// Creates the covariance from the errors of each channel and of the load. The error of the load is common to all
+    /// motions. A relative error ε of the load's amplitude changes x/Y by −x/Y·ε. Because β = F/(k₁Y), it also changes
+    /// the computed motion by −β·dx/dβ·ε. `friction` contains the derivative β·dx/dβ, which equals F·dx/dF.
     pub(super) fn new(
         seen: &'o Observation,
         using: Using,

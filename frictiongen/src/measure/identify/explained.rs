@@ -1,4 +1,4 @@
-//! Decides whether a scene can explain a measurement, and pairs each observation with the scene's response.
+//! Decides whether a scene can explain a measurement, and returns the scene's response for each observation.
 
 use super::answer::Explained;
 use super::friction::{IdentifyProblem, PLACES};
@@ -9,21 +9,21 @@ use crate::study::System;
 use crate::study::units::polar;
 use std::f64::consts::PI;
 
-/// Ratio of two root mean squares, of the unexplained and of the measured motion. At or above this ratio a measurement
-/// counts as not explained.
+/// Smallest ratio of two root mean squares at which a measurement counts as not explained. The ratio is that of the
+/// unexplained to the measured motion.
 const GROSS: f64 = 0.5;
-/// Ratio of two root mean squares, of the unexplained and of the measured motion. Below this ratio a measurement with a
-/// corrected unit counts as explained.
+/// Largest ratio of two root mean squares at which a measurement with a corrected unit counts as explained. The ratio
+/// is that of the unexplained to the measured motion.
 const MENDED: f64 = 0.2;
 /// Fraction of the scene's largest motion over all friction forces. A measured motion below this fraction may have a
 /// wrong unit.
 const TINY: f64 = 0.01;
-/// Root mean square of the phase differences, in rad (15°). At or above this value phases count as not explained.
+/// Smallest root mean square of the phase differences at which phases count as not explained, in rad (15°).
 const TURNED: f64 = PI / 12.0;
 
 impl IdentifyProblem<'_> {
     /// Returns the unexplained fraction of the motion at this friction force. Also returns the mass with the largest
-    /// unexplained motion, and the two amplitudes of this mass.
+    /// unexplained motion, and the measured and computed amplitude of this mass.
     fn unexplained(&self, friction: f64, factor: f64) -> Option<(f64, usize, f64, f64)> {
         let (mut left, mut all) = (0.0, 0.0);
         let mut worst = (0.0, 0, 0.0, 0.0);
@@ -53,7 +53,7 @@ impl IdentifyProblem<'_> {
         ))
     }
 
-    /// Returns an error unless the scene explains the measurement at this friction force.
+    /// Fails if the scene does not explain the measurement at this friction force.
     pub(super) fn explains(&self, friction: f64) -> Result<(), MeasureError> {
         if self.using == Using::PhaseAlone {
             return self.turns_alike(friction);
@@ -90,7 +90,7 @@ impl IdentifyProblem<'_> {
         (0..=PLACES).map(move |i| end * f64::from(i) / f64::from(PLACES))
     }
 
-    /// Returns true if some friction force explains the motion after its unit is corrected by `factor`.
+    /// Returns true if some friction force explains the motion after a correction of its unit by `factor`.
     fn mends(&self, factor: f64) -> bool {
         let parts = self
             .forces()
@@ -98,9 +98,9 @@ impl IdentifyProblem<'_> {
         parts.fold(f64::INFINITY, f64::min) < MENDED
     }
 
-    /// Returns true if the unit of measured amplitudes without phases is in doubt. Two conditions must hold: the
-    /// amplitudes are as small as with an almost stuck contact, and amplitudes larger by a power of 1000 are explained
-    /// too.
+    /// Returns true if the unit of measured amplitudes without phases is in doubt. Two conditions are necessary. The
+    /// amplitudes are as small as with an almost stuck contact. Amplitudes larger by a power of 1000 are explained as
+    /// well.
     pub(super) fn doubts_unit(&self) -> bool {
         if self.using != Using::Amplitude {
             return false;
@@ -121,7 +121,7 @@ impl IdentifyProblem<'_> {
         is_tiny && [1e-3, 1e-6].into_iter().any(|factor| self.mends(factor))
     }
 
-    /// Returns an error unless the root mean square of the unexplained phases is below [`TURNED`].
+    /// Fails if the root mean square of the unexplained phases is at least [`TURNED`].
     fn turns_alike(&self, friction: f64) -> Result<(), MeasureError> {
         let (mut squares, mut count) = (0.0, 0.0);
         let mut worst = (0.0, 0, 0.0, 0.0);

@@ -1,4 +1,4 @@
-//! Finds the friction force alone, by a scan of the sum of squares over the whole range of forces.
+//! Finds the friction force without other unknowns, by a scan of the sum of squares over the whole range of forces.
 
 use super::answer::{Estimate, Explained, Identified, Verdict};
 use super::data::Weighed;
@@ -17,15 +17,15 @@ pub(super) const PLACES: u32 = 96;
 const SECTIONS: usize = 44;
 /// Number of steps of a bisection. They narrow an interval to 1e-12 of its width.
 const HALVINGS: usize = 40;
-/// Largest width of an interval, relative to the force, at which the measurement still determines the force.
+/// Largest width of an interval, relative to the force, at which the measurement still counts as determining the force.
 const WIDE: f64 = 1.0;
 
-/// Measurements and the scene that is compared with them.
+/// Measurements, and the scene for the comparison with them.
 pub(super) struct IdentifyProblem<'a> {
     pub(super) system: &'a System,
     pub(super) observations: &'a [Observation],
     pub(super) using: Using,
-    /// Range of the friction forces that are scanned, N.
+    /// Range of the friction forces in the scan, in N.
     pub(super) range: (f64, f64),
     /// True if every friction force above the range gives the same response.
     pub(super) stuck_beyond: bool,
@@ -106,8 +106,8 @@ impl<'a> IdentifyProblem<'a> {
             .ok_or(MeasureError::NoFit)
     }
 
-    /// Returns the factors that scale the scene's derivatives to the measured values. A factor is 1 if the amplitude
-    /// was measured. Otherwise it is the measured value's modulus over the scene's amplitude.
+    /// Returns the factors that scale the scene's derivatives to the measured values. If the amplitude was measured,
+    /// the factor is 1. Otherwise it is the modulus of the measured value over the scene's amplitude.
     fn sizes(&self, system: &System, seen: &Observation, friction: f64) -> Option<Vec<f64>> {
         if self.using != Using::PhaseAlone {
             return Some(vec![1.0; seen.motions.len()]);
@@ -122,7 +122,7 @@ impl<'a> IdentifyProblem<'a> {
         )
     }
 
-    /// Returns the sum of squared residuals, or infinity if there is no response.
+    /// Returns the sum of squared residuals. Returns infinity if the scene has no response at this force.
     fn squares(&self, weighed: &[Weighed<'_>], friction: f64) -> f64 {
         let sums = self
             .observations
@@ -135,7 +135,7 @@ impl<'a> IdentifyProblem<'a> {
         sums.sum::<Option<f64>>().unwrap_or(f64::INFINITY)
     }
 
-    /// Finds the friction force alone.
+    /// Finds the friction force without other unknowns.
     pub(super) fn friction(&self) -> Result<Alone, MeasureError> {
         let weighed = self.weighed(self.system, None)?;
         let data: usize = weighed.iter().map(Weighed::len).sum();
@@ -236,7 +236,7 @@ impl<'a> IdentifyProblem<'a> {
         if left.1 <= right.1 { left } else { right }
     }
 
-    /// Returns the force at which the sum of squares exceeds `most`, on one side of the minimum. The sign of `side`
+    /// Returns the force at which the sum of squares reaches `most`, on one side of the minimum. The sign of `side`
     /// selects the side.
     fn edge(&self, weighed: &[Weighed<'_>], force: f64, most: f64, side: f64) -> f64 {
         let end = if side < 0.0 {
@@ -291,7 +291,7 @@ impl Alone {
             .ok_or(MeasureError::NoFit)
     }
 
-    /// Returns an error unless the best force explains the measurement.
+    /// Fails if the best force does not explain the measurement.
     pub(super) fn checked(&self, problem: &IdentifyProblem<'_>) -> Result<(), MeasureError> {
         problem.explains(self.best()?.value)
     }

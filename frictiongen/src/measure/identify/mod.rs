@@ -18,10 +18,10 @@ pub use request::{IdentifyRequest, Unknown};
 impl System {
     /// Finds the friction force that explains the measurements in any regime, with its 95 % interval.
     ///
-    /// For the friction force alone, the sum of squares is scanned over the whole range. The interval contains the
-    /// forces at which the sum exceeds its minimum by less than χ² allows. The scan finds two forces with the same
-    /// response, and shows where the response is flat. With more unknowns, damped Gauss–Newton steps with exact
-    /// sensitivities follow. The intervals are then those of the covariance.
+    /// For the friction force alone, the call scans the sum of squares over the whole range. The interval contains the
+    /// forces at which the sum exceeds its minimum by less than χ² allows. The scan finds different forces with the
+    /// same response, and detects a flat response. With more unknowns, damped Gauss–Newton steps with exact
+    /// sensitivities follow. The intervals then come from the covariance.
     ///
     /// If the contact slides all the time, the fundamental of one mass gives β directly: |X₁ − V| = 4β|H|/π. The
     /// two-amplitude method at resonance (Liang and Feeny, J. Vib. Acoust. 126 (2004) 118) corresponds to observations

@@ -41,7 +41,7 @@ pub(super) fn force_scale(system: &System, load: Load) -> f64 {
     }
 }
 
-/// Returns the response at a friction force in N, or `None` where there is no steady response.
+/// Returns the response at a friction force in N, or `None` if the scene has no steady response at this force.
 pub(super) fn answer(
     system: &System,
     seen: &Observation,
@@ -69,7 +69,7 @@ pub(super) fn answer(
 const FAR: f64 = 20.0;
 
 /// Returns two forces in N: the smallest force at which the contact is stuck, and the upper bound of the scan. The
-/// bound is the smaller of the two only if the first force exceeds [`FAR`] times the limits at other frequencies.
+/// second is smaller than the first only if the first exceeds [`FAR`] times the limits at other frequencies.
 pub(super) fn sticks_from(system: &System, seen: &Observation) -> Option<(f64, f64)> {
     let r = system.frequency_ratio_at_hertz(seen.hertz);
     let limit = system.at(r).ok()?.sliding_limit();
@@ -87,7 +87,7 @@ pub(super) fn sticks_from(system: &System, seen: &Observation) -> Option<(f64, f
     sought.is_finite().then_some((limit * scale, sought))
 }
 
-/// Returns the value that a scene has for an unknown.
+/// Returns the value of an unknown in a scene.
 pub(super) fn value(system: &System, unknown: Unknown) -> Option<f64> {
     let scene = system.scene();
     Some(match unknown {
@@ -159,7 +159,7 @@ pub(super) fn changed(system: &System, unknowns: &[Unknown], values: &[f64]) -> 
 pub(super) enum Direction {
     /// The friction force, N.
     Friction,
-    /// A factor on all frequencies, at the value 1.
+    /// A factor on all frequencies, whose value is 1.
     Frequencies,
     /// A number of the description.
     Quantity(Quantity),

@@ -25,15 +25,15 @@ pub struct Datum {
     pub mass: usize,
     /// Order n of the harmonic.
     pub harmonic: u32,
-    /// Complex amplitude X_n over the amplitude of the load (m/m or m/N), with τ = 0 at a maximum of the load.
+    /// Complex amplitude X_n over the amplitude of the load, in m/m or m/N. τ = 0 is a maximum of the load.
     pub value: Complex<f64>,
     /// Standard deviation of the real part, and of the imaginary part, from the noise of the mass's own channel.
     pub deviation: f64,
 }
 
 impl Observation {
-    /// Creates the observation from the steady interval of a recording. It has the fundamental of each mass, and the
-    /// odd harmonics up to `harmonics`.
+    /// Creates the observation from the steady interval of a recording. It contains the fundamental of each mass, and
+    /// the odd harmonics up to order `harmonics`.
     #[must_use]
     pub fn of(measured: &Measured, system: &System, harmonics: u32) -> Self {
         let amplitude = measured.drive_amplitude();
@@ -61,7 +61,7 @@ impl Observation {
     }
 }
 
-/// The quantities of a motion that are compared.
+/// The quantities of a motion that a fit compares.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
 pub enum Using {
     /// Amplitude and phase.
@@ -69,14 +69,14 @@ pub enum Using {
     Complex,
     /// The amplitude alone.
     Amplitude,
-    /// The phase alone. The amplitude only needs to be plausible.
+    /// The phase. The amplitude only serves to check that the motion is plausible.
     Phase,
-    /// The phase alone, for motions whose amplitude was not measured. Only the argument of [`Datum::value`] matters.
+    /// The phase, for motions without a measured amplitude. The code uses only the argument of [`Datum::value`].
     PhaseAlone,
 }
 
 impl Using {
-    /// Returns true if only phases are compared.
+    /// Returns true if the fit compares only phases.
     pub(super) fn is_phase(self) -> bool {
         matches!(self, Self::Phase | Self::PhaseAlone)
     }

@@ -3,7 +3,7 @@
 use super::observation::Using;
 use crate::study::{System, sensitivity::Quantity};
 
-/// An unknown that is fitted together with the friction force.
+/// An unknown that the call fits together with the friction force.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Unknown {
     /// Ratio μ of static to kinetic friction. Only motions with stops depend on it.
@@ -17,7 +17,7 @@ pub enum Unknown {
 }
 
 impl Unknown {
-    /// Returns the symbol of the unknown, with the names of the description.
+    /// Returns the symbol of the unknown, with the names in the description.
     #[must_use]
     pub fn symbol(&self, system: &System) -> String {
         match self {
@@ -36,11 +36,11 @@ impl Unknown {
 /// Options of an identification.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct IdentifyRequest {
-    /// The quantities of each motion that are compared.
+    /// The quantities of each motion that the fit compares.
     pub using: Using,
-    /// The unknowns that are fitted together with the friction force.
+    /// The unknowns that the call fits together with the friction force.
     pub unknowns: Vec<Unknown>,
-    /// Range of the friction forces to scan, N. With `None` the range ends at the force at which the contact is stuck
-    /// at every frequency.
+    /// Range of the friction forces for the scan, in N. `None` selects the range up to the force at which the contact
+    /// is stuck at every frequency.
     pub range: Option<(f64, f64)>,
 }

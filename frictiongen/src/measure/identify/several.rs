@@ -12,7 +12,7 @@ use crate::measure::statistics::{NORMAL, excess, is_chance};
 use crate::study::{System, sensitivity::Quantity};
 use nalgebra::{DMatrix, DVector};
 
-/// Step of a finite difference, relative to the value. It is used if no exact derivative exists.
+/// Step of a finite difference, relative to the value. The fit uses it if no exact derivative exists.
 const DIFFERENCE: f64 = 1e-6;
 /// Starting value of the damping ratio if the scene has no damping.
 const SOME_DAMPING: f64 = 0.01;
@@ -29,7 +29,7 @@ fn bounds(unknown: Unknown, start: f64) -> (f64, f64) {
     }
 }
 
-/// Returns the variables whose derivatives add up to the derivative with respect to an unknown.
+/// Returns the variables of derivatives whose sum is the derivative with respect to an unknown.
 fn directions(unknown: Unknown, masses: usize) -> Vec<Direction> {
     match unknown {
         Unknown::Stiction => vec![Direction::Quantity(Quantity::Stiction)],
@@ -115,8 +115,8 @@ impl SeveralFit<'_, '_> {
         Some(DVector::from_vec(all))
     }
 
-    /// Returns the derivatives of the residuals by finite differences. They replace dual numbers where an event is
-    /// about to appear or vanish.
+    /// Returns the derivatives of the residuals by finite differences. The fit uses them where dual numbers give no
+    /// derivative, because an event is about to appear or vanish.
     fn difference(&self, parameters: &[f64], index: usize) -> Option<DVector<f64>> {
         let value = *parameters.get(index)?;
         let step = DIFFERENCE * value.abs().max(DIFFERENCE);

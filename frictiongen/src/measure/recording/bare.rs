@@ -1,17 +1,17 @@
-//! Reads records without a line of column names: PEER AT2, and columns of numbers alone.
+//! Reads records without a line of column names: PEER AT2 records, and columns that contain only numbers.
 
 use super::channel::Channel;
 use super::csv::{CsvRequest, CsvTable};
 use super::unit::Unit;
 use crate::measure::MeasureError;
 
-/// The formats that a recording may have, as text for a message.
+/// The possible formats of a recording, as text for a message.
 const FORMATS: &str = "CSV with a line of names and units, columns of numbers alone with --channel NAME=COLUMN:UNIT, and PEER AT2 in g";
 
-/// Number of lines among which the counts of an AT2 record stand.
+/// Number of lines among which an AT2 record has its number of samples and its time step.
 const HEADER: usize = 6;
 
-/// Parses a finite number. A decimal comma counts as a point if `comma` is true.
+/// Parses a finite number. If `comma` is true, the number may have a decimal comma.
 pub(super) fn number(cell: &str, comma: bool) -> Option<f64> {
     let point = || cell.replacen(',', ".", 1);
     let parsed = cell.parse().ok();
@@ -19,8 +19,8 @@ pub(super) fn number(cell: &str, comma: bool) -> Option<f64> {
     parsed.filter(|value: &f64| value.is_finite())
 }
 
-/// Returns the cells of a line of numbers. `None` if a cell is not a number. Cells are separated by semicolons, tabs or
-/// blanks, with decimal points or commas, or by commas if `commas_separate` is true.
+/// Returns the cells of a line of numbers, or `None` if a cell is not a number. If `commas_separate` is true, commas
+/// separate the cells. Otherwise semicolons, tabs or blanks separate them, and numbers may have decimal commas.
 fn cells(line: &str, commas_separate: bool) -> Option<Vec<f64>> {
     let words: Vec<&str> = if line.contains(';') {
         line.split(';').map(str::trim).collect()
@@ -33,10 +33,10 @@ fn cells(line: &str, commas_separate: bool) -> Option<Vec<f64>> {
     words.into_iter().map(|word| number(word, comma)).collect()
 }
 
-/// Reads columns of numbers alone. `None` if the first line is not a line of numbers. Without a rate, the first of
-/// several columns contains the time in s.
+/// Reads columns that contain only numbers. Returns `None` if the first line is not a line of numbers. Without a rate,
+/// the first of several columns contains the time in s.
 ///
-/// A line such as `0,5` has one number with a decimal comma if the rate is given, and two numbers otherwise.
+/// If the rate is given, a line such as `0,5` is one number with a decimal comma. Otherwise it is two numbers.
 pub(super) fn columns(text: &str, rate: Option<f64>) -> Result<Option<CsvTable>, MeasureError> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let lines = text.lines().map(str::trim).enumerate();
@@ -83,7 +83,8 @@ pub(super) fn columns(text: &str, rate: Option<f64>) -> Result<Option<CsvTable>,
     Ok(Some(table))
 }
 
-/// Returns the error for a text of which no line of numbers was read: where reading stopped, and the possible formats.
+/// Returns the error for a text without a line of numbers. The message says where reading stopped, and names the
+/// possible formats.
 pub(super) fn foreign(text: &str, error: MeasureError) -> MeasureError {
     let (line, what) = match &error {
         MeasureError::Format { line, what } => (*line, what.clone()),
@@ -112,7 +113,7 @@ pub(super) fn foreign(text: &str, error: MeasureError) -> MeasureError {
     }
 }
 
-/// The header of an AT2 record.
+/// Header of an AT2 record.
 struct At2 {
     /// Number of lines before the first sample.
     lines: usize,
@@ -120,8 +121,8 @@ struct At2 {
     step: f64,
 }
 
-/// Returns the header of an AT2 record, which has a line such as `NPTS= 4000, DT= .0050 SEC`, or the older
-/// `4000 .0050 NPTS, DT`.
+/// Returns the header of an AT2 record, or `None` if the text has none. The header has a line such as `NPTS= 4000, DT=
+/// .0050 SEC`, or the older form `4000 .0050 NPTS, DT`.
 fn header(text: &str) -> Option<Result<At2, MeasureError>> {
     let lines = text.lines().take(HEADER).enumerate();
     let mut counted = lines.filter(|(_, line)| {
@@ -162,7 +163,7 @@ fn header(text: &str) -> Option<Result<At2, MeasureError>> {
     }
 }
 
-/// Reads a PEER AT2 record, the acceleration of the base in g. `None` if the text has no line with NPTS and DT.
+/// Reads a PEER AT2 record, the acceleration of the base in g. Returns `None` if the text has no line with NPTS and DT.
 pub(super) fn at2(
     text: &str,
     request: &CsvRequest,

@@ -9,28 +9,29 @@ use std::f64::consts::PI;
 const FEWEST: usize = 16;
 /// Number of equal successive samples that count as a flat interval.
 const FLAT: usize = 4;
-/// Number of flat intervals that count as clipping. Fewer may be chance.
+/// Number of flat intervals that count as clipping. A smaller number may be due to chance.
 const PLACES: i32 = 2;
-/// Time before a flat interval over which the slope of the signal is taken, in cycles.
+/// Length of the interval before a flat interval from which the code computes the slope of the signal, in cycles.
 const BEFORE: f64 = 0.02;
 /// Smallest slope before a flat interval at which clipping is possible, as a fraction of the largest slope in a cycle.
 const STEEP: f64 = 0.1;
-/// Smallest ratio of two slopes that indicates clipping. It is the slope just before a flat interval, divided by the
-/// slope over twice that distance. Before a stop the ratio is a half, because the motion reaches a stop along a
+/// Smallest ratio of two slopes that indicates clipping. The ratio is the slope just before a flat interval, divided by
+/// the slope over twice that distance. Before a stop of the contact the ratio is a half, because the motion is then a
 /// parabola. Before clipping the ratio is nearly 1. For a sinusoid clipped at 0.99 of its amplitude it is 0.75.
 const STRAIGHT: f64 = 0.7;
-/// Largest acceleration next to a flat interval of rounded samples, as a multiple of ω²A. With an acceleration a, the
-/// slope of the parabola next to the interval is √(2ag/A), where g is the distance to the next rounded value.
+/// Largest acceleration next to a flat interval that rounding of the samples can cause, as a multiple of ω²A. With the
+/// acceleration a, the slope of the parabola next to the interval is √(2ag/A), where g is the distance to the next
+/// rounded value.
 const HARD: f64 = 10.0;
 
-/// Fails unless the channels form a usable recording: enough finite samples, no constant and no clipped channel.
+/// Fails unless the channels are a usable recording: enough finite samples, no constant channel and no clipped channel.
 pub(super) fn channels(channels: &[Channel]) -> Result<(), MeasureError> {
     form(channels, FEWEST)?;
     channels.iter().try_for_each(samples)
 }
 
-/// Fails unless there are channels with distinct names, all with the same number of finite samples, which is at least
-/// `fewest`.
+/// Fails unless there is a channel, all names are distinct, and all samples are finite. All channels must have the same
+/// number of samples, at least `fewest`.
 pub(super) fn form(channels: &[Channel], fewest: usize) -> Result<(), MeasureError> {
     let Some(first) = channels.first() else {
         return Err(MeasureError::TooShort {
@@ -92,9 +93,10 @@ fn samples(channel: &Channel) -> Result<(), MeasureError> {
     Ok(())
 }
 
-/// Returns the fraction of the samples that are clipped at the value `extreme`. `None` if the channel is not clipped.
+/// Returns the fraction of the samples that are clipped at the value `extreme`. Returns `None` if the channel is not
+/// clipped.
 ///
-/// A signal is also flat at an extreme if its samples are rounded or if the contact stops. In these cases the signal
+/// Rounding of the samples or a stop of the contact also makes a signal flat at an extreme. In these cases the signal
 /// approaches the extreme slowly.
 fn clipped(values: &[f64], extreme: f64, middle: f64) -> Option<f64> {
     let crossings = values

@@ -11,9 +11,9 @@ use std::fmt::Write as _;
 /// Information about a CSV file that the file itself does not contain, such as the sampling rate.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct CsvRequest {
-    /// Sampling rate, samples per second. It is needed if no column contains the time.
+    /// Sampling rate, in samples per second. It is necessary if no column contains the time.
     pub rate: Option<f64>,
-    /// The columns to read, with their meaning. If the list is empty, every column is read under its own name.
+    /// The columns to read, with their meaning. An empty list selects every column, under its own name.
     pub columns: Vec<Column>,
 }
 
@@ -24,7 +24,7 @@ pub struct Column {
     pub name: String,
     /// Name of the column in the file, or its number from 1.
     pub column: String,
-    /// Unit of the column. With `None` the column's name in the file must contain the unit.
+    /// Unit of the column. If it is `None`, the column's name in the file must contain the unit.
     pub unit: Option<Unit>,
 }
 
@@ -39,7 +39,8 @@ pub(crate) struct CsvTable {
 }
 
 impl CsvTable {
-    /// Reads a table: a line of names, optionally a line of units, then numbers. Lines that begin with # are skipped.
+    /// Reads a table: a line of names, optionally a line of units, then numbers. The function ignores lines that begin
+    /// with #.
     pub(crate) fn read(text: &str) -> Result<Self, MeasureError> {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let mut lines = text
@@ -137,7 +138,7 @@ impl CsvTable {
             .collect()
     }
 
-    /// Returns the index of a column. `asked` is its name, or its number as text.
+    /// Returns the index of a column. `asked` is the name of the column, or its number as text.
     fn place(&self, asked: &str) -> Option<usize> {
         let named = |name: &String| name == asked || Unit::split(name).0 == asked;
         let by_number = || asked.parse::<usize>().ok()?.checked_sub(1);
@@ -149,7 +150,7 @@ impl CsvTable {
     }
 }
 
-/// Returns the signal that a column name refers to. It is the name without its unit and without an ending such as
+/// Returns the name of the signal in a column. It is the column's name without its unit and without an ending such as
 /// `.displacement`.
 fn subject(name: &str) -> &str {
     let kinds = [".displacement", ".velocity", ".acceleration", ".amplitude"];
@@ -189,7 +190,8 @@ impl Recording {
         Self::inputs(rate, channels)
     }
 
-    /// Returns the recording as a CSV that [`from_csv`](Self::from_csv) reads back, every number with all its digits.
+    /// Returns the recording as CSV text with all digits of every number. [`from_csv`](Self::from_csv) reads the same
+    /// recording from it.
     #[must_use]
     pub fn to_csv(&self) -> String {
         let mut text = String::from("time_s");

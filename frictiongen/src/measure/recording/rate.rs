@@ -2,12 +2,12 @@
 
 use crate::measure::MeasureError;
 
-/// Largest difference between two time steps that still count as even, as a fraction of the mean step. A clock with six
-/// digits causes such differences by rounding.
+/// Largest difference between two time steps that count as equal, as a fraction of the mean step. The rounding of a
+/// clock with six digits causes such differences.
 const EVEN: f64 = 1e-2;
 
-/// Returns the sampling rate of times in s. Fails if the times are not evenly spaced. `place` names a sample in the
-/// error.
+/// Returns the sampling rate of times in s. Fails if the times are not evenly spaced. `place` returns the name of a
+/// sample for the error.
 pub(super) fn even_rate(
     time: &[f64],
     place: impl Fn(usize) -> String,

@@ -1,4 +1,4 @@
-//! Recordings: signals that were sampled at the same times.
+//! Recordings: several signals, sampled at the same times.
 
 use super::channel::Channel;
 use super::{check, rate};
@@ -6,8 +6,8 @@ use crate::measure::MeasureError;
 
 /// A recording: evenly spaced samples of several channels.
 ///
-/// The constructors reject a recording that cannot be used: one without samples, with values that are not finite, or
-/// with a channel that never changes or is clipped.
+/// The constructors reject an unusable recording: one without samples, with values that are not finite, or with a
+/// channel that never changes or is clipped.
 ///
 /// ```
 /// use frictiongen::measure::{CsvRequest, MeasureError, Recording};
@@ -48,8 +48,8 @@ impl Recording {
         Ok(Self { rate, channels })
     }
 
-    /// Returns the sampling rate, in samples per second, from the times of the samples in s. The times are evenly
-    /// spaced except for the rounding of a clock.
+    /// Returns the sampling rate, in samples per second, from the times of the samples in s. The times must be evenly
+    /// spaced, apart from the rounding of a clock.
     ///
     /// ```
     /// use frictiongen::measure::Recording;
@@ -83,7 +83,7 @@ impl Recording {
         &self.channels
     }
 
-    /// Returns the channel with the given name. `None` if there is no such channel.
+    /// Returns the channel with the given name, or `None` if no channel has this name.
     #[must_use]
     pub fn channel(&self, name: &str) -> Option<&Channel> {
         self.channels.iter().find(|channel| channel.name == name)
@@ -97,7 +97,7 @@ impl Recording {
             .map_or(0, |channel| channel.samples.len())
     }
 
-    /// Returns true if the recording has no samples, which is never the case.
+    /// Returns false, because a recording always has samples.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.len() == 0

@@ -2,7 +2,7 @@
 //! for each channel.
 //!
 //! No crate reads this format. The reader accepts real data, evenly or unevenly spaced, in single or double precision.
-//! The writer writes evenly spaced data in double precision. The format keeps 13 digits of a sample and 6 digits of
+//! The writer writes evenly spaced data in double precision. A file contains 13 digits of each sample and 6 digits of
 //! the time step.
 
 use super::{Channel, Column, CsvRequest, Dimension, Recording, Unit};
@@ -13,7 +13,7 @@ use std::fmt::Write as _;
 const TIME_RESPONSE: i64 = 1;
 /// Abscissa type 17: time.
 const TIME: i64 = 17;
-/// Largest relative difference of two time steps that count as equal. The file has six digits of the times.
+/// Largest relative difference of two time steps that count as equal. The file contains six digits of each time.
 const SAME: f64 = 2e-5;
 
 /// One data set of the file. It contains one channel.
@@ -47,8 +47,8 @@ impl<'t> FileLines<'t> {
     }
 }
 
-/// Returns the characters of a line between two columns, without blanks. A line that ends earlier gives fewer
-/// characters.
+/// Returns the characters of a line between two columns, without blanks. If the line ends earlier, the result is
+/// shorter.
 fn field(line: &str, from: usize, to: usize) -> &str {
     line.get(from..to.min(line.len())).unwrap_or("").trim()
 }
@@ -174,7 +174,7 @@ impl Recording {
     }
 }
 
-/// Returns the first ten characters of a name, which is the width of the entity field.
+/// Returns the first ten characters of a name. The entity field has this width.
 fn short(name: &str) -> String {
     name.chars().take(10).collect()
 }
@@ -192,7 +192,8 @@ fn exponential(value: f64, digits: usize) -> String {
     format!("{mantissa}E{sign}{size:0>2}")
 }
 
-/// Reads the next data set 58. Returns `None` if its function is not a function of time, or is not requested.
+/// Reads the next data set 58. Returns `None` if it contains no function of time, or if the request does not include
+/// it.
 fn set(lines: &mut FileLines<'_>, request: &CsvRequest) -> Result<Option<Set>, MeasureError> {
     let line = lines.last;
     let title = lines.next()?.trim().to_owned();
@@ -260,7 +261,7 @@ fn set(lines: &mut FileLines<'_>, request: &CsvRequest) -> Result<Option<Set>, M
     }))
 }
 
-/// Reads the numbers up to the end of the data set. A number occupies 13 or 20 characters, mostly with blanks in
+/// Reads the numbers up to the end of the data set. A number occupies 13 or 20 characters, usually with blanks in
 /// between.
 fn values(lines: &mut FileLines<'_>) -> Result<Vec<f64>, MeasureError> {
     let mut values = Vec::new();
@@ -276,8 +277,8 @@ fn values(lines: &mut FileLines<'_>) -> Result<Vec<f64>, MeasureError> {
     }
 }
 
-/// Returns the numbers of a line as text. A negative number may follow without a blank. The end of the previous
-/// exponent then separates the two numbers.
+/// Returns the numbers of a line as text. No blank may separate a negative number from the previous one. The end of the
+/// previous exponent then separates the two numbers.
 fn cells(line: &str) -> impl Iterator<Item = &str> {
     line.split_whitespace().flat_map(|word| {
         let mut parts = Vec::new();

@@ -36,7 +36,7 @@ const GRAVITY: f64 = 9.806_65;
 
 use Dimension::{Acceleration, Displacement, Force, Time, Velocity};
 
-/// All known units: spelling, ending of a column's name, quantity, and size in SI units.
+/// All known units: name, ending of a column's name, quantity, and size in SI units.
 pub(super) const UNITS: [(&str, &str, Dimension, f64); 15] = [
     ("m", "m", Displacement, 1.0),
     ("cm", "cm", Displacement, 1e-2),
@@ -80,7 +80,7 @@ impl Unit {
         }
     }
 
-    /// Returns the spelling of this unit, for example `mm/s2`.
+    /// Returns the name of this unit, for example `mm/s2`.
     #[must_use]
     pub fn name(&self) -> &'static str {
         self.name
@@ -98,7 +98,7 @@ impl Unit {
         self.scale
     }
 
-    /// Returns the spellings of all known units as one text, for messages.
+    /// Returns the names of all known units as one text, for messages.
     #[must_use]
     pub fn known() -> String {
         UNITS.map(|unit| unit.0).join(", ")

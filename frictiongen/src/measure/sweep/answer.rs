@@ -7,14 +7,14 @@ use crate::study::System;
 /// Frequencies, mass and stiffness ratios, and damping, found in a sweep without friction.
 #[derive(Clone, Debug)]
 pub struct SweepFit {
-    /// Reference frequency √(k₁/m₁)/2π, Hz. The frequency ratio r is the frequency over the reference frequency. With
-    /// one storey the reference frequency is the natural frequency (4.1).
+    /// Reference frequency √(k₁/m₁)/2π, in Hz. The frequency ratio r is the frequency divided by the reference
+    /// frequency. With one storey the reference frequency is the natural frequency (4.1).
     pub reference: Estimate,
     /// Mass ratios γ_i = m_i/m₁, from the second mass on.
     pub masses: Vec<Estimate>,
     /// Stiffness ratios κ_e = k_e/k₁, from the second spring on.
     pub springs: Vec<Estimate>,
-    /// The damping ratio ζ of all modes. `None` if no damping was requested.
+    /// The damping ratio ζ of all modes, or `None` if the request does not include damping.
     pub damping: Option<Estimate>,
     /// The natural frequencies of the fitted scene, Hz.
     pub natural: Vec<Estimate>,
@@ -34,7 +34,7 @@ pub struct SweepFit {
 
 impl SweepFit {
     /// Returns true if the given deviations of the points explain the residuals. Without deviations or degrees of
-    /// freedom the residuals cannot be judged, and the result is true.
+    /// freedom nothing contradicts the fit, and the result is true.
     #[must_use]
     pub fn is_explained(&self) -> bool {
         is_chance(self.misfit, self.freedom)

@@ -1,32 +1,33 @@
-//! Finds starting points for the fit to a sweep, and fits from them.
+//! Finds starting points for the fit to a sweep, and makes the fits.
 
 use super::model::{AmplitudeScale, Sweep};
 use crate::measure::MeasureError;
 use crate::measure::least_squares::{Fit, minimise};
 
-/// Range of the factors by which the scene's own frequencies are multiplied in the starting points.
+/// Range of the factors by which the starting points multiply the scene's own frequencies.
 const FACTORS: [f64; 2] = [0.5, 2.0];
-/// Number of intervals into which the range of frequency factors is divided.
+/// Number of intervals of equal length in this range.
 const TRIED: u32 = 40;
-/// Factors by which the starting points multiply the scene's own mass and stiffness ratios: `TWO` for two storeys,
-/// `THREE` for three.
+/// Factors by which the starting points multiply the scene's own mass and stiffness ratios. `TWO` is for two storeys,
+/// and `THREE` for three.
 const TWO: [f64; 7] = [0.3, 0.5, 0.7, 1.0, 1.4, 2.0, 3.3];
 const THREE: [f64; 3] = [0.7, 1.0, 1.4];
-/// Number of starting points from which a fit runs. They are those with the smallest sums of squares.
+/// Number of starting points from which the code makes a fit. They have the smallest sums of squares.
 const STARTS: usize = 6;
-/// Misfit below which a fit from the scene's own parameters is accepted: sum of squared residuals over the degrees of
-/// freedom.
+/// Misfit below which the code accepts a fit from the scene's own parameters. The misfit is the sum of squared
+/// residuals over the degrees of freedom.
 const GOOD: f64 = 2.0;
-/// Factors by which each parameter of the best fit is multiplied for further starting points. The fit repeats this at
-/// most [`ROUNDS`] times, as long as the result improves.
+/// Factors by which the code multiplies each parameter of the best fit to get further starting points. The code repeats
+/// this at most [`ROUNDS`] times, as long as the result improves.
 const HOPS: [f64; 4] = [0.97, 0.99, 1.01, 1.03];
 const ROUNDS: usize = 4;
 const BETTER: f64 = 0.999;
-/// Relative distance from the best fit within which another fit ends early, because it leads to the best fit again.
+/// Relative distance from the best fit within which another fit ends early. Such a fit would lead to the best fit
+/// again.
 const BACK: f64 = 1e-5;
 
 impl Sweep<'_> {
-    /// Returns the starting points of a fit, the best first.
+    /// Returns the starting points of a fit, beginning with the best.
     fn starts(&self) -> Vec<Vec<f64>> {
         let own = self.start();
         let ratios = own.len() - 1 - usize::from(self.damping);

@@ -1,4 +1,4 @@
-//! Converts a fit to the result with its 95 % intervals.
+//! Converts a fit to the result with 95 % intervals.
 
 use super::answer::SweepFit;
 use super::model::Sweep;
@@ -10,7 +10,7 @@ use crate::measure::{MeasureError, SweepPoint};
 use crate::study::units::hertz;
 use nalgebra::DVector;
 
-/// Fraction of the amplitudes. If a larger fraction remains unexplained, the fit counts as failed.
+/// Fraction of the amplitudes that may remain unexplained. If more remains, the fit has failed.
 const GROSS: f64 = 0.5;
 /// Step of a finite difference, relative to the parameter that it changes.
 const DIFFERENCE: f64 = 1e-6;

@@ -12,7 +12,7 @@ use frictiongen_kernel::{Float, Scalar};
 use frictiongen_model::modal::Modal;
 use nalgebra::{DMatrix, DVector};
 
-/// Bound on the difference of the logarithms of two amplitudes. A larger difference counts as equal to the bound.
+/// Bound on the difference of the logarithms of two amplitudes. The fit replaces a larger difference by this bound.
 const FAR: f64 = 3.0;
 /// Starting value of the damping ratio if the scene has no damping.
 const SOME_DAMPING: f64 = 0.005;
@@ -70,7 +70,7 @@ impl<'a> Sweep<'a> {
             .map_or(1.0, |spring| spring.stiffness)
     }
 
-    /// Returns the scene with the given parameters. `None` if the scene is then invalid.
+    /// Returns the scene with the given parameters. Returns `None` if the scene is then invalid.
     pub(super) fn at(&self, parameters: &[f64]) -> Option<System> {
         let mut scene = self.system.scene().clone();
         let factor = *parameters.first()?;
@@ -88,8 +88,8 @@ impl<'a> Sweep<'a> {
         System::try_from(scene).ok()
     }
 
-    /// Returns the quantities of the description that a parameter changes, each with its factor. The first parameter
-    /// changes r instead, so that its list is empty.
+    /// Returns the quantities of the description that a parameter changes, each with its factor. The list of the first
+    /// parameter is empty, because this parameter changes r.
     fn directions(&self, index: usize, system: &System) -> Vec<(Quantity, f64)> {
         let masses = self.masses();
         let scene = system.scene();
@@ -106,8 +106,8 @@ impl<'a> Sweep<'a> {
             .collect()
     }
 
-    /// Returns the complex amplitude of each point, for a scene whose frequencies are all higher by `factor`. `None`
-    /// on a resonance without damping.
+    /// Returns the complex amplitude of each point. The frequencies of the scene are multiplied by `factor`. Returns
+    /// `None` on a resonance without damping.
     pub(super) fn values(&self, system: &System, factor: f64) -> Option<Vec<Complex<f64>>> {
         let values = self.points.iter().map(|point| {
             let r = ratio(system, point) / factor;
@@ -186,7 +186,7 @@ impl<'a> Sweep<'a> {
     }
 }
 
-/// The form in which amplitudes are compared: the amplitudes themselves, or their logarithms.
+/// The form in which the fit compares amplitudes: the amplitudes themselves, or their logarithms.
 #[derive(Clone, Copy)]
 pub(super) enum AmplitudeScale {
     Plain,
@@ -198,7 +198,7 @@ fn ratio(system: &System, point: &SweepPoint) -> f64 {
     system.frequency_ratio(angular_frequency(point.hertz))
 }
 
-/// Rounds a dual number to double precision, which is enough for the steps of a fit.
+/// Rounds a dual number to double precision, which suffices for the steps of a fit.
 fn plain(number: Dual<Dd>) -> Dual<f64> {
     Dual {
         value: number.value.to_f64(),

@@ -1,4 +1,4 @@
-//! Measured amplitudes of a sweep, and the table from which they are read.
+//! Measured amplitudes of a sweep, and the table that contains them.
 
 use crate::measure::MeasureError;
 use crate::measure::recording::CsvTable;
@@ -13,13 +13,13 @@ pub struct SweepPoint {
     pub mass: usize,
     /// Amplitude |X/Y| for base motion, or |X/P| in m/N for a force.
     pub amplitude: f64,
-    /// Standard deviation of the amplitude. With `None`, all amplitudes have the same relative error, as in (6.16).
+    /// Standard deviation of the amplitude. If it is `None`, all amplitudes have the same relative error, as in (6.16).
     pub deviation: Option<f64>,
 }
 
 impl SweepPoint {
     /// Reads the points of a sweep from a table. Its columns are `frequency_Hz`, then `NAME.transmissibility` and
-    /// optionally `NAME.deviation` for each mass. Other columns and empty cells are ignored.
+    /// optionally `NAME.deviation` for each mass. The call ignores other columns and empty cells.
     ///
     /// # Errors
     /// [`MeasureError`] for a cell that is not a number, and for missing frequencies. [`MeasureError`] also for a mass

@@ -1,4 +1,4 @@
-//! Collects the columns of a table. Each call adds one column.
+//! Collects the columns of a table. Each call of a method adds one column.
 
 use super::cell::Cell;
 use super::column::{Axis, Column, Head, Kind, ReadCell, Row, Shown};
@@ -29,35 +29,35 @@ impl<'a, R: Row + 'a> Columns<'a, R> {
         }
     }
 
-    /// Returns the system of units in which the columns print their numbers.
+    /// Returns the system of units of the columns.
     #[must_use]
     pub fn measure(&self) -> &Measure {
         &self.measure
     }
 
-    /// Sets the contact or mass to which the columns added after this call belong.
+    /// Sets the contact or mass of the columns that later calls add.
     pub fn begin_part(&mut self, part: &str) {
         self.part = Some(part.to_owned());
         self.order = None;
     }
 
-    /// Ends the columns of a contact or mass. Columns added after this call belong to the whole row.
+    /// Ends the columns of a contact or mass. Columns that later calls add belong to the whole row.
     pub fn end_parts(&mut self) {
         self.part = None;
         self.order = None;
     }
 
-    /// Sets the order of the harmonic to which the columns added after this call belong.
+    /// Sets the order of the harmonic of the columns that later calls add.
     pub fn begin_harmonic(&mut self, order: u32) {
         self.order = Some(order);
     }
 
-    /// Sets the outputs (text, CSV, JSON, Python) that contain the columns added after this call.
+    /// Sets the outputs (text, CSV, JSON, Python) of the columns that later calls add.
     pub fn show(&mut self, shown: Shown) {
         self.shown = shown;
     }
 
-    /// Sets the arguments, frequency or friction, on which the columns added after this call depend.
+    /// Sets the arguments, frequency or friction, on which the columns that later calls add depend.
     pub fn along(&mut self, axis: Axis) {
         self.axis = axis;
     }
@@ -74,9 +74,8 @@ impl<'a, R: Row + 'a> Columns<'a, R> {
         self.push(head, Kind::Number, Box::new(move |row| convert(row).into()));
     }
 
-    /// Adds a column of numbers that are only known to lie within an interval. `width` returns the width of the
-    /// interval. `read` and `width` return non-dimensional groups. Without a width, or with the width 0, all digits are
-    /// valid.
+    /// Adds a column of numbers that are known only to lie within an interval. `width` returns the width of the
+    /// interval. `read` and `width` return non-dimensional groups. If the width is missing or 0, all digits are valid.
     pub fn number_within(
         &mut self,
         head: impl Into<Head>,
@@ -175,15 +174,15 @@ impl<'a, R: Row + 'a> Columns<'a, R> {
     }
 
     /// Sets the function that returns the derivatives of an earlier column's values. `before` is the number of columns
-    /// after that column.
+    /// after this earlier column.
     pub fn moves_before(&mut self, before: usize, of: impl Fn(&R) -> Option<&Sensed> + 'a) {
         if let Some(column) = self.all.iter_mut().rev().nth(before) {
             column.moves = Some(Box::new(of));
         }
     }
 
-    /// Sets the condition for a line of the last column. An answer printed as lines has this line only if the condition
-    /// is true.
+    /// Sets the condition for a line of the last column. Only an output as lines uses it. The output then contains the
+    /// line only if the condition is true.
     pub fn say_if(&mut self, says: impl Fn(&R) -> bool + 'a) {
         if let Some(last) = self.all.last_mut() {
             last.says = Some(Box::new(says));
@@ -219,7 +218,7 @@ impl<'a, R: Row + 'a> Columns<'a, R> {
         });
     }
 
-    /// Returns all columns that were added, from left to right.
+    /// Returns all columns, from left to right.
     #[must_use]
     pub fn done(self) -> Vec<Column<'a, R>> {
         self.all

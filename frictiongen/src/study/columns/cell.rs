@@ -7,7 +7,7 @@ use std::borrow::Cow;
 pub enum Cell<'a> {
     /// A number. It is never NaN and never −0.
     Number(f64),
-    /// A number that is only known to lie within an interval of this width. A printed table shows only its valid
+    /// A number that is known only to lie within an interval of this width. A printed table shows only its valid
     /// digits.
     Within {
         /// The number.

@@ -10,8 +10,8 @@ use std::borrow::Cow;
 pub enum Kind<'a> {
     /// Numbers.
     Number,
-    /// Numbers that the user gave. The slice contains all of them. A printed table takes the number of decimals from
-    /// the slice.
+    /// Numbers that the user gave. The slice contains all of them, so that a printed table can choose the number of
+    /// decimals.
     Given(&'a [f64]),
     /// Counts.
     Count,
@@ -64,7 +64,7 @@ pub struct Head {
 }
 
 impl Head {
-    /// Makes the head of a column of ratios or words.
+    /// Creates the head of a column of ratios or words.
     #[must_use]
     pub fn new(name: impl Into<Cow<'static, str>>) -> Self {
         Self {
@@ -76,7 +76,7 @@ impl Head {
         }
     }
 
-    /// Makes the head of a column of this physical quantity.
+    /// Creates the head of a column of this physical quantity.
     #[must_use]
     pub fn of(name: impl Into<Cow<'static, str>>, dimension: Dimension) -> Self {
         Self {
@@ -94,7 +94,7 @@ impl Head {
         }
     }
 
-    /// Sets the name that the column has in Python. It is needed for a name that is a reserved word in Python.
+    /// Sets another name of the column for Python. It is necessary if the name is a reserved word in Python.
     #[must_use]
     pub fn attribute(self, name: &'static str) -> Self {
         Self {
@@ -123,7 +123,7 @@ impl From<&'static str> for Head {
 /// Function that reads a column's cell from a row.
 pub(super) type ReadCell<'a, Row> = Box<dyn for<'r> Fn(&'r Row) -> Cell<'r> + 'a>;
 
-/// Function that returns true if an answer printed as lines contains a line for this value.
+/// Function that returns true if an output as lines contains a line for this value.
 type Says<'a, Row> = Box<dyn Fn(&Row) -> bool + 'a>;
 
 /// Function that returns a value's derivatives with respect to the parameters.
@@ -143,11 +143,11 @@ pub struct Column<'a, Row> {
     pub kind: Kind<'a>,
     /// The arguments on which the values depend.
     pub axis: Axis,
-    /// The outputs that have the column.
+    /// The outputs that contain the column.
     pub shown: Shown,
     pub(super) name: String,
     pub(super) attribute: Option<&'static str>,
-    /// Unit of the numbers. A displacement without a load has the reference length `P/k1` or `Y` instead.
+    /// Unit of the numbers. For a displacement without a load it is the reference length, `P/k1` or `Y`.
     pub(super) of_what: &'static str,
     pub(super) read: ReadCell<'a, Row>,
     pub(super) says: Option<Says<'a, Row>>,
@@ -160,8 +160,8 @@ impl<Row> Column<'_, Row> {
         (self.read)(row)
     }
 
-    /// Returns true if an answer printed as lines contains a line for this value. A line may be omitted, for example
-    /// for a bound that was not reached.
+    /// Returns true if an output as lines contains a line for this value. It omits, for example, a bound that was not
+    /// reached.
     pub fn says(&self, row: &Row) -> bool {
         self.says.as_ref().is_none_or(|says| says(row))
     }
@@ -177,8 +177,8 @@ impl<Row> Column<'_, Row> {
         self.moves.as_ref()?(row)
     }
 
-    /// Returns the unit of the numbers, for example `m`. A displacement without a load has the reference length `P/k1`
-    /// or `Y` instead.
+    /// Returns the unit of the numbers, for example `m`. For a displacement without a load it is the reference length,
+    /// `P/k1` or `Y`.
     #[must_use]
     pub fn of_what(&self) -> &'static str {
         self.of_what
@@ -209,7 +209,7 @@ impl<Row> Column<'_, Row> {
         }
     }
 
-    /// Returns the name of the column in Python. It is the key, unless the key is a reserved word in Python.
+    /// Returns the name of the column in Python. It is the key, unless the key is a reserved word of Python.
     #[must_use]
     pub fn attribute(&self) -> String {
         self.attribute.map_or_else(|| self.key(), str::to_owned)
@@ -233,7 +233,7 @@ impl<Row> Column<'_, Row> {
         !matches!(self.shown, Shown::Lines | Shown::Python)
     }
 
-    /// Returns true if Python's results contain the column.
+    /// Returns true if the results in Python contain the column.
     #[must_use]
     pub fn is_in_python(&self) -> bool {
         !matches!(self.shown, Shown::Lines | Shown::Json)
@@ -242,7 +242,8 @@ impl<Row> Column<'_, Row> {
 
 /// A row of a table.
 pub trait Row {
-    /// Returns the row's angular frequency ω in rad/s, which converts its velocities, accelerations and powers.
+    /// Returns the row's angular frequency ω in rad/s. The table needs it to convert velocities, accelerations and
+    /// powers.
     fn omega(&self) -> f64 {
         f64::NAN
     }

@@ -1,4 +1,4 @@
-//! Rows and columns of the table of curves along frequency.
+//! Rows and columns of the table of curves over frequency.
 
 use super::builder::Columns;
 use super::column::{Column, Head, Row};
@@ -16,22 +16,22 @@ use crate::study::{
 pub struct CurveRow {
     /// The friction of the curve, as ratio β and, under a load, as force in N.
     pub friction: Friction,
-    /// The start of the motions of the curve.
+    /// The initial state of the motions of the curve.
     pub start: CurveStart,
     /// Frequency of the excitation, as ratio r, in Hz and in rad/s.
     pub frequency: Frequency,
-    /// Number of the curve's piece, counted from 1 with ascending frequency. `None` in a gap.
+    /// Number of the curve's piece, counted from 1 in ascending order of frequency. `None` in a gap.
     pub piece: Option<usize>,
     /// The response at the point, or the reason for the gap.
     pub found: Result<CurvePoint, Error>,
 }
 
-/// The table of curves along frequency.
+/// The table of curves over frequency.
 #[derive(Clone, Copy)]
 pub struct CurveTable<'a> {
     /// System, units, and the contact or masses whose motions the table contains.
     pub setting: Setting<'a>,
-    /// True if the table has a column for the start of each curve.
+    /// True if the table has a column for the initial state of each curve.
     pub starts: bool,
     /// True if the table has columns for velocities and accelerations.
     pub rates: bool,
@@ -80,7 +80,7 @@ impl Moving for CurveRow {
 }
 
 impl<'a> CurveTable<'a> {
-    /// Returns the rows of one curve, with ascending frequency.
+    /// Returns the rows of one curve, in ascending order of frequency.
     #[must_use]
     pub fn rows(&self, friction: Friction, curve: &Curve) -> Vec<CurveRow> {
         let row = |r: f64, piece: Option<usize>, found: Result<CurvePoint, Error>| {

@@ -54,7 +54,7 @@ pub struct HistoryTable<'a> {
     pub in_seconds: bool,
 }
 
-/// A row that belongs to an instant.
+/// A row at one instant.
 trait Timed: Row {
     /// Returns the instant as phase τ = ωt.
     fn tau(&self) -> f64;
@@ -101,7 +101,7 @@ impl SpectrumRow<'_> {
 }
 
 impl<'a> HistoryTable<'a> {
-    /// Returns a value of the contact's or a mass's motion, with the sign that the table's units define.
+    /// Returns a value of the contact's or a mass's motion, with the sign that the units of the table define.
     #[must_use]
     pub fn signed(&self, of: Of, value: f64) -> f64 {
         // The subtraction avoids −0.

@@ -11,14 +11,14 @@ use crate::OutOfDomain;
 pub enum LimitsAsked {
     /// The exact limits β_lim and β*_lim.
     Exact,
-    /// The exact limits, and the estimates of β_lim in addition.
+    /// The exact limits, and the two bounds on β_lim.
     All,
     /// The limit β*_lim, and an upper bound on β_lim. The bound replaces the velocity constraint S by its limit for τ →
     /// 0.
     WithoutSearch,
 }
 
-/// A row: the limits at one frequency, as friction ratios. A limit is `None` if it was not requested.
+/// A row: the limits at one frequency, as friction ratios. A limit is `None` if the request does not include it.
 #[derive(Clone, Copy, Debug)]
 pub struct LimitsRow {
     /// Frequency of the excitation, as ratio r, in Hz and in rad/s.

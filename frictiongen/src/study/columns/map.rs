@@ -90,13 +90,14 @@ impl MapRow<'_> {
         self.found.as_ref().ok()
     }
 
-    /// Returns the point if its motion repeats. Otherwise the numbers of stops and reversals are undefined.
+    /// Returns the point if its motion repeats. Without a period, the numbers of stops and reversals are undefined.
     fn counted(&self) -> Option<&MapPoint> {
         self.point().filter(|point| 0 < point.pattern.period)
     }
 }
 
-/// Pairs the entries of a map with their frequencies, in order. A cancelled map lacks some frequencies.
+/// Pairs the entries of a map with their frequencies, in order. After a cancellation, a map has no entries for the last
+/// frequencies.
 fn placed<T>(
     frequencies: impl Iterator<Item = Frequency>,
     found: &[T],
@@ -110,7 +111,7 @@ fn placed<T>(
 }
 
 impl<'a> MapTable<'a> {
-    /// Returns the rows of a map at these frequencies and frictions, column by column.
+    /// Returns the rows of a map at these frequencies and frictions. The rows of one frequency follow each other.
     pub fn rows<'m>(
         map: &'m Map,
         frequencies: impl Iterator<Item = Frequency>,

@@ -8,12 +8,12 @@ use crate::study::{
 };
 use std::f64::consts::TAU;
 
-/// The physical quantity of a number, from which its unit follows.
+/// Physical quantity of a number. It determines the unit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Dimension {
     /// A ratio, or a number whose unit is in another column.
     One,
-    /// A displacement, in m under a load. Without a load the unit is P/k₁, for base motion Y.
+    /// A displacement, in m under a load. Without a load the unit is P/k₁ (Y for base motion).
     Length,
     /// A velocity, in m/s under a load, otherwise dx̄/dτ.
     Velocity,
@@ -21,11 +21,11 @@ pub enum Dimension {
     Acceleration,
     /// A phase, in degrees under a load and otherwise in rad.
     Angle,
-    /// A force, in N under a load. Without a load the unit is P, for base motion k₁Y.
+    /// A force, in N under a load. Without a load the unit is P (k₁Y for base motion).
     Force,
-    /// Mean power in W under a load. Without a load, the work in a cycle in units of P²/k₁, for base motion k₁Y².
+    /// Mean power in W under a load. Without a load, the work in a cycle in units of P²/k₁ (of k₁Y² for base motion).
     Power,
-    /// Energy of a cycle, in J under a load. Without a load the unit is P²/k₁, for base motion k₁Y².
+    /// Energy of a cycle, in J under a load. Without a load the unit is P²/k₁ (k₁Y² for base motion).
     Energy,
     /// A frequency, in Hz.
     Hertz,
@@ -80,14 +80,14 @@ impl Measure {
         }
     }
 
-    /// Returns the exponent n with which the load's amplitude falls over frequency, as ω⁻ⁿ. It is 0 without a load.
+    /// Returns the exponent n of the load, whose amplitude is proportional to ω⁻ⁿ. Without a load it is 0.
     #[must_use]
     pub fn fall(&self) -> i32 {
         self.load.map_or(0, |load| load.fall())
     }
 
-    /// Returns the units of length and force at an angular frequency in rad/s, if a load is given. For NaN it returns
-    /// those at r = 1.
+    /// Returns the units of length and force at an angular frequency in rad/s, or `None` without a load. For NaN it
+    /// returns those at r = 1.
     #[must_use]
     pub fn scale_at(&self, omega: f64) -> Option<LoadScale> {
         let factor = match self.fall() {
@@ -98,14 +98,14 @@ impl Measure {
         self.scale.map(|scale| scale.times(factor))
     }
 
-    /// Returns the units of length and force, if a load is given. A load whose amplitude depends on frequency has these
-    /// units at r = 1.
+    /// Returns the units of length and force, or `None` without a load. If the amplitude of the load depends on
+    /// frequency, these are the units at r = 1.
     #[must_use]
     pub fn scale(&self) -> Option<LoadScale> {
         self.scale
     }
 
-    /// Returns the load, if there is one.
+    /// Returns the load, or `None`.
     #[must_use]
     pub fn load(&self) -> Option<Load> {
         self.load
@@ -117,14 +117,14 @@ impl Measure {
         self.base_motion
     }
 
-    /// Returns true if these units reverse the sign of the contact's motion. The sign then agrees with the description,
-    /// whatever the order of the masses.
+    /// Returns true if these units reverse the sign of the contact's motion. The sign then agrees with the description
+    /// for any order of the masses.
     #[must_use]
     pub fn turns_contact(&self) -> bool {
         self.reversed && self.scale.is_some()
     }
 
-    /// Returns true if this is the contact's motion and its sign is reversed.
+    /// Returns true if the motion is that of the contact, and these units reverse its sign.
     #[must_use]
     pub fn turns(&self, of: Of) -> bool {
         of == Of::Contact && self.turns_contact()

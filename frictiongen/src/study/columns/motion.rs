@@ -1,4 +1,4 @@
-//! Columns of the motions of the contact and of masses, which several tables have in common.
+//! Columns of the motions of the contact and of masses. Several tables have these columns.
 
 use super::builder::Columns;
 use super::column::{Head, Row, Shown};
@@ -8,7 +8,8 @@ use crate::Complex;
 use crate::study::response::{Size, Swing};
 use crate::study::units::polar;
 
-/// The motion of the contact or of a mass, in non-dimensional groups. A quantity is `None` if the answer lacks it.
+/// The motion of the contact or of a mass, in non-dimensional groups. A quantity is `None` if the result does not
+/// contain it.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct PartMotion<'r> {
     /// Largest displacement over P/k₁ or Y (amplitude), and its phase in rad.
@@ -21,7 +22,7 @@ pub struct PartMotion<'r> {
     pub monoharmonic: Option<f64>,
     /// Largest |dx̄/dτ| and largest |d²x̄/dτ²|.
     pub rates: Option<(f64, f64)>,
-    /// Largest force in the contact over P, and energy that the contact takes in a cycle over P²/k₁.
+    /// Largest force in the contact over P, and energy that the contact dissipates in a cycle over P²/k₁.
     pub contact: Option<(f64, f64)>,
     /// Complex amplitudes of the requested harmonics, in the order of the request.
     pub harmonics: &'r [Complex<f64>],

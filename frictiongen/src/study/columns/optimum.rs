@@ -1,4 +1,4 @@
-//! Rows and columns of the tables about the best friction: the answer, its peaks, tolerances and sensitivities.
+//! Rows and columns of the tables about the best friction: the result, its peaks, tolerances and sensitivities.
 
 mod lines;
 
@@ -96,8 +96,8 @@ impl<'a> OptimumTable<'a> {
         rows.collect()
     }
 
-    /// Returns an operating point from which the parameters get their names and units. The numbers of this point do not
-    /// matter.
+    /// Returns an operating point that gives names and units to the parameters. The numbers of this point have no
+    /// influence.
     fn point(&self) -> Option<OperatingPoint> {
         Some(OperatingPoint::Physical {
             hertz: 1.0,
@@ -159,8 +159,8 @@ impl<'a> OptimumTable<'a> {
         columns.done()
     }
 
-    /// Returns the columns with which the best friction is compared: limits of friction, and amplitudes without
-    /// friction and with a stuck contact.
+    /// Returns the columns for a comparison with the best friction: limits of friction, and amplitudes without friction
+    /// and with a stuck contact.
     fn bounds(&self) -> Vec<Column<'a, Optimum>> {
         use Dimension::Force;
         let mut columns = Columns::new(&self.setting.measure);
@@ -180,7 +180,7 @@ impl<'a> OptimumTable<'a> {
         columns.done()
     }
 
-    /// Returns the columns that count the work of the search.
+    /// Returns the columns with the work of the search.
     fn effort(&self) -> Vec<Column<'a, Optimum>> {
         let mut columns = Columns::new(&self.setting.measure);
         let head = Head::new("evaluations").titled(&["amplitudes computed"]);

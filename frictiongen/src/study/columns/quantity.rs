@@ -1,4 +1,4 @@
-//! Texts of loads with units, such as `0.2g`.
+//! Parses texts of loads with units, such as `0.2g`.
 
 use super::measure::Dimension;
 use crate::study::units::Load;
@@ -24,7 +24,7 @@ const UNITS: [(&str, Dimension, f64); 14] = [
     ("mg", Dimension::Acceleration, 1e-3 * GRAVITY),
 ];
 
-/// Splits a text into a number and its unit. The number is `None` if the text does not begin with one.
+/// Splits a text into a number and its unit. The number is `None` if the text does not begin with a number.
 fn number_and_unit(text: &str) -> (Option<f64>, &str) {
     let text = text.trim();
     // The unit begins after the longest start of the text that is a number.
@@ -44,10 +44,10 @@ fn number_and_unit(text: &str) -> (Option<f64>, &str) {
     found
 }
 
-/// Returns the motion of the base that a text describes: `0.003` or `3 mm`, `0.1 m/s`, `2 m/s2` or `0.2g`.
+/// Parses a text about the motion of the base: `0.003` or `3 mm`, `0.1 m/s`, `2 m/s2` or `0.2g`.
 ///
 /// # Errors
-/// The reason in words, to follow the text.
+/// The reason in words. A message shows it after the text.
 pub fn base_load(text: &str) -> Result<Load, String> {
     let (number, unit) = number_and_unit(text);
     let number = number.ok_or_else(|| "it is not a number".to_owned())?;
@@ -69,10 +69,10 @@ pub fn base_load(text: &str) -> Result<Load, String> {
     }
 }
 
-/// Returns the unbalance of a rotor, mass times eccentricity, that a text describes: `0.02` or `0.02 kg m`.
+/// Parses a text about the unbalance of a rotor, mass times eccentricity: `0.02` or `0.02 kg m`.
 ///
 /// # Errors
-/// The reason in words, to follow the text.
+/// The reason in words. A message shows it after the text.
 pub fn unbalance(text: &str) -> Result<Load, String> {
     match number_and_unit(text) {
         (Some(number), "" | "kg m" | "kg*m" | "kg·m") => Ok(Load::Unbalance(number)),

@@ -10,7 +10,7 @@ use crate::study::{
     words,
 };
 
-/// Symbol in the row that has the answers themselves instead of their derivatives.
+/// Symbol in the row with the values themselves instead of their derivatives.
 const ITSELF: &str = "the answer";
 
 /// A row: the derivatives of the answers with respect to one parameter at one operating point.
@@ -32,7 +32,7 @@ struct FoundSlope {
     symbol: String,
     unit: &'static str,
     sensitivity: ParameterSensitivity,
-    /// True for the row that has the answers themselves instead of their derivatives.
+    /// True for the row with the values themselves instead of their derivatives.
     itself: bool,
 }
 
@@ -95,7 +95,7 @@ impl AtFriction for SensitivityRow {
 }
 
 impl SensitivityRow {
-    /// Returns the row that has the answers themselves instead of their derivatives. `None` if there are no answers.
+    /// Returns the row with the values themselves instead of their derivatives. Returns `None` if there are no values.
     #[must_use]
     pub fn itself(&self) -> Option<Self> {
         let mut row = self.clone();
@@ -105,7 +105,7 @@ impl SensitivityRow {
         Some(row)
     }
 
-    /// Returns the parameter of the row. `None` for the row that has the answers themselves.
+    /// Returns the parameter of the row. Returns `None` for the row with the values themselves.
     fn parameter(&self) -> Option<&FoundSlope> {
         self.found.as_ref().filter(|found| !found.itself)
     }
@@ -133,11 +133,11 @@ impl<'a> SensitivityTable<'a> {
         }
     }
 
-    /// Returns the rows at an operating point, one for each parameter. If no derivatives exist, a single row has the
-    /// reason.
+    /// Returns the rows at an operating point, one for each parameter. If no derivatives exist, a single row contains
+    /// the reason.
     ///
     /// # Errors
-    /// An error that the table cannot express by a word.
+    /// An error for which the table has no word.
     pub fn rows(
         &self,
         frequency: Frequency,
@@ -187,7 +187,7 @@ impl<'a> SensitivityTable<'a> {
         columns.done()
     }
 
-    /// Returns the columns of the parameters alone.
+    /// Returns the columns of the parameters, without those of the point.
     #[must_use]
     pub fn parameter_columns(&self) -> Vec<Column<'a, SensitivityRow>> {
         let mut columns = Columns::new(&self.setting.measure);
@@ -247,7 +247,7 @@ impl<'a> SensitivityTable<'a> {
         });
     }
 
-    /// Returns a word as wide as the longest symbol of a parameter.
+    /// Returns a word with the length of the longest symbol of a parameter. It sets the width of the column.
     fn widest(&self) -> String {
         let scene = self.setting.system.scene();
         let masses = scene.masses.iter().map(|mass| mass.name.len() + 2);

@@ -1,4 +1,4 @@
-//! The settings that all tables have in common: system, units, frequencies, frictions and motions.
+//! Settings that all tables have in common: system, units, frequencies, frictions and motions.
 
 use super::builder::Columns;
 use super::column::{Axis, Column, Head, Row};
@@ -16,7 +16,7 @@ pub const CONTACT: &str = "contact";
 /// A moving part: the contact, a mass, or a combination of masses and base.
 #[derive(Clone, Debug)]
 pub struct Part {
-    /// Selects the contact or the mass.
+    /// Selects the contact, the mass or the combination.
     pub of: Of,
     /// The requested quantity of the motion: displacement, velocity or acceleration.
     pub size: Size,
@@ -35,8 +35,8 @@ impl Part {
         Ok(Self { of, size, name })
     }
 
-    /// Returns true if the requested quantity is not a displacement: a velocity, an acceleration, or the force or the
-    /// energy of the contact.
+    /// Returns true if the requested quantity is not a displacement. It is then a velocity, an acceleration, or the
+    /// force or the energy of the contact.
     #[must_use]
     pub fn has_rate(&self) -> bool {
         self.size != Size::Displacement
@@ -66,12 +66,12 @@ impl Part {
     }
 }
 
-/// The unit in which frequencies are given.
+/// The unit in which the user gives frequencies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FrequencyUnit {
     /// Frequency ratios r.
     Ratio,
-    /// Frequency ratios r. Tables also print Hz, because a load is given.
+    /// Frequency ratios r under a load. Tables contain Hz as well.
     RatioUnderLoad,
     /// Frequencies in Hz.
     Hertz,
@@ -80,7 +80,7 @@ pub enum FrequencyUnit {
 }
 
 impl FrequencyUnit {
-    /// Returns the unit for tables under a load. Tables then print Hz next to frequency ratios.
+    /// Returns the unit for tables under a load. Tables then contain Hz next to frequency ratios.
     #[must_use]
     pub fn under(self, measure: &Measure) -> Self {
         match (self, measure.scale()) {
@@ -89,13 +89,13 @@ impl FrequencyUnit {
         }
     }
 
-    /// Returns true if the frequencies were given in Hz or rad/s.
+    /// Returns true if the user gave the frequencies in Hz or rad/s.
     #[must_use]
     pub fn is_physical(self) -> bool {
         matches!(self, Self::Hertz | Self::AngularFrequency)
     }
 
-    /// Returns true if tables have Hz next to r.
+    /// Returns true if tables contain Hz next to r.
     #[must_use]
     pub fn has_hertz(self) -> bool {
         self != Self::Ratio
@@ -149,11 +149,11 @@ impl Frequency {
 /// A friction, as ratio β and as force.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Friction {
-    /// Friction ratio β = F/P, for base motion F/(k₁Y).
+    /// Friction ratio β = F/P (F/(k₁Y) for base motion).
     pub beta: f64,
     /// Friction force in N, if the load is known.
     force: Option<f64>,
-    /// True if the force was given, false if β was given.
+    /// True if the user gave the force, false if the user gave β.
     is_force: bool,
 }
 
@@ -178,8 +178,8 @@ impl Friction {
         }
     }
 
-    /// Returns the friction at a frequency, under a load whose amplitude may depend on frequency. The number that was
-    /// given stays: the force, or β.
+    /// Returns the friction at a frequency, under a load whose amplitude may depend on frequency. The number that the
+    /// user gave, F or β, does not change.
     #[must_use]
     pub fn at(self, measure: &Measure, frequency: Frequency) -> Self {
         match measure.scale_at(frequency.omega) {
@@ -191,14 +191,14 @@ impl Friction {
         }
     }
 
-    /// Returns the exponent n with which β grows over frequency, as rⁿ, under a load whose amplitude may depend on
-    /// frequency. It is 0 if β was given.
+    /// Returns the exponent n with which β increases over frequency, as rⁿ. The reason is a load whose amplitude
+    /// depends on frequency. If the user gave β, n is 0.
     #[must_use]
     pub fn rise(&self, measure: &Measure) -> i32 {
         if self.is_force { measure.fall() } else { 0 }
     }
 
-    /// Returns the friction force if the load is known, and otherwise β.
+    /// Returns the friction force if the load is known, and β if it is not.
     #[must_use]
     pub fn force(&self) -> f64 {
         self.force.unwrap_or(self.beta)
@@ -208,9 +208,9 @@ impl Friction {
 /// The settings that all tables have in common.
 #[derive(Clone, Copy)]
 pub struct Setting<'a> {
-    /// The system that the answers describe.
+    /// The system of the results.
     pub system: &'a System,
-    /// Units of the answers: SI units under a load, otherwise non-dimensional groups.
+    /// Units of the results: SI units under a load, otherwise non-dimensional groups.
     pub measure: Measure,
     /// The unit in which the user gave the frequencies.
     pub frequency: FrequencyUnit,
@@ -224,13 +224,13 @@ pub struct Setting<'a> {
     pub parts: &'a [Part],
 }
 
-/// A row that belongs to a frequency.
+/// A row at one frequency.
 pub trait AtFrequency: Row {
     /// Returns the frequency of the row.
     fn frequency(&self) -> Frequency;
 }
 
-/// A row that belongs to a friction.
+/// A row at one friction.
 pub trait AtFriction: Row {
     /// Returns the friction of the row.
     fn friction(&self) -> Friction;

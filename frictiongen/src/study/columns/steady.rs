@@ -16,7 +16,8 @@ use crate::study::{
 };
 use crate::{Of, Regime};
 
-/// The motion of the contact or of a mass, in non-dimensional groups. A quantity is `None` if the answer lacks it.
+/// The motion of the contact or of a mass, in non-dimensional groups. A quantity is `None` if the result does not
+/// contain it.
 #[derive(Clone, Debug, Default)]
 struct MotionGroups {
     swing: Option<Swing>,
@@ -77,7 +78,8 @@ impl MotionGroups {
         }
     }
 
-    /// Sets displacements to zero at r = ∞, where they vanish. The formulas use a large, finite r instead of ∞.
+    /// Sets displacements to exactly zero at r = ∞. The formulas use a large, finite r instead of ∞, and so give small
+    /// numbers.
     fn settle(&mut self) {
         let settled = |value: f64| if value.abs() < 1e-100 { 0.0 } else { value };
         if let Some(swing) = &mut self.swing {
@@ -97,8 +99,8 @@ impl MotionGroups {
         }
     }
 
-    /// Removes quantities without information while the contact is stuck. These are the contact's own motion and the
-    /// harmonics, because a stuck response has only one harmonic.
+    /// Removes quantities that carry no information while the contact is stuck: the contact's own motion, and the
+    /// harmonics. A stuck response has only one harmonic.
     fn leave_out_stuck(&mut self, of: Of) {
         match of {
             Of::Contact => *self = Self::default(),

@@ -1,31 +1,31 @@
-//! The curve of a response along frequency.
+//! Curve of a response over frequency.
 
 use super::point::CurvePoint;
 use super::request::CurveStart;
 use crate::{Error, Regime};
 
-/// A response along frequency at one friction ratio.
+/// A response over frequency at one friction ratio.
 #[derive(Clone, Debug)]
 pub struct Curve {
-    /// Friction ratio β = F/P, for base motion F/(k₁Y).
+    /// Friction ratio β = F/P (F/(k₁Y) for base motion).
     pub beta: f64,
-    /// The start of the motion at each point.
+    /// The initial state of the motion at each point.
     pub start: CurveStart,
-    /// The pieces of the curve, in ascending order of r. A line may join the points of one piece.
+    /// The pieces of the curve, in ascending order of r. Straight lines may join the points of one piece.
     pub pieces: Vec<Piece>,
     /// The ranges without a response.
     pub gaps: Vec<Gap>,
-    /// True if straight lines between the points are within the requested accuracy. False if the curve reached its
-    /// bound on work first.
+    /// True if straight lines between the points have the requested accuracy. False if the curve reached its bound on
+    /// work before.
     pub refined: bool,
 }
 
-/// An interval of a curve in one regime. A line may join its points.
+/// An interval of a curve in one regime. Straight lines may join its points.
 #[derive(Clone, Debug)]
 pub struct Piece {
     /// Regime at all points of the piece.
     pub regime: Regime,
-    /// The points, with ascending r.
+    /// The points, in ascending order of r.
     pub points: Vec<CurvePoint>,
     /// The reason why the piece starts at its first point.
     pub start: End,

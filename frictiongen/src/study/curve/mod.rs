@@ -1,8 +1,8 @@
-//! Responses along frequency in every regime. Their points are close together where a curve bends.
+//! Responses over frequency in every regime. The points are close together where a curve bends.
 //!
-//! A curve consists of pieces. It is cut where the regime changes, at poles, at jumps and where no response exists.
-//! Between two cuts, points are added until straight lines are accurate enough. Cuts are located to rounding, so that a
-//! picture never joins points on two sides of a cut.
+//! A curve consists of pieces. The code cuts it where the regime changes, at poles, at jumps and where no response
+//! exists. Between two cuts the code adds points until straight lines are accurate enough. It locates the cuts to
+//! rounding. A picture therefore never joins points on two sides of a cut.
 
 mod answer;
 mod pieces;
@@ -23,8 +23,9 @@ use refine::Refine;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 impl System {
-    /// Returns the response along frequency at one friction ratio. Where the contact slides all the time, the points
-    /// come from the closed form. Elsewhere they come from steady states with stops, or from the stuck response.
+    /// Returns the response over frequency at one friction ratio. At frequencies where the contact slides all the time,
+    /// the points come from the closed form. All other points come from steady states with stops, or from the stuck
+    /// response.
     ///
     /// ```
     /// use frictiongen::study::curve::CurveRequest;
@@ -49,9 +50,9 @@ impl System {
     /// ```
     ///
     /// With [`CurveStart::Up`] and [`CurveStart::Down`] the motion at each point starts from the steady state of the
-    /// last point, as in a laboratory sweep. When the frequency changes, displacements and velocities of the masses
-    /// stay unchanged. A curve is cut with [`End::Jump`] where its steady state ceases to exist and the motion settles
-    /// in another state.
+    /// previous point, as in a laboratory sweep. When the frequency changes, displacements and velocities of the masses
+    /// stay unchanged. If the steady state ceases to exist and the motion settles in another state, the curve has a cut
+    /// with [`End::Jump`].
     ///
     /// ```
     /// use frictiongen::study::curve::{CurveRequest, CurveStart};
@@ -83,8 +84,8 @@ impl System {
         self.curve_from(request, beta, request.start)
     }
 
-    /// Returns several curves, computed in parallel. Each curve has its own friction ratio and start, which replace
-    /// those of the request.
+    /// Returns several curves, computed in parallel. Each curve has its own friction ratio and initial state, which
+    /// replace those of the request.
     ///
     /// # Errors
     /// Same errors as [`curve`](Self::curve).
@@ -99,8 +100,8 @@ impl System {
             .collect()
     }
 
-    /// Same as [`curves`](Self::curves), but calls `go_on` with the number of finished curves before each curve and at
-    /// the end. If `go_on` returns false, the curves that have not begun are `None`.
+    /// Returns several curves as [`curves`](Self::curves) does. Before each curve and at the end, it calls `go_on` with
+    /// the number of finished curves. If `go_on` returns false, the curves that have not begun are `None`.
     #[doc(hidden)]
     pub fn curves_while(
         &self,

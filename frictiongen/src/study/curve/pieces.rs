@@ -10,7 +10,7 @@ use crate::Error;
 pub(super) struct CurveNode {
     pub r: f64,
     pub answer: Result<CurvePoint, Error>,
-    /// The reason for a cut between this node and the next, if there is one.
+    /// The reason for a cut between this node and the next. `None` without a cut.
     pub cut: Option<End>,
     pub work: usize,
 }
@@ -120,7 +120,7 @@ mod tests {
         }
     }
 
-    /// Checks that neighbouring nodes without an answer become one gap, and that a point between two such nodes ends
+    /// Checks that neighbouring nodes without a response become one gap, and that a point between two such nodes ends
     /// the gap.
     #[test]
     fn a_point_between_gaps_parts_them() {

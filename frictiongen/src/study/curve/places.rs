@@ -1,5 +1,5 @@
-//! Selects the first frequency ratios of a curve, called *places*. The curve is cut at some of them, and refined
-//! between them.
+//! Selects the first frequency ratios of a curve, called *places*. The code cuts the curve at some of them, and later
+//! adds points between them.
 
 use super::answer::End;
 use super::request::CurveRequest;
@@ -8,23 +8,23 @@ use crate::{Of, Regime};
 
 /// Number of intervals of the first grid.
 const INTERVALS: usize = 160;
-/// Largest number of odd sub-harmonics of a resonance at which a curve is computed.
+/// Largest number of odd sub-harmonics of a resonance that become points of a curve.
 const MOST_SUBHARMONICS: usize = 25;
 /// Relative distance from a pole to the nearest points of the curve.
 const NEAR_POLE: f64 = 1e-5;
-/// Relative distance from a resonance at which the test for a pole evaluates the amplitude.
+/// Relative distance from a resonance at which the code evaluates the amplitude to detect a pole.
 const POLE: f64 = 1e-9;
 /// Number of steps in a search for a range of another regime between three places. Each step keeps 0.62 of an interval.
 const STEPS: usize = 60;
 
-/// A frequency ratio at which a curve is computed.
+/// A frequency ratio that becomes a point of the curve.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct CurvePlace {
     pub r: f64,
-    /// The reason for a cut between this frequency ratio and the next, if there is one.
+    /// The reason for a cut between this frequency ratio and the next. `None` without a cut.
     pub cut: Option<End>,
-    /// True for a sub-harmonic of a resonance that is not next to a cut. The curve omits it if the bound on work is
-    /// reached.
+    /// True for a sub-harmonic of a resonance that is not next to a cut. The curve omits such a point if it reaches its
+    /// bound on work.
     pub spare: bool,
 }
 
@@ -45,7 +45,7 @@ impl CurvePlace {
     }
 }
 
-/// Returns the first frequency ratios of a curve in ascending order. They are both ends of the range, resonances, their
+/// Returns the first frequency ratios of a curve in ascending order: both bounds of the range, resonances, their
 /// sub-harmonics, a grid, and both sides of every cut.
 pub(super) fn places(system: &System, request: &CurveRequest, beta: f64) -> Vec<CurvePlace> {
     let search = PlaceSearch {
@@ -85,7 +85,7 @@ pub(super) fn places(system: &System, request: &CurveRequest, beta: f64) -> Vec<
     places
 }
 
-/// Returns a grid of evenly spaced frequency ratios with both ends of the range, and geometrically spaced ones at low
+/// Returns a grid of evenly spaced frequency ratios with both bounds of the range, and geometrically spaced ones at low
 /// r.
 fn grid(request: &CurveRequest) -> Vec<f64> {
     let width = request.to - request.from;
@@ -140,8 +140,8 @@ impl PlaceSearch<'_> {
         }
     }
 
-    /// Returns ln(β/β_lim) and ln(β/β*_lim). The closed form exists where the first number is negative. A stuck state
-    /// exists where the second number is not negative.
+    /// Returns ln(β/β_lim) and ln(β/β*_lim). If the first number is negative, the closed form exists. If the second
+    /// number is not negative, a stuck state exists.
     fn margins(&self, r: f64) -> (f64, f64) {
         match self.system.at(r) {
             Ok(at) => {
@@ -158,7 +158,8 @@ impl PlaceSearch<'_> {
         limits.regime(self.request.beta_at(self.beta, r)).ok()
     }
 
-    /// Returns the first frequency ratios of a curve, with both sides of every regime boundary and pole added.
+    /// Returns the first frequency ratios of a curve. The function adds both sides of every regime boundary and of
+    /// every pole to the grid.
     fn cut(&self, grid: &[f64], is_pole: impl Fn(f64, f64) -> bool) -> Vec<CurvePlace> {
         let mut all = grid.to_vec();
         all.extend(self.hidden(grid));
@@ -219,7 +220,7 @@ impl PlaceSearch<'_> {
         }
     }
 
-    /// Returns frequency ratios of another regime that lie between three neighbouring ones of the same regime.
+    /// Returns frequency ratios of another regime that lie between three neighbouring frequency ratios of one regime.
     fn hidden(&self, grid: &[f64]) -> Vec<f64> {
         let margins: Vec<_> = grid.iter().map(|r| self.margins(*r)).collect();
         let mut found = Vec::new();
@@ -243,8 +244,8 @@ impl PlaceSearch<'_> {
         found
     }
 
-    /// Returns a frequency ratio between `low` and `high` at which a margin has the opposite sign, if a search finds
-    /// one.
+    /// Returns a frequency ratio between `low` and `high` at which a margin has the opposite sign. Returns `None` if
+    /// the search finds none.
     fn beyond(&self, mut low: f64, mut high: f64, read: MarginOf, sign: f64) -> Option<f64> {
         let value = |r: f64| sign * read(self.margins(r));
         let golden = 0.618_033_988_749_894_8;

@@ -16,20 +16,20 @@ pub struct CurvePoint {
     pub stops: usize,
     /// Number of cycles of the excitation after which the motion repeats.
     pub period: u32,
-    /// True if the motion repeats. Otherwise the values belong to its last 64 cycles.
+    /// True if the motion repeats. If false, the values belong to its last 64 cycles.
     pub settled: bool,
     /// True if the state is one of a continuum of steady states.
     pub marginal: bool,
-    /// True if motion from rest ends in this state. False means that motion from rest does not settle and this is
-    /// another state.
+    /// True if motion from rest ends in this state. False if motion from rest does not settle and this is another
+    /// state.
     pub from_rest: bool,
-    /// The offset of the contact's relative motion from its centre, over P/k₁, for base motion over Y.
+    /// The offset of the contact's relative motion from its centre, over P/k₁ (over Y for base motion).
     pub offset: f64,
     /// The requested motions, in the order of the request.
     pub movements: Vec<Movement>,
-    /// The largest friction force over P, for base motion over k₁Y.
+    /// The largest friction force over P (over k₁Y for base motion).
     pub contact_force: f64,
-    /// The work of friction in one cycle of the excitation, over P²/k₁, for base motion over k₁Y².
+    /// The work of friction in one cycle of the excitation, over P²/k₁ (over k₁Y² for base motion).
     pub friction_work: f64,
 }
 
@@ -38,10 +38,10 @@ pub struct CurvePoint {
 pub struct Movement {
     /// Amplitude and phase of the largest displacement.
     pub swing: Swing,
-    /// Centred amplitude, half the distance between the least and the largest x̄, over P/k₁, for base motion over Y.
+    /// Centred amplitude, half the distance between the least and the largest x̄, over P/k₁ (over Y for base motion).
     pub centred: f64,
-    /// Lag of the fundamental component behind the excitation, rad, in (−π, π]. `None` if the contact or mass does not
-    /// move.
+    /// Lag of the fundamental component behind the excitation, in rad, in (−π, π]. `None` if the contact or mass does
+    /// not move.
     pub fundamental_phase: Option<f64>,
     /// The largest |dx̄/dτ| and the largest |d²x̄/dτ²|, if they were requested.
     pub rates: Option<(f64, f64)>,
@@ -50,7 +50,7 @@ pub struct Movement {
 }
 
 impl CurvePoint {
-    /// Builds the point of a response. `None` if the response lacks a requested motion.
+    /// Creates the point of a response. Returns `None` if the response does not contain a requested motion.
     pub(super) fn of(
         r: f64,
         response: &SystemResponse<'_>,

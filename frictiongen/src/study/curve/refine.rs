@@ -1,7 +1,7 @@
 //! Adds points to a curve where it bends. The first frequency ratios of the curve are called *places*.
 //!
-//! All open intervals are halved in turn, wide ones before narrow ones. If the bound on work ends the refinement, the
-//! whole range is equally fine.
+//! The code halves all open intervals in turn, wide ones before narrow ones. If the bound on work ends the refinement,
+//! the points are equally close over the whole range.
 
 use super::answer::{Curve, End};
 use super::pieces::{self, CurveNode};
@@ -17,21 +17,21 @@ use rayon::prelude::*;
 
 /// Relative distance of two points at which a remaining difference counts as a jump.
 pub(super) const NARROW: f64 = 1e-7;
-/// Relative distance that replaces `NARROW` where amplitudes scatter. They scatter where motions do not settle. They
-/// also scatter where motion from rest ends in different steady states at neighbouring points.
+/// Relative distance that replaces `NARROW` in intervals with scattered amplitudes. Amplitudes scatter if motions do
+/// not settle, or if motion from rest ends in different steady states at neighbouring points.
 pub(super) const NARROW_SCATTERED: f64 = 1e-3;
-/// Largest number of intervals that may still be open between two frequency ratios of the first grid. With more open
-/// intervals the motion counts as scattered.
+/// Largest number of open intervals between two frequency ratios of the first grid. With more open intervals the motion
+/// counts as scattered.
 const MOST_BENT: usize = 32;
 /// Relative width of an interval at which the search stops locating a change in the contact's pattern of stops.
 pub(super) const NARROW_PATTERN: f64 = 1e-4;
 /// Relative width of an interval at which the search stops locating the end of a gap.
 const NARROW_GAP: f64 = 1e-7;
-/// Fraction of the median amplitude of the first grid below which bends of an amplitude are ignored.
+/// Fraction of the median amplitude over the first grid. The refinement ignores bends of a smaller amplitude.
 const SMALL: f64 = 1e-3;
-/// Number of less important frequency ratios that are computed between two checks of the work.
+/// Number of less important frequency ratios that the code computes between two checks of the work.
 const AT_ONCE: usize = 16;
-/// Fraction of another motion's amplitude below which a motion counts as rounding.
+/// Fraction of another motion's amplitude. A motion with a smaller amplitude counts as rounding.
 const ROUNDING: f64 = 1e-6;
 
 /// An interval between two nodes that may have to be halved.
@@ -39,10 +39,10 @@ const ROUNDING: f64 = 1e-6;
 struct NodeInterval {
     left: usize,
     right: usize,
-    /// True if the parent interval was straight. One test may miss a bend, because the middle may be on the line by
-    /// chance.
+    /// True if the interval before the last halving was straight. A single test may miss a bend, because the middle may
+    /// be on the line by chance.
     was_straight: bool,
-    /// Index of the interval of the first grid that contains this one.
+    /// Index of the interval of the first grid that contains this interval.
     part: usize,
 }
 
@@ -54,7 +54,7 @@ pub(super) struct Refine<'a> {
     pub straight: Straight,
 }
 
-/// Returns true if the offset of a stuck contact depends on every earlier slip. This is the case with μ > 1 or without
+/// Returns true if the offset of a stuck contact depends on every earlier slip. This is so with μ > 1 or without
 /// damping.
 fn offsets_jump(system: &System) -> bool {
     let scene = system.scene();
@@ -97,8 +97,8 @@ impl<'a> Refine<'a> {
         (point, work)
     }
 
-    /// Returns, for each motion, the smallest amplitude at which the curve is refined. It is a fraction of the median
-    /// amplitude over the first points. The median hardly changes with a pole.
+    /// Returns one amplitude for each motion, below which the code does not refine the curve. The amplitude is a
+    /// fraction of the median over the first points. A pole hardly changes the median.
     pub(super) fn scales(&self, nodes: &[CurveNode]) -> Vec<f64> {
         let median = |index: usize| {
             let points = nodes.iter().filter_map(|node| node.answer.as_ref().ok());
@@ -118,8 +118,8 @@ impl<'a> Refine<'a> {
         scales.into_iter().map(|scale| scale.max(least)).collect()
     }
 
-    /// Returns the points of the first grid. The flag is true if the work sufficed for all of them. Less important
-    /// points come last.
+    /// Returns the points of the first grid. The flag is true if the permitted work sufficed for all of them. The code
+    /// computes less important points last.
     fn grid(&self, places: &[CurvePlace]) -> (Vec<CurveNode>, bool) {
         let (spare, needed): (Vec<CurvePlace>, Vec<CurvePlace>) =
             places.iter().partition(|place| place.spare);
@@ -136,7 +136,7 @@ impl<'a> Refine<'a> {
         (found, true)
     }
 
-    /// Returns the curve through the frequency ratios of the first grid, with points added between them.
+    /// Returns the curve through the frequency ratios of the first grid and the points that the refinement adds.
     pub(super) fn refined(mut self, places: &[CurvePlace]) -> Curve {
         let (mut nodes, mut refined) = self.grid(places);
         let mut left = self.request.work.saturating_sub(spent(&nodes));
@@ -172,8 +172,8 @@ impl<'a> Refine<'a> {
         pieces::curve((self.beta, self.request.start), nodes.into_iter(), refined)
     }
 
-    /// Returns the middles of all open intervals that are not yet narrow. Cuts each narrow interval whose two points
-    /// are on different curves.
+    /// Returns the middles of all open intervals that are not yet narrow. If the two points of a narrow interval are on
+    /// different curves, the function cuts the curve there.
     fn worth_halving(
         &self,
         open: &[NodeInterval],
@@ -211,8 +211,8 @@ impl<'a> Refine<'a> {
         halved
     }
 
-    /// Returns true if two settled points do not scatter, however steep the curve is. Either both belong to the closed
-    /// form, or μ ≤ 1 and no other state exists.
+    /// Returns true if two settled points belong to one state, however steep the curve is. They then do not scatter.
+    /// Either both belong to the closed form, or μ ≤ 1 and no other state exists.
     fn is_one_state(&self, a: &CurvePoint, b: &CurvePoint) -> bool {
         let slides = |point: &CurvePoint| point.regime == Regime::Continuous;
         self.system.scene().stiction <= 1.0 || (slides(a) && slides(b))
@@ -232,8 +232,8 @@ impl<'a> Refine<'a> {
         }
     }
 
-    /// Stores the middle of an interval and returns both halves. Returns no halves if the interval and its parent are
-    /// straight.
+    /// Stores the middle of an interval and returns both halves. If the interval and the one before the last halving
+    /// are straight, returns no halves.
     fn halves(
         &self,
         interval: NodeInterval,
@@ -272,8 +272,8 @@ pub(super) fn spent(nodes: &[CurveNode]) -> usize {
     nodes.iter().map(|node| node.work).sum()
 }
 
-/// Returns how many of the intervals, in their order, the remaining work suffices for. The middle of an interval is
-/// assumed to take as much work as the more expensive of its two points.
+/// Returns the number of intervals, in their order, for which the remaining work suffices. The estimate for the middle
+/// of an interval is the work of the more expensive of its two points.
 fn affordable(intervals: &[(NodeInterval, f64)], nodes: &[CurveNode], left: usize) -> usize {
     let work = |end: usize| nodes.get(end).map_or(0, |node| node.work);
     let mut sum = 0_usize;

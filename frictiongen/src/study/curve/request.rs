@@ -4,20 +4,18 @@ use crate::Of;
 use crate::study::system::System;
 use crate::study::words;
 
-/// Default bound on the work of a curve, in units of about 10 µs: two seconds.
+/// Default bound on the work of a curve, in units of about 10 µs. The default corresponds to two seconds.
 const WORK: usize = 200_000;
 
-/// The start of the motion at each point of a curve.
+/// The initial state of the motion at each point of a curve.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum CurveStart {
-    /// Each point starts from rest: every mass at x = 0 without velocity, the excitation at its maximum.
+    /// Rest: every mass at x = 0 without velocity, with the excitation at its maximum.
     #[default]
     Rest,
-    /// Each point starts from the steady state of the last point, with ascending frequency. The first point starts from
-    /// rest.
+    /// The steady state of the previous point, in ascending order of frequency. The first point starts from rest.
     Up,
-    /// Each point starts from the steady state of the last point, with descending frequency. The first point starts
-    /// from rest.
+    /// The steady state of the previous point, in descending order of frequency. The first point starts from rest.
     Down,
 }
 
@@ -30,7 +28,7 @@ pub struct CurveRequest {
     pub to: f64,
     /// The motions that each point contains.
     pub of: Vec<Of>,
-    /// The largest deviation of a straight line between two neighbouring points from the curve, relative to the curve.
+    /// The largest deviation of the curve from a straight line between two neighbouring points, relative to the curve.
     pub accuracy: f64,
     /// The largest distance between neighbouring points, in r. `None` sets no bound.
     pub widest: Option<f64>,
@@ -38,19 +36,19 @@ pub struct CurveRequest {
     pub harmonics: Vec<u32>,
     /// True if each point contains velocities and accelerations.
     pub rates: bool,
-    /// True if the contact's motion is wanted with the opposite sign, for the case
+    /// True to request the contact's motion with the opposite sign, for the case
     /// [`System::contact_is_reversed`](crate::study::System::contact_is_reversed).
     pub turned: bool,
-    /// Bound on the work of the curve, in units of about 10 µs. Work is counted, so a curve is the same on every
-    /// machine. Points at cuts and on an even grid are computed even if their work exceeds the bound.
+    /// Bound on the work of the curve, in units of about 10 µs. The code counts work instead of time, so that a curve
+    /// is the same on every machine. The points at cuts and on an even grid are always computed, even beyond the bound.
     pub work: usize,
-    /// The start of the motion at each point.
+    /// The initial state of the motion at each point.
     pub start: CurveStart,
-    /// Exponent n with which the friction ratio grows along the curve: β·rⁿ. It is 0 for a load of constant amplitude. A
-    /// constant friction force has n = 2 under a base motion of constant acceleration, and n = −2 under an unbalance.
+    /// Exponent n of the friction ratio along the curve, β·rⁿ. For a load of constant amplitude n is 0. For a constant
+    /// friction force, n is 2 under a base motion of constant acceleration, and −2 under an unbalance.
     pub rise: i32,
-    /// Exponent n with which the amplitude of the load falls along the curve, as r⁻ⁿ. The curve is refined for
-    /// displacements under this load.
+    /// Exponent n of the load along the curve, whose amplitude is proportional to r⁻ⁿ. The refinement of the curve
+    /// applies to displacements under this load.
     pub fall: i32,
 }
 
@@ -109,7 +107,7 @@ pub enum CurveError {
     Widest,
     /// The friction ratio is negative or not finite.
     Friction,
-    /// The scene lacks the mass or the spring of this motion.
+    /// The scene does not have the mass or the spring of this motion.
     NoSuchMotion(Of),
 }
 

@@ -10,17 +10,17 @@ use std::f64::consts::PI;
 pub(super) struct Straight {
     /// The largest deviation of a straight line, relative to the curve.
     pub accuracy: f64,
-    /// The smallest amplitude that matters, for each motion.
+    /// The amplitude of each motion below which deviations do not matter.
     pub scales: Vec<f64>,
-    /// True with μ > 1 or without damping. The offset of a stuck contact then depends on every slip, and jumps from
-    /// point to point. More points do not help, so that the centred amplitude is compared instead.
+    /// True with μ > 1 or without damping. The offset of a stuck contact then depends on every earlier slip, and jumps
+    /// from point to point. The criteria then use the centred amplitude, because more points would not help.
     pub offsets_jump: bool,
-    /// Exponent n with which the amplitude of the load falls over frequency, as r⁻ⁿ.
+    /// Exponent n of the load, whose amplitude is proportional to r⁻ⁿ.
     pub fall: i32,
 }
 
 impl Straight {
-    /// Returns the unit of displacement at a point, over that at r = 1.
+    /// Returns the unit of displacement at a point, divided by the unit at r = 1.
     pub(super) fn unit(&self, point: &CurvePoint) -> f64 {
         point.r.powi(-self.fall)
     }
@@ -50,7 +50,8 @@ impl Straight {
         })
     }
 
-    /// Returns, for each motion, its amplitude and phase at several points, and the smallest amplitude that matters.
+    /// Returns two things for each motion: amplitude and phase at several points, and the amplitude below which
+    /// deviations do not matter.
     fn swings<'p, const N: usize>(
         &'p self,
         points: [&'p CurvePoint; N],
@@ -73,7 +74,7 @@ impl Straight {
     }
 }
 
-/// Returns true if stops, period and settling are the same at three points.
+/// Returns true if three points have the same number of stops and the same period, and if all or none of them settle.
 pub(super) fn alike(points: [&CurvePoint; 3]) -> bool {
     let pattern = |point: &CurvePoint| (point.stops, point.period, point.settled);
     points

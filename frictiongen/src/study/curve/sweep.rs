@@ -1,5 +1,5 @@
-//! Curves whose points start from the steady state of the last point, as in a laboratory sweep. A place is a frequency
-//! ratio at which the sweep computes a point in any case.
+//! Curves as in a laboratory sweep: each point starts from the steady state of the previous point. A *place* is a
+//! frequency ratio that is always a point of the sweep.
 
 use super::answer::{Curve, End};
 use super::pieces;
@@ -24,7 +24,7 @@ struct Step {
 }
 
 impl Refine<'_> {
-    /// Returns the curve through the given frequency ratios, swept in the requested direction.
+    /// Returns the curve through the given frequency ratios, in the requested direction of the sweep.
     pub(super) fn swept(mut self, places: &[CurvePlace]) -> Curve {
         let down = self.request.start == CurveStart::Down;
         // A sweep follows every motion twice. It therefore leaves out the less important frequency ratios.
@@ -65,7 +65,7 @@ impl Refine<'_> {
         pieces::curve(asked, nodes.into_iter(), left.is_some())
     }
 
-    /// Returns the points at the first frequency ratios alone. Their amplitudes give the scale of each motion.
+    /// Returns only the points at the first frequency ratios. Their amplitudes give the scale of each motion.
     fn coarse(&self, places: &[CurvePlace]) -> Vec<CurveNode> {
         let mut carried = None;
         let nodes = places.iter().map(|place| {
@@ -101,11 +101,11 @@ impl Refine<'_> {
         }
     }
 
-    /// Continues the sweep from the last step to r. The steps are small where the curve bends.
+    /// Continues the sweep from the last step to r, in small steps where the curve bends.
     ///
-    /// A step that ends in another steady state is halved until the jump is located. A jump therefore never results
-    /// from the size of the step alone. `left` is the remaining work. If no work remains, each step goes directly to
-    /// the next frequency ratio of the first grid.
+    /// If a step ends in another steady state, the code halves the step until it has located the jump. The length of a
+    /// step alone therefore never causes a jump. `left` is the remaining work. If no work remains, each step goes
+    /// directly to the next frequency ratio of the first grid.
     fn reach(&self, r: f64, pole: bool, steps: &mut Vec<Step>, left: &mut Option<usize>) {
         let mut targets = vec![r];
         let mut jumps = 0;

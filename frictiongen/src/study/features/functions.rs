@@ -1,15 +1,16 @@
-//! The functions of y = 1/r whose zeros are features. They consist of V (motion without friction), H (response to a
+//! Functions of y = 1/r whose zeros are features. They consist of V (motion without friction), H (response to a
 //! harmonic force in the contact) and U (response to a square wave of friction).
 //!
-//! Every sum here is the thesis's sum divided by y² = 1/r², a factor of all its terms. With d = x² − 1 + 2iζx and x =
-//! √λ y, V = y² Σ wp/d. H has the same form with w² instead of wp. Without damping U = y² Σ w² tan(πx/2)/x.
+//! Every sum in this module is the thesis's sum divided by y² = 1/r², which is a factor of all its terms. With d = x² −
+//! 1 + 2iζx and x = √λ y, V = y² Σ wp/d. H has the same form with w² instead of wp. Without damping U = y² Σ w²
+//! tan(πx/2)/x.
 
 use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_model::interval::{Interval, Number};
 use frictiongen_model::modal::Modal;
 
-/// The data of one mode in the sums V, H and U.
+/// Data of one mode in the sums V, H and U.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ModeNumbers<T> {
     pub resonance: T,
@@ -29,14 +30,14 @@ pub(super) struct ModeNumbers<T> {
 #[derive(Clone, Debug)]
 pub(super) struct ChainNumbers<T> {
     pub modes: Vec<ModeNumbers<T>>,
-    /// The static motion wᵀK̄⁻¹p − 1 of the contact relative to the base. `None` unless the contact is with the moving
-    /// base.
+    /// The static motion wᵀK̄⁻¹p − 1 of the contact relative to the base. `None` unless the contact slides on the
+    /// moving base.
     pub on_base: Option<T>,
     /// Inverse effective mass m* of the contact.
     pub inverse_mass: T,
     /// μ, static over kinetic friction force.
     pub stiction: T,
-    /// True if the requested motion is the contact's. False for the motion of a mass.
+    /// True if the requested motion is that of the contact, false if it is that of a mass.
     pub is_contact: bool,
     pub damped: bool,
     /// True if damping acts on velocities relative to the moving base.
@@ -79,7 +80,7 @@ impl<T> ChainNumbers<T> {
     }
 }
 
-/// The function of frequency whose zeros are wanted.
+/// The function of frequency whose zeros the search finds.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Target<T> {
     /// V_k, the motion of mass k without friction.
@@ -88,30 +89,30 @@ pub(super) enum Target<T> {
     FreeContact,
     /// H_k, the response of mass k to a harmonic force in the contact.
     Receptance,
-    /// U_k, the slope of mass k's response to a square wave of friction, at the reversal (6.9).
+    /// U_k, the slope at the reversal of mass k's response to a square wave of friction (6.9).
     Quadrature,
     /// V U_k − 2 V_k U, which is zero where friction does not change the estimated amplitude (6.10).
     Estimate,
     /// V_k U + (2/π) H_k V, for the contact U + (2/π) H. It is zero where friction does not change the fundamental's
     /// amplitude.
     Fundamental,
-    /// V − βμH, with damping |V|² − (βμ)²|H|² (6.13), for the contact's motion V without friction and its receptance
-    /// H. It is zero where β*_lim equals β.
+    /// V − βμH (with damping |V|² − (βμ)²|H|²) (6.13). V is the contact's motion without friction, and H its
+    /// receptance. The function is zero where β*_lim equals β.
     Sliding(T),
     /// V² − β²(U² + (μm*/r²)²) of an undamped chain. This function is zero where β_lim without search equals β.
     Continuous(T),
 }
 
-/// A pole p of one or more modes on the axis y = 1/r. `members` lists each such mode with its odd integer x = √λ y at
-/// the pole.
+/// A pole p of one or more modes on the axis of y = 1/r. `members` lists each of these modes with its odd integer x =
+/// √λ y at the pole.
 #[derive(Clone, Debug)]
 pub(super) struct ModalPole {
     pub y: f64,
     pub members: Vec<(usize, f64)>,
 }
 
-/// A pole p within an interval of y: the distance y − p, and the singular functions of each mode times y − p, which
-/// are finite.
+/// Data for an interval of y that contains a pole p: the distance y − p, and the singular functions of each mode times
+/// y − p, which are finite.
 pub(super) struct Near<T> {
     gap: T,
     /// For each mode with this pole: 1/d and tan(πx/2)/x, both times the distance y − p. `None` for modes without this
@@ -128,7 +129,8 @@ enum ModalSum<T> {
     HOf,
     U,
     UOf,
-    /// V − level·H, summed mode by mode. If the term of a mode vanishes, the sum has no pole at that mode.
+    /// V − level·H, with the difference taken for each mode. If the difference of a mode vanishes, the sum has no pole
+    /// at this mode.
     Against(T),
 }
 
@@ -224,8 +226,8 @@ impl<T: Number> ChainNumbers<T> {
         ]
     }
 
-    /// Returns the target function at y. With `near`, the function is multiplied by a power of y − p, whose exponent
-    /// is the number of factors with a pole.
+    /// Returns the target function at y. With `near`, the function is multiplied by a power of y − p, which removes the
+    /// pole. The exponent is the number of factors with a pole.
     pub fn value(&self, target: Target<T>, y: T, near: Option<&Near<T>>) -> T {
         let sum = |which| self.sum(which, y, near);
         let real = |which| sum(which)[0];
@@ -269,7 +271,7 @@ impl<T: Number> ChainNumbers<T> {
 
 impl ChainNumbers<Interval> {
     /// Returns the distance y − p over an interval of y, and the singular functions of the pole's modes times this
-    /// distance. `None` if the interval is too wide for finite bounds.
+    /// distance. Returns `None` if the interval is too wide for finite bounds.
     pub fn near(&self, y: Interval, pole: &ModalPole) -> Option<Near<Interval>> {
         let two_over_pi = Interval::rounded(std::f64::consts::FRAC_2_PI);
         let half_pi = Interval::rounded(std::f64::consts::FRAC_PI_2);
@@ -303,7 +305,7 @@ impl ChainNumbers<Interval> {
 const SAME: f64 = 4e-15;
 
 impl Target<Dd> {
-    /// Returns two flags: whether a mode has a pole at x = 1, and whether it has poles at the other odd x.
+    /// Returns two flags: true if a mode has a pole at x = 1, and true if it has poles at the other odd x.
     fn poles_of(&self, numbers: &ChainNumbers<Dd>, mode: &ModeNumbers<Dd>) -> [bool; 2] {
         let drives = |a: Dd, b: Dd| !(a.is_zero() || b.is_zero());
         let undamped = mode.zeta.is_zero();
@@ -344,8 +346,8 @@ impl Target<Dd> {
         }
     }
 
-    /// Returns the poles of the target function between two values of y, ascending. `None` if there are more than
-    /// `most` poles.
+    /// Returns the poles of the target function between two values of y, in ascending order. Returns `None` if there
+    /// are more than `most` poles.
     pub fn poles(
         &self,
         numbers: &ChainNumbers<Dd>,

@@ -1,5 +1,5 @@
-//! Frequencies at which friction does not change a motion, ranges in which friction enlarges the motion, and
-//! frequencies at which the motion vanishes without friction. All three exist only for chains without damping.
+//! Frequencies at which friction does not change a motion, ranges in which more friction makes a motion larger, and
+//! frequencies at which a motion vanishes without friction. All three exist only in chains without damping.
 
 use super::functions::Target;
 use super::isolate::{Crowded, FunctionZero, MotionFunction};
@@ -8,13 +8,13 @@ use super::{FeatureError, Features, check_range};
 use crate::Of;
 use frictiongen_kernel::number::dd::Dd;
 
-/// The quantity of a motion that is independent of friction at an invariant point: amplitude or fundamental component.
+/// The quantity of a motion that does not depend on friction at an invariant point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Measured {
-    /// The amplitude. It is exact for the contact's motion (6.9), and the monoharmonic estimate for another mass
+    /// The amplitude. For the contact's motion it is exact (6.9), for another mass it is the monoharmonic estimate
     /// (5.50, 6.10).
     Amplitude,
-    /// The fundamental component, exact. Its amplitude is the frequency-based transmissibility (4.4).
+    /// The fundamental component, exactly. Its amplitude is the frequency-based transmissibility (4.4).
     Fundamental,
 }
 
@@ -25,8 +25,8 @@ pub enum Condition {
     /// U = 0 for the contact, or U_k = 0 for mass k: the response to a square wave of friction has no slope at the
     /// reversal (6.9).
     Quadrature,
-    /// V U_k = 2 V_k U, from the monoharmonic estimate (6.10). V is the motion without friction, U the response to a
-    /// square wave of friction. Index k denotes the mass.
+    /// V U_k = 2 V_k U, from the monoharmonic estimate (6.10). V is the motion without friction, and U the response to
+    /// a square wave of friction. Index k denotes the mass.
     Estimate,
     /// H_k = 0: mass k does not respond to a harmonic force in the contact.
     Receptance,
@@ -35,7 +35,7 @@ pub enum Condition {
     Balance,
 }
 
-/// A frequency at which a motion is independent of the friction force, as long as the contact slides all the time.
+/// A frequency at which a motion does not depend on the friction force, provided that the contact slides all the time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct InvariantPoint {
     /// Frequency ratio r of the invariant point.
@@ -44,19 +44,17 @@ pub struct InvariantPoint {
     pub frequency: Sensed,
     /// Equation that the invariant point satisfies.
     pub condition: Condition,
-    /// True if the phase is independent of friction too. The phase of the contact's motion at U = 0 is 0 or π.
+    /// True if the phase does not depend on friction either. The phase of the contact's motion at U = 0 is 0 or π.
     pub phase_too: bool,
-    /// The amplitude |V_k| of the motion at the point. The unit is m under a load, otherwise P/k₁, or Y for base
-    /// motion.
+    /// The amplitude |V_k| of the motion at the point, in m under a load, otherwise in P/k₁ (in Y for base motion).
     pub amplitude: f64,
-    /// β_lim at the point, in N under a load. The point is invariant up to this friction force or friction ratio.
+    /// β_lim at the point, in N under a load. The point is invariant for friction up to this value.
     pub continuous_limit: f64,
-    /// True if the function behind the condition crosses 0. False if the function only touches 0, or if two zeros are
-    /// within 1e-9.
+    /// True if the function of the condition crosses 0. False if it only touches 0, or if two zeros are within 1e-9.
     pub simple: bool,
 }
 
-/// The reason why a range in which friction enlarges a motion begins or ends at a frequency.
+/// Reason why a range of an [`Inversion`] begins or ends at a frequency.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Edge {
     /// The bound of the requested range.
@@ -65,11 +63,11 @@ pub enum Edge {
     Invariant,
     /// A pole of the response without friction, or of the response to a square wave of friction.
     Pole,
-    /// V = 0: the contact does not move without friction, and any friction stops the contact.
+    /// V = 0: without friction the contact does not move, and with any friction it stops.
     Still,
 }
 
-/// A range of frequencies in which more friction enlarges a motion, as long as the contact slides all the time.
+/// A range of frequencies in which more friction makes a motion larger, provided that the contact slides all the time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Inversion {
     /// Lower bound of the range, as frequency ratio r.
@@ -92,8 +90,8 @@ pub struct Antiresonance {
     pub frequency: Sensed,
 }
 
-/// Value of β_lim below which the contact counts as unable to slide with any friction. V, the contact's motion without
-/// friction, is then 0 to rounding.
+/// Value of β_lim below which the contact cannot slide with any friction. The contact's motion V without friction is
+/// then 0 to rounding.
 const STILL: f64 = 1e-10;
 /// Relative distance within which points of two conditions count as one point.
 const SAME: f64 = 1e-13;
@@ -113,7 +111,7 @@ fn targets(measured: Measured, is_contact: bool) -> &'static [(Condition, Target
 }
 
 impl Features<'_> {
-    /// Returns all frequencies in the range at which the motion vanishes without friction, ascending.
+    /// Returns all frequencies in the range at which the motion vanishes without friction, in ascending order.
     ///
     /// # Errors
     /// [`FeatureError::Damped`], because the motion of a damped chain has a minimum but does not vanish.
@@ -132,9 +130,9 @@ impl Features<'_> {
         Ok(zeros.into_iter().map(of).collect())
     }
 
-    /// Returns all invariant points of a motion in the range, ascending. At an invariant point the quantity `measured`
-    /// does not depend on friction, as long as the contact slides all the time. The list is empty for a motion that
-    /// friction does not influence.
+    /// Returns all invariant points of a motion in the range, in ascending order. At an invariant point the quantity
+    /// `measured` does not depend on friction, provided that the contact slides all the time. The list is empty for a
+    /// motion that friction does not influence.
     ///
     /// # Errors
     /// [`FeatureError::Damped`] for a damped chain. For such a chain, call [`crossings`](Self::crossings) with two
@@ -181,10 +179,10 @@ impl Features<'_> {
         Ok(points)
     }
 
-    /// Returns all ranges of r, ascending, in which more friction enlarges the quantity `measured`. The contact slides
-    /// all the time in these ranges.
+    /// Returns all ranges of r, in ascending order, in which more friction makes the quantity `measured` larger. The
+    /// contact slides all the time in these ranges.
     ///
-    /// A range may contain single frequencies at which no friction lets the contact slide all the time. These
+    /// A range may contain single frequencies at which the contact cannot slide all the time with any friction. These
     /// frequencies are poles of U, where β_lim = 0.
     ///
     /// # Errors
@@ -277,7 +275,8 @@ impl Features<'_> {
         Ok(found)
     }
 
-    /// Returns the function whose zeros are wanted for a motion. Fails for an invalid range and for a damped chain.
+    /// Returns the function for a motion whose zeros the caller seeks. Fails for an invalid range and for a damped
+    /// chain.
     fn function(
         &self,
         of: Of,

@@ -1,11 +1,11 @@
-//! Finds all zeros of a function between two frequencies by interval arithmetic. No zero is missed, and no pole is
-//! mistaken for a zero.
+//! Finds all zeros of a function between two frequencies by interval arithmetic. The search misses no zero, and
+//! mistakes no pole for a zero.
 //!
-//! The search covers intervals of y = 1/r. An enclosure is an interval that contains all values of a function. The
-//! search discards an interval if the enclosure of the function excludes 0. Without a pole, the interval has at most
-//! one zero if the enclosure of the slope excludes 0. The signs at both bounds then show whether it has one. With one
-//! pole p, the search encloses the function times y − p, which is finite. It cuts an undecided interval in two. Every
-//! zero therefore lies in an interval that the search has not discarded.
+//! The search covers intervals of y = 1/r. An *enclosure* is an interval that contains all values of a function. The
+//! search discards an interval if the enclosure of the function excludes 0. If the interval contains no pole and the
+//! enclosure of the slope excludes 0, the interval has at most one zero. The signs at both bounds then show whether it
+//! has one. If the interval contains one pole p, the search encloses the function times y − p, which is finite. It
+//! divides an undecided interval in two. Every zero therefore lies in an interval that the search has not discarded.
 
 use super::functions::{ChainNumbers, ModalPole, Target};
 use frictiongen_kernel::number::dd::Dd;
@@ -23,15 +23,15 @@ const CANCELLED: f64 = 1e-13;
 /// Distance within which two zeros count as one point at which the function touches 0. The distance is relative to y,
 /// or to the distance from a pole.
 const TOUCH: f64 = 1e-9;
-/// Relative distance within which zeros at which the function touches 0 count as one zero.
+/// Relative distance within which two zeros count as one, if the function touches 0 at them.
 const ONE_TOUCH: f64 = 1e-6;
-/// Fraction of an interval's width at which the interval is cut. The middle is avoided, because it is often a special
-/// point of a symmetric scene.
+/// Position at which the search divides an interval, as a fraction of its width. It is not the middle, because the
+/// middle is often a special point of a symmetric scene.
 const CUT: f64 = 0.487_3;
-/// Relative width to which a bracket is halved before Newton's method takes over.
+/// Relative width to which the search halves a bracket before Newton's method replaces the halving.
 const NEAR: f64 = 1e-6;
 
-/// The error that a range has too many poles, or needs too many intervals.
+/// The range has too many poles, or needs too many intervals.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Crowded;
 
@@ -105,7 +105,7 @@ impl<'m> MotionFunction<'m> {
         self.target.vanishes(&self.exact)
     }
 
-    /// Returns the function at a frequency ratio r. The common power of 1/r of its sums is left out.
+    /// Returns the function at a frequency ratio r. The result does not contain the common power of 1/r of its sums.
     pub fn at(&self, r: f64) -> f64 {
         let target = converted(self.target, |beta| beta.to_f64());
         self.plain.value(target, 1.0 / r, None)
@@ -115,8 +115,8 @@ impl<'m> MotionFunction<'m> {
         self.held.value(converted(self.target, enclosed), y, None)
     }
 
-    /// Returns enclosures of the function and of its slope over an interval of y. The mean value form tightens the
-    /// enclosure of the function.
+    /// Returns enclosures of the function and of its slope over an interval of y. The mean value form makes the
+    /// enclosure of the function narrower.
     fn jet(&self, y: Interval) -> Jet {
         let target = converted(self.target, |beta| Jet::fixed(enclosed(beta)));
         let jet = self.sloped.value(target, Jet::variable(y), None);
@@ -190,7 +190,7 @@ impl<'m> MotionFunction<'m> {
         FunctionZero { y, slope, crosses }
     }
 
-    /// Returns the zero that agrees with y to rounding, refined in double-double arithmetic.
+    /// Returns the zero closest to y, refined in double-double arithmetic. `y` is the zero in double precision.
     fn polished(&self, y: f64) -> FunctionZero {
         let mut place = Dd::from(y);
         for _ in 0..3 {
@@ -303,7 +303,8 @@ impl ZeroSearch<'_, '_> {
         Ok(())
     }
 
-    /// Handles an interval that contains one pole: records a zero, discards the interval, or cuts it into `open`.
+    /// Examines an interval that contains one pole. Records a zero, discards the interval, or adds its two parts to
+    /// `open`.
     fn about(&self, pole: &ModalPole, [low, high]: [f64; 2], open: &mut Vec<[f64; 2]>) {
         let value = self.function.without_pole(Interval::new(low, high), pole);
         let excluded = value.is_some_and(|value| !value.holds_zero());
@@ -322,7 +323,7 @@ impl ZeroSearch<'_, '_> {
         }
     }
 
-    /// Handles an interval without a pole: records a zero, discards the interval, or cuts it into `open`.
+    /// Examines an interval without a pole. Records a zero, discards the interval, or adds its two parts to `open`.
     fn between(&mut self, [low, high]: [f64; 2], open: &mut Vec<[f64; 2]>) {
         let jet = self.function.jet(Interval::new(low, high));
         if !jet.value.holds_zero() {

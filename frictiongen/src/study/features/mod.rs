@@ -1,9 +1,9 @@
-//! The features of a scene's response: thresholds, limits for r → 0 and r → ∞, invariant points, inversions, resonances
-//! of the stuck chain, sliding ranges, regimes along frequency, peaks.
+//! Features of a scene's response: thresholds, limits for r → 0 and r → ∞, invariant points, inversions, resonances of
+//! the stuck chain, sliding ranges, regimes over frequency, and peaks.
 //!
-//! Interval arithmetic finds the zeros of functions in closed form ([`Certainty::Proven`]). Features that depend on a
-//! search over the half period, or on steady states with stops, are sampled in steps of a stated length and refined
-//! ([`Certainty::Sampled`]).
+//! Interval arithmetic finds the zeros of functions in closed form ([`Certainty::Proven`]). Other features depend on a
+//! search over the half period, or on steady states with stops. The code samples these in steps of a stated length, and
+//! refines them ([`Certainty::Sampled`]).
 
 mod functions;
 mod invariant;
@@ -26,7 +26,7 @@ use sensed::Variations;
 pub use sensed::{ParameterSlope, Sensed};
 pub use sliding::{HeldResonance, SlidingRange};
 
-/// The completeness of a list of features: proven complete, or sampled.
+/// Completeness of a list of features: proven complete, or sampled.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Certainty {
     /// The list contains every feature in the range, found by a closed form or by interval arithmetic. Two features
@@ -35,8 +35,9 @@ pub enum Certainty {
     /// The search samples the range in `steps` equal steps over 1/r, and refines each change that it finds. It finds
     /// every interval longer than one step.
     ///
-    /// It finds a shorter interval only in two cases: if the sampled function comes near its level at the middle one of
-    /// three samples, or if the interval is next to a resonance or an odd sub-harmonic of one.
+    /// It finds a shorter interval only in two cases. In the first, the sampled function comes near its level at the
+    /// middle one of three samples. In the second, the interval is next to a resonance or an odd sub-harmonic of a
+    /// resonance.
     Sampled {
         /// Number of equal steps of the range.
         steps: u32,
@@ -44,18 +45,18 @@ pub enum Certainty {
 }
 
 impl Certainty {
-    /// Number of steps into which a sampled range is divided.
+    /// Number of steps for a sampled range.
     pub const STEPS: u32 = 8192;
 
-    /// Completeness of every list that is sampled.
+    /// Completeness of every sampled list.
     pub const SAMPLED: Self = Self::Sampled { steps: Self::STEPS };
 }
 
-/// The reason why the features cannot be found.
+/// The reason why the search for features fails.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum FeatureError {
-    /// The range of r does not go from above 0 to a larger, finite r.
+    /// The range of r does not begin above 0 and end at a larger, finite r.
     Range,
     /// A friction ratio is negative, not finite or NaN.
     Friction,
@@ -65,7 +66,7 @@ pub enum FeatureError {
     Combination,
     /// The chain is damped. The requested points exist only without damping.
     Damped,
-    /// The range contains more poles or zeros than can be listed, because they crowd towards r = 0.
+    /// The range contains more poles or zeros than a list can have. They become infinitely close towards r = 0.
     Crowded,
 }
 
@@ -100,11 +101,11 @@ impl From<isolate::Crowded> for FeatureError {
     }
 }
 
-/// The features of a system's response, in non-dimensional form or under a load: see [`System::features`].
+/// Features of a system's response, in non-dimensional form or under a load: see [`System::features`].
 ///
 /// The methods take frequencies as r and frictions as β. Every result has r, and a [`Sensed`] number: a value in its
 /// unit, with derivatives. Under a load the units are Hz, N and m, and the derivatives are at constant forces and
-/// lengths. Otherwise the units are r, β and P/k₁ (for base motion Y), and the derivatives are at constant groups.
+/// lengths. Otherwise the units are r, β and P/k₁ (Y for base motion), and the derivatives are at constant groups.
 pub struct Features<'s> {
     system: &'s System,
     variations: Variations,
@@ -119,8 +120,8 @@ pub struct Resonance {
     pub frequency: Sensed,
     /// Modal damping ratio ζ_i of the mode at the resonance.
     pub damping_ratio: f64,
-    /// Threshold β_n,i (6.2, 6.26): without damping, the amplitude is unbounded for smaller friction. `None` for a mode
-    /// that the contact does not drive.
+    /// Threshold β_n,i (6.2, 6.26). Without damping, the amplitude is unbounded for friction below it. `None` for a
+    /// mode that the contact does not drive.
     pub threshold: Option<Sensed>,
     /// Limit of continuous motion β_lim at the resonance, in N under a load. Without damping β_lim equals the
     /// threshold. With damping, (7.62) is an estimate of β_lim.
@@ -136,8 +137,8 @@ pub struct LimitsAtEnd {
     pub sliding: Sensed,
 }
 
-/// Lower bound of the default range, as a factor on the lowest resonance. The range begins at no less than `FAR_BELOW`
-/// times the highest resonance, and ends at `ABOVE` times the highest resonance.
+/// Lower bound of the default range, as a factor on the lowest resonance. The range never begins below `FAR_BELOW`
+/// times the highest resonance. It ends at `ABOVE` times the highest resonance.
 const BELOW: f64 = 0.55;
 /// Upper bound of the default range, as a factor on the highest resonance.
 const ABOVE: f64 = 1.5;
@@ -145,9 +146,9 @@ const ABOVE: f64 = 1.5;
 const FAR_BELOW: f64 = 0.02;
 
 impl System {
-    /// Returns the default range of r, from below the lowest resonance to above the highest. The range begins later
-    /// where the highest resonance is far above the lowest, because sub-harmonics of the highest resonance crowd at
-    /// low r.
+    /// Returns the default range of r, from below the lowest resonance to above the highest. If the highest resonance
+    /// is far above the lowest, the range begins at a higher r, because sub-harmonics of the highest resonance are too
+    /// close together at low r.
     #[must_use]
     pub fn about_resonances(&self) -> [f64; 2] {
         let all = self.resonances();
@@ -194,13 +195,13 @@ impl System {
 }
 
 impl Features<'_> {
-    /// Returns the system whose features are found.
+    /// Returns the system of these features.
     #[must_use]
     pub fn system(&self) -> &System {
         self.system
     }
 
-    /// Returns every resonance of the chain with its threshold, ascending.
+    /// Returns every resonance of the chain with its threshold, in ascending order.
     #[must_use]
     pub fn resonances(&self) -> Vec<Resonance> {
         let modal = self.system.modal();
@@ -229,8 +230,8 @@ impl Features<'_> {
         .collect()
     }
 
-    /// Returns the displacement x̄ of every mass for r → 0 at the friction ratio β (6.5), with derivatives. `None`
-    /// where the contact is stuck at r = 0.
+    /// Returns the displacement x̄ of every mass for r → 0 at the friction ratio β (6.5), with derivatives. Returns
+    /// `None` if the contact is stuck at r = 0.
     ///
     /// # Errors
     /// [`FeatureError::Friction`].
@@ -296,7 +297,7 @@ impl Features<'_> {
         at.map_or(f64::NAN, |at| at.sliding_limit())
     }
 
-    /// Returns the index of the mass to which a motion belongs. `None` for the contact, and for a mass that moves as
+    /// Returns the index of the mass of a motion. Returns `None` for the contact, and for a mass that moves exactly as
     /// the contact does.
     fn mass_of(&self, of: Of) -> Result<Option<usize>, FeatureError> {
         let modal = self.system.modal();

@@ -1,4 +1,5 @@
-//! Resonant peaks, estimated and true, and frequencies at which the exact amplitudes of two frictions cross.
+//! Resonant peaks, estimated and exact, and frequencies at which a motion has the same exact amplitude for two
+//! frictions.
 
 use super::places::{changes, merge, samples, steps};
 use super::sensed::Sensed;
@@ -16,12 +17,12 @@ use frictiongen_kernel::number::dual::Dual;
 pub struct TruePeak {
     /// Frequency ratio r of the peak.
     pub r: f64,
-    /// Frequency of the peak, in Hz under a load. The frequency has derivatives where the peak is smooth.
+    /// Frequency of the peak, in Hz under a load. The frequency has derivatives only if the peak is smooth.
     pub frequency: Sensed,
     /// Amplitude at the peak, in m under a load. The amplitude is infinite on an undamped resonance with less friction
     /// than the threshold.
     pub amplitude: Sensed,
-    /// Regime at the peak. `None` where the amplitude is infinite.
+    /// Regime at the peak. `None` if the amplitude is infinite.
     pub regime: Option<Regime>,
 }
 
@@ -34,15 +35,15 @@ pub struct ResonantPeak {
     pub resonance: f64,
     /// Amplitude of the peak, estimated for small ζ (7.60), in m under a load.
     ///
-    /// `None` without damping, and for the contact's motion between two masses or on a moving base. `None` also where
-    /// the estimate is negative, because friction has then removed the peak.
+    /// `None` without damping, and for the contact's motion between two masses or on a moving base. `None` also for a
+    /// negative estimate, because friction has then removed the peak.
     pub estimate: Option<Sensed>,
     /// The largest amplitude over all regimes, between the midpoints to the neighbouring resonances. `None` if the
     /// largest amplitude is at a bound of this range, because the motion then has no peak.
     pub peak: Option<TruePeak>,
 }
 
-/// A frequency at which a motion has the same exact amplitude with two frictions.
+/// A frequency at which a motion has the same exact amplitude for two frictions.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Crossing {
     /// Frequency ratio r of the crossing.
@@ -50,12 +51,12 @@ pub struct Crossing {
     /// Frequency of the crossing, in Hz under a load. Its derivative with respect to friction keeps the ratio of the
     /// two frictions constant.
     pub frequency: Sensed,
-    /// The amplitude with either friction at the crossing, in m under a load.
+    /// The amplitude for either friction at the crossing, in m under a load.
     pub amplitude: f64,
 }
 
-/// Number of samples in each range in which the contact slides all the time with both frictions. The equal steps of the
-/// whole range are sampled too.
+/// Number of samples in each range in which the contact slides all the time with both frictions. The search also
+/// samples the equal steps of the whole range.
 const SAMPLES: usize = 128;
 /// Step of a finite difference next to a peak, relative to r.
 const BESIDE: f64 = 1e-6;
@@ -67,9 +68,9 @@ impl Features<'_> {
     /// Returns the peak of a motion at every resonance of the chain at the friction ratio β: the estimate (7.60) and
     /// the largest amplitude over all regimes.
     ///
-    /// The true peaks are sampled and refined. The samples are close together near the resonances of the chain, free
-    /// and with its contact stuck, and near sub-harmonics of both. Further samples are in 96 even steps. A steady
-    /// amplitude with stops takes much work, so that no resolution is guaranteed.
+    /// The call samples and refines the exact peaks. The samples are close together near the resonances of the chain
+    /// and of the chain with its contact stuck, and near sub-harmonics of both. Further samples are in 96 even steps.
+    /// The resolution is not guaranteed, because a steady amplitude with stops takes much work.
     ///
     /// # Errors
     /// [`FeatureError::Friction`], [`FeatureError::UnknownMass`].
@@ -177,7 +178,7 @@ impl Features<'_> {
         })
     }
 
-    /// Returns the frequency ratio of a smooth peak near r, and its frequency with derivatives. `None` where the
+    /// Returns the frequency ratio of a smooth peak near r, and its frequency with derivatives. Returns `None` if the
     /// amplitude has a kink.
     ///
     /// At the peak ∂A/∂r is 0, so that dr/dp = −(∂²A/∂r∂p)/(∂²A/∂r²). Second derivatives are finite differences of
@@ -216,14 +217,14 @@ impl Features<'_> {
         Some((r, frequency))
     }
 
-    /// Returns the frequencies at which the exact amplitudes of a motion at two friction ratios cross, ascending. The
-    /// contact slides all the time at both friction ratios. Damped chains are allowed.
+    /// Returns the frequencies at which the exact amplitudes of a motion at two friction ratios cross, in ascending
+    /// order. The contact slides all the time at both friction ratios. The chain may be damped.
     ///
-    /// The list is sampled. Two crossings are separated if their distance over 1/r exceeds one of
+    /// The list is sampled. It separates two crossings if their distance over 1/r exceeds one of
     /// [`Certainty::STEPS`](super::Certainty::STEPS) equal steps of the range.
     ///
-    /// Each pair of friction ratios has its own crossings. For the contact's motion without damping the amplitudes
-    /// only touch, at the [`invariant_points`](Self::invariant_points), which are not part of this list.
+    /// Each pair of friction ratios has its own crossings. For the contact's motion without damping the amplitudes only
+    /// touch, at the [`invariant_points`](Self::invariant_points). This list does not contain those points.
     ///
     /// # Errors
     /// [`FeatureError::Friction`], [`FeatureError::Range`], [`FeatureError::UnknownMass`], [`FeatureError::Crowded`].

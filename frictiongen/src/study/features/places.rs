@@ -1,9 +1,10 @@
-//! Finds sign changes of a function that can only be sampled. The search is refined where the function comes near 0.
+//! Finds sign changes of a function that the code can only sample. It refines the search where the function comes near
+//! 0.
 
 use super::Certainty;
 
-/// Number of steps of a search for two hidden sign changes between samples. Three samples of one sign may hide two
-/// changes if the middle sample is nearest to 0. Each step keeps 0.62 of an interval.
+/// Number of steps of a search for two hidden sign changes between samples. Three samples with the same sign may hide
+/// two changes if the middle sample is closest to 0. Each step keeps 0.62 of an interval.
 const STEPS: usize = 60;
 /// Larger of the two fractions into which a golden section divides an interval.
 const GOLDEN: f64 = 0.618_033_988_749_894_8;
@@ -50,8 +51,8 @@ pub(super) fn merge(places: &mut Vec<f64>, steps: &[f64]) {
     places.dedup();
 }
 
-/// Returns the sign changes of a function between sample points, ascending. Samples at which the function is NaN are
-/// ignored.
+/// Returns the sign changes of a function between sample points, in ascending order. Ignores samples at which the
+/// function is NaN.
 pub(super) fn changes(places: &[f64], f: impl Fn(f64) -> f64) -> Vec<f64> {
     let values: Vec<f64> = places.iter().map(|r| f(*r)).collect();
     let mut all: Vec<(f64, f64)> = places.iter().copied().zip(values).collect();
@@ -114,7 +115,7 @@ fn bisected([mut low, mut high]: [f64; 2], at_low: f64, f: impl Fn(f64) -> f64) 
 mod tests {
     use super::{changes, samples};
 
-    /// Checks that two sign changes between neighbouring samples are found from the sample nearest to them.
+    /// Checks that the search finds two sign changes between neighbouring samples, from the sample nearest to them.
     #[test]
     fn a_narrow_pair() {
         let places = samples([1.0, 2.0], 16, &[]);

@@ -1,4 +1,4 @@
-//! The regimes along frequency at a given friction ratio.
+//! Regimes over frequency at a given friction ratio.
 
 use super::functions::Target;
 use super::isolate::MotionFunction;
@@ -32,21 +32,22 @@ pub struct RegimeRange {
     pub end: RegimeEnd,
 }
 
-/// Number of samples in each interval in which β_lim may exceed β. The equal steps of the whole range are sampled too.
+/// Number of samples in each interval in which β_lim may exceed β. The search also samples the equal steps of the whole
+/// range.
 const SAMPLES: usize = 128;
 /// Largest number of odd sub-harmonics of a resonance near which the search takes additional samples.
 const SUBHARMONICS: usize = 12;
 
 impl Features<'_> {
-    /// Returns the regimes along r at the friction ratio β, ascending, and how complete the list is.
+    /// Returns the regimes over r at the friction ratio β, in ascending order, and the completeness of the list.
     ///
     /// Interval arithmetic finds the frequencies with β*_lim = β. β_lim depends on a search over the half period.
     /// Without damping β_lim has a closed form for r ≥ √λ_N/2, and this closed form is an upper bound on β_lim at every
     /// r.
     ///
-    /// Without damping, the list is therefore proven for a range above √λ_N/2. Otherwise the intervals in which the
-    /// closed form exceeds β are sampled. The search may miss a regime there if its range is narrower than one of
-    /// [`Certainty::STEPS`] equal steps over 1/r.
+    /// Without damping, the list is therefore proven for a range above √λ_N/2. Otherwise the code samples the intervals
+    /// in which the closed form exceeds β. In these intervals the search may miss a regime whose range is narrower than
+    /// one of [`Certainty::STEPS`] equal steps over 1/r.
     ///
     /// # Errors
     /// [`FeatureError::Friction`], [`FeatureError::Range`], [`FeatureError::Crowded`].
@@ -95,7 +96,7 @@ impl Features<'_> {
         Ok((found, certainty))
     }
 
-    /// Returns the frequencies in the range at which β_lim = β, and how complete the list is.
+    /// Returns the frequencies in the range at which β_lim = β, and the completeness of the list.
     fn continuous_bounds(
         &self,
         beta: f64,

@@ -1,5 +1,5 @@
-//! Derivatives of a feature with respect to every parameter. They come from zeros by implicit differentiation, and from
-//! closed forms.
+//! Derivatives of a feature with respect to every parameter. The derivatives of zeros come from implicit
+//! differentiation, the others from closed forms.
 
 use super::isolate::{FunctionZero, MotionFunction};
 use crate::study::parameter::{OperatingPoint, Parameter, parameters_of};
@@ -33,8 +33,8 @@ pub struct Sensed {
 }
 
 impl Sensed {
-    /// Returns the relative derivative (p/X)·dX/dp: the change of X in per cent for one per cent of p. `None` where X
-    /// is 0, or where the parameter has no derivative.
+    /// Returns the relative derivative (p/X)·dX/dp: the change of X in per cent for one per cent of p. Returns `None`
+    /// if X is 0, or if X has no derivative with respect to this parameter.
     #[must_use]
     pub fn relative(&self, parameter: Parameter) -> Option<f64> {
         let mut slopes = self.slopes.iter();
@@ -43,7 +43,7 @@ impl Sensed {
         relative.is_finite().then_some(relative)
     }
 
-    /// Returns the parameter with the largest relative derivative in magnitude, and that relative derivative.
+    /// Returns the parameter with the largest absolute relative derivative, and this relative derivative.
     #[must_use]
     pub fn strongest(&self) -> Option<(Parameter, f64)> {
         let relative = self
@@ -54,8 +54,8 @@ impl Sensed {
     }
 }
 
-/// Fraction of X below which the change p·dX/dp counts as 0. In numbers with 30 digits, rounding leaves a remainder of
-/// this size.
+/// Fraction of X below which the change p·dX/dp counts as 0. With numbers of 30 digits, rounding causes changes of this
+/// size.
 const NOTHING: f64 = 1e-18;
 
 /// The scene and its units, with derivatives with respect to one parameter.
@@ -67,7 +67,7 @@ pub(super) struct Variation {
     pub force: Sensitive,
     /// Unit of length: P/k₁ or Y under a load, otherwise 1.
     pub length: Sensitive,
-    /// Frequency in Hz that belongs to r = 1 under a load, otherwise 1.
+    /// Frequency in Hz at r = 1 under a load, otherwise 1.
     pub frequency: Sensitive,
 }
 
@@ -75,7 +75,7 @@ pub(super) struct Variation {
 pub(super) struct Variations {
     pub scale: Option<LoadScale>,
     pub all: Vec<Variation>,
-    /// The scene with no parameter varied, for derivatives with respect to the frequency ratio r.
+    /// The scene without a varied parameter, for derivatives with respect to the frequency ratio r.
     pub unvaried: Varied,
 }
 
@@ -122,7 +122,7 @@ impl Variations {
     }
 
     /// Returns the number `value` with its derivative with respect to each parameter. `of` computes the derivative from
-    /// the scene in which this parameter varies. A parameter without a finite derivative is left out.
+    /// the scene in which this parameter varies. The result does not contain parameters without a finite derivative.
     pub fn sensed(
         &self,
         value: f64,
@@ -152,12 +152,12 @@ impl Variations {
         Sensed { value, slopes }
     }
 
-    /// Converts a friction ratio β to a friction force in N under a load. Without a load β stays as it is.
+    /// Converts a friction ratio β to a friction force in N under a load. Without a load, returns β.
     pub fn friction(&self, beta: f64) -> f64 {
         self.scale.map_or(beta, |scale| scale.friction(beta))
     }
 
-    /// Converts a displacement x̄ to m under a load. Without a load x̄ stays as it is.
+    /// Converts a displacement x̄ to m under a load. Without a load, returns x̄.
     pub fn length(&self, amplitude: f64) -> f64 {
         self.scale
             .map_or(amplitude, |scale| scale.displacement(amplitude))
@@ -173,8 +173,7 @@ impl Variations {
         self.sensed(self.friction(value), None, of)
     }
 
-    /// Returns the frequency that belongs to r, with its derivatives, in Hz under a load. `of` returns the derivative
-    /// of r.
+    /// Returns the frequency at r with its derivatives, in Hz under a load. `of` returns the derivative of r.
     pub fn of_frequency(
         &self,
         r: f64,
@@ -214,8 +213,8 @@ impl Variations {
         })
     }
 
-    /// Returns the frequency at which a function f of r and β is 0, with its derivatives. They follow from the
-    /// derivatives of f.
+    /// Returns the frequency at which a function f of r and β is 0, with its derivatives. The function computes them
+    /// from the derivatives of f.
     pub fn of_place(
         &self,
         r: f64,
@@ -237,8 +236,8 @@ impl Variations {
 }
 
 impl Variation {
-    /// Returns β with its derivative with respect to the varied parameter. Under a load the friction force is
-    /// constant, so β may vary.
+    /// Returns β with its derivative with respect to the varied parameter. Under a load the friction force is constant,
+    /// so that β may vary.
     pub fn beta(&self, beta: f64, scale: Option<LoadScale>) -> Sensitive {
         let own = self.parameter == Parameter::Friction;
         let number = |value: Dd| {

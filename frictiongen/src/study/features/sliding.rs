@@ -1,4 +1,4 @@
-//! The resonances of the chain with its contact stuck, and the ranges in which the contact slides at a given friction.
+//! Resonances of the chain with its contact stuck, and the ranges in which the contact slides at a given friction.
 
 use super::functions::Target;
 use super::isolate::MotionFunction;
@@ -15,11 +15,11 @@ pub struct HeldResonance {
     pub frequency: Sensed,
     /// Damping ratio of the mode.
     pub damping_ratio: f64,
-    /// True if the stuck contact changes the mode. False for a mode that the contact does not drive, because it is the
-    /// same with a free contact.
+    /// True if the stuck contact changes the mode. False for a mode that the contact does not drive, which is the same
+    /// in the free chain.
     pub new: bool,
-    /// Limit of sliding β*_lim at the resonance, in N under a load. The limit is infinite where the contact slides
-    /// with any friction.
+    /// Limit of sliding β*_lim at the resonance, in N under a load. It is infinite if the contact slides with any
+    /// friction.
     pub sliding_limit: f64,
 }
 
@@ -36,7 +36,7 @@ pub struct SlidingRange {
     pub to_frequency: Option<Sensed>,
 }
 
-/// Relative accuracy to which β*_lim on a resonance is compared with β.
+/// Relative accuracy of the comparison of β*_lim on a resonance with β.
 const ON_POLE: f64 = 1e-13;
 
 /// A frequency at which β_lim or β*_lim equals β.
@@ -47,9 +47,9 @@ pub(super) struct Bound {
 }
 
 impl Features<'_> {
-    /// Returns the resonances of the chain with its contact stuck, ascending. One resonance lies between every two
-    /// neighbouring resonances of modes that the contact drives. The other resonances belong to modes that the contact
-    /// does not drive.
+    /// Returns the resonances of the chain with its contact stuck, in ascending order. One resonance lies between every
+    /// two neighbouring resonances of modes that the contact drives. The other resonances belong to modes that the
+    /// contact does not drive.
     #[must_use]
     pub fn held_resonances(&self) -> Vec<HeldResonance> {
         let dynamics = self.system.dynamics();
@@ -92,8 +92,9 @@ impl Features<'_> {
         all
     }
 
-    /// Returns β*_lim on a resonance of the chain with its contact stuck. Without damping the receptance H is only
-    /// rounding there. The limit then counts as infinite if it grows as the inverse of the distance from the resonance.
+    /// Returns β*_lim on a resonance of the chain with its contact stuck. Without damping the receptance H there is
+    /// only rounding error. The limit then counts as infinite if it grows as the inverse of the distance from the
+    /// resonance.
     fn held_limit(&self, held: &HeldResonance) -> f64 {
         let limit = self.sliding_limit(held.r);
         if held.damping_ratio > 0.0 || !held.new {
@@ -107,7 +108,7 @@ impl Features<'_> {
         }
     }
 
-    /// Returns all frequencies in the range at which β*_lim = β, ascending.
+    /// Returns all frequencies in the range at which β*_lim = β, in ascending order.
     pub(super) fn sliding_bounds(
         &self,
         beta: f64,

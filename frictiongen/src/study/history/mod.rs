@@ -1,7 +1,7 @@
 //! Motions over time: displacements, velocities and the friction force at evenly spaced instants, and every event.
 //!
 //! Samples are values of the closed form, and events are exact. A history is a run from rest or from a state, or one
-//! period of a steady state. Displacement plotted over velocity gives the phase portrait.
+//! period of a steady state. A plot of displacement over velocity is the phase portrait.
 
 mod run;
 mod spectrum;
@@ -22,18 +22,18 @@ pub const MOST_SAMPLES: u64 = 10_000_000;
 /// Largest number of events of a history.
 const MOST_EVENTS: usize = 1_000_000;
 
-/// The motions, start and sampling of a run in time.
+/// The motions, initial state and samples of a run in time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct HistoryRequest {
-    /// The motions that are sampled.
+    /// The motions of the history.
     pub of: Vec<Of>,
-    /// The state at τ = 0, a maximum of the excitation: x̄ and dx̄/dτ of every mass. `None` starts from rest.
+    /// The state at τ = 0, a maximum of the excitation: x̄ and dx̄/dτ of every mass. `None` is rest.
     pub from: Option<(Vec<f64>, Vec<f64>)>,
     /// Amplitude of the load in the scene's units, P or Y. The speeds of `friction: stribeck` need it.
     pub amplitude: Option<f64>,
     /// Number of cycles of the excitation before the first sample.
     pub skip: u64,
-    /// Number of cycles that are sampled, at least 1.
+    /// Number of cycles with samples, at least 1.
     pub cycles: u32,
     /// Number of samples in a cycle, an even number.
     pub samples: u32,
@@ -62,15 +62,15 @@ pub enum HistoryError {
     NoCycle,
     /// The number of samples in a cycle is not an even number of at least 2.
     Samples,
-    /// The motions together have more than [`MOST_SAMPLES`] samples.
+    /// The motions have more than [`MOST_SAMPLES`] samples together.
     TooManySamples,
     /// The request skips more than [`MOST_SAMPLES`] cycles.
     TooManySkipped,
     /// The run has more than a million events, or a cycle has too many free vibrations.
     TooManyEvents,
-    /// The scene lacks the mass or the spring of this motion.
+    /// The scene does not have the mass or the spring of this motion.
     NoSuchMotion(Of),
-    /// A solver refuses the request: r = 0 or r = ∞, a state that is not finite, or no steady state.
+    /// A solver rejects the request: r = 0 or r = ∞, a state that is not finite, or no steady state.
     Solver(Error),
 }
 
@@ -115,20 +115,20 @@ impl From<OutOfDomain> for HistoryError {
 
 /// A motion over time, at evenly spaced instants.
 ///
-/// The first and the last sample are each at a maximum of the excitation, a whole number of cycles apart.
+/// The first and the last sample are each at a maximum of the excitation. A whole number of cycles is between them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct History {
     /// Number of cycles before the first sample. It is 0 for a steady state.
     pub skipped: u64,
-    /// Number of sampled cycles of the excitation. For a steady state it is the period.
+    /// Number of cycles with samples. For a steady state it is the period.
     pub cycles: u32,
     /// Number of samples in a cycle.
     pub samples: u32,
     /// The requested motions, in the order of the request.
     pub tracks: Vec<Track>,
-    /// The friction force over P at each sample, for base motion over k₁Y. While the contact slides it is the kinetic
-    /// friction force. While the contact sticks it is the force that keeps the contact at rest. A positive force acts
-    /// against positive sliding.
+    /// The friction force over P (over k₁Y for base motion) at each sample. While the contact slides, it is the kinetic
+    /// friction force. While the contact sticks, it is the force that keeps the contact at rest. A positive force
+    /// opposes positive sliding.
     pub friction: Vec<f64>,
     /// State of the contact at each sample: stuck, or sliding forward or backward.
     pub contact: Vec<Contact>,
@@ -139,11 +139,11 @@ pub struct History {
 /// The motion of the contact or of a mass over time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Track {
-    /// The contact or mass that moves.
+    /// Selects the contact or the mass.
     pub of: Of,
-    /// x̄ at each sample, over P/k₁, for base motion over Y.
+    /// x̄ at each sample, over P/k₁ (over Y for base motion).
     pub displacement: Vec<f64>,
-    /// dx̄/dτ at each sample. The velocity in time is this value times ω.
+    /// dx̄/dτ at each sample. Multiply by ω for the velocity in time.
     pub velocity: Vec<f64>,
 }
 
@@ -154,7 +154,7 @@ pub struct HistoryEvent {
     pub tau: f64,
     /// Kind of event.
     pub event: Event,
-    /// State of the contact from this instant on.
+    /// State of the contact just after this instant.
     pub contact: Contact,
     /// x̄ of each requested motion, in the order of the request.
     pub displacements: Vec<f64>,
@@ -191,7 +191,7 @@ impl History {
         self.contact.len()
     }
 
-    /// Returns true if the history has no samples, which never happens.
+    /// Returns false, because a history always has samples.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.contact.is_empty()
@@ -207,7 +207,7 @@ impl History {
         TAU * (cycles as f64) + phase(index % samples, samples)
     }
 
-    /// Returns the motion of the contact or of a mass, if it was requested.
+    /// Returns the motion of the contact or of a mass. Returns `None` if the request does not include it.
     #[must_use]
     pub fn track(&self, of: Of) -> Option<&Track> {
         self.tracks.iter().find(|track| track.of == of)
@@ -223,7 +223,7 @@ impl Track {
         }
     }
 
-    /// Returns the displacements in whole cycles, without the sample at the end of the last cycle.
+    /// Returns the displacements of whole cycles, without the sample at the end of the last cycle.
     fn whole(&self) -> &[f64] {
         self.displacement.split_last().map_or(&[], |(_, rest)| rest)
     }

@@ -1,4 +1,4 @@
-//! A run in time from rest or from a given state. It stops at every sample.
+//! A run in time from rest or from a given state, with a sample at every requested instant.
 
 use super::{
     History, HistoryError, HistoryEvent, HistoryRequest, MOST_EVENTS, MOST_SAMPLES, check,
@@ -8,7 +8,7 @@ use crate::study::{System, simulation::SystemSimulation};
 use frictiongen_kernel::simulation::Event;
 use std::f64::consts::TAU;
 
-/// An instant within this distance of a sample, in τ, counts as the sample. The distance is a few roundings of a phase.
+/// Distance in τ within which an instant counts as the instant of a sample. It is a few rounding units of a phase.
 const NEAR: f64 = 16.0 * f64::EPSILON;
 
 impl System {

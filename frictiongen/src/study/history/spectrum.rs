@@ -1,4 +1,4 @@
-//! Spectra of motions. They are exact for a steady state, and come from samples for a run.
+//! Spectra of motions. For a steady state they are exact, for a run they come from samples.
 
 use super::History;
 use crate::study::response::SystemResponse;
@@ -10,7 +10,7 @@ use rustfft::FftPlanner;
 /// between two harmonics.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Spectrum {
-    /// The contact or mass that moves.
+    /// Selects the contact or the mass.
     pub of: Of,
     /// The components in ascending order of n. The first is the mean, n = 0.
     pub lines: Vec<SpectralLine>,
@@ -21,7 +21,7 @@ pub struct Spectrum {
 pub struct SpectralLine {
     /// Order n: the frequency divided by the frequency of the excitation.
     pub order: f64,
-    /// Complex amplitude X in Re(X e^{inτ}), over P/k₁, for base motion over Y. τ counts from a maximum of the
+    /// Complex amplitude X in Re(X e^{inτ}), over P/k₁ (over Y for base motion). τ counts from a maximum of the
     /// excitation. The component of order 0 is the mean.
     pub component: Complex<f64>,
 }
@@ -33,7 +33,7 @@ impl SpectralLine {
         polar(self.component).0
     }
 
-    /// Returns the lag of the component's maximum, rad of the component's own cycle, in (−π, π].
+    /// Returns the lag of the component's maximum, in rad of the component's own cycle, in (−π, π].
     #[must_use]
     pub fn phase(&self) -> f64 {
         polar(self.component).1
@@ -41,10 +41,10 @@ impl SpectralLine {
 }
 
 impl History {
-    /// Returns the spectrum of a motion from its samples. `None` if the motion was not requested.
+    /// Returns the spectrum of a motion from its samples. Returns `None` if the history does not contain the motion.
     ///
     /// A fast Fourier transform over whole cycles computes the spectrum, so that it needs no window. Orders are
-    /// multiples of 1 over the number of cycles, up to half the number of samples in a cycle. τ counts from the first
+    /// multiples of 1 over the number of cycles, up to half the number of samples in a cycle. τ = 0 is the first
     /// sample.
     ///
     /// Vibrations above half the sampling rate appear at lower orders (aliasing). At friction reversals, harmonics
@@ -105,11 +105,11 @@ impl History {
 }
 
 impl SystemResponse<'_> {
-    /// Returns X in Re(X e^{ikτ/p}), the component of order k/p of the contact or of a mass. `None` if there is no such
-    /// mass.
+    /// Returns X in Re(X e^{ikτ/p}), the component of order k/p of the contact or of a mass. Returns `None` if the
+    /// scene has no such mass.
     ///
     /// p is the [`period`](Self::period) in cycles of the excitation. Every p-th component is a
-    /// [`harmonic`](Self::harmonic). τ counts from the maximum of the excitation next to the instant at which the
+    /// [`harmonic`](Self::harmonic). τ = 0 is the maximum of the excitation closest to the instant at which the
     /// contact's relative motion leaves its maximum.
     #[must_use]
     pub fn subharmonic(&self, of: Of, k: u32) -> Option<Complex<f64>> {
@@ -119,8 +119,8 @@ impl SystemResponse<'_> {
         }
     }
 
-    /// Returns the exact spectrum of the contact or of a mass up to an order. `None` if there is no such mass. If the
-    /// motion does not settle, the spectrum is that of its last 64 cycles, as if these repeated.
+    /// Returns the exact spectrum of the contact or of a mass up to an order. Returns `None` if the scene has no such
+    /// mass. If the motion does not settle, the spectrum is that of a repetition of its last 64 cycles.
     #[must_use]
     pub fn spectrum(&self, of: Of, highest: u32) -> Option<Spectrum> {
         let period = self.period();

@@ -19,8 +19,8 @@ impl SystemResponse<'_> {
         }
     }
 
-    /// Returns one sampled period of the steady state, with every event. τ counts from a maximum of the excitation. If
-    /// the period has several cycles, τ counts from the same maximum as in [`subharmonic`](Self::subharmonic).
+    /// Returns samples of one period of the steady state, with every event. τ = 0 is a maximum of the excitation. If
+    /// the period has several cycles, it is the same maximum as in [`subharmonic`](Self::subharmonic).
     ///
     /// ```
     /// use frictiongen::{Of, System};
@@ -71,7 +71,7 @@ impl SystemResponse<'_> {
     }
 }
 
-/// Returns τ of all samples of the history's cycles, and of the end of the last cycle.
+/// Returns τ of all samples in the cycles of the history, and of the end of the last cycle.
 fn instants(history: &History) -> impl Iterator<Item = f64> + use<> {
     let samples = u64::from(history.samples);
     let all = 0..=samples * u64::from(history.cycles);
@@ -177,7 +177,7 @@ fn held(history: &mut History, held: &SystemHeld<'_>, of: &[Of]) {
     }
 }
 
-/// Returns τ reduced to [0, period).
+/// Returns τ minus whole periods, in [0, period).
 fn within(tau: f64, period: f64) -> f64 {
     let within = tau - (tau / period).floor() * period;
     if within < period { within } else { 0.0 }

@@ -1,5 +1,5 @@
-//! Friction ratios between two points of a map at which the pattern of the contact's motion (regime, stops, reversals
-//! and period) changes.
+//! Friction ratios between two points of a map at which the pattern of the contact's motion changes. A pattern consists
+//! of regime, stops, reversals and period.
 
 use super::{Map, Pattern};
 use crate::study::at::SystemAt;
@@ -7,7 +7,7 @@ use crate::study::system::System;
 use crate::{Error, Limits, Regime};
 use rayon::prelude::*;
 
-/// A point of a boundary in a map: at r, the pattern of the contact's motion changes at β.
+/// A point of a boundary in a map: at this r, the pattern of the contact's motion changes at this β.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Boundary {
     /// Frequency ratio r = ω√(m₁/k₁) of the excitation.
@@ -25,15 +25,15 @@ pub struct Boundary {
 impl System {
     /// Returns the boundaries in a map, at each of its frequency ratios.
     ///
-    /// A boundary of the continuous or of the stuck regime is the limit itself, exactly. Between both limits the
-    /// contact alternately stops and slides. The search there also evaluates the middle and the quarters between two
-    /// neighbouring β of the map. It halves every interval whose ends have different patterns, until the boundary is
-    /// known to `digits` significant digits. If the middle has a third pattern, the search continues in both halves.
+    /// A boundary of the continuous or of the stuck regime is the exact limit. Between both limits the contact
+    /// alternately sticks and slides. In this range the search also evaluates the middle and the quarters between two
+    /// neighbouring β of the map. It halves every interval with different patterns at its bounds, until it knows the
+    /// boundary to `digits` significant digits. If the middle has a third pattern, the search continues in both halves.
     ///
     /// The search finds all boundaries that are more than a quarter of the map's step apart. It can miss two boundaries
     /// of one region within a quarter of a step. It can also miss a boundary close to a limit, within a 64th of the
-    /// rest of the step. A finer map has finer quarters. In a cascade of period doublings, halving may meet a third
-    /// pattern more than six times between two neighbours. Only the lowest of these boundaries are found.
+    /// rest of the step. A finer map has smaller quarters. In a cascade of period doublings, the search may meet a
+    /// third pattern more than six times between two neighbours. It then finds only the lowest of these boundaries.
     ///
     /// Close to a boundary a motion settles slowly, so that more digits take much longer.
     ///
@@ -89,12 +89,12 @@ impl System {
     }
 }
 
-/// Number of times that the search still continues in both halves of an interval whose ends have the same pattern.
+/// Number of times that the search halves an interval whose bounds have the same pattern.
 const LOOKS: u32 = 2;
-/// Largest number of third patterns, between two neighbouring β, at which the search continues in both halves.
+/// Largest number of third patterns between two neighbouring β for which the search continues in both halves.
 const MOST_BRANCHES: u32 = 6;
-/// Distance from a limit at which the pattern is evaluated, as a fraction of the interval between the limits within the
-/// step.
+/// Distance from a limit at which the search evaluates the pattern, as a fraction of the interval between the limits
+/// within the step.
 const BESIDE: f64 = 1.0 / 64.0;
 
 /// A friction ratio β with the pattern of the contact.
@@ -105,7 +105,7 @@ struct Trace<'s> {
     at: &'s SystemAt<'s>,
     r: f64,
     precision: f64,
-    /// Number of times that the search may still continue in both halves.
+    /// Remaining number of times that the search may continue in both halves.
     branches: u32,
     found: Vec<Boundary>,
 }
@@ -172,7 +172,7 @@ impl Trace<'_> {
         });
     }
 
-    /// Finds the boundaries between two β, ascending.
+    /// Finds the boundaries between two β, in ascending order.
     fn between(&mut self, low: KnownPattern, high: KnownPattern, looks: u32) {
         if low.1 == high.1 && looks == 0 {
             return;

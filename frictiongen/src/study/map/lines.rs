@@ -14,12 +14,12 @@ const NARROW: f64 = 1e-9;
 /// Both limits over frequency.
 #[derive(Clone, Debug)]
 pub struct LimitLines {
-    /// Pairs of r and both limits, with ascending r. A limit may be infinite.
+    /// Pairs of r and both limits, in ascending order of r. A limit may be infinite.
     pub points: Vec<(f64, Limits<f64>)>,
 }
 
 impl System {
-    /// Returns both limits from one frequency ratio to another. A straight line between neighbouring points deviates by
+    /// Returns both limits from one frequency ratio to another. Straight lines between neighbouring points deviate by
     /// at most `accuracy` in β/(1 + β).
     ///
     /// # Errors

@@ -1,5 +1,5 @@
-//! Maps over frequency and friction. Each point has the pattern of the contact's motion (regime, stops, reversals and
-//! period). The boundaries between patterns can be located.
+//! Maps over frequency and friction. Each point has the pattern of the contact's motion: regime, stops, reversals and
+//! period. A search locates the boundaries between patterns.
 
 mod boundary;
 mod lines;
@@ -47,15 +47,15 @@ pub struct MapPoint {
     pub stable: bool,
     /// True if the state belongs to a continuum of steady states, or lies at its end.
     pub marginal: bool,
-    /// True if motion from rest ends in this state. False means that motion from rest does not settle and this is
-    /// another state.
+    /// True if motion from rest ends in this state. False if motion from rest does not settle and this is another
+    /// state.
     pub from_rest: bool,
-    /// The offset of the contact's relative motion from its centre, over P/k₁, for base motion over Y.
+    /// The offset of the contact's relative motion from its centre, over P/k₁ (over Y for base motion).
     pub offset: f64,
-    /// The requested amplitudes, in the order of the request, over P/k₁, for base motion over Y.
+    /// The requested amplitudes, in the order of the request, over P/k₁ (over Y for base motion).
     pub amplitudes: Vec<f64>,
-    /// The centred amplitudes, half the distance between the least and the largest displacement, in the same order and
-    /// unit as `amplitudes`.
+    /// The centred amplitudes, in the same order and unit as `amplitudes`. A centred amplitude is half the distance
+    /// between the least and the largest displacement.
     pub centred: Vec<f64>,
 }
 
@@ -161,12 +161,12 @@ impl System {
     /// ```
     ///
     /// After each column the map calls `go_on` with the number of finished columns, from any thread. If `go_on` returns
-    /// `false`, the map omits the remaining columns.
+    /// `false`, the map does not contain the remaining columns.
     ///
     /// # Errors
     /// [`OutOfDomain`] for a frequency ratio or a friction ratio that is negative, NaN or infinite, and for a mass that
-    /// the scene does not have. [`Unsupported::FrictionLaw`](crate::Unsupported::FrictionLaw) for `friction: stribeck`. A point without a response
-    /// contains the reason.
+    /// the scene does not have. [`Unsupported::FrictionLaw`](crate::Unsupported::FrictionLaw) for `friction: stribeck`.
+    /// A point without a response contains the reason.
     pub fn map(
         &self,
         request: &MapRequest,

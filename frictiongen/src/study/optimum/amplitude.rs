@@ -1,4 +1,4 @@
-//! Computes the amplitude that an optimum minimises, at one frequency ratio and one friction ratio.
+//! Computes the quantity that an optimum minimises, at one frequency ratio and one friction ratio.
 
 use super::objective::Objective;
 use super::places::beside;
@@ -13,7 +13,7 @@ use std::cell::Cell;
 /// Relative step in r and in friction of a central difference.
 const DIFFERENCE: f64 = 1e-6;
 
-/// The amount of friction: a given friction, or so much friction that the contact never slides.
+/// Amount of friction: a given friction, or enough friction that the contact never slides.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::study) enum FrictionAmount {
     /// A given friction: the friction force over the load's unit of force at r = 1. For a load of constant amplitude it
@@ -23,8 +23,8 @@ pub(in crate::study) enum FrictionAmount {
     Locked,
 }
 
-/// The asked quantity of a system, called its amplitude, as a function of frequency and friction. It counts its evaluations and
-/// their work.
+/// The requested quantity of a system, called its amplitude, as a function of frequency and friction. The struct counts
+/// the evaluations and their work.
 pub(in crate::study) struct Amplitude<'s> {
     pub system: &'s System,
     pub objective: Objective,
@@ -37,7 +37,7 @@ pub(in crate::study) struct Amplitude<'s> {
     most: Cell<usize>,
     /// Number of evaluations without a result, because the solvers found no amplitude.
     pub silent: Cell<usize>,
-    /// True if the search also follows motion from rest where the closed form exists.
+    /// True if the search also computes motion from rest where the closed form exists.
     follows: Cell<bool>,
 }
 
@@ -55,9 +55,9 @@ impl<'s> Amplitude<'s> {
         }
     }
 
-    /// From this call on, the search also follows motion from rest where the closed form exists. With μ > 1 that motion
-    /// may end in another state. The amplitude of this state may be larger at a frequency at which the closed form is
-    /// not largest.
+    /// Makes the search also compute motion from rest where the closed form exists. With μ > 1 this motion may end in
+    /// another state. The amplitude of that state may be larger, even at a frequency at which the closed form is not
+    /// largest.
     pub(super) fn follow_from_rest(&self) {
         self.follows.set(true);
     }
@@ -70,7 +70,7 @@ impl<'s> Amplitude<'s> {
         }
     }
 
-    /// Returns true if the work of the evaluations has reached its bound.
+    /// Returns true if the evaluations have reached their bound on work.
     pub(super) fn is_spent(&self) -> bool {
         self.most.get() <= self.work.get()
     }
@@ -88,7 +88,7 @@ impl<'s> Amplitude<'s> {
         self.work.set(self.work.get().saturating_add(work));
     }
 
-    /// Returns the amplitude in units of P/k₁, for base motion of Y. The amplitude is infinite on a resonance that
+    /// Returns the amplitude in units of P/k₁ (of Y for base motion). The amplitude is infinite on a resonance that
     /// neither friction nor damping bounds. It is NaN if no response exists.
     ///
     /// Below both limits the result is the amplitude of the closed form. With μ > 1, motion from rest may end in
@@ -147,7 +147,8 @@ impl<'s> Amplitude<'s> {
             .map_or(Regime::Stuck, |response| response.regime())
     }
 
-    /// Returns the exact derivatives of the amplitude with respect to r and β. `None` if a derivative does not exist.
+    /// Returns the exact derivatives of the amplitude with respect to r and β. Returns `None` if a derivative does not
+    /// exist.
     pub(super) fn slopes(&self, r: f64, beta: f64) -> Option<[f64; 2]> {
         if !self.objective.has_derivatives() {
             return self.differences(r, beta);
@@ -171,8 +172,8 @@ impl<'s> Amplitude<'s> {
         ])
     }
 
-    /// Returns central differences instead of derivatives, for a quantity whose exact derivatives are not available.
-    /// `None` where the response changes its regime within a difference, so that the quantity may jump.
+    /// Returns central differences instead of derivatives, for a quantity without exact derivatives. Returns `None` if
+    /// the regime changes within a difference, because the quantity may then jump.
     fn differences(&self, r: f64, beta: f64) -> Option<[f64; 2]> {
         let [along_r, along_beta] = [DIFFERENCE * r, DIFFERENCE * beta];
         let at = |r: f64, beta: f64| {
@@ -199,8 +200,8 @@ mod tests {
     use crate::Of;
     use crate::study::System;
 
-    /// Checks that evaluations without a result are counted. Neither the contact nor damping acts on the second mode,
-    /// so that no steady state with stops exists.
+    /// Checks that the search counts evaluations without a result. Neither the contact nor damping acts on the second
+    /// mode, so that no steady state with stops exists.
     #[test]
     fn what_has_no_answer_is_counted() {
         let text = "struct Chain { masses: { a: 1, b: 1, c: 1 }, contact: b - wall, excitation: a,

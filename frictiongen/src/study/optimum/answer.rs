@@ -8,11 +8,11 @@ use crate::study::parameter::Parameter;
 pub enum OptimumKind {
     /// Two peaks have the same height. More friction raises one peak, and less friction raises the other.
     EqualPeaks,
-    /// One peak is at its own minimum over friction.
+    /// One peak is at its own minimum with respect to friction.
     SinglePeak,
     /// Any friction increases the largest amplitude.
     NoFriction,
-    /// The smallest amplitude is that of the stuck contact, and more friction changes nothing.
+    /// The smallest amplitude is that of the stuck contact. More friction does not change it.
     Stuck,
     /// The answer is trivial: the contact is stuck over the whole band, so that the requested quantity rests. For the
     /// contact force, there is no friction.
@@ -43,56 +43,57 @@ pub struct Tolerance {
     pub excess: f64,
     /// Lower bound of the interval, as friction ratio β.
     pub from: f64,
-    /// Upper bound of β. It is infinite if the amplitude stays below the allowed one for any larger friction.
+    /// Upper bound of the interval, as friction ratio β. It is infinite if the amplitude stays acceptable for any
+    /// larger friction.
     pub to: f64,
 }
 
-/// The cause that ended the search for an optimum.
+/// The event that ended the search for an optimum.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum OptimumEnd {
-    /// The search converged to a minimum. At a crossing of two peaks the friction ratio is exact to rounding. At the
-    /// minimum of one peak it has half of the digits.
+    /// The search converged to a minimum. For two equal peaks the friction ratio is exact to rounding. For a single
+    /// peak it has half of the digits.
     Converged,
     /// The search ended at a friction at which the amplitude jumps. On one side of the jump the motion reaches another
-    /// steady state, which has a larger amplitude.
+    /// steady state with a larger amplitude.
     Jump,
-    /// The search reached its bound on work. The result is the best friction found until then.
+    /// The search reached its bound on work. The result is the best friction found before.
     WorkSpent,
 }
 
-/// The best friction: with it, the largest amplitude over a band of frequencies is smallest.
+/// The best friction, for which the largest amplitude over a band of frequencies is smallest.
 #[derive(Clone, Debug)]
 pub struct Optimum {
     /// Best friction ratio β. Under a load whose amplitude depends on frequency it is the ratio at r = 1.
     pub beta: f64,
     /// Largest value of the requested quantity over the band with this friction.
     ///
-    /// For a displacement the unit is P/k₁, for base motion Y. For a velocity it is that unit times ω₁ = √(k₁/m₁), for
-    /// an acceleration times ω₁². For a force it is P, for base motion k₁Y. A load whose amplitude depends on frequency
-    /// is taken at r = 1.
+    /// For a displacement the unit is P/k₁ (Y for base motion). For a velocity it is that unit times ω₁ = √(k₁/m₁), for
+    /// an acceleration times ω₁². For a force it is P (k₁Y for base motion). A load whose amplitude depends on
+    /// frequency is taken at r = 1.
     pub amplitude: f64,
     /// Angular frequency at r = 1, rad/s.
     #[doc(hidden)]
     pub reference: f64,
     /// The reason why no other friction gives a smaller amplitude.
     pub kind: OptimumKind,
-    /// The cause that ended the search.
+    /// The event that ended the search.
     pub end: OptimumEnd,
-    /// Interval of β that contains the best friction, as narrow as the search has made it. If the search did not refine
-    /// between points of its scan, the bounds are the neighbours of the best point.
+    /// Interval of β that contains the best friction. It is the narrowest interval that the search has found. If the
+    /// search did not refine its scan, the bounds are the neighbours of the best point.
     pub bracket: [f64; 2],
-    /// Largest amplitude over the band just beyond the jump at which the search ended, from the peaks that the search
-    /// knows. `None` if it did not end at a jump.
+    /// Largest amplitude over the band just beyond the jump at which the search ended, from the known peaks. `None` if
+    /// the search did not end at a jump.
     pub beyond_jump: Option<f64>,
-    /// Frequencies at which the largest amplitude is reached.
+    /// Frequencies at which the amplitude has its largest value.
     pub peaks: Vec<OptimumPeak>,
     /// Friction ratio up to which the amplitude at an undamped resonance of the band is unbounded. It is 0 without
     /// such a resonance.
     pub unbounded_to: f64,
     /// Friction ratio up to which the contact never stops anywhere in the band.
     pub free_of_sticking: f64,
-    /// Friction ratio from which a stuck state exists over the whole band. It is infinite if no friction keeps the
-    /// contact stuck at some frequency of the band, a resonance of the chain with its contact stuck.
+    /// Friction ratio from which on a stuck state exists over the whole band. It is infinite if the band contains a
+    /// resonance of the chain with its contact stuck at which no friction keeps the contact stuck.
     pub locked: f64,
     /// Largest amplitude over the band without friction. It is infinite on an undamped resonance.
     pub without_friction: f64,
@@ -106,6 +107,6 @@ pub struct Optimum {
     pub sensitivities: Vec<(Parameter, f64)>,
     /// Number of amplitudes that the search computed.
     pub evaluations: usize,
-    /// Number of amplitudes without a result: the motion has too many stops in a cycle, or no motion was found.
+    /// Number of amplitudes without a result. The motion has too many stops in a cycle, or the solvers found no motion.
     pub unanswered: usize,
 }

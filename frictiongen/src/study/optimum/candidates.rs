@@ -1,17 +1,18 @@
-//! Selects friction ratios that may be the best. Also selects intervals of a scan over friction that may contain better
-//! ones.
+//! Selects friction ratios that may be the best, and intervals of a scan over friction that may contain better ones.
 
 use super::creep::meeting;
 use super::scan::Scanned;
 use std::cmp::Ordering;
 
-/// Factor on the best amplitude. An interval of the scan is searched if the tangents at its ends meet below this value.
+/// Factor on the best amplitude. The search examines an interval of the scan if the tangents at its bounds meet below
+/// this value.
 const WORTH: f64 = 1.05;
-/// Largest number of intervals that are searched. Intervals with the smallest expected amplitude come first.
+/// Largest number of intervals that the search examines. It begins with the smallest expected amplitude.
 const MOST_LOOKED_INTO: usize = 6;
-/// Fraction of the smaller amplitude at the ends of an interval. The search expects no lower minimum in the interval.
+/// Fraction of the smaller amplitude at the bounds of an interval. The search assumes that no minimum in the interval
+/// is lower.
 const SHARE: f64 = 0.7;
-/// Relative increase of the amplitude that shows a higher peak, when the band is evaluated more closely.
+/// Relative increase of the amplitude in a closer evaluation of the band that reveals a higher peak.
 pub(super) const HOLDS: f64 = 1e-9;
 
 /// A friction ratio that may be the best, with its largest amplitude over the band.
@@ -36,7 +37,7 @@ pub(super) fn of_scan(scan: &[Scanned]) -> Vec<FrictionCandidate> {
     complete.map(candidate).collect()
 }
 
-/// Returns the least friction ratio of the scan above which the amplitude no longer changes, and that amplitude.
+/// Returns the smallest friction ratio of the scan above which the amplitude is constant, and this amplitude.
 pub(super) fn stays(scan: &[Scanned]) -> Option<(f64, f64)> {
     let last = scan.last().filter(|last| last.complete)?;
     let same = |scanned: &&Scanned| {
@@ -48,8 +49,8 @@ pub(super) fn stays(scan: &[Scanned]) -> Option<(f64, f64)> {
     Some((if last.whole { last.beta } else { first.beta }, last.value))
 }
 
-/// Orders candidates by amplitude. Among candidates of equal amplitude, the friction above which nothing changes comes
-/// first, then the least friction.
+/// Orders candidates by amplitude. For equal amplitudes, the friction above which the amplitude is constant comes
+/// first, then the smallest friction.
 pub(super) fn before(
     a: &FrictionCandidate,
     b: &FrictionCandidate,
@@ -72,7 +73,7 @@ pub(super) fn before(
     order.then(a.2.total_cmp(&b.2))
 }
 
-/// Returns pairs of neighbouring points of the scan between which the smallest minimum may lie.
+/// Returns pairs of neighbouring points of the scan. The smallest minimum may lie between the points of a pair.
 pub(super) fn between(scan: &[Scanned], best: f64) -> Vec<(Scanned, Scanned)> {
     let pairs = scan.windows(2).filter_map(|pair| match pair {
         [below, above] => Some((below, above)),

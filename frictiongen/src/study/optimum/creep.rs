@@ -1,4 +1,4 @@
-//! Finds the friction ratio between two others at which the highest peak is smallest. The search follows each peak
+//! Finds the friction ratio between two others for which the highest peak is smallest. The search tracks each peak
 //! while friction changes.
 
 use super::amplitude::FrictionAmount;
@@ -6,7 +6,7 @@ use super::look::{BandPeak, Look};
 use super::peaks::AmplitudeBand;
 use super::scan::{Scanned, slope, with_slope};
 
-/// Largest number of peaks that are followed from each side.
+/// Largest number of peaks that the search tracks from each side.
 const MOST_FOLLOWED: usize = 6;
 /// Largest number of steps towards a minimum.
 const STEPS: usize = 40;
@@ -22,7 +22,7 @@ pub(super) fn meeting(below: &Scanned, above: &Scanned) -> Option<(f64, f64)> {
     (below.beta < beta && beta < above.beta).then_some((beta, value))
 }
 
-/// Result of a search that follows the peaks from both sides of a minimum.
+/// Result of a search that tracks the peaks from both sides of a minimum.
 pub(super) struct Crept {
     pub best: Scanned,
     /// The highest friction ratio at which the amplitude still falls (`below`), and the lowest at which it already
@@ -33,7 +33,7 @@ pub(super) struct Crept {
     pub done: bool,
 }
 
-/// Returns the friction ratio between two others at which the highest of their peaks is smallest.
+/// Returns the friction ratio between two others for which the highest of their peaks is smallest.
 pub(super) fn crept(band: &AmplitudeBand<'_>, below: &Scanned, above: &Scanned) -> Option<Crept> {
     let (mut below, mut above) = (below.clone(), above.clone());
     let mut best: Option<Scanned> = None;

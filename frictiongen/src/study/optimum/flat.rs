@@ -1,4 +1,4 @@
-//! Computes the intervals of friction around an optimum, which show how flat the optimum is.
+//! Computes the intervals of friction around an optimum. A wide interval means that the optimum is flat.
 
 use super::amplitude::FrictionAmount;
 use super::answer::Tolerance;
@@ -10,11 +10,11 @@ use super::search::{Least, SearchEnd};
 const STEPS: usize = 40;
 /// Relative tolerance, in β, of a bound of an interval.
 const NEAR: f64 = 1e-8;
-/// Relative tolerance, in β, of an interval's bound if the optimum itself is not known to all digits.
+/// Relative tolerance, in β, of an interval's bound if the optimum itself is only approximate.
 const ROUGHLY: f64 = 1e-3;
-/// Number of peaks that are followed from each friction ratio whose peaks are known.
+/// Number of peaks that the search tracks from each friction ratio with known peaks.
 const MOST_FOLLOWED: usize = 3;
-/// Bound on the work of finding one end of an interval.
+/// Bound on the work of finding one bound of an interval.
 const WORK: usize = 12_000;
 
 /// Returns the interval of friction around the optimum in which the largest amplitude exceeds the best amplitude by at
@@ -52,7 +52,7 @@ pub(super) fn tolerance(band: &AmplitudeBand<'_>, least: &Least, excess: f64) ->
     Tolerance { excess, from, to }
 }
 
-/// Returns the friction ratio at which the amplitude reaches a level, searching from the optimum outwards.
+/// Returns the friction ratio at which the amplitude reaches a level. The search goes from the optimum outwards.
 fn edge<'a>(
     band: &AmplitudeBand<'_>,
     best: &'a Scanned,

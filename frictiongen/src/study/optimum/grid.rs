@@ -1,23 +1,23 @@
 //! Searches a fine grid of the band for peaks that are not near any resonance, sub-harmonic or limit.
 //!
 //! With μ > 1 motion from rest may end in different steady states at neighbouring frequencies. The amplitude jumps
-//! between these frequencies. Only the motion itself shows these jumps.
+//! between these frequencies. Only a computation of the motion reveals these jumps.
 
 use super::amplitude::FrictionAmount;
 use super::look::{BandPeak, Look, sorted};
 use super::peaks::AmplitudeBand;
 
 /// Relative distance of neighbouring frequencies of the grid. It is a third of the narrowest known range of stick-slip
-/// states, which a frame of three storeys with μ = 1.2 has.
+/// states, which occurs in a frame of three storeys with μ = 1.2.
 const FINE: f64 = 0.0025;
 /// Largest number of intervals of the grid.
 const MOST_INTERVALS: f64 = 1500.0;
-/// Smallest amplitude of a peak of the grid, as a fraction of the largest known amplitude.
+/// Smallest amplitude of a peak of the grid that the search adds, as a fraction of the largest known amplitude.
 const WORTH: f64 = 0.98;
 /// Largest number of peaks that one search adds.
 const MOST: usize = 3;
-/// Number of grid points on each side of a peak that are added to all later evaluations, because the peak moves with
-/// friction.
+/// Number of grid points on each side of a peak that the search adds to all later evaluations. They are necessary
+/// because the peak moves with friction.
 const SIDE: i32 = 4;
 
 impl AmplitudeBand<'_> {
@@ -29,8 +29,8 @@ impl AmplitudeBand<'_> {
         }
     }
 
-    /// Adds the largest local maxima on the grid to the peaks of an evaluation. The evaluation stays incomplete if the
-    /// work ends before the grid does.
+    /// Adds the largest local maxima on the grid to the peaks of an evaluation. If the work ends before the grid does,
+    /// the evaluation stays incomplete.
     pub(super) fn add_grid(&self, look: &mut Look, friction: FrictionAmount) {
         let [from, to] = self.ends();
         let width = (to / from).ln();

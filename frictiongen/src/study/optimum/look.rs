@@ -1,20 +1,20 @@
 //! Evaluates the amplitude over a band of frequencies at one friction ratio, and finds its local maxima. Such an
 //! evaluation is called a *look*.
 //!
-//! The first look at a friction ratio follows motions at some frequencies of the band only. A whole look follows them
-//! at all frequencies of the band.
+//! The first look at a friction ratio computes motions in time at only some frequencies of the band. A whole look
+//! computes them at all frequencies of the band.
 
 use super::amplitude::FrictionAmount;
 use super::places::BandPlace;
 
 /// Relative tolerance in r of a refined maximum. The amplitude at the maximum is then exact to rounding.
 pub(super) const PLACE: f64 = 2e-9;
-/// Two numbers: a ratio of two friction ratios, and the largest factor by which the amplitude is expected to change
-/// within that ratio.
+/// Two numbers: a ratio of two friction ratios, and the largest expected change of the amplitude within this ratio, as
+/// a factor.
 const FIRST: [f64; 2] = [1.5, 2.0];
 /// Ratio and factor as in `FIRST`, for an evaluation at all frequencies of the band.
 const WHOLE: [f64; 2] = [1.1, 4.0];
-/// Factor on the expected amplitude if the amplitude is known only at a more distant friction ratio.
+/// Factor on the expected amplitude, if the nearest friction ratio with a known amplitude is farther away.
 const UNKNOWN: f64 = 5.0;
 
 /// A local maximum of the amplitude over the band.
@@ -26,12 +26,12 @@ pub(in crate::study) struct BandPeak {
     pub edge: bool,
 }
 
-/// The precision of an evaluation of the amplitude over a band.
+/// Precision of an evaluation of the amplitude over a band.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Closely {
-    /// Precise enough to compare friction ratios: motions are followed at some frequencies only.
+    /// Sufficient for a comparison of friction ratios. The look computes motions in time at only some frequencies.
     First,
-    /// All frequencies of the band are evaluated, and each maximum is found to rounding.
+    /// The look evaluates all frequencies of the band, and finds each maximum to rounding.
     Whole,
 }
 
@@ -45,18 +45,18 @@ pub(super) struct Look {
     pub complete: bool,
 }
 
-/// The most recent known amplitude at one frequency, from which the amplitude at another friction ratio is estimated.
+/// The latest known amplitude at one frequency. It gives an estimate for another friction ratio.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct KnownAmplitude {
-    /// The friction ratio of the last motion that was followed at this frequency. NaN before the first motion.
+    /// The friction ratio of the latest motion at this frequency. NaN before the first motion.
     pub beta: f64,
-    /// The amplitude of the last motion that was followed. Before the first motion, the larger of two amplitudes:
-    /// without friction, and with the contact stuck.
+    /// The amplitude of the latest motion. Before the first motion, it is the larger of the amplitudes without friction
+    /// and with the contact stuck.
     pub value: f64,
 }
 
 impl KnownAmplitude {
-    /// Returns the largest amplitude that is expected at another amount of friction.
+    /// Returns the largest expected amplitude at another amount of friction.
     pub fn promise(self, friction: FrictionAmount, closely: Closely) -> f64 {
         let FrictionAmount::Ratio(beta) = friction else {
             return self.value;
@@ -73,7 +73,7 @@ impl KnownAmplitude {
     }
 }
 
-/// A frequency of the band with its amplitude. The amplitude is NaN before the motion is followed.
+/// A frequency of the band with its amplitude. The amplitude is NaN if the motion has not been computed yet.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SeenFrequency {
     pub place: BandPlace,
@@ -81,20 +81,21 @@ pub(super) struct SeenFrequency {
     pub closed: bool,
 }
 
-/// The amplitude over a band at one friction ratio, as far as closed forms give it. Motions have not been followed yet.
+/// The amplitude over a band at one friction ratio, from closed forms only. The motions in time have not been computed
+/// yet.
 pub(super) struct OpenBand {
     pub friction: FrictionAmount,
     pub seen: Vec<SeenFrequency>,
     pub peaks: Vec<BandPeak>,
-    /// The largest amplitude that a closed form gives. It is a lower bound on the largest amplitude over the band.
+    /// The largest amplitude from closed forms. It is a lower bound on the largest amplitude over the band.
     pub floor: f64,
     /// Estimate of the largest amplitude over the band. It is the larger of `floor` and the stuck amplitudes at
-    /// frequencies where a stuck state exists.
+    /// frequencies at which a stuck state exists.
     pub expected: f64,
 }
 
 impl OpenBand {
-    /// Returns the largest amplitude that is known at any frequency of the band.
+    /// Returns the largest known amplitude at any frequency of the band.
     pub fn most(&self) -> f64 {
         let values = self.seen.iter().map(|seen| seen.value);
         values.fold(0.0, f64::max)

@@ -1,4 +1,4 @@
-//! Finds the best friction: with it, the largest amplitude over a band of frequencies is smallest. The search covers
+//! Finds the best friction, for which the largest amplitude over a band of frequencies is smallest. The search covers
 //! all regimes.
 
 mod amplitude;
@@ -32,24 +32,24 @@ pub use tuned::{Tunable, TunedOptimum, TunedPoint, Tuning, UnknownTunable};
 const WORK: usize = 1_000_000;
 
 impl System {
-    /// Returns the friction with which the largest amplitude of a motion over a band of frequencies is smallest. The
-    /// amplitude is that of the closed form if the contact slides all the time. Otherwise it is that of the steady
-    /// state with stops, or of the stuck response.
+    /// Returns the friction for which the largest amplitude of a motion over a band of frequencies is smallest. If the
+    /// contact slides all the time, the amplitude is that of the closed form. Otherwise it is that of the steady state
+    /// with stops, or of the stuck response.
     ///
     /// At one friction ratio the search evaluates the amplitude near every resonance of the chain, both with a free and
     /// with a stuck contact. It also evaluates sub-harmonics, both sides of regime changes and a grid of frequencies. A
-    /// scan over friction, from zero to so much that nothing slides, finds the smallest of the largest amplitudes.
-    /// Closed forms are evaluated first. If they exceed the best amplitude so far by a margin, the friction ratio is
-    /// rejected. Motions are followed in time only where their amplitude may be the largest.
+    /// scan over friction, from zero to so much that nothing slides, finds the smallest of the largest amplitudes. The
+    /// search evaluates closed forms first. It rejects a friction ratio if they exceed the best amplitude so far by a
+    /// margin. It computes motions in time only where their amplitude may be the largest.
     ///
     /// The work of a search is bounded and counted, so that the result is the same on every machine. Motions that do
     /// not settle take most of the work. [`Optimum::end`] says whether the search reached the bound, or ended at a jump
     /// to another steady state. [`Optimum::bracket`] then contains the best friction ratio.
     ///
-    /// With μ > 1 the first comparison of friction ratios uses the closed form where β is below both limits. The search
-    /// then follows motion from rest over a fine grid of the band, at the friction ratios that seem best. The amplitude
-    /// of the result is the largest on that grid. A peak between two grid points, which are 0.25 % apart, may be
-    /// higher.
+    /// With μ > 1 the first comparison of friction ratios uses the closed form if β is below both limits. The search
+    /// then computes motion from rest over a fine grid of the band, at the friction ratios that seem best. The
+    /// amplitude of the result is the largest on that grid. A peak between two grid points, which are 0.25 % apart, may
+    /// be higher.
     ///
     /// ```
     /// use frictiongen::study::{System, optimum::{FrequencyBand, OptimumKind, OptimumRequest}, response::Size, units::Load};

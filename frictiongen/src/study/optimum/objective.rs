@@ -1,5 +1,5 @@
-//! The quantity whose largest value over a band is minimised, and the load under which it is compared between
-//! frequencies.
+//! The quantity whose largest value over a band is minimised. The module also defines the load, which makes values at
+//! different frequencies comparable.
 
 use super::places;
 use crate::Of;
@@ -14,8 +14,8 @@ use crate::study::system::System;
 pub(in crate::study) struct Objective {
     pub of: Of,
     pub size: Size,
-    /// Exponent n with which the load falls over frequency: its amplitude is proportional to r⁻ⁿ. The friction ratio of
-    /// a constant friction force is then proportional to rⁿ.
+    /// Exponent n of the load, whose amplitude is proportional to r⁻ⁿ. The friction ratio of a constant friction force
+    /// is then proportional to rⁿ.
     pub fall: i32,
 }
 
@@ -44,18 +44,18 @@ impl Objective {
         }
     }
 
-    /// Returns true if the offset of a stuck contact may decide the value: the force in springs. Such a value passes
-    /// through 0 with friction, so that the value at one friction does not bound the value at another one.
+    /// Returns true for the force in springs, whose value may depend on the offset of a stuck contact. Such a value
+    /// passes through 0 with friction, so that the value at one friction does not bound the value at another.
     pub fn depends_on_offset(&self) -> bool {
         self.of.is_force()
     }
 
-    /// Returns the friction ratio at r of a friction.
+    /// Returns the friction ratio at r for a friction.
     pub fn beta(&self, friction: f64, r: f64) -> f64 {
         friction * r.powi(self.fall)
     }
 
-    /// Returns the factor by which a value at r is multiplied, so that values at different frequencies are comparable.
+    /// Returns the factor that makes a value at r comparable with values at other frequencies.
     pub fn factor(&self, r: f64) -> f64 {
         let rate = match self.size {
             Size::Velocity => 1,
@@ -67,12 +67,12 @@ impl Objective {
         r.powi(rate - self.fall)
     }
 
-    /// Returns the quantity of a response, in the units of r. `None` if the scene has no such motion.
+    /// Returns the quantity of a response, in the units of r. Returns `None` if the scene has no such motion.
     pub fn of_response(&self, response: &SystemResponse<'_>) -> Option<f64> {
         response.largest(self.of, self.size)
     }
 
-    /// Returns the limits of friction at r, β_lim and β*_lim, as frictions.
+    /// Returns the limits β_lim and β*_lim at r, converted to frictions.
     pub fn limits(&self, system: &System, r: f64) -> [f64; 2] {
         let factor = r.powi(self.fall);
         places::limits(system, r).map(|limit| limit / factor)

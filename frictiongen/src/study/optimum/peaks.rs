@@ -1,11 +1,11 @@
 //! Finds the largest amplitude over a band of frequencies at one friction ratio.
 //!
-//! The amplitude is evaluated where it can change quickly with frequency. Frequencies are close together near the
-//! resonances of the chain, both with a free and with a stuck contact, and near their sub-harmonics. Further
-//! frequencies are on both sides of every point where a limit is equal to β, and on a grid.
+//! The search evaluates the amplitude where it can change quickly with frequency. Frequencies are close together near
+//! the resonances of the chain, both with a free and with a stuck contact, and near their sub-harmonics. Further
+//! frequencies are on both sides of every frequency at which a limit equals β, and on a grid.
 //!
-//! An evaluation of the band begins with closed forms. If a closed form exceeds the cutoff, no motion is followed.
-//! Every local maximum that may be the largest is refined.
+//! An evaluation of the band begins with closed forms. If a closed form exceeds the cutoff, the search computes no
+//! motion in time. It refines every local maximum that may be the largest.
 
 use super::amplitude::{Amplitude, FrictionAmount};
 use super::line;
@@ -17,30 +17,30 @@ use super::places::{BandPlace, places};
 use crate::study::system::System;
 use std::cell::{Cell, RefCell};
 
-/// Share of the largest amplitude below which a local maximum is not refined.
+/// Fraction of the largest amplitude. The search does not refine a local maximum below it.
 const WORTH: f64 = 0.7;
-/// Share of the largest amplitude below which a local maximum is refined roughly only.
+/// Fraction of the largest amplitude. The search refines a local maximum below it only roughly.
 const WORTH_FINELY: f64 = 0.95;
-/// Largest number of local maxima of followed motions (outside the closed forms) that are refined.
+/// Largest number of refined local maxima of motions in time (outside the closed forms).
 const MOST_TOPS: usize = 8;
-/// Relative tolerance in r of a maximum while many friction ratios are compared.
+/// Relative tolerance in r of a maximum in comparisons of many friction ratios.
 const NEARLY: f64 = 1e-5;
 /// Relative tolerance in r of a maximum before the largest maximum is known.
 const ROUGHLY: f64 = 1e-3;
 /// Relative width of the first bracket of a maximum whose position at another friction ratio is known.
 const NEIGHBOUR: f64 = 2e-3;
-/// Amplitude from which on an amplitude counts as infinite.
+/// Smallest amplitude that counts as infinite.
 pub(super) const POLE: f64 = 1e9;
 
 /// Relative difference within which two amplitudes count as equal.
 const SAME: f64 = 1e-9;
 
-/// A band of frequencies, with all amplitudes that are already known in the band.
+/// A band of frequencies, with all known amplitudes in the band.
 pub(in crate::study) struct AmplitudeBand<'s> {
     pub amplitude: Amplitude<'s>,
     from: f64,
     to: f64,
-    /// Frequencies that are evaluated at any friction, ascending.
+    /// Frequencies for every evaluation of the band, in ascending order.
     pub(super) places: Vec<BandPlace>,
     /// Amplitude at each of `places` with the contact stuck.
     held: Vec<f64>,
@@ -173,7 +173,7 @@ impl<'s> AmplitudeBand<'s> {
         open.floor = f64::INFINITY;
     }
 
-    /// Follows motions at frequencies without a closed form, until an amplitude exceeds `cutoff`.
+    /// Computes motions in time at frequencies without a closed form, until an amplitude exceeds `cutoff`.
     pub(super) fn look(&self, mut open: OpenBand, cutoff: f64, closely: Closely) -> Look {
         let friction = open.friction;
         if open.floor.is_infinite() {
@@ -245,8 +245,8 @@ impl<'s> AmplitudeBand<'s> {
         }
     }
 
-    /// Follows motion from rest at the largest peaks. With μ > 1 this decides which steady state occurs, also where
-    /// the closed form exists.
+    /// Computes motion from rest at the largest peaks. With μ > 1 this motion decides which steady state occurs, also
+    /// where the closed form exists.
     fn follow_largest(&self, peaks: &mut Vec<BandPeak>, friction: FrictionAmount) {
         let most = peaks.first().map_or(0.0, |peak| peak.value);
         let largest = peaks.iter_mut().take(MOST_TOPS);
@@ -260,7 +260,7 @@ impl<'s> AmplitudeBand<'s> {
     }
 
     /// Refines local maxima between their neighbouring frequencies: all of them roughly, and those that may be the
-    /// largest finely.
+    /// largest precisely.
     fn refined(
         &self,
         tops: Vec<Top>,
@@ -295,7 +295,7 @@ impl<'s> AmplitudeBand<'s> {
         roughly.into_iter().map(finely).collect()
     }
 
-    /// Returns the frequencies at which a motion has to be followed, with the largest amplitude expected there, in
+    /// Returns the frequencies at which a motion in time is necessary, with the largest expected amplitude, in
     /// descending order of that amplitude.
     fn promising(
         &self,
@@ -341,9 +341,9 @@ impl<'s> AmplitudeBand<'s> {
         }
     }
 
-    /// Returns the amplitudes at both bounds of the band, and the largest local maxima. Each maximum is searched for
-    /// from a frequency ratio in `seeds`, its position at a similar friction ratio. The search ends when an amplitude
-    /// exceeds `cutoff`.
+    /// Returns the amplitudes at both bounds of the band, and the largest local maxima. The search for each maximum
+    /// begins at a frequency ratio in `seeds`, its position at a similar friction ratio. The search ends when an
+    /// amplitude exceeds `cutoff`.
     pub(super) fn followed(
         &self,
         friction: FrictionAmount,

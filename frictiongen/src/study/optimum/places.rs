@@ -1,23 +1,24 @@
-//! Selects the frequency ratios of a band at which the amplitude is evaluated (*places*). A place is *closed* if the
-//! response has a closed form there. At any other place a motion has to be followed in time.
+//! Selects the frequency ratios of a band at which the search evaluates the amplitude (*places*). A place is *closed*
+//! if the response has a closed form at it. Every other place requires a motion in time.
 //!
-//! The first evaluation of the band at a friction ratio follows motions only at some of the places.
+//! The first evaluation of the band at a friction ratio computes motions in time at only some of the places.
 
 use super::amplitude::FrictionAmount;
 use super::objective::Objective;
 use crate::study::system::System;
 
-/// Smallest relative distance from a pole at which the test for a pole evaluates a function. The function at this
-/// distance is ten times as large as at ten times the distance.
+/// Smallest relative distance from a pole at which the code evaluates a function to detect the pole. The value at this
+/// distance is ten times the value at ten times the distance.
 const BESIDE: f64 = 1e-9;
-/// Size of a function at the distance `BESIDE` below which the function is only rounding and has no pole.
+/// Value of a function at the distance `BESIDE` below which the value is only rounding error and the function has no
+/// pole.
 const DRIVEN: f64 = 1e-3;
 /// Number of intervals of the grid of frequencies.
 const GRID: usize = 96;
-/// Largest order of the sub-harmonics of a resonance at which the amplitude is evaluated.
+/// Largest order of the sub-harmonics of a resonance that become places.
 const MOST_SUBHARMONICS: u32 = 9;
-/// Relative distance of the frequencies at which the first evaluation of the band follows motions. It also follows
-/// motions at all resonances.
+/// Relative distance of the frequencies at which the first evaluation of the band computes motions in time. It also
+/// computes motions at all resonances.
 const APART: f64 = 0.01;
 
 /// A frequency ratio of a band, with β_lim and β*_lim there.
@@ -26,7 +27,7 @@ pub(super) struct BandPlace {
     pub r: f64,
     /// The limits β_lim and β*_lim at this frequency ratio, as frictions.
     pub limits: [f64; 2],
-    /// True if the first evaluation of the band includes this frequency, even if a motion has to be followed there.
+    /// True if the first evaluation of the band includes this frequency, even if it requires a motion in time.
     pub first: bool,
 }
 
@@ -36,8 +37,7 @@ impl BandPlace {
         Self { r, limits, first }
     }
 
-    /// Returns true if the response is known without following a motion in time. The contact then slides all the time,
-    /// or cannot slide.
+    /// Returns true if the response has a closed form. The contact then slides all the time, or cannot slide.
     pub(super) fn is_closed(&self, friction: FrictionAmount) -> bool {
         let [continuous, sliding] = self.limits;
         match friction {
@@ -47,7 +47,7 @@ impl BandPlace {
     }
 }
 
-/// Returns β_lim and β*_lim at r. Both are NaN where the limits are not defined.
+/// Returns β_lim and β*_lim at r, or NaN if they are not defined.
 pub(super) fn limits(system: &System, r: f64) -> [f64; 2] {
     let limits = |r: f64| {
         system.at(r).map_or([f64::NAN; 2], |at| {
@@ -76,7 +76,7 @@ pub(super) fn beside(r: f64, function: impl Fn(f64) -> f64) -> f64 {
     }
 }
 
-/// Returns the frequencies of a band that are evaluated at any friction, ascending.
+/// Returns the frequencies of a band that are evaluated at any friction, in ascending order.
 pub(super) fn places(
     system: &System,
     objective: &Objective,

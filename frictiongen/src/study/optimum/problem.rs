@@ -1,4 +1,4 @@
-//! A checked request for the best friction, and the full result for the friction that was found.
+//! A checked request for the best friction, and the full result for a friction.
 
 use super::amplitude::FrictionAmount;
 use super::answer::{Optimum, OptimumEnd, OptimumKind, OptimumPeak};
@@ -79,8 +79,8 @@ impl<'s> OptimumProblem<'s> {
         AmplitudeBand::new(self.system, self.objective, self.ends)
     }
 
-    /// Returns the friction with which the largest amplitude is smallest. The search covers all friction, within a
-    /// bound on work.
+    /// Returns the friction for which the largest amplitude is smallest. The search covers all friction, within a bound
+    /// on work.
     pub(super) fn least(band: &AmplitudeBand<'_>, work: usize) -> Result<Least, OptimumError> {
         search::least(band, work).ok_or_else(|| {
             if band.amplitude.is_spent() {
@@ -97,7 +97,7 @@ impl<'s> OptimumProblem<'s> {
         self.told(&band, &least)
     }
 
-    /// Returns the full result for a friction that was found: peaks, limits, intervals and derivatives.
+    /// Returns the full result for a friction: peaks, limits, intervals and derivatives.
     pub(super) fn told(
         &self,
         band: &AmplitudeBand<'_>,
@@ -173,8 +173,9 @@ impl<'s> OptimumProblem<'s> {
         })
     }
 
-    /// Returns the relative derivatives d ln X/d ln p of the optimum's amplitude X. For one peak it is the derivative
-    /// of the peak. For two equal peaks it is their common derivative, while friction keeps the peaks equal.
+    /// Returns the relative derivatives d ln X/d ln p of the optimum's amplitude X. For one peak they are the
+    /// derivatives of the peak. For two equal peaks they are the common derivatives, while friction keeps the peaks
+    /// equal.
     fn sensitivities(&self, beta: f64, peaks: &[OptimumPeak]) -> Option<Vec<(Parameter, f64)>> {
         let all = self.slopes(self.load?, beta, peaks)?;
         let weights = weights(&all)?;
@@ -225,7 +226,8 @@ fn beyond(band: &AmplitudeBand<'_>, least: &Least) -> Option<f64> {
     (least.at.value < most).then_some(most)
 }
 
-/// Returns two things: the value of `parameter`, and a peak's amplitude with its derivative by that parameter.
+/// Returns two results: the value of `parameter`, and a peak's amplitude with its derivative with respect to that
+/// parameter.
 pub(super) fn slope(of: &ResponseSensitivities, parameter: Parameter) -> Option<(f64, Slope)> {
     let mut found = of.parameters.iter();
     let found = found.find(|of| of.parameter == parameter)?;

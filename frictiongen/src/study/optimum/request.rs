@@ -9,13 +9,13 @@ use crate::study::words;
 /// A band of frequencies, in frequency ratios or in Hz.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum FrequencyBand {
-    /// Lowest and highest frequency ratio r of the scene as it is described.
+    /// Lowest and highest frequency ratio r, with m₁ and k₁ of the description.
     Ratio(f64, f64),
     /// Lowest and highest frequency in Hz.
     Hertz(f64, f64),
 }
 
-/// The quantity, the band and the load for which the best friction is wanted.
+/// The quantity, the band and the load of a search for the best friction.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OptimumRequest {
     /// The motion whose quantity is minimised.
@@ -24,7 +24,7 @@ pub struct OptimumRequest {
     pub size: Size,
     /// The band of frequencies, both bounds included, above 0 and finite.
     pub band: FrequencyBand,
-    /// The load. It is needed for forces in N and lengths in m.
+    /// The load. Friction in N and amplitudes in m require it.
     pub load: Option<Load>,
 }
 
@@ -38,7 +38,7 @@ pub enum OptimumError {
     Width,
     /// The scene has no mass with the requested name.
     UnknownMass(UnknownMass),
-    /// The scene lacks the mass or the spring of the requested motion.
+    /// The scene does not have the mass or the spring of the requested motion.
     NoSuchMotion(Of),
     /// The load does not fit the scene.
     Load(LoadError),
@@ -51,13 +51,13 @@ pub enum OptimumError {
     /// [`System::optimum`](crate::study::System::optimum) reached its bound on work before it found any friction that
     /// bounds the amplitude.
     TooLong,
-    /// The interval of a tuned number is invalid: not finite, without width, or with an upper bound below the lower
+    /// The interval of a varied number is invalid: not finite, without width, or with an upper bound below the lower
     /// bound.
     Interval,
-    /// The scene is invalid with a tuned number at a bound of its interval.
+    /// The scene is invalid with a varied number at a bound of its interval.
     Scene(InvalidScene),
-    /// The requested size is not one of the motion: only the contact has a contact force and an energy, and a force has
-    /// neither a velocity nor an acceleration.
+    /// The motion does not have the requested quantity. Only the contact has a contact force and an energy, and a force
+    /// has neither a velocity nor an acceleration.
     Size,
 }
 

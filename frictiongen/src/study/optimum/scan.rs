@@ -1,5 +1,5 @@
-//! Computes the largest amplitude over a band, and its slope over friction. The friction ratios reach from zero to so
-//! much friction that nothing slides.
+//! Scans friction ratios, from zero to so much friction that nothing slides. At each friction ratio, the scan computes
+//! the largest amplitude over a band, and its slope over friction.
 
 use super::amplitude::FrictionAmount;
 use super::look::{BandPeak, Closely, Look, OpenBand};
@@ -12,33 +12,34 @@ const SCAN: usize = 40;
 const GEOMETRIC: usize = 24;
 /// Smallest of these friction ratios, relative to the median of β*_lim over the band.
 const LEAST: f64 = 0.02;
-/// Additional friction ratios of the scan, as multiples of the friction from which a stuck state exists over the whole
-/// band. With μ > 1 a motion from rest may still slide there.
+/// Additional friction ratios of the scan, as multiples of the friction from which on a stuck state exists over the
+/// whole band. With μ > 1 a motion from rest may still slide at these frictions.
 const BEYOND: [f64; 6] = [1.05, 1.15, 1.3, 1.6, 2.5, 4.0];
 /// Relative step in β of a finite difference for a peak that moves with friction.
 const DIFFERENCE: f64 = 1e-6;
 /// Largest number of times that a scan without an upper bound doubles its range.
 const LONGER: usize = 12;
-/// A scan without an upper bound stops when each of its last four amplitudes rises with friction or exceeds the best
-/// amplitude by this factor.
+/// Factor on the best amplitude that ends a scan without an upper bound. The scan stops when each of its last four
+/// amplitudes rises with friction or exceeds this value.
 const FAR_ABOVE: f64 = 2.0;
-/// Additional friction ratios just above the friction that bounds all resonances, as fractions above it.
+/// Additional friction ratios just above the friction that bounds all resonances, as fractions above this friction.
 const BOUNDED: [f64; 8] = [1e-3, 0.01, 0.03, 0.06, 0.1, 0.2, 0.35, 0.5];
-/// Largest plausible relative change of the amplitude, in units of the relative change of friction. A larger change is
-/// a jump.
+/// Largest plausible ratio of the relative change of the amplitude to the relative change of friction. A larger change
+/// is a jump.
 const STEEPEST: f64 = 50.0;
-/// Number of rounds in which intervals of the scan are halved if they may hide a minimum.
+/// Number of rounds that halve intervals of the scan which may hide a minimum.
 const CLOSER: usize = 5;
-/// An interval is halved only if the lower amplitude at its ends is within this factor of the best amplitude.
+/// Factor on the best amplitude. The search halves an interval only if the smaller amplitude at its bounds is below
+/// this value.
 const NEARLY: f64 = 1.2;
-/// Largest number of intervals that are halved in one round.
+/// Largest number of intervals that one round halves.
 const MOST_CLOSER: usize = 8;
-/// Number of rounds in which the scan is refined around the best friction ratio.
+/// Number of rounds that refine the scan around the best friction ratio.
 const ABOUT: usize = 2;
-/// Number of equal pieces into which a round cuts the interval on each side of the best friction ratio.
+/// Number of equal pieces into which a round divides the interval on each side of the best friction ratio.
 const PARTS: u32 = 5;
-/// A friction ratio is rejected as soon as an amplitude exceeds the best so far by this factor. The factor exceeds
-/// every excess for which a tolerance is computed.
+/// Factor on the best amplitude so far. The search rejects a friction ratio as soon as an amplitude exceeds this value.
+/// The factor exceeds every excess for which the result has a tolerance.
 const MARGIN: f64 = 1.2;
 
 /// The largest amplitude over the band at one friction ratio, with its slope and its peaks.
@@ -51,12 +52,12 @@ pub(super) struct Scanned {
     pub slope: f64,
     pub peaks: Vec<BandPeak>,
     pub complete: bool,
-    /// True if the amplitude was evaluated at all frequencies of the band.
+    /// True if the scan has evaluated the amplitude at all frequencies of the band.
     pub whole: bool,
 }
 
-/// Returns the friction ratio up to which the amplitude at an undamped resonance of the band is unbounded. The result
-/// is 0 without such a resonance.
+/// Returns the friction ratio up to which the amplitude at an undamped resonance of the band is unbounded. Returns 0 if
+/// the band has no such resonance.
 pub(super) fn unbounded_to(band: &AmplitudeBand<'_>) -> f64 {
     let (system, [from, to]) = (band.amplitude.system, band.ends());
     let modal = system.modal();
@@ -129,8 +130,8 @@ pub(super) fn scanned(band: &AmplitudeBand<'_>, free_to: f64, locked_from: f64) 
     scan
 }
 
-/// Adds friction ratios to the scan, in the order of their expected amplitude. Once a low amplitude is known, closed
-/// forms alone reject most of the other friction ratios.
+/// Adds friction ratios to the scan, in the order of their expected amplitude. After a low amplitude, closed forms
+/// alone reject most of the other friction ratios.
 pub(super) fn add(
     band: &AmplitudeBand<'_>,
     scan: &mut Vec<Scanned>,
@@ -152,8 +153,8 @@ pub(super) fn add(
     scan.dedup_by(|a, b| a.beta == b.beta);
 }
 
-/// Adds friction ratios between neighbouring points of the scan that may hide a minimum. A minimum is hidden if the
-/// amplitude falls at both points although the second one is higher. The same holds in the opposite direction.
+/// Adds friction ratios between neighbouring points of the scan that may hide a minimum. Such a minimum exists if the
+/// amplitude falls at both points although the second one is higher, or rises at both although the first one is higher.
 pub(super) fn closer(band: &AmplitudeBand<'_>, scan: &mut Vec<Scanned>) {
     for _ in 0..CLOSER {
         let best = best(scan);
@@ -264,8 +265,8 @@ fn is_smooth(band: &AmplitudeBand<'_>, beta: f64, peak: &BandPeak, along_r: f64)
     along_r.abs() * step <= 0.1 * fallen
 }
 
-/// Returns the derivative of the amplitude with respect to β from a finite difference at the peak's frequency. NaN
-/// across a jump.
+/// Returns the derivative of the amplitude with respect to β from a finite difference at the peak's frequency. Returns
+/// NaN across a jump.
 fn rough_slope(band: &AmplitudeBand<'_>, beta: f64, peak: &BandPeak) -> f64 {
     let at = |beta: f64| band.amplitude.at(peak.r, FrictionAmount::Ratio(beta));
     if beta == 0.0 {

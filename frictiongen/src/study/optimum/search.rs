@@ -1,12 +1,12 @@
-//! Finds the friction ratio with which the largest amplitude over a band is smallest.
+//! Finds the friction ratio for which the largest amplitude over a band is smallest.
 //!
 //! The largest amplitude is the maximum of smooth branches, one for each peak. It jumps where the motion reaches
-//! another steady state. A scan over friction gives the amplitude and its slope. If the slope changes from falling to
-//! rising between two points, a minimum lies between them.
+//! another steady state. A scan over friction gives the amplitude and its slope. If the slope changes from negative to
+//! positive between two points, a minimum lies between them.
 //!
 //! A minimum is either a crossing of two peaks or the minimum of one peak. Newton's method on the difference of the
-//! peaks' heights finds a crossing. The zero of the slope is the minimum of one peak. If neither is found, golden
-//! sections, which need no slopes, narrow the bracket around the best friction ratio.
+//! peaks' heights finds a crossing. The zero of the slope is the minimum of one peak. If the search finds neither,
+//! golden sections narrow the bracket around the best friction ratio. They need no slopes.
 
 use super::amplitude::FrictionAmount;
 use super::candidates::{FrictionCandidate, HOLDS, before, between, of_scan, stays, valleys};
@@ -17,27 +17,26 @@ use super::scan::{Scanned, about_best, add, best, closer, scanned, scanned_at, s
 use super::verified::{raise, verified};
 use crate::Regime;
 
-/// Largest number of attempts at one minimum. Another attempt follows if the previous one finds a higher peak at the
-/// minimum.
+/// Largest number of attempts at one minimum. The search makes another attempt if the previous one finds a higher peak
+/// at the minimum.
 const AGAIN: usize = 4;
-/// Largest number of checks of the best friction ratio over the whole band. Another check follows if a check finds a
-/// higher peak.
+/// Largest number of checks of the best friction ratio over the whole band. The search makes another check if a check
+/// finds a higher peak.
 const CHECKS: usize = 6;
-/// Largest number of golden-section steps, which end at the relative width `NARROW` of the bracket.
+/// Largest number of golden-section steps. They end earlier if the relative width of the bracket reaches `NARROW`.
 const SECTIONS: usize = 40;
 /// Relative width of a bracket of friction at which golden sections end.
 const NARROW: f64 = 1e-7;
 /// Smaller of the two fractions into which a golden section divides an interval.
 const GOLDEN: f64 = 0.381_966_011_250_105_1;
-/// A peak counts as stationary in friction if its relative change is below this multiple of the relative change of
-/// friction.
+/// Ratio of the relative change of a peak to the relative change of friction below which the peak counts as stationary.
 const STATIONARY: f64 = 1e-4;
-/// Bound on the work of one of the many searches of a tuned optimum. It amounts to a few seconds.
+/// Bound on the work of one of the many searches of a tuned optimum. It corresponds to a few seconds.
 pub(super) const WORK_OF_ONE: usize = 300_000;
-/// Divisor of the search's bound on work. The quotient is the additional work that the final check may use.
+/// Divisor of the search's bound on work. The quotient is the additional work for the final check.
 const OF_A_CHECK: usize = 6;
-/// The scan is verified up to this multiple of the best amplitude. It exceeds every amplitude for which a tolerance of
-/// friction is computed.
+/// Multiple of the best amplitude up to which the search checks the scan. It exceeds every amplitude for which the
+/// result has a tolerance of friction.
 const HIGHEST_TOLERANCE: f64 = 1.12;
 
 /// The kind of a minimum of the largest amplitude over friction.
@@ -53,7 +52,7 @@ pub(super) enum MinimumKind {
     Held,
 }
 
-/// The cause that ended the search: convergence, a jump, or the bound on work.
+/// The event that ended the search: convergence, a jump, or the bound on work.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum SearchEnd {
     Converged,
@@ -67,7 +66,7 @@ pub(super) struct Least {
     pub at: Scanned,
     pub kind: MinimumKind,
     pub end: SearchEnd,
-    /// Interval of β that contains the best friction ratio, as narrow as the search has made it.
+    /// Interval of β that contains the best friction ratio. It is the narrowest interval that the search has found.
     pub bracket: [f64; 2],
     pub scan: Vec<Scanned>,
     /// Friction ratio from which a stuck state exists over the whole band.
@@ -75,8 +74,8 @@ pub(super) struct Least {
     pub free_to: f64,
 }
 
-/// Finds the friction at which the largest amplitude over the band is smallest. `None` if no friction bounds the
-/// amplitude.
+/// Finds the friction for which the largest amplitude over the band is smallest. Returns `None` if no friction bounds
+/// the amplitude.
 pub(super) fn least(band: &AmplitudeBand<'_>, work: usize) -> Option<Least> {
     band.amplitude.allow(work);
     let [free_to, locked_from] = band.limits();
@@ -134,8 +133,8 @@ pub(super) fn least(band: &AmplitudeBand<'_>, work: usize) -> Option<Least> {
     })
 }
 
-/// Finds the friction between two nearby friction ratios with which the largest amplitude is smallest. `None` unless
-/// the amplitude falls from the first ratio and rises to the second.
+/// Finds the friction between two nearby friction ratios for which the largest amplitude is smallest. Returns `None`
+/// unless the amplitude falls at the first ratio and rises at the second.
 pub(super) fn near(band: &AmplitudeBand<'_>, ends: [f64; 2]) -> Option<Least> {
     band.amplitude.allow(WORK_OF_ONE);
     let [below, above] = ends.map(|beta| scanned_at(band, beta, f64::INFINITY));
@@ -156,7 +155,7 @@ pub(super) fn near(band: &AmplitudeBand<'_>, ends: [f64; 2]) -> Option<Least> {
     })
 }
 
-/// Extends the bracket so that it contains β. At a flat minimum both bounds may be nearer to each other than the
+/// Extends the bracket so that it contains β. At a flat minimum both bounds may be closer to each other than the
 /// accuracy of β.
 fn about([from, to]: [f64; 2], beta: f64) -> [f64; 2] {
     [from.min(beta), to.max(beta)]
@@ -210,7 +209,7 @@ fn checked(
     least.filter(|least| least.at.value.is_finite())
 }
 
-/// Returns the minimum between two friction ratios, after another evaluation of the whole band. `None` if its
+/// Returns the minimum between two friction ratios, after another evaluation of the whole band. Returns `None` if its
 /// amplitude is not below `best`.
 fn minimum(
     band: &AmplitudeBand<'_>,
@@ -277,8 +276,8 @@ fn minimum(
 
 /// Narrows an interval of friction ratios around the best one by golden sections, and returns the best ratio found.
 ///
-/// Peaks cannot be followed where steady states appear and disappear, and slopes are useless there. A friction ratio is
-/// rejected as soon as one amplitude shows that it is not better.
+/// Where steady states appear and disappear, the search cannot track peaks, and slopes are useless. It rejects a
+/// friction ratio as soon as one amplitude shows that the ratio is not better.
 pub(super) fn narrowed(
     band: &AmplitudeBand<'_>,
     (below, above): (&Scanned, &Scanned),

@@ -12,11 +12,12 @@ use super::peaks::AmplitudeBand;
 use super::scan::{Scanned, scanned_at, slope, with_slope};
 use super::search::narrowed;
 
-/// Largest number of friction ratios that are checked on the grid.
+/// Largest number of friction ratios that the code checks on the grid.
 const MOST: usize = 14;
-/// Relative distance below which a friction ratio needs no check, because a neighbouring one has been checked.
+/// Relative distance from a checked friction ratio below which another friction ratio needs no check.
 const NEAR: f64 = 0.01;
-/// A friction ratio is checked only if its lower bound is below this fraction of the lowest checked amplitude.
+/// Fraction of the lowest checked amplitude. The code checks a friction ratio only if its lower bound is below this
+/// value.
 const BETTER: f64 = 0.999;
 
 /// Returns the friction ratio with the lowest amplitude on the grid. If the work ends before the first ratio is
@@ -52,8 +53,8 @@ pub(super) fn verified(
     Some(refined(band, best))
 }
 
-/// Evaluates points of the scan again whose amplitude is at most `level`, including the peaks that the grids found. The
-/// amplitudes of these points were lower bounds.
+/// Evaluates the points of the scan again whose amplitude is at most `level`, including the peaks from the grids. The
+/// former amplitudes of these points were lower bounds.
 pub(super) fn raise(band: &AmplitudeBand<'_>, scan: &mut [Scanned], level: f64) {
     for seen in scan
         .iter_mut()

@@ -17,13 +17,13 @@ pub(super) struct Named<T> {
 
 /// A feature at one friction ratio.
 pub(super) struct FeatureAt<T> {
-    /// Friction ratio β = F/P, for base motion F/(k₁Y).
+    /// Friction ratio β = F/P (F/(k₁Y) for base motion).
     pub(super) beta: f64,
     /// The feature itself, such as a resonance or a range.
     pub(super) it: T,
 }
 
-/// Lists of features. Each list has the order in which the library returns the features.
+/// Lists of features. The order within a list is that of the library.
 pub struct FeatureLists {
     /// Resonances of the chain.
     pub(super) resonances: Vec<NumberedResonance>,
@@ -35,17 +35,17 @@ pub struct FeatureLists {
     pub(super) antiresonances: Vec<Named<Antiresonance>>,
     /// Frequencies at which friction does not change a motion.
     pub(super) invariant: Vec<Named<(Measured, InvariantPoint)>>,
-    /// Ranges in which friction enlarges a motion.
+    /// Ranges in which more friction makes a motion larger.
     pub(super) inversions: Vec<Named<(Measured, Inversion)>>,
     /// Displacement of each mass for r → 0. `None` if the contact is stuck.
     pub(super) starts: Vec<FeatureAt<Named<Option<Sensed>>>>,
     /// Ranges of frequency in which the contact slides.
     pub(super) sliding: Vec<FeatureAt<SlidingRange>>,
-    /// Ranges of frequency with one regime each.
+    /// Ranges of frequency. In each range one regime exists.
     pub(super) regimes: Vec<FeatureAt<(Certainty, RegimeRange)>>,
     /// Largest amplitudes near the resonances.
     pub(super) peaks: Vec<FeatureAt<Named<ResonantPeak>>>,
-    /// Frequencies at which a motion has the same amplitude with two neighbouring friction ratios. The first number is
+    /// Frequencies at which a motion has the same amplitude for two neighbouring friction ratios. The first number is
     /// the other ratio.
     pub(super) crossings: Vec<FeatureAt<Named<(f64, Crossing)>>>,
 }

@@ -1,4 +1,4 @@
-//! Collects the features of a response, one per line.
+//! Collects the features of a response as lines, one for each feature.
 
 use crate::study::columns::column::Row;
 use crate::study::columns::setting::{Part, Setting};
@@ -8,7 +8,7 @@ use crate::study::{
     words,
 };
 
-/// The method that found a feature. It shows how certain the feature is.
+/// Method that found a feature. It determines how certain the feature is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ground {
     /// A closed form.
@@ -54,7 +54,7 @@ pub struct FeatureLine {
     /// The method that found the feature.
     pub ground: Ground,
     /// Numbers of the feature, each with its name, its value and its derivatives with respect to the parameters. The
-    /// printed table has the strongest derivative of the first number.
+    /// printed table contains the strongest derivative of the first number.
     pub sensed: Vec<(&'static str, Sensed)>,
 }
 
@@ -115,7 +115,7 @@ pub struct FeaturesAsked<'a> {
     pub range: [f64; 2],
     /// Friction ratios β.
     pub frictions: &'a [f64],
-    /// True if the true peaks are wanted. They take long for a long chain.
+    /// True if the result must contain the exact peaks. For a long chain they take long.
     pub peaks: bool,
 }
 

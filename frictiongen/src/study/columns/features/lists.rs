@@ -12,7 +12,7 @@ use crate::study::{
     words,
 };
 
-/// Receiver of the lists of features. It is a trait, because the rows of the lists have different types.
+/// Receiver of the lists of features. It is a trait, because the rows of different lists have different types.
 pub trait FeatureVisitor {
     /// Error that ends the visit.
     type Error;

@@ -46,7 +46,7 @@ impl<'a, R: Row + 'a> Sheet<'a, R> {
         self.columns.number("beta", move |row| Some(beta(row)));
     }
 
-    /// Adds a column of the other friction, with which the requested friction is compared.
+    /// Adds a column of the other friction in a comparison with the requested friction.
     pub(super) fn other_friction(&mut self, beta: impl Fn(&R) -> f64 + 'a) {
         let head = Head::of("other_beta", Dimension::Force).under_load("other_friction");
         self.columns.number(head, move |row| Some(beta(row)));
@@ -67,7 +67,7 @@ impl<'a, R: Row + 'a> Sheet<'a, R> {
         self.columns.number(Head::new(format!("{before}r")), of);
     }
 
-    /// Sets the derivatives of the frequency that was added last. Under a load they are derivatives of the frequency in
+    /// Sets the derivatives of the frequency in the last column. Under a load they are derivatives of the frequency in
     /// Hz, otherwise of r.
     pub(super) fn places_move(&mut self, of: impl Fn(&R) -> Option<&Sensed> + 'a) {
         let before = usize::from(self.setting.measure.load().is_some());

@@ -1,4 +1,4 @@
-//! The answer about the best friction, as lines. Each line has a label for people, a key for programs, and the value.
+//! The result about the best friction as lines. Each line has a label for people, a key for programs, and the value.
 
 use super::OptimumTable;
 use crate::study::columns::builder::Columns;
@@ -10,9 +10,9 @@ use crate::study::optimum::{Optimum, Tunable, TunedOptimum, TunedPoint};
 /// A row: one value of the answer, with its label and its key.
 #[derive(Clone, Debug)]
 pub struct OptimumLine {
-    /// Name of the list to which the value belongs. `None` for a value of the answer itself.
+    /// Name of the list that contains the value. `None` for a value outside the lists.
     pub list: Option<&'static str>,
-    /// Number of the entry in its list, counted from 1. `None` for a value of the answer itself.
+    /// Number of the entry in its list, counted from 1. `None` for a value outside the lists.
     pub row: Option<usize>,
     /// Key of the value, unique in its entry.
     pub key: String,
@@ -22,18 +22,18 @@ pub struct OptimumLine {
     pub value: Cell<'static>,
     /// Unit of the value, empty for a ratio.
     pub unit: &'static str,
-    /// Unit of the change in the parameter, for a relative change of the amplitude.
+    /// Unit of the parameter's change, for a value that is a relative change of the amplitude.
     pub per: Option<&'static str>,
-    /// Excess over the best amplitude, as a fraction, that belongs to a tolerance of friction.
+    /// Excess over the best amplitude, as a fraction, for a value that is a tolerance of friction.
     pub excess: Option<f64>,
 }
 
 impl Row for OptimumLine {}
 
-/// The number of the description that was optimised together with the friction.
+/// The number of the description that the search has optimised together with the friction.
 #[derive(Clone, Debug)]
 pub struct Tuned<'a> {
-    /// The number that was optimised.
+    /// The optimised number.
     pub of: Tunable,
     /// The result of the search.
     pub found: &'a TunedOptimum,

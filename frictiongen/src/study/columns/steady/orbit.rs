@@ -18,7 +18,7 @@ pub struct OrbitRow {
     pub friction: Friction,
     /// Regime of the contact: continuous, stick-slip, stuck or unbounded.
     pub regime: &'static str,
-    /// Word for the state: stable, marginal or unsettled. Without a steady state, the reason.
+    /// Word for the state: stable, marginal or unsettled. If there is no steady state, the reason.
     pub state: &'static str,
     /// The steady state, if there is one.
     steady: Option<SteadyData>,
@@ -83,13 +83,13 @@ impl Moving for OrbitRow {
 }
 
 impl SteadyData {
-    /// Returns the length of the contact's longest stop, as phase τ = ωt. `None` without a stop.
+    /// Returns the length of the contact's longest stop, as phase τ = ωt. Returns `None` without a stop.
     fn longest_stop(&self) -> Option<f64> {
         let lengths = self.sticking.iter().map(|[_, length]| *length);
         lengths.reduce(f64::max)
     }
 
-    /// Returns the largest modulus of the Floquet multipliers. `None` if there are no multipliers.
+    /// Returns the largest modulus of the Floquet multipliers. Returns `None` if there are no multipliers.
     fn largest_multiplier(&self) -> Option<f64> {
         let moduli = self
             .multipliers
@@ -152,7 +152,7 @@ impl<'a> OrbitTable<'a> {
         }
     }
 
-    /// Computes one row for every steady state that is found.
+    /// Computes one row for every steady state that the search finds.
     ///
     /// # Errors
     /// [`OutOfDomain`] for a friction outside the domain.

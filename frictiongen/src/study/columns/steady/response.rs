@@ -22,8 +22,8 @@ pub struct ResponseRow {
     pub margin: f64,
     /// Method that computed the motion, or the reason why there is none.
     pub answer: &'static str,
-    /// The contact's offset, a flag that is true for a marginal response, and a flag that is true if motion from rest
-    /// ends in the response.
+    /// Three values: the contact's offset, a flag that is true for a marginal response, and a flag that is true if
+    /// motion from rest ends in the response. `None` without a response.
     known: Option<(f64, bool, bool)>,
     motions: Vec<MotionGroups>,
 }
@@ -35,8 +35,8 @@ pub struct ResponseTable<'a> {
     pub setting: Setting<'a>,
     /// Orders n of the harmonics that the answers contain.
     pub orders: &'a [u32],
-    /// True if a stuck response shows all motions. If false, it leaves out all harmonics and the contact, which is at
-    /// rest.
+    /// True if a stuck response contains all motions. If false, it contains no harmonics and not the contact, which is
+    /// at rest.
     pub stuck: bool,
 }
 

@@ -27,7 +27,7 @@ impl System {
     /// the best friction near the best friction of the neighbours, and at the end over all friction.
     ///
     /// The result is the smallest amplitude of all evaluated values. The search misses a minimum between two neighbours
-    /// if the amplitude rises from the first or falls to the second. If the minimum is sharp, value and friction have 9
+    /// if the amplitude rises at the first or falls at the second. If the minimum is sharp, value and friction have 9
     /// digits. If the minimum is flat, they have half of the digits of the amplitude. The call takes several times as
     /// long as [`optimum`](Self::optimum).
     ///

@@ -16,7 +16,7 @@ pub enum Tunable {
     DampingRatios,
 }
 
-/// The error that no variable number of the description has the requested name.
+/// The description has no variable number with the requested name.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct UnknownTunable {
     /// The requested name, which no number of the description has.
@@ -39,8 +39,8 @@ impl std::fmt::Display for UnknownTunable {
 impl std::error::Error for UnknownTunable {}
 
 impl Tunable {
-    /// Returns the symbol of the number, as in lists of derivatives: for example `m upper`, `k base - lower`, `zeta
-    /// 1`, `a` or `mu`. The symbol of the common damping ratio is `zeta`.
+    /// Returns the symbol of the number, for example `m upper`, `k base - lower`, `zeta 1`, `a` or `mu`. Lists of
+    /// derivatives contain the same symbols. The symbol of the common damping ratio is `zeta`.
     #[must_use]
     pub fn symbol(&self, scene: &Scene) -> String {
         match self {
@@ -71,7 +71,8 @@ impl Tunable {
         }
     }
 
-    /// Returns the scene with another value of this number. `None` if the description does not have such a number.
+    /// Returns the scene with another value of this number. Returns `None` if the description does not have such a
+    /// number.
     fn applied(self, scene: &Scene, value: f64) -> Option<Scene> {
         let mut scene = scene.clone();
         match self {
@@ -106,7 +107,7 @@ impl Tunable {
     }
 }
 
-/// Returns the factors a and b of the damping C = aM + bK. `None` for a scene with damping ratios.
+/// Returns the factors a and b of the damping C = aM + bK. Returns `None` for a scene with damping ratios.
 fn factors(scene: &Scene) -> Option<[f64; 2]> {
     match scene.damping {
         Damping::None => Some([0.0; 2]),
@@ -115,7 +116,7 @@ fn factors(scene: &Scene) -> Option<[f64; 2]> {
     }
 }
 
-/// Returns the damping ratio of each mode. `None` for a scene with the damping C = aM + bK.
+/// Returns the damping ratio of each mode. Returns `None` for a scene with the damping C = aM + bK.
 fn ratios(scene: &Scene) -> Option<Vec<f64>> {
     let masses = scene.masses.len();
     match &scene.damping {
@@ -223,7 +224,7 @@ fn reversed(scene: &Scene, spring: &Spring) -> String {
     format!("k {to} - {from}")
 }
 
-/// Returns a name with one space between words and one on either side of a hyphen.
+/// Returns a name with one space between words and one space on either side of a hyphen.
 fn spaced(name: &str) -> String {
     let name = name.replace('-', " - ");
     name.split_whitespace().collect::<Vec<_>>().join(" ")

@@ -10,9 +10,10 @@ use std::sync::atomic::Ordering;
 
 /// Number of intervals of the scan over the number.
 const STEPS: usize = 16;
-/// Factor on the best amplitude. An interval of the scan is searched if the tangents at its ends meet below this value.
+/// Factor on the best amplitude. The search examines an interval of the scan if the tangents at its bounds meet below
+/// this value.
 const WORTH: f64 = 1.05;
-/// Largest number of intervals that are searched. Intervals with the smallest expected amplitude come first.
+/// Largest number of intervals that the search examines. It begins with the smallest expected amplitude.
 const MOST_LOOKED_INTO: usize = 3;
 /// Largest number of steps towards a minimum.
 const MOST_STEPS: usize = 40;
@@ -20,7 +21,7 @@ const MOST_STEPS: usize = 40;
 const NEAR: f64 = 1e-10;
 /// Relative gain of the amplitude below which the search ends.
 const GAIN: f64 = 2e-13;
-/// Largest number of repeated searches. A search repeats if another friction is better at the minimum found.
+/// Largest number of repeated searches. A search repeats if another friction is better at the minimum.
 const AGAIN: usize = 3;
 
 impl TunedSearch<'_> {
@@ -128,7 +129,7 @@ impl TunedSearch<'_> {
         Some(best)
     }
 
-    /// Returns the minimum between two values of the number. The amplitude falls from the first value and rises to the
+    /// Returns the minimum between two values of the number. The amplitude must fall at the first value and rise at the
     /// second.
     fn crept(&self, mut below: Tried, mut above: Tried) -> Tried {
         let width = above.value - below.value;

@@ -14,16 +14,16 @@ use crate::study::units::{Load, angular_frequency};
 use frictiongen_model::scene::Excitation;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// Largest relative slope of a peak along a variable at which the peak counts as stationary. A steeper peak has no
+/// Largest relative slope of a peak over a variable at which the peak counts as stationary. A steeper peak has no
 /// derivative.
 const STATIONARY: f64 = 1e-4;
 /// Step of a finite difference, relative to the number's value.
 const DIFFERENCE: f64 = 1e-5;
-/// Smallest relative margin by which the searched friction interval extends beyond the best frictions of both
+/// Smallest relative distance by which the searched friction interval extends beyond the best frictions of both
 /// neighbours.
 const MARGIN: f64 = 1e-3;
 
-/// A request, after all checks, for the best friction together with one number of the description.
+/// A checked request for the best friction together with one number of the description.
 pub(super) struct TunedSearch<'s> {
     pub(super) described: &'s System,
     pub(super) request: &'s OptimumRequest,
@@ -36,16 +36,16 @@ pub(super) struct TunedSearch<'s> {
 pub(super) struct Tried {
     pub value: f64,
     pub amplitude: f64,
-    /// Derivative of the smallest amplitude with respect to the number. NaN where the derivative is not known.
+    /// Derivative of the smallest amplitude with respect to the number. NaN if the derivative is not known.
     pub slope: f64,
-    /// Best friction ratio β, in the groups of the scene as it is described.
+    /// Best friction ratio β, with m₁ and k₁ of the description.
     pub beta: f64,
-    /// Frequency ratios r of the peaks, in the groups of the scene as it is described.
+    /// Frequency ratios r of the peaks, with m₁ and k₁ of the description.
     pub peaks: Vec<f64>,
     pub found: Option<Least>,
 }
 
-/// Ratios that convert groups of the scene as it is described to groups of the scene with another value of the number.
+/// Factors from the groups of the description to the groups of the scene with another value of the number.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct GroupRatios {
     pub r: f64,
@@ -139,7 +139,7 @@ impl<'s> TunedSearch<'s> {
         varied.map_err(OptimumError::Scene)
     }
 
-    /// Returns the request with the same band in the groups of the scene with another value of the number.
+    /// Returns the request with the same band, in the groups of the scene with another value of the number.
     pub(super) fn request_for(&self, varied: &System) -> OptimumRequest {
         let groups = GroupRatios::new(self.request, self.described, varied);
         let ratio = |r: f64| r / groups.r;
