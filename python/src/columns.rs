@@ -6,7 +6,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 use std::borrow::Cow;
 
-/// Words of a column. Each distinct word is stored once.
+/// Text column. It stores each distinct word once.
 #[derive(Default)]
 pub struct Words {
     known: Vec<String>,
@@ -14,7 +14,7 @@ pub struct Words {
 }
 
 impl Words {
-    /// Adds a word.
+    /// Appends a word.
     pub fn push<'w>(&mut self, word: impl Into<Cow<'w, str>>) {
         let word = word.into();
         let place = self.known.iter().position(|known| *known == word);
@@ -34,26 +34,27 @@ impl<'w, W: Into<Cow<'w, str>>> FromIterator<W> for Words {
     }
 }
 
-/// Returns a number of a column. −0 becomes 0, as in the output of the command. A missing number becomes NaN.
+/// Returns a number as it appears in a column. −0 becomes 0, as in the output of the command. A missing number becomes
+/// NaN.
 pub fn cell(value: Option<f64>) -> f64 {
     value.map_or(f64::NAN, |value| value + 0.0)
 }
 
-/// Returns a count of a column. A missing count becomes −1.
+/// Returns a count as it appears in a column. A missing count becomes −1.
 pub fn count(value: Option<usize>) -> i64 {
     value
         .and_then(|value| i64::try_from(value).ok())
         .unwrap_or(-1)
 }
 
-/// Arrays by name.
+/// Arrays by name, which become the Python answer.
 pub struct Columns<'py> {
     dict: Bound<'py, PyDict>,
     shape: Vec<usize>,
 }
 
 impl<'py> Columns<'py> {
-    /// Returns an empty collection. The arrays to be added have this shape.
+    /// Returns an empty collection for arrays of this shape.
     pub fn new(py: Python<'py>, shape: &[usize]) -> Self {
         Self {
             dict: PyDict::new(py),
@@ -61,7 +62,7 @@ impl<'py> Columns<'py> {
         }
     }
 
-    /// Sets the shape of the arrays that are added after this call.
+    /// Sets the shape of all arrays that are added later.
     pub fn reshape(&mut self, shape: &[usize]) {
         self.shape = shape.to_vec();
     }
@@ -75,7 +76,7 @@ impl<'py> Columns<'py> {
         Ok(())
     }
 
-    /// Adds those columns of a table that depend on the whole row, not on the frequency or the friction alone.
+    /// Adds the columns of a table, except those that depend on the frequency alone or on the friction alone.
     pub fn points<R>(&mut self, columns: &[Column<'_, R>], rows: &[R]) -> PyResult<()> {
         let shown = columns.iter().filter(|column| column.is_in_python());
         for column in shown.filter(|column| column.axis == Axis::Row) {
@@ -113,7 +114,7 @@ impl<'py> Columns<'py> {
         }
     }
 
-    /// Adds the list that the only row contains.
+    /// Adds a list that is the only cell of its column.
     fn list<R>(&mut self, column: &Column<'_, R>, cell: Option<Cell<'_>>) -> PyResult<()> {
         let pairs = match cell {
             Some(Cell::Pairs(pairs)) => pairs,

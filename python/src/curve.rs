@@ -1,4 +1,4 @@
-//! Responses along frequency, with more points where a curve bends.
+//! Computes responses over a frequency range, with more points where a curve bends.
 
 use crate::asked::{
     Band, FrequencyArguments, FrictionArguments, Frictions, LoadArguments, MOST_POINTS, Optional,
@@ -17,7 +17,7 @@ use frictiongen::study::{
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// Arguments of a curve: accuracy, largest step, highest harmonic, a flag for velocities, and the starts.
+/// Python arguments of a curve: accuracy, largest step, highest harmonic, a flag for velocities, and initial states.
 type Fineness<'py> = (
     Optional<'py>,
     Optional<'py>,
@@ -26,7 +26,7 @@ type Fineness<'py> = (
     Vec<String>,
 );
 
-/// Reads the starts of the motions of each curve.
+/// Reads the initial states of the motions on each curve.
 fn starts(names: &[String]) -> PyResult<Vec<CurveStart>> {
     let all = [CurveStart::Rest, CurveStart::Up, CurveStart::Down];
     let start = |name: &String| {
@@ -46,7 +46,7 @@ fn starts(names: &[String]) -> PyResult<Vec<CurveStart>> {
     Ok(starts)
 }
 
-/// Computes responses along frequency, one curve for each friction.
+/// Computes responses over a frequency range, one curve for each friction.
 #[pyfunction]
 pub fn curve<'py>(
     py: Python<'py>,

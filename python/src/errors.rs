@@ -30,7 +30,7 @@ pyo3::create_exception!(
      counted from 1.  It is None if no line is at fault."
 );
 
-/// Returns the exception of a measurement. Its message begins with the name of the recording, if the recording has one.
+/// Returns the exception for a failed measurement. If the recording has a name, the message begins with it.
 pub fn measurement(py: Python<'_>, source: Option<&str>, error: &Untold) -> PyErr {
     let text = match error {
         // The library's message for these errors names options of the command. Python needs messages of its own.
@@ -70,12 +70,13 @@ pub fn wrong_type(message: impl Display) -> PyErr {
     PyTypeError::new_err(message.to_string())
 }
 
-/// Returns the exception for a defect of the library.
+/// Returns the exception for a defect of this program.
 pub fn defect(message: impl Display) -> PyErr {
     PyRuntimeError::new_err(message.to_string())
 }
 
-/// Returns the exception for a description with mistakes. Its `errors` has `(line, column, message)` of each mistake.
+/// Returns the exception for a scene description with errors. The attribute `errors` of the exception contains `(line,
+/// column, message)` for each error.
 pub fn scene(py: Python<'_>, diagnostics: &Diagnostics) -> PyErr {
     let error = SceneError::new_err(diagnostics.to_string());
     let list: Vec<(usize, usize, &str)> = diagnostics

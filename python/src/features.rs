@@ -18,7 +18,8 @@ use pyo3::types::{PyDict, PyList};
 /// Largest number of frictions in one call. The command has the same limit.
 const MOST_FRICTIONS: usize = 16;
 
-/// Returns each list by its name: its columns, and the derivatives of its numbers with respect to every parameter.
+/// Returns every list of features by name. Each list has its columns, and the derivatives of its numbers with respect
+/// to every parameter.
 #[pyfunction]
 pub fn features<'py>(
     py: Python<'py>,
@@ -60,7 +61,7 @@ pub fn features<'py>(
     Ok(lists.all)
 }
 
-/// The lists by their names: columns, and the derivatives of their numbers.
+/// Lists of features by name. Each has its columns, and the derivatives of its numbers.
 struct Lists<'a, 'py> {
     table: FeatureTable<'a>,
     all: Bound<'py, PyDict>,
@@ -86,8 +87,8 @@ impl FeatureVisitor for Lists<'_, '_> {
 }
 
 impl<'py> Lists<'_, 'py> {
-    /// Returns the parameters that change a column. Each has two arrays: the derivatives, and the change in per cent
-    /// for one per cent of the parameter.
+    /// Returns the parameters on which a column depends. Each parameter has two arrays: the derivatives, and the
+    /// relative changes in % for a 1 % increase of the parameter.
     fn derivatives<R>(&self, column: &Column<'_, R>, rows: &[R]) -> PyResult<Bound<'py, PyList>> {
         let py = self.all.py();
         let sensed: Vec<Option<&Sensed>> = rows.iter().map(|row| column.derivatives(row)).collect();

@@ -1,4 +1,4 @@
-//! Computes motion under a load step by step, from rest, from a state, or from the end of an earlier run.
+//! Integrates the motion under any load, from rest, from a state, or from the end of an earlier run.
 
 use crate::asked::{Part, check_size, numbers};
 use crate::columns::Columns;
@@ -17,7 +17,7 @@ use pyo3::types::PyDict;
 /// Number of steps between two checks for an interrupt.
 const PORTION: usize = 4096;
 
-/// The end of a run, with all data that another run needs to continue from it.
+/// End of a run. It contains all data that the next run needs.
 #[pyclass(frozen, module = "frictiongen._native", name = "StepState")]
 pub struct NativeStepState {
     saved: SystemStepSaved,
@@ -25,7 +25,7 @@ pub struct NativeStepState {
     system: Py<NativeSystem>,
 }
 
-/// The start of a run.
+/// Initial state of a run.
 pub enum Start {
     /// Every mass starts at rest.
     Rest,
@@ -36,7 +36,7 @@ pub enum Start {
 }
 
 impl Start {
-    /// Reads the start: no argument, the end of a run, or two rows of numbers.
+    /// Reads the initial state. The argument is absent, the end of a run, or two rows of numbers.
     pub fn of(given: Option<&Bound<'_, PyAny>>) -> PyResult<Self> {
         let Some(given) = given else {
             return Ok(Self::Rest);
@@ -61,16 +61,16 @@ pub struct Course {
     pub dt: f64,
     /// Number of samples.
     pub samples: usize,
-    /// The contact and masses whose motions are returned.
+    /// The contact and masses whose motion the run returns.
     pub parts: Vec<Part>,
     /// State from which the run starts.
     pub start: Start,
-    /// Ratio μ of static to kinetic friction. `None` means that of the description.
+    /// Ratio μ of static to kinetic friction. `None` means the ratio in the scene description.
     pub stiction: Option<f64>,
 }
 
-/// Returns a stepper at the start of the run. The flag is true if the first sample lies at the end of a step, and false
-/// if it lies at the start.
+/// Returns a stepper in the initial state. The flag is true if the first sample lies at the end of a step, and false if
+/// the sample lies at the start of a step.
 fn ready<'s>(
     py: Python<'_>,
     system: &'s Bound<'_, NativeSystem>,

@@ -1,8 +1,9 @@
-//! `frictiongen._native`: the functions that Python calls, one file for each group of answers.
+//! `frictiongen._native`: the functions that the Python package calls, with one file for each group of functions.
 //!
-//! This crate computes nothing itself. Arguments become numbers and groups (`asked`). `frictiongen::System` answers
-//! without Python's lock (`work`). The answers become arrays by name (`columns`), whose names, units and words are those of
-//! the library's tables (`frictiongen::study::columns`). The classes around them are written in Python, in `frictiongen/`.
+//! This crate contains no mechanics. `asked` converts Python arguments to numbers. `frictiongen::System` computes the
+//! answers, and `work` releases Python's global lock meanwhile. `columns` returns the answers as arrays by name. Their
+//! names, units and words are those of the library's tables (`frictiongen::study::columns`). The Python classes in
+//! `frictiongen/` use these functions.
 #![forbid(unsafe_code)]
 
 mod asked;

@@ -1,4 +1,4 @@
-//! Computes both limits over frequency.
+//! Computes the stop limit and the gross-slip limit over frequency.
 
 use crate::asked::{Frequencies, FrequencyArguments, LoadArguments, check_size, measure, setting};
 use crate::columns::Columns;
@@ -29,7 +29,8 @@ fn all(
     Ok(portions.into_iter().flatten().collect())
 }
 
-/// Computes both limits over frequency: exact, with their estimates, or without search.
+/// Computes both limits over frequency. With `estimates` the answer contains the estimates too. Without `search` it
+/// contains no searched limit.
 #[pyfunction]
 pub fn limits<'py>(
     py: Python<'py>,

@@ -1,4 +1,4 @@
-//! Finds the friction that makes the largest amplitude over a band smallest.
+//! Finds the friction that minimises the largest amplitude over a frequency range.
 
 use crate::asked::{Band, FrequencyArguments, LoadArguments, measure, part, setting};
 use crate::columns::Columns;
@@ -10,8 +10,7 @@ use frictiongen::study::optimum::{FrequencyBand, OptimumRequest, Tuning};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// Finds the friction that makes the largest amplitude smallest. Returns it with the peaks, the tolerances and the
-/// sensitivities.
+/// Finds the optimal friction. Returns it with the peaks, the tolerances and the sensitivities.
 #[pyfunction]
 pub fn optimum<'py>(
     py: Python<'py>,

@@ -1,4 +1,4 @@
-//! Computes the steady state at one point, with its stops.
+//! Computes the steady state at one frequency and one friction.
 
 use crate::asked::{
     Frequencies, FrequencyArguments, FrictionArguments, Frictions, LoadArguments, Measure,
@@ -14,7 +14,7 @@ use frictiongen::{OutOfDomain, System};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// A request for steady states at one frequency and one friction.
+/// Arguments of `orbit` and `states`.
 struct Question<'a> {
     system: &'a System,
     measure: Measure,
@@ -24,7 +24,7 @@ struct Question<'a> {
     orders: Vec<u32>,
 }
 
-/// Function that computes the rows at a point.
+/// Function that computes the rows of the tables at a point.
 type Rows =
     fn(&OrbitTable<'_>, &SystemAt<'_>, Frequency, Friction) -> Result<Vec<OrbitRow>, OutOfDomain>;
 
@@ -56,7 +56,7 @@ impl Question<'_> {
     }
 }
 
-/// Reads the arguments. The harmonics begin with the mean, order 0.
+/// Reads the arguments. The harmonics begin with the mean value, order 0.
 fn question<'a, 'py>(
     system: &'a NativeSystem,
     (frequency, friction): (&FrequencyArguments<'py>, &FrictionArguments<'py>),
@@ -79,7 +79,7 @@ fn question<'a, 'py>(
     })
 }
 
-/// Computes the steady state that motion from rest reaches, at one frequency and one friction.
+/// Computes the steady state that the motion from rest approaches, at one frequency and one friction.
 #[pyfunction]
 pub fn orbit<'py>(
     py: Python<'py>,

@@ -1,4 +1,4 @@
-//! Computes the response over frequency and friction, in every regime.
+//! Computes the response in every regime over frequency and friction.
 
 use crate::asked::{
     Frequencies, FrequencyArguments, FrictionArguments, Frictions, LoadArguments, Optional,

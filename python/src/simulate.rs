@@ -14,11 +14,11 @@ use frictiongen::study::history::{HistoryError, HistoryRequest, MOST_SAMPLES};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// Largest number of cycles, of skipped cycles and of samples in a cycle.
+/// Largest number of cycles, of skipped cycles, and of samples in a cycle.
 const MOST: u32 = MOST_SAMPLES as u32;
 
-/// Arguments of a run: number of cycles, number of skipped cycles, samples in a cycle, initial state, and whether one
-/// period of the steady state is returned instead.
+/// Python arguments of a run: number of cycles, number of skipped cycles, samples in a cycle, initial state, and a flag
+/// for one period of the steady state.
 type Extent<'py> = (
     Optional<'py>,
     Optional<'py>,

@@ -10,17 +10,17 @@ use frictiongen::{Of, System};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// The arguments `force`, `base` and `base_velocity`. Each has one number for each sample.
+/// The Python arguments `force`, `base` and `base_velocity`. Each contains one number for each sample.
 type Acting<'py> = (Optional<'py>, Optional<'py>, Optional<'py>);
 
-/// The start of the run, and the ratio μ of static to kinetic friction during the run.
+/// The initial state, and the ratio μ of static to kinetic friction.
 pub type Beginning<'py> = (Optional<'py>, Optional<'py>);
 
 /// The load over time.
 struct Recording {
     /// The excitation: forces in N, or displacements and velocities of the base.
     excitation: Excited,
-    /// Forces on further masses.
+    /// Forces on further masses, N, by the name of the mass.
     more: Vec<(String, Vec<f64>)>,
     friction: Vec<f64>,
 }
@@ -129,7 +129,7 @@ impl Recording {
     }
 }
 
-/// Computes the motion under a load that is known sample by sample.
+/// Computes the motion under a load of which every sample is given.
 #[pyfunction]
 pub fn step<'py>(
     system: &Bound<'py, NativeSystem>,

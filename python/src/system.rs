@@ -1,4 +1,4 @@
-//! Holds a system, made from a description, and returns its data.
+//! Creates a system from a scene description, and returns the data of the system.
 
 use crate::errors::scene;
 use frictiongen::System;
@@ -10,13 +10,13 @@ use pyo3::types::PyList;
 /// A scene with its modal analysis.
 #[pyclass(frozen, module = "frictiongen._native", name = "System")]
 pub struct NativeSystem {
-    /// The system, in the form of the Rust library.
+    /// System, as a type of the Rust library.
     pub system: System,
 }
 
 #[pymethods]
 impl NativeSystem {
-    /// Reads a description.
+    /// Reads a scene description.
     #[new]
     fn new(py: Python<'_>, text: &str) -> PyResult<Self> {
         match py.detach(|| text.parse::<System>()) {
@@ -25,7 +25,7 @@ impl NativeSystem {
         }
     }
 
-    /// Returns the names of the masses, in the order of the description.
+    /// Returns the names of the masses, in the order of the scene description.
     #[getter]
     fn masses<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyList>> {
         let masses = self.system.scene().masses.iter();
@@ -42,7 +42,7 @@ impl NativeSystem {
         PyArray1::from_vec(py, masses.map(|mass| mass.value).collect())
     }
 
-    /// Returns the springs: the names of both ends, and the stiffness in N/m.
+    /// Returns the springs. Each has the names of both ends, and its stiffness in N/m.
     #[getter]
     fn springs(&self) -> Vec<(String, String, f64)> {
         let scene = self.system.scene();
@@ -53,7 +53,7 @@ impl NativeSystem {
             .collect()
     }
 
-    /// Returns the two nodes that rub on each other.
+    /// Returns the names of the two nodes between which friction acts.
     #[getter]
     fn contact(&self) -> (String, String) {
         let scene = self.system.scene();
@@ -64,7 +64,7 @@ impl NativeSystem {
         )
     }
 
-    /// Returns the mass that a force drives, or `None` if the base moves.
+    /// Returns the name of the mass on which the force acts. Returns `None` if the base moves instead.
     #[getter]
     fn driven_mass(&self) -> Option<String> {
         match self.system.scene().excitation {
@@ -97,7 +97,7 @@ impl NativeSystem {
         PyArray1::from_vec(py, ratios.map(|ratio: &Dd| ratio.hi).collect())
     }
 
-    /// Returns the mode shapes by mode and mass.
+    /// Returns the mode shapes, with one row for each mode and one column for each mass.
     #[getter]
     fn mode_shapes<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
         Ok(PyArray2::from_vec2(py, &self.system.mode_shapes())?)

@@ -1,4 +1,4 @@
-//! Computes without Python's lock, and handles Ctrl-C during the computation.
+//! Runs computations without Python's global lock, and stops them at Ctrl-C.
 
 use crate::errors::defect;
 use pyo3::prelude::*;
@@ -6,10 +6,10 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread::{self, Thread};
 use std::time::Duration;
 
-/// Longest time until the program notices Ctrl-C.
+/// Longest delay between Ctrl-C and the reaction of the program.
 const PATIENCE: Duration = Duration::from_millis(50);
 
-/// Wakes the waiting thread when the work ends, with or without an error.
+/// Notifies the waiting thread when the work ends, even by a panic.
 struct Bell<'a> {
     done: &'a AtomicBool,
     waiting: Thread,
@@ -26,14 +26,14 @@ impl Drop for Bell<'_> {
 pub struct Stop(AtomicBool);
 
 impl Stop {
-    /// Returns true if the work should continue.
+    /// Returns true if no stop was requested.
     pub fn goes_on(&self) -> bool {
         !self.0.load(Ordering::Relaxed)
     }
 }
 
-/// Returns the result of some work, which runs on its own thread while other threads may run Python. Ctrl-C asks the
-/// work to stop. Work that does not check for this request runs to its end, and the interrupt is raised afterwards.
+/// Runs `work` on a thread of its own without Python's global lock, and returns the result. Ctrl-C requests a stop. If
+/// `work` does not check for the request, it runs to its end, and the function raises the interrupt afterwards.
 pub fn without_lock<T: Send>(py: Python<'_>, work: impl FnOnce(&Stop) -> T + Send) -> PyResult<T> {
     let stop = Stop(AtomicBool::new(false));
     let done = AtomicBool::new(false);

@@ -1,4 +1,4 @@
-//! Reads the frequency arguments: ratios r, Hz or rad/s.
+//! Reads the arguments for frequency, in ratios r, Hz or rad/s.
 
 use super::ACROSS;
 use super::measure::Measure;
@@ -9,14 +9,14 @@ use frictiongen::System;
 use frictiongen::study::columns::{self, FrequencyUnit as Unit, Setting};
 use pyo3::prelude::*;
 
-/// The arguments `r`, `hz` and `omega`.
+/// The Python arguments `r`, `hz` and `omega`, of which the caller gives one.
 pub type FrequencyArguments<'py> = (
     Option<Bound<'py, PyAny>>,
     Option<Bound<'py, PyAny>>,
     Option<Bound<'py, PyAny>>,
 );
 
-/// Returns the name of the argument that gives frequencies in a unit.
+/// Returns the name of the Python argument for frequencies in this unit.
 fn argument(unit: Unit) -> &'static str {
     match unit {
         Unit::Ratio | Unit::RatioUnderLoad => "r",
@@ -36,13 +36,12 @@ fn chosen<'a, 'py>(
     }
 }
 
-/// Returns true if a conversion keeps a number finite and non-zero: `computed` is 0 or infinite only if `given` is 0 or
-/// infinite.
+/// Returns true if a unit conversion from `given` to `computed` neither overflowed nor underflowed to 0.
 pub fn survives(given: f64, computed: f64) -> bool {
     computed.is_finite() == given.is_finite() && (computed == 0.0) == (given == 0.0)
 }
 
-/// Frequencies in the order in which they were given.
+/// Frequencies in the order of the caller.
 pub struct Frequencies {
     given: Given,
     unit: Unit,
@@ -90,7 +89,7 @@ impl Frequencies {
         Ok(Self { given, unit, r })
     }
 
-    /// Returns the only frequency, or an error if several are given.
+    /// Returns the frequency. Fails if the caller gave several frequencies.
     pub fn only(&self, system: &System) -> PyResult<columns::Frequency> {
         match (self.given.is_one, self.given.values.as_slice()) {
             (true, [given]) => Ok(self.unit.given(system, *given)),
@@ -101,13 +100,13 @@ impl Frequencies {
         }
     }
 
-    /// Returns the frequencies in the order given.
+    /// Returns the frequencies in the order of the caller.
     pub fn all(&self, system: &System) -> Vec<columns::Frequency> {
         let given = self.given.values.iter();
         given.map(|given| self.unit.given(system, *given)).collect()
     }
 
-    /// Returns the unit of the frequencies under a load.
+    /// Returns the unit in which the answer gives the frequencies.
     pub fn unit(&self, measure: &Measure) -> Unit {
         self.unit.under(measure)
     }
@@ -117,7 +116,7 @@ impl Frequencies {
         self.given.shape()
     }
 
-    /// Adds the columns of the frequencies.
+    /// Adds the columns that state the frequencies, with one row for each frequency.
     pub fn put(&self, columns: &mut Columns<'_>, setting: &Setting<'_>) -> PyResult<()> {
         columns.table(&setting.frequency_columns(), &self.all(setting.system))
     }
@@ -133,7 +132,8 @@ pub struct Band {
 }
 
 impl Band {
-    /// Reads the two bounds of a band. Without them it returns the range around the resonances, in Hz with a load.
+    /// Reads the bounds of a frequency range. If the caller gave none, the function returns the range around the
+    /// resonances.
     pub fn of_or_usual(
         system: &System,
         arguments: &FrequencyArguments<'_>,
@@ -150,12 +150,12 @@ impl Band {
         Ok(Self { from, to, unit })
     }
 
-    /// Returns the unit of the band under a load.
+    /// Returns the unit in which the answer gives the frequencies of this range.
     pub fn unit(&self, measure: &Measure) -> Unit {
         self.unit.under(measure)
     }
 
-    /// Reads the two bounds of a band.
+    /// Reads the bounds of a frequency range.
     pub fn of(system: &System, arguments: &FrequencyArguments<'_>) -> PyResult<Self> {
         let (given, unit) = chosen(arguments)?;
         let argument = argument(unit);
@@ -184,7 +184,7 @@ impl Band {
         })
     }
 
-    /// Reads a distance between frequencies and returns it in r.
+    /// Reads a difference of two frequencies, in the unit of the range, and returns it as a difference of ratios r.
     pub fn step(&self, system: &System, given: &Bound<'_, PyAny>) -> PyResult<f64> {
         let given = one("step", given)?;
         let step = self.unit.given(system, given).r;

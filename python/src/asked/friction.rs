@@ -1,4 +1,4 @@
-//! Reads the friction arguments: ratios β, or forces.
+//! Reads the arguments for friction, in ratios β or in newtons.
 
 use super::UP;
 use super::frequency::survives;
@@ -9,10 +9,10 @@ use crate::errors::domain;
 use frictiongen::study::columns::{Friction, Setting};
 use pyo3::prelude::*;
 
-/// The arguments `beta` and `friction`.
+/// The Python arguments `beta` and `friction`, of which the caller gives one.
 pub type FrictionArguments<'py> = (Option<Bound<'py, PyAny>>, Option<Bound<'py, PyAny>>);
 
-/// Frictions in the order in which they were given.
+/// Frictions in the order of the caller.
 pub struct Frictions {
     given: Given,
     argument: &'static str,
@@ -22,7 +22,7 @@ pub struct Frictions {
 }
 
 impl Frictions {
-    /// Reads the frictions under a load.
+    /// Reads the frictions. The load converts friction forces to ratios β.
     pub fn of((beta, friction): &FrictionArguments<'_>, measure: &Measure) -> PyResult<Self> {
         let (argument, given) = match (beta, friction) {
             (Some(beta), None) => ("beta", points("beta", beta, UP)?),
@@ -73,7 +73,8 @@ impl Frictions {
         })
     }
 
-    /// Reads frictions as one number or a list. A band is refused, because each friction costs a whole curve.
+    /// Reads one friction or a list of frictions. The function rejects a range, because every friction costs a whole
+    /// curve.
     pub fn listed(arguments: &FrictionArguments<'_>, measure: &Measure) -> PyResult<Self> {
         let (beta, friction) = arguments;
         for (argument, given) in [("beta", beta), ("friction", friction)] {
@@ -88,7 +89,7 @@ impl Frictions {
         Self::of(arguments, measure)
     }
 
-    /// Returns the only friction, or an error if several are given.
+    /// Returns the friction. Fails if the caller gave several frictions.
     pub fn only(&self) -> PyResult<Friction> {
         match (self.given.is_one, self.all.as_slice()) {
             (true, [friction]) => Ok(*friction),
@@ -99,7 +100,7 @@ impl Frictions {
         }
     }
 
-    /// Returns the frictions in the order given.
+    /// Returns the frictions in the order of the caller.
     pub fn all(&self) -> Vec<Friction> {
         self.all.clone()
     }
@@ -109,7 +110,7 @@ impl Frictions {
         self.given.shape()
     }
 
-    /// Adds the columns of the frictions.
+    /// Adds the columns that state the frictions, with one row for each friction.
     pub fn put(&self, columns: &mut Columns<'_>, setting: &Setting<'_>) -> PyResult<()> {
         columns.table(&setting.friction_columns(), &self.all)
     }

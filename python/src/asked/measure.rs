@@ -8,10 +8,10 @@ use frictiongen::study::columns::{base_load, unbalance};
 use frictiongen::study::units::{Load, LoadError};
 use pyo3::prelude::*;
 
-/// The arguments `force` and `base`.
+/// The Python arguments `force` and `base`, of which the caller gives one or none.
 pub type LoadArguments<'py> = (Option<Bound<'py, PyAny>>, Option<Bound<'py, PyAny>>);
 
-/// Returns the units under the load that the arguments give. Without a load the units are non-dimensional groups.
+/// Reads the load and returns the units of the answers. Without a load the answers are non-dimensional groups.
 pub fn of(system: &System, (force, base): &LoadArguments<'_>) -> PyResult<Measure> {
     let (name, load) = match (force, base) {
         (None, None) => return Ok(Measure::groups(system)),
@@ -38,7 +38,7 @@ pub fn of(system: &System, (force, base): &LoadArguments<'_>) -> PyResult<Measur
     })
 }
 
-/// Reads a load that is given as text with its unit.
+/// Reads a load from a text such as "3 N". `read` parses the text.
 fn text_load(
     argument: &str,
     text: &str,
@@ -47,7 +47,7 @@ fn text_load(
     read(text).map_err(|problem| domain(format_args!("{argument} `{text}`: {problem}")))
 }
 
-/// Returns the units under a load. Fails if the amplitude of the load varies with frequency.
+/// Reads the load and returns the units of the answers. Fails if the amplitude of the load varies with frequency.
 pub fn constant(system: &System, load: &LoadArguments<'_>) -> PyResult<Measure> {
     let measure = of(system, load)?;
     if let Some(load) = measure.load() {

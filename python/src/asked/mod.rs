@@ -1,4 +1,4 @@
-//! Reads arguments from Python objects: numbers, names, and their values in non-dimensional groups.
+//! Reads Python arguments: numbers, names, frequencies, frictions and loads.
 
 mod frequency;
 mod friction;
@@ -17,10 +17,10 @@ use frictiongen::study::columns::{FrequencyUnit, Setting};
 use pyo3::prelude::*;
 use pyo3::types::PyString;
 
-/// Number of points with which a band of frequencies is covered.
+/// Number of frequencies with which the package covers a frequency range.
 const ACROSS: u32 = 161;
 
-/// Number of points with which a band of frictions is covered.
+/// Number of frictions with which the package covers a friction range.
 const UP: u32 = 81;
 
 /// Largest number of points of an answer. The command has the same limit.
@@ -32,11 +32,11 @@ const MOST_NUMBERS: usize = 100_000_000;
 /// Largest order of a harmonic.
 pub const MOST_HARMONICS: u32 = 9999;
 
-/// An argument that may be left out.
+/// An optional Python argument.
 pub type Optional<'py> = Option<Bound<'py, PyAny>>;
 
-/// Returns the settings for the tables of the library. The decimals of given numbers are left out, because only printed
-/// tables need decimals.
+/// Returns the settings for the tables of the library. They contain no number of decimals, because only printed tables
+/// need one.
 pub fn setting<'a>(
     system: &'a System,
     measure: Measure,
@@ -69,7 +69,8 @@ pub fn names(argument: &str, given: Option<&Bound<'_, PyAny>>) -> PyResult<Vec<S
     })
 }
 
-/// Returns the contact or masses with these names, each once. Without names it returns the contact and all masses.
+/// Returns the contact or masses with these names, each once. If the caller gave no names, the function returns the
+/// contact and all masses.
 pub fn parts(
     system: &System,
     argument: &str,
@@ -114,7 +115,7 @@ pub fn part(system: &System, argument: &str, given: &Bound<'_, PyAny>) -> PyResu
     })
 }
 
-/// Reads the highest order of a harmonic. Without the argument it is 0.
+/// Reads the highest order of a harmonic. The default is 0.
 pub fn harmonics(given: Option<&Bound<'_, PyAny>>) -> PyResult<u32> {
     given.map_or(Ok(0), |given| whole("harmonics", given, 1..=MOST_HARMONICS))
 }

@@ -24,7 +24,7 @@ impl Given {
         }
     }
 
-    /// Returns the name of one of the numbers, for a message.
+    /// Returns the name of the number at this index, for a message.
     pub fn place(&self, argument: &str, index: usize) -> String {
         if self.is_one {
             argument.to_owned()
@@ -40,8 +40,8 @@ fn type_name(object: &Bound<'_, PyAny>) -> String {
     name.map_or_else(|_| "object".to_owned(), |name| name.to_string())
 }
 
-/// Reads a number or a row of numbers. It accepts every object that numpy reads as numbers, except texts, truth values
-/// and complex numbers.
+/// Reads a number or a row of numbers. The function accepts every object that numpy converts to numbers, except texts,
+/// truth values and complex numbers.
 pub fn numbers(argument: &str, given: &Bound<'_, PyAny>) -> PyResult<Given> {
     let py = given.py();
     let needed = || {
@@ -80,7 +80,7 @@ pub fn numbers(argument: &str, given: &Bound<'_, PyAny>) -> PyResult<Given> {
     })
 }
 
-/// Reads the two bounds of a band if the object is a tuple. Returns `None` for a list or an array, which has points.
+/// Reads the bounds of a range from a tuple. Returns `None` for a list or an array, which contains points instead.
 pub fn ends(argument: &str, given: &Bound<'_, PyAny>) -> PyResult<Option<(f64, f64)>> {
     if !given.is_instance_of::<PyTuple>() {
         return Ok(None);
@@ -94,7 +94,7 @@ pub fn ends(argument: &str, given: &Bound<'_, PyAny>) -> PyResult<Option<(f64, f
     }
 }
 
-/// Reads one number, a row of points, or a band (from, to), which is covered evenly by `count` points.
+/// Reads one number, a row of points, or a range `(from, to)`. The function covers a range evenly with `count` points.
 pub fn points(argument: &str, given: &Bound<'_, PyAny>, count: u32) -> PyResult<Given> {
     let Some((from, to)) = ends(argument, given)? else {
         return numbers(argument, given);

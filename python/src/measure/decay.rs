@@ -11,7 +11,7 @@ use frictiongen::measure::columns::{decay_values, extreme_columns, extremes};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// Finds friction and damping. Returns the single values, and the extremes of the vibration.
+/// Finds friction and damping. Returns the single values, and the extremes of the vibration as columns.
 #[pyfunction]
 pub fn free_decay<'py>(
     py: Python<'py>,

@@ -10,7 +10,7 @@ use frictiongen::measure::Inputs;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// Computes the motion under a recording of the base or of forces.
+/// Computes the motion under recorded base motion or recorded forces.
 #[pyfunction]
 pub fn drive<'py>(
     system: &Bound<'py, NativeSystem>,

@@ -1,4 +1,4 @@
-//! Fits a scene's parameters to a sweep without friction.
+//! Fits the parameters of a scene to a sweep that was measured without friction.
 
 use super::once::once;
 use crate::asked::numbers;
@@ -12,13 +12,14 @@ use frictiongen::measure::columns::{fit_values, fitted as fitted_rows, fitted_co
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// A mass with its amplitudes over the excitation and, if they are known, their standard deviations.
+/// Measured mass: its name, its amplitudes divided by the excitation amplitude, and their standard deviations if they
+/// are known.
 type Swept<'py> = (String, Bound<'py, PyAny>, Option<Bound<'py, PyAny>>);
 
 /// Results of a fit: the single values, the points, and the fitted system.
 type Answer<'py> = (Bound<'py, PyDict>, Bound<'py, PyDict>, NativeSystem);
 
-/// Reads a row of numbers with the length of the frequencies. If `gaps` is true, NaN marks a missing number.
+/// Reads a row of numbers, one for each frequency. If `gaps` is true, NaN stands for a missing number.
 fn row(argument: &str, given: &Bound<'_, PyAny>, count: usize, gaps: bool) -> PyResult<Vec<f64>> {
     let given = numbers(argument, given)?;
     if given.values.len() != count {
@@ -39,7 +40,7 @@ fn row(argument: &str, given: &Bound<'_, PyAny>, count: usize, gaps: bool) -> Py
     Ok(given.values)
 }
 
-/// Returns the points of a sweep in the order of its table.
+/// Returns the points of a sweep, in the order of a sweep table.
 fn points(
     system: &System,
     hertz: &Bound<'_, PyAny>,
@@ -103,7 +104,7 @@ fn answer<'py>(
     Ok((once, arrays.done(), fitted))
 }
 
-/// Fits a sweep given as arrays. If `gaps` is true, NaN marks a point that was not measured.
+/// Fits the scene to a sweep that is given as arrays. If `gaps` is true, NaN stands for a point without measurement.
 #[pyfunction]
 pub fn fit<'py>(
     py: Python<'py>,
@@ -118,7 +119,7 @@ pub fn fit<'py>(
     answer(py, system, &points, (damping, None))
 }
 
-/// Fits a sweep given as the text of a table.
+/// Fits the scene to a sweep that is given as the text of a table.
 #[pyfunction]
 pub fn fit_text<'py>(
     py: Python<'py>,

@@ -13,10 +13,10 @@ use frictiongen::measure::{IdentifyRequest, Unknown};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// Arguments `by`, `also`, `between` and `harmonics` of an identification.
+/// The Python arguments `by`, `also`, `between` and `harmonics`.
 type Asked<'py> = (Option<String>, Optional<'py>, Optional<'py>, Optional<'py>);
 
-/// Results of an identification: the single values, the motions, and the system with the values found.
+/// Results of an identification: the single values, the motions, and the system with the identified parameters.
 type Answer<'py> = (Bound<'py, PyDict>, Bound<'py, PyDict>, NativeSystem);
 
 fn unknowns(given: Option<&Bound<'_, PyAny>>) -> PyResult<Vec<Unknown>> {
@@ -43,7 +43,7 @@ fn range(given: Option<&Bound<'_, PyAny>>) -> PyResult<Option<(f64, f64)>> {
     }
 }
 
-/// Finds the friction force that explains the measurements, in any regime. Returns it with its uncertainty interval.
+/// Finds the friction force that fits the measurements best, in any regime. Returns it with its uncertainty interval.
 #[pyfunction]
 pub fn identify<'py>(
     py: Python<'py>,

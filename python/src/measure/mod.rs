@@ -1,4 +1,4 @@
-//! Reads recordings, and evaluates them: transmissibilities, the friction force, parameters.
+//! Evaluates recordings: transmissibilities, friction forces and scene parameters.
 
 pub mod decay;
 pub mod drive;

@@ -1,4 +1,4 @@
-//! Collects observations, from recordings or from amplitudes and phases.
+//! Collects observations from recordings, or from amplitudes and phases.
 
 use super::recording::NativeRecording;
 use super::transmissibility::measured;
@@ -11,7 +11,7 @@ use frictiongen::study::units::Load;
 use frictiongen::{Complex, Of, System};
 use pyo3::prelude::*;
 
-/// A motion as the caller gives it: mass, order of the harmonic, amplitude, phase and both standard deviations.
+/// Motion from the caller: mass, order of the harmonic, amplitude, phase, and the standard deviations of both.
 type Told<'py> = (
     String,
     u32,
@@ -21,7 +21,7 @@ type Told<'py> = (
     Optional<'py>,
 );
 
-/// Observations as the caller gives them: frequencies, load, standard deviation of the load, and motions.
+/// Observations from the caller: frequencies, load, standard deviation of the load, and motions.
 type Points<'py> = (
     Bound<'py, PyAny>,
     LoadArguments<'py>,
@@ -29,17 +29,17 @@ type Points<'py> = (
     Vec<Told<'py>>,
 );
 
-/// Observations, and for each observation the quantities that the caller gave.
+/// Observations, with the quantities that the caller gave for each observation.
 #[derive(Default)]
 pub struct Observed {
     /// Observations in the form of the library.
     pub all: Vec<Observation>,
-    /// The quantities that the caller gave for each observation.
+    /// Quantities that the caller gave for each observation.
     pub known: Vec<Known>,
 }
 
-/// Reads numbers, one for each frequency or one for all. Every number must satisfy `sound`. The error message states
-/// this condition in the words of `needed`.
+/// Reads one number for each frequency, or one number for all frequencies. Every number must satisfy `sound`. The error
+/// message describes this condition by `needed`.
 fn row(
     argument: &str,
     given: &Bound<'_, PyAny>,
@@ -68,7 +68,7 @@ fn row(
 
 const ABOVE: &str = "a finite number above 0";
 
-/// Reads loads, one for each frequency.
+/// Reads one load for each frequency, or one load for all frequencies.
 fn loads(system: &System, load: &LoadArguments<'_>, count: usize) -> PyResult<Vec<Load>> {
     let above = |value| 0.0 < value;
     match (load, system.scene().excitation) {
@@ -89,7 +89,7 @@ fn loads(system: &System, load: &LoadArguments<'_>, count: usize) -> PyResult<Ve
     }
 }
 
-/// A motion with its values at each frequency.
+/// Motion of a mass, with its values at each frequency.
 struct Motion {
     mass: usize,
     harmonic: u32,
@@ -155,8 +155,8 @@ impl Motion {
         }
     }
 
-    /// Returns the motion at one frequency, divided by a load. An unknown amplitude counts as 1, and an unknown phase
-    /// as 0.
+    /// Returns the motion at one frequency, divided by a load. An unknown amplitude becomes 1, and an unknown phase
+    /// becomes 0.
     fn datum(&self, place: usize, load: f64) -> Datum {
         let at = |values: &Vec<f64>| values.get(place).copied().unwrap_or(f64::NAN);
         let phase = self.phase.as_ref().map_or(0.0, at).to_radians();
@@ -174,8 +174,8 @@ impl Motion {
 }
 
 impl Observed {
-    /// Reads recordings and given motions, in their order. From recordings it takes the odd harmonics up to order
-    /// `harmonics`.
+    /// Reads recordings and motions, in the order of the caller. From a recording the function takes the odd harmonics
+    /// up to order `harmonics`.
     pub fn of(
         py: Python<'_>,
         system: &System,
@@ -250,8 +250,8 @@ impl Observed {
         Ok(())
     }
 
-    /// Returns the quantities to compare: amplitude, phase, or both. `by` names them. Without `by` the comparison uses
-    /// every quantity that all motions have.
+    /// Returns the quantities to compare. `by` names the amplitude, the phase or both. The default is every quantity
+    /// that all motions have.
     pub fn using(&self, by: Option<&str>) -> PyResult<Using> {
         let none = |without: Known| self.known.iter().all(|known| *known != without);
         let (amplitudes, phases) = (none(Known::Phase), none(Known::Amplitude));

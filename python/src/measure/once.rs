@@ -5,12 +5,12 @@ use frictiongen::measure::columns::{Keyed, SingleValue};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// Returns the best estimate, the lower and the upper bound.
+/// Returns the best estimate, and the lower and upper bound of its interval.
 fn interval(found: Estimate) -> (f64, f64, f64) {
     (found.value, found.from, found.to)
 }
 
-/// Returns single values by key.
+/// Returns a dictionary of the single values by key.
 pub fn once<'py>(py: Python<'py>, values: Vec<Keyed>) -> PyResult<Bound<'py, PyDict>> {
     let once = PyDict::new(py);
     for (key, value) in values {

@@ -1,4 +1,4 @@
-//! Samples of several channels, from arrays or from files.
+//! Recordings: samples of several channels, from arrays or from files.
 
 use crate::asked::{Optional, numbers, one};
 use crate::errors::{domain, measurement, wrong_type};
@@ -9,21 +9,21 @@ use pyo3::prelude::*;
 /// A recording and its name in messages.
 #[pyclass(frozen, module = "frictiongen._native", name = "Recording")]
 pub struct NativeRecording {
-    /// The recording, in the form of the Rust library.
+    /// Recording, as a type of the Rust library.
     pub recording: Recording,
-    /// The file from which it was read.
+    /// Name of the file that contains the recording, if the recording comes from a file.
     pub source: Option<String>,
 }
 
 impl NativeRecording {
-    /// Returns the name of the recording. `place` and `of` give its position among several recordings.
+    /// Returns the name of the recording for messages. `place` is its position among `of` recordings.
     pub fn called(&self, place: usize, of: usize) -> Option<String> {
         let number = || (1 < of).then(|| format!("recording {}", place + 1));
         self.source.clone().or_else(number)
     }
 }
 
-/// Reads the sampling rate, if it is given.
+/// Reads the sampling rate in Hz, if the caller gave one.
 fn rate_of(given: Option<&Bound<'_, PyAny>>) -> PyResult<Option<f64>> {
     let rate = given.map(|given| one("rate", given)).transpose()?;
     match rate {
@@ -41,7 +41,7 @@ fn unit_of(name: &str, unit: &str) -> PyResult<Unit> {
 
 #[pymethods]
 impl NativeRecording {
-    /// Makes a recording from arrays: name, samples and unit of each channel.
+    /// Creates a recording from arrays. Each channel has a name, samples and a unit.
     #[new]
     fn new<'py>(
         py: Python<'py>,
@@ -104,7 +104,7 @@ impl NativeRecording {
         })
     }
 
-    /// Reads a recording from text. `channels` gives the columns to read and their units.
+    /// Reads a recording from text. `channels` names the columns to read and their units.
     #[staticmethod]
     fn read<'py>(
         py: Python<'py>,
@@ -136,13 +136,13 @@ impl NativeRecording {
         })
     }
 
-    /// Returns the number of samples per second.
+    /// Returns the sampling rate, Hz.
     #[getter]
     fn rate(&self) -> f64 {
         self.recording.rate()
     }
 
-    /// Returns name and unit of each channel.
+    /// Returns the name and the unit of each channel.
     #[getter]
     fn channels(&self) -> Vec<(String, &'static str)> {
         let channels = self.recording.channels().iter();
@@ -151,7 +151,7 @@ impl NativeRecording {
             .collect()
     }
 
-    /// Returns the samples of a channel, in its unit.
+    /// Returns the samples of a channel, in the unit of the channel.
     fn samples<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyArray1<f64>>> {
         match self.recording.channel(name) {
             Some(channel) => Ok(PyArray1::from_slice(py, &channel.samples)),
@@ -159,12 +159,12 @@ impl NativeRecording {
         }
     }
 
-    /// Returns the recording as a CSV that can be read back.
+    /// Returns the recording as CSV text, which `read` accepts.
     fn to_csv(&self, py: Python<'_>) -> String {
         py.detach(|| self.recording.to_csv())
     }
 
-    /// Returns the recording as a universal file.
+    /// Returns the recording as the text of a universal file (UFF 58).
     fn to_uff58(&self, py: Python<'_>) -> String {
         py.detach(|| self.recording.to_uff58())
     }

@@ -1,4 +1,4 @@
-//! Computes driving frequency, transmissibility and phase of recordings.
+//! Computes the driving frequency, the transmissibility and the phase of recordings.
 
 use super::recording::NativeRecording;
 use crate::columns::Columns;

@@ -20,7 +20,7 @@ pub(super) const HOLDS: f64 = 1e-9;
 pub(super) struct FrictionCandidate {
     pub at: Scanned,
     pub bracket: [f64; 2],
-    /// True if the friction ratio is a point of the scan and was not refined.
+    /// True for a point of the scan that the search has not refined.
     pub of_scan: bool,
 }
 
