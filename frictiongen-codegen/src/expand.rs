@@ -76,7 +76,7 @@ fn expand_file(path: &Literal, relative: &str) -> TokenStream {
     tokens
 }
 
-/// Emits code that makes the compiler watch the file for changes.
+/// Emits code that includes the file as bytes. The compiler then expands the macro again if the file changes.
 fn tracked(relative: &str) -> TokenStream {
     if Path::new(relative).is_absolute() {
         return code!(

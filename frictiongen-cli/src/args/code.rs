@@ -18,7 +18,7 @@ pub enum TableFormat {
 /// Arguments of `frictiongen compile`.
 #[derive(Debug, Args)]
 pub struct CompileArguments {
-    /// The description.
+    /// Argument for the scene description.
     #[command(flatten)]
     pub file: FileArgument,
     /// Largest error of a result: relative, or in radians for a phase [default: as in the description]
@@ -68,7 +68,7 @@ pub struct CompileArguments {
 /// Arguments of `frictiongen expand`.
 #[derive(Debug, Args)]
 pub struct ExpandArguments {
-    /// The description.
+    /// Argument for the scene description.
     #[command(flatten)]
     pub file: FileArgument,
     /// Write to this file instead of standard output
@@ -91,7 +91,7 @@ pub struct DiffArguments {
 /// Arguments of `frictiongen check`.
 #[derive(Debug, Args)]
 pub struct CheckArguments {
-    /// The description.
+    /// Argument for the scene description.
     #[command(flatten)]
     pub file: FileArgument,
 }

@@ -74,7 +74,7 @@ pub struct CurveArguments {
     /// Write to this file; the file extension sets the format: .csv, .json, .svg; .png with the feature png
     #[arg(short, long, value_name = "OUT")]
     pub output: Option<PathBuf>,
-    /// The format.
+    /// Arguments for the format of the output.
     #[command(flatten)]
     pub format: FormatArguments,
 }
@@ -110,7 +110,7 @@ pub struct MapArguments {
     /// Write to this file; the file extension sets the format: .csv, .json, .svg; .png with the feature png
     #[arg(short, long, value_name = "OUT")]
     pub output: Option<PathBuf>,
-    /// The format.
+    /// Arguments for the format of the output.
     #[command(flatten)]
     pub format: FormatArguments,
 }
@@ -146,7 +146,7 @@ pub struct TimeArguments {
     /// Print the spectrum instead of samples
     #[arg(long, conflicts_with = "events")]
     pub spectrum: bool,
-    /// The format.
+    /// Arguments for the format of the output.
     #[command(flatten)]
     pub format: FormatArguments,
     /// Write to this file; the file extension sets the format: .csv, .json, .svg; .png with the feature png
@@ -163,7 +163,7 @@ pub struct SensitivityArguments {
     /// Motion whose derivatives are printed: a mass, `contact`, `roof-base`, `roof-first`
     #[arg(long, value_name = "NAME")]
     pub of: String,
-    /// The format.
+    /// Arguments for the format of the output.
     #[command(flatten)]
     pub format: FormatArguments,
 }
@@ -171,7 +171,7 @@ pub struct SensitivityArguments {
 /// Arguments of `frictiongen optimum`.
 #[derive(Debug, Args)]
 pub struct OptimumArguments {
-    /// The description.
+    /// Argument for the scene description.
     #[command(flatten)]
     pub file: FileArgument,
     /// The frequency band a:b.
@@ -187,7 +187,7 @@ pub struct OptimumArguments {
     /// Vary one number of the description between a and b as well, for example `k base - lower=a:b`
     #[arg(long, value_name = "NAME=a:b", allow_hyphen_values = true)]
     pub vary: Option<String>,
-    /// The format.
+    /// Arguments for the format of the output.
     #[command(flatten)]
     pub format: FormatArguments,
 }
@@ -195,7 +195,7 @@ pub struct OptimumArguments {
 /// Arguments of `frictiongen features`.
 #[derive(Debug, Args)]
 pub struct FeaturesArguments {
-    /// The description.
+    /// Argument for the scene description.
     #[command(flatten)]
     pub file: FileArgument,
     /// Range of frequency ratios r = omega sqrt(m1/k1), from a to b [default: around the resonances]
@@ -233,7 +233,7 @@ pub struct FeaturesArguments {
     /// Write to this file; the file extension sets the format: .csv, .json, .svg; .png with the feature png
     #[arg(short, long, value_name = "OUT")]
     pub output: Option<PathBuf>,
-    /// The format.
+    /// Arguments for the format of the output.
     #[command(flatten)]
     pub format: FormatArguments,
 }

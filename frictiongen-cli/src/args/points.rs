@@ -8,7 +8,7 @@ use clap::Args;
 /// Arguments of `frictiongen limits`.
 #[derive(Debug, Args)]
 pub struct LimitsArguments {
-    /// The description.
+    /// Argument for the scene description.
     #[command(flatten)]
     pub file: FileArgument,
     /// The frequency.
@@ -17,7 +17,7 @@ pub struct LimitsArguments {
     /// The load.
     #[command(flatten)]
     pub load: LoadArguments,
-    /// The format.
+    /// Arguments for the format of the output.
     #[command(flatten)]
     pub format: FormatArguments,
 }
@@ -34,7 +34,7 @@ pub struct ResponseArguments {
     /// Print also the harmonics X_1, X_3, ... up to order N
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     pub harmonics: Option<String>,
-    /// The format.
+    /// Arguments for the format of the output.
     #[command(flatten)]
     pub format: FormatArguments,
 }
@@ -55,7 +55,7 @@ pub struct OrbitArguments {
     /// reaches
     #[arg(long)]
     pub states: bool,
-    /// The format.
+    /// Arguments for the format of the output.
     #[command(flatten)]
     pub format: FormatArguments,
 }

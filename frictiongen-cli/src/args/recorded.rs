@@ -28,7 +28,7 @@ pub struct TransmissibilityArguments {
     /// The description and the recordings.
     #[command(flatten)]
     pub recordings: RecordingArguments,
-    /// The format.
+    /// Arguments for the format of the output.
     #[command(flatten)]
     pub format: FormatArguments,
     /// Write to this file; the file extension sets the format: .csv, .json
@@ -83,7 +83,7 @@ pub struct IdentifyArguments {
     /// Treat the recording as a free vibration of a scene with one mass
     #[arg(long, conflicts_with_all = ["by", "mass", "harmonics", "between"])]
     pub decay: bool,
-    /// The format.
+    /// Arguments for the format of the output.
     #[command(flatten)]
     pub format: FormatArguments,
     /// Write to this file: the answers as .csv or .json, or the residuals as .svg (.png with the feature png)
@@ -103,7 +103,7 @@ pub struct FitArguments {
     /// Fit one damping ratio for all modes as well
     #[arg(long)]
     pub damping: bool,
-    /// The format.
+    /// Arguments for the format of the output.
     #[command(flatten)]
     pub format: FormatArguments,
     /// Write to this file; the file extension sets the format: .csv, .json
@@ -127,7 +127,7 @@ pub struct DriveArguments {
     /// Print the response spectrum of the recorded base motion for this damping ratio, instead of the motion
     #[arg(long, value_name = "ZETA", allow_hyphen_values = true, conflicts_with_all = ["friction", "of"])]
     pub spectrum: Option<String>,
-    /// The format.
+    /// Arguments for the format of the output.
     #[command(flatten)]
     pub format: FormatArguments,
     /// Write to this file; the file extension sets the format: .csv, .json, .svg; .png with the feature png

@@ -35,7 +35,7 @@ Exit status:
 /// Arguments of `frictiongen report`.
 #[derive(Debug, Args)]
 pub struct ReportArguments {
-    /// The description.
+    /// Argument for the scene description.
     #[command(flatten)]
     pub file: FileArgument,
     /// The range of frequencies.

@@ -77,7 +77,7 @@ pub struct LoadArguments {
 /// A scene, the frequencies and the frictions.
 #[derive(Debug, Args)]
 pub struct PointArguments {
-    /// The description.
+    /// Argument for the scene description.
     #[command(flatten)]
     pub file: FileArgument,
     /// The frequency.

@@ -13,8 +13,8 @@ use proc_macro2::{Literal, TokenStream};
 /// Largest error of an answer of the exact formulas, in rounding units. The known frequencies are such that a change of
 /// r by 32 rounding units changes no answer by more than an eighth of this error.
 const ROUNDINGS: f64 = 4096.0;
-/// Lowest known frequency ratio over the lowest resonance, and highest known frequency ratio over the highest
-/// resonance.
+/// Range of the frequency ratios of the known answers. The first number is a multiple of the lowest resonance, and the
+/// second is a multiple of the highest resonance.
 const BAND: (f64, f64) = (0.2, 1.5);
 
 /// Returns the checksum that the emitted code computes for a constant with these numbers.

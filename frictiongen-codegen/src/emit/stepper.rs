@@ -91,7 +91,8 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
     let associated = code! {
             #step_scene
 
-            /// Tables for a step of dt: constants for `STEP`, if the scene declares a step, otherwise computed here.
+            /// Tables for the step dt, s. If dt is the declared step `STEP`, the tables are constants. Otherwise this
+            /// function computes them.
             #[inline]
             fn step_tables(dt: #scalar) -> Result<FixedTables<#scalar, #literals>, OutOfDomain> {
                 #from_tables

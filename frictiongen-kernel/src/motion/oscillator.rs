@@ -221,8 +221,8 @@ impl<S: Float> Part<S> {
         [value, slope, curve, third]
     }
 
-    /// Returns the force on the oscillator as a complex number, so that the force is re·cos τ + im·sin τ. At τ = 0 the
-    /// excitation's phase has the given sine and cosine.
+    /// Returns the force on the oscillator as a complex number. The force at the phase τ is re·cos τ + im·sin τ. `sine`
+    /// and `cosine` belong to the excitation's phase at τ = 0.
     fn force_from(&self, (sine, cosine): (S, S)) -> Complex<S> {
         Complex::new(
             self.steady.re * cosine - self.steady.im * sine,

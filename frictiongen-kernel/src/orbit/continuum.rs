@@ -24,11 +24,12 @@ const DOUBLINGS: u32 = 20;
 /// for the multiplier 1.
 const SHIFT: f64 = 1e-8;
 
-/// Sets the cycle map to the member of a continuum of steady motions to which the motion converges.
+/// Sets the cycle map to one member of a continuum of steady motions: the member to which the motion converges.
 ///
-/// Before the call the cycle map is at the symmetric member, and `workspace.state` is the motion at the same phase. The
-/// *share* of a member is the amplitude of its free vibration. The *last member* has the largest share of all members
-/// without a stop. The result is the share of the last member, divided by the share of the selected member.
+/// Before the call, the cycle map is at the symmetric member, and `workspace.state` is the motion at the same phase.
+/// The *share* of a member is the amplitude of its free vibration. The *last member* has the largest share of all
+/// members without a stop. The function returns the share of the last member, divided by the share of the selected
+/// member.
 ///
 /// `monotone` is true if μ = 1. Stops then become shorter from cycle to cycle, so that a motion with stops converges to
 /// the last member. With μ > 1 stops do not become shorter, because the contact sticks until the force has grown to μF.

@@ -8,8 +8,8 @@ use super::split::Edge;
 use super::worst::Worst;
 use frictiongen_kernel::Float;
 
-/// Ratio of lengths at which the search for the longest piece ends. It is the shortest length that is too long, divided
-/// by the longest length that is possible. More fits would save at most a tenth of the pieces.
+/// The search for the longest piece ends if the shortest length that is too long is at most this multiple of the
+/// longest length that is possible. More fits would reduce the number of pieces by at most a tenth.
 const LONGEST: f64 = 1.1;
 /// Step to which the code rounds the end of a polynomial piece for human readers, as a fraction of the length of the
 /// piece. The code does not round the end at a kink of β_lim or at a bound of the range.
@@ -18,8 +18,7 @@ const END: f64 = 0.02;
 /// The error of a piece with a kink is proportional to its length. The error of a smooth piece falls with a high power
 /// of the length.
 const KINK: f64 = 30.0;
-/// Ratio of lengths at which the search for a kink ends. It is a length that is too long, divided by a length that is
-/// possible.
+/// The search for a kink ends if a length that is too long is at most this multiple of a length that is possible.
 const KINK_FOUND: f64 = 1.0 + 1e-3;
 /// Largest number of polynomial pieces that the code fits again after the check. Each repetition adds a point to the
 /// comparison of later fits. Beyond this number the construction fails, because it would probably never end.

@@ -1,6 +1,6 @@
 """Exact vibration of mass-spring chains with one Coulomb friction contact.
 
-A :class:`System` is made from a description. Its methods take and return numpy arrays.
+A :class:`System` reads a scene description. Its methods take and return numpy arrays.
 
 >>> import frictiongen
 >>> frame = frictiongen.System(frictiongen.FRAME)
@@ -10,7 +10,7 @@ A :class:`System` is made from a description. Its methods take and return numpy 
 >>> (1e3 * response["lower"].amplitude_m).round(3).tolist()  # mm
 [0.714, 0.539, 0.708]
 
-Frequencies are given as `r`, `hz` or `omega`, friction as `beta` or as `friction` in N, and the load as `force` in N or
+Give frequencies as `r`, `hz` or `omega`, friction as `beta` or as `friction` in N, and the load as `force` in N or
 `base` in m.  With a load, answers are in N, m and degrees, and the names of their attributes end in `_N`, `_m` and
 `_deg`.  Without a load, answers are non-dimensional: forces over P (over k1 Y for base motion), displacements over P/k1
 (over Y), phases in rad.

@@ -26,7 +26,7 @@ def text_of(file: File) -> str:
 
 
 def name_of(file: File) -> str | None:
-    """Returns the name of a file in messages."""
+    """Returns the name of a file for messages, if the file has a name."""
     if isinstance(file, (str, os.PathLike)):
         return os.fspath(file)
     name = getattr(file, "name", None)

@@ -23,8 +23,8 @@ class Observation:
     :param phase_deviation_deg: standard deviation of each phase that has no amplitude, degrees.
     :param load_deviation: standard deviation of the excitation's amplitude, in the unit of that amplitude.
 
-    A deviation is one number for all masses, or a number for each mass by its name.  Either amplitudes or phases may be
-    left out.
+    A deviation is one number for all masses, or a number for each mass by its name.  Amplitudes or phases may be
+    omitted, but not both.
 
     >>> import frictiongen
     >>> plate = frictiongen.System('''struct Plate {

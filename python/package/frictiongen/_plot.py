@@ -1,4 +1,4 @@
-"""Pictures of answers.  matplotlib is imported only when a picture is asked for."""
+"""Pictures of answers.  The functions import matplotlib only when they draw."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def _axes(ax: Axes | None) -> Axes:
 
 
 def _frequency(answer: Any) -> tuple[Any, str]:
-    """Returns the frequencies in the unit in which they were given, and their label."""
+    """Returns the frequencies in the caller's unit, and the label of the axis."""
     if "omega_rad_s" in answer:
         return answer.omega_rad_s, "angular frequency (rad/s)"
     if "frequency_Hz" in answer:
@@ -40,7 +40,7 @@ def _friction(answer: Any) -> tuple[Any, str]:
 
 
 def _column(answer: Any, motion: str, name: str, unit: str) -> tuple[Any, str]:
-    """Returns a column of a motion and its label."""
+    """Returns a column of a motion, and the label of its axis."""
     inner = answer[motion]
     if f"{name}_{unit}" in inner:
         return inner[f"{name}_{unit}"], f"{name} of {motion} ({unit})"
@@ -50,7 +50,8 @@ def _column(answer: Any, motion: str, name: str, unit: str) -> tuple[Any, str]:
 def _edges(values: Any) -> Any:
     """Returns the bounds of cells around these values.
 
-    They lie in the middle between neighbours and half a step beyond the ends, but not below 0.
+    A bound lies in the middle between two values.  The first and the last bound lie half a step beyond the values, but
+    not below 0.
     """
     middles = 0.5 * (values[1:] + values[:-1])
     first, last = values[0] - (middles[0] - values[0]), values[-1] + (values[-1] - middles[-1])
@@ -58,13 +59,13 @@ def _edges(values: Any) -> Any:
 
 
 def _within(ax: Axes, along: Any) -> None:
-    """Ends the frequency axis at the first and last data point, and never below 0."""
+    """Limits the frequency axis to the range of the data."""
     if np.size(along) > 1:
         ax.margins(x=0)
 
 
 def _first(answer: Any, of: str | None) -> str:
-    """Returns the motion asked for, or the first mass, or the contact if there is no mass."""
+    """Returns `of`.  The default is the first mass, or the contact if there is no mass."""
     if of is not None:
         return of
     return next((name for name in answer.motions if name != "contact"), "contact")
@@ -129,7 +130,7 @@ def curve(answer: answers.Curve, ax: Axes | None, of: str | None) -> Axes:
 
 
 def _order(region: str) -> tuple[int, str]:
-    """Returns the sort key of a region, in the order from sliding to stuck."""
+    """Returns the sort key of a region.  The keys sort regions from sliding to stuck."""
     first = ("continuous", "sliding reversals")
     last = ("subharmonic", "unsettled")
     if region in first:

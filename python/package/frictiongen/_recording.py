@@ -1,4 +1,4 @@
-"""Recordings: evenly spaced samples of several channels, each with its unit."""
+"""Recordings: samples of several channels at equal time steps.  Each channel has a unit."""
 
 from __future__ import annotations
 
@@ -18,12 +18,12 @@ if TYPE_CHECKING:
 
 
 class Recording:
-    """Samples of the excitation and of masses, each channel with its unit.
+    """Samples of the excitation and of masses.  Each channel has a unit.
 
     :param channels: samples and unit of each channel, by the channel's name: `base`, `force` or the name of a mass.
         Units are m, cm, mm, um, m/s, mm/s, m/s2, mm/s2, g, N, mN, kN.  Displacements, velocities and accelerations may
         be mixed.
-    :param rate: samples per second.
+    :param rate: sampling rate, Hz.
     :param time_s: time of each sample, s, evenly spaced, instead of `rate`.
     :param drives: whether the channels are inputs of :meth:`System.drive`.  Then one channel is enough, and it may be
         constant.
@@ -72,7 +72,8 @@ class Recording:
     ) -> Recording:
         """Reads a recording from a CSV or a universal file (UFF58, text).
 
-        A CSV has one line of names with their units, `time_s,base_mm,upper_m_s2`, or a second line with the units.
+        The first line of a CSV has the names of the columns.  The units are part of the names, as in
+        `time_s,base_mm,upper_m_s2`, or in a second line.
 
         :param file: a path, or a file opened for reading text.
         :param channels: columns to read, by the name of the channel.  Each is the column's name or its number from 1,
@@ -94,7 +95,7 @@ class Recording:
         drives: bool = False,
         source: str | None = None,
     ) -> Recording:
-        """Reads a recording from the text of a file, which messages call `source`.
+        """Reads a recording from the text of a file.  `source` is the name of the file in messages.
 
         >>> import frictiongen
         >>> text = "t;AI1;AI2\\n" + "".join(f"{n};{n % 7};{n % 5}\\n" for n in range(40))
@@ -118,7 +119,7 @@ class Recording:
 
     @property
     def rate(self) -> float:
-        """Number of samples per second."""
+        """Sampling rate, Hz."""
         return self._native.rate
 
     @property
@@ -165,7 +166,7 @@ class Recording:
         return frame({"time_s": self.time_s, **columns})
 
     def plot(self, ax: Axes | None = None) -> Axes:
-        """Draws all channels over time, each in its unit.
+        """Draws all channels over time, in their units.
 
         :raises ImportError: if matplotlib is not installed.
         """

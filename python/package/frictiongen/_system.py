@@ -1,4 +1,4 @@
-"""The system: a description with the methods that answer for it."""
+"""The class `System`, which reads a scene description and answers questions about the scene."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-#: The description of a two-storey frame, whose upper floor rubs on a wall.
+#: The description of a two-storey frame with a friction contact between the upper floor and a wall.
 FRAME = """/// Two-storey shear frame; a brass disc rubs on the upper floor.
 pub struct Frame {
     masses: { lower: 3.27, upper: 3.25 },                      // kg; the first is m₁
@@ -81,7 +81,7 @@ class System(Steady, InTime, Design, Measuring):
 
     @classmethod
     def _of(cls, native: _native.System) -> System:
-        """Wraps a compiled system that exists already."""
+        """Returns a `System` for an existing object of the compiled module."""
         system = cls.__new__(cls)
         system._native = native
         return system
@@ -106,12 +106,12 @@ class System(Steady, InTime, Design, Measuring):
 
     @property
     def contact(self) -> tuple[str, str]:
-        """Names of the two nodes that rub on each other."""
+        """Names of the two nodes between which friction acts."""
         return self._native.contact
 
     @property
     def excitation(self) -> str:
-        """Name of the mass that a force drives, or `base`."""
+        """Name of the mass on which the force acts, or `base` if the base moves."""
         return self._native.driven_mass or "base"
 
     @property

@@ -14,7 +14,7 @@ pub(crate) const WALK: u32 = 64;
 pub(crate) struct Power<S> {
     pub terms: [S; TERMS],
     pub count: usize,
-    /// Sum of the absolute values of all summands in the first terms.
+    /// Sum of the absolute values of all summands that form the first terms.
     pub size: S,
 }
 

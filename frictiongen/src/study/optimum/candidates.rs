@@ -12,7 +12,8 @@ const MOST_LOOKED_INTO: usize = 6;
 /// Fraction of the smaller amplitude at the bounds of an interval. The search assumes that no minimum in the interval
 /// is lower.
 const SHARE: f64 = 0.7;
-/// Relative increase of the amplitude in a closer evaluation of the band that reveals a higher peak.
+/// Relative tolerance within which two amplitudes count as equal. If a closer evaluation of the band exceeds the
+/// earlier amplitude by more, the evaluation has found a higher peak.
 pub(super) const HOLDS: f64 = 1e-9;
 
 /// A friction ratio that may be the best, with its largest amplitude over the band.

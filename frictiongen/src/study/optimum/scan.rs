@@ -77,7 +77,8 @@ pub(super) fn best(scan: &[Scanned]) -> f64 {
     complete.fold(f64::INFINITY, |best, scanned| best.min(scanned.value))
 }
 
-/// Computes the scan: the largest amplitude over the band at friction ratios from none to so much that nothing slides.
+/// Computes the scan, which is the largest amplitude over the band at a list of friction ratios. The list begins at 0
+/// and ends where more friction no longer reduces the amplitude.
 pub(super) fn scanned(band: &AmplitudeBand<'_>, free_to: f64, locked_from: f64) -> Vec<Scanned> {
     let system = band.amplitude.system;
     let unbounded_to = unbounded_to(band);

@@ -1,1 +1,1 @@
-"""The methods of a system, one file for each group of them."""
+"""The methods of a system, with one file for each group."""

@@ -1,4 +1,4 @@
-"""Common base of the groups of methods."""
+"""Base class for the groups of methods."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 
 class Base:
-    """A system with its compiled counterpart."""
+    """Base class of a system.  It contains the system of the compiled module."""
 
     __slots__ = ("_native",)
 
@@ -19,12 +19,12 @@ class Base:
 
     @classmethod
     def _of(cls, native: compiled.System) -> System:
-        """Wraps a compiled system that exists already."""
+        """Returns a `System` for an existing object of the compiled module."""
         raise NotImplementedError
 
 
 def names(of: str | Iterable[str] | None, argument: str = "of") -> str | list[str] | None:
-    """Returns names in the form that the compiled module takes."""
+    """Returns names as the compiled module expects them: one text, a list, or `None`."""
     if of is None or isinstance(of, str):
         return of
     try:

@@ -30,12 +30,12 @@ class Design(Base):
         base: float | str | None = None,
         vary: tuple[str, float, float] | None = None,
     ) -> Optimum:
-        """Finds the friction that makes the largest value of a quantity over a frequency band as small as possible.
+        """Finds the friction that minimises the largest value of a quantity over a frequency band.
 
         :param of: quantity whose largest value is minimised: the name of a mass, `contact`, `roof-base`, `accel(roof)`, `shear`.
         :param base: amplitude of the base motion in m, or text such as `"0.2g"`, `"2 m/s2"`, `"0.1 m/s"`.
         :param force: amplitude of the force in N, or an unbalance such as `"0.02 kg m"`.
-        :param vary: a number of the description that is chosen too, with its interval.
+        :param vary: a second variable of the optimisation: the name of a number in the description, and its interval.
 
         >>> import frictiongen
         >>> frame = frictiongen.System(frictiongen.FRAME)
@@ -57,7 +57,7 @@ class Design(Base):
         force: float | None = None,
         base: float | None = None,
     ) -> Sensitivities:
-        """Computes the exact derivatives of amplitude, phase and both limits by every parameter, in any regime.
+        """Computes the exact derivatives of amplitude, phase and both limits with respect to every parameter.
 
         :param of: name of the mass whose amplitude and phase are differentiated, or `contact`.
 
@@ -85,9 +85,9 @@ class Design(Base):
     ) -> Features:
         """Finds the features of the response over a frequency band, without a sweep.
 
-        They are thresholds, antiresonances, invariant points, ranges in which friction enlarges a motion, and
-        resonances of the chain with its contact stuck.  For each friction they are also the ranges in which the contact
-        slides, the regimes and the peaks.  Numbers come with their derivatives where these exist.
+        The features are thresholds, antiresonances, invariant points, ranges in which friction enlarges a motion, and
+        resonances of the chain with its contact stuck.  For each friction, the method also finds the ranges in which
+        the contact slides, the regimes and the peaks.  It returns the derivatives of all numbers that have derivatives.
 
         Without a band the method examines the range around the resonances.
 

@@ -36,13 +36,13 @@ class InTime(Base):
         start: tuple[ArrayLike, ArrayLike] | None = None,
         steady: bool = False,
     ) -> History:
-        """Computes the exact motion over time with every event, from rest, from a state, or in the steady state.
+        """Computes the exact motion and all events over time, from rest, from a state, or in the steady state.
 
         :param cycles: number of cycles of the excitation, 10 by default.
         :param skip: number of cycles before the first sample, 0 by default.
         :param samples: number of samples in a cycle, an even number, 200 by default.
-        :param start: displacements and velocities of all masses at the start, in m and m/s with a load.  Rest by
-            default.
+        :param start: initial displacements and velocities of all masses, in m and m/s with a load.  The default is
+            rest.
         :param steady: whether to return one period of the steady state instead of a run.
 
         >>> import frictiongen
@@ -77,7 +77,7 @@ class InTime(Base):
         start: tuple[ArrayLike, ArrayLike] | Steps | None = None,
         stiction: float | None = None,
     ) -> Steps:
-        """Computes the motion under any load, sample by sample, exact between events.
+        """Computes the motion under a load that is given at evenly spaced instants.
 
         :param dt: time between two samples, s.
         :param force: force on the excited mass at each sample, N, if a force drives the scene.
@@ -85,10 +85,10 @@ class InTime(Base):
         :param base_velocity: velocity of the base at each sample, m/s, together with `base`.
         :param friction: kinetic friction force, N: one number, or one for each sample.
         :param on: forces on further masses, N, by the names of the masses.
-        :param start: displacements and velocities of all masses, m and m/s, instead of rest.  It may also
-            be the answer of an earlier call.  This call then continues from the end of that answer, and its first
-            sample is one `dt` after the last sample of that answer.
-        :param stiction: static over kinetic friction from the start on.  By default the ratio of the description.
+        :param start: initial displacements and velocities of all masses, m and m/s, or the answer of an earlier call.
+            The default is rest.  After an earlier call, the motion continues from the last sample of that call, and the
+            first new sample is one `dt` later.
+        :param stiction: ratio of static to kinetic friction.  The default is the ratio in the description.
 
         Between samples a force is linear in time.  It is constant over a step if the description has
         `provide: [stepper], input: hold`.
@@ -130,7 +130,7 @@ class InTime(Base):
 
         :param recording: recording of the inputs.  `Recording(..., drives=True)` also takes a single or a constant
             channel.
-        :param friction: kinetic friction force, N.  By default the channel `friction`.
+        :param friction: kinetic friction force, N.  The default is the channel `friction`.
 
         >>> import frictiongen, numpy
         >>> frame = frictiongen.System(frictiongen.FRAME)

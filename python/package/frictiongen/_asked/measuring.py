@@ -52,17 +52,18 @@ class Measuring(Base):
         between: tuple[float, float] | None = None,
         harmonics: int | None = None,
     ) -> Identification:
-        """Finds the friction force that explains the measurements, with its interval.
+        """Finds the friction force that fits the measurements best, with its uncertainty interval.
 
-        The contact may be in any regime.  Measurements at one frequency or at several are fitted together.  If they do
-        not determine the force, the verdict gives the reason.
+        The contact may be in any regime.  The method fits all measurements together, at one or several frequencies.  If
+        the measurements do not determine the force, the verdict gives the reason.
 
         :param measured: recordings, or amplitudes and phases as an :class:`Observation`.
-        :param by: quantities to compare: "both", "amplitude" or "phase".  By default those that were measured.
-        :param of: names of the masses to use.  By default all that were measured.
+        :param by: quantities to compare: "both", "amplitude" or "phase".  The default is all measured quantities.
+        :param of: names of the masses to use.  The default is all measured masses.
         :param also: further unknowns to fit: "damping", "frequency" (a factor on all natural frequencies) or
             "stiction".
-        :param between: range of friction forces to search, N.  By default from 0 to where the contact is stuck.
+        :param between: range of friction forces to search, N.  The default range is from 0 to the
+            smallest force at which the contact is stuck.
         :param harmonics: order up to which the odd harmonics of recordings are used too.
         :raises MeasureError: for recordings that cannot be used, a unit that is wrong by a power of 1000, and motions
             that no friction force explains.
@@ -82,16 +83,16 @@ class Measuring(Base):
         deviation: Mapping[str, ArrayLike] | None = None,
         damping: bool = False,
     ) -> Fit:
-        """Fits natural frequencies, mass and stiffness ratios to a sweep without friction.
+        """Fits natural frequencies, mass ratios and stiffness ratios to a sweep without friction.
 
-        The base drives the system.  The sweep is given by `sweep`, or by `hz` and `transmissibility`.
+        The base drives the system.  Give the sweep as `sweep`, or as `hz` and `transmissibility`.
 
         :param sweep: answer of :meth:`transmissibility`, or a CSV with `frequency_Hz`, `NAME.transmissibility` and
             `NAME.deviation`: a path, or a file opened for reading text.
         :param hz: frequencies of the sweep, Hz.
         :param transmissibility: amplitude of each mass over that of the base at these frequencies, by the mass's name.
-        :param deviation: standard deviations of the transmissibilities, by the mass's name.  Without them all
-            amplitudes have the same relative error.
+        :param deviation: standard deviations of the transmissibilities, by the mass's name.  By default all amplitudes
+            have the same relative error.
         :param damping: whether to fit also one damping ratio for all modes.
 
         >>> import frictiongen, numpy
@@ -129,7 +130,7 @@ class Measuring(Base):
 
         The mass is pulled and released.
 
-        :param damping: damping ratio, if it differs from that of the description.
+        :param damping: damping ratio, instead of the damping ratio in the description.
         :param find_damping: whether to fit the damping ratio, even if the description has one.
 
         >>> import frictiongen, numpy
@@ -148,7 +149,7 @@ class Measuring(Base):
 
 
 def _listed(given: Any, *kinds: type) -> list[Any]:
-    """Returns a list of one or several items of the right type."""
+    """Returns the items as a list, and checks their types."""
     kinds = kinds or (Recording, Observation)
     needed = " or ".join(kind.__name__ for kind in kinds)
     if isinstance(given, kinds):

@@ -30,7 +30,8 @@ class Steady(Base):
     ) -> Limits:
         """Computes the exact limits of continuous motion and of sliding over frequency.
 
-        A tuple (from, to) is a band, which 161 frequencies cover.  A list or an array has the frequencies themselves.
+        A tuple (from, to) is a band, which 161 frequencies cover.  A list or an array contains the frequencies
+        themselves.
 
         :param estimates: whether to compute also `continuous_limit_without_search`, which is never too small, and
             `continuous_limit_per_mode`, which is never too large.
@@ -52,7 +53,7 @@ class Steady(Base):
         force: float | None = None,
         base: float | None = None,
     ) -> Limits:
-        """Computes both limits in the shortest time, without a search.
+        """Computes both limits without a search, which takes the shortest time.
 
         `sliding_limit` is exact.  `continuous_limit_without_search` is never too small.
 
@@ -82,9 +83,10 @@ class Steady(Base):
         """Computes regime, amplitudes and phases over frequency and friction, in every regime.
 
         Frequencies and frictions may each be a number, a list or an array, or a band (from, to), which 161 frequencies
-        or 81 frictions cover.  The answer has the shape of the frequencies followed by that of the frictions.
+        or 81 frictions cover.  The shape of the answer is the shape of the frequencies, followed by the shape of the
+        frictions.
 
-        :param of: names of the motions to return: masses, or `contact`.  By default all.
+        :param of: names of the motions to return: masses, or `contact`.  The default is all motions.
         :param harmonics: the order up to which the harmonics X1, X3, ... are returned too.
 
         >>> import frictiongen
@@ -116,7 +118,7 @@ class Steady(Base):
     ) -> Orbit:
         """Computes the steady state that motion from rest reaches, at one frequency and one friction.
 
-        The answer has its stops and its stability.
+        The answer contains the stops and the stability of the state.
 
         :param harmonics: the order up to which the harmonics X0, X1, ... are returned too.
 
@@ -145,10 +147,11 @@ class Steady(Base):
         of: str | Iterable[str] | None = None,
         harmonics: int | None = None,
     ) -> list[Orbit]:
-        """Computes every steady state at one frequency and one friction that a fixed list of starts leads to.
+        """Finds steady states at one frequency and one friction, from a fixed list of initial states.
 
-        The starts are rest, the stuck contact, the closed form and motions at neighbouring frictions.  `from_rest`
-        marks the state that motion from rest reaches.  With stiction 1 there is one state, or one continuum.
+        The initial states are rest, the stuck contact, the closed form and motions at neighbouring frictions.
+        `from_rest` marks the state that motion from rest reaches.  With stiction 1 there is one state, or one
+        continuum.
 
         :param harmonics: the order up to which the harmonics X0, X1, ... are returned too.
 

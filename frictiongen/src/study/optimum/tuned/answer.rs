@@ -37,8 +37,8 @@ pub struct TunedOptimum {
     pub at_end: bool,
     /// The scene with the best value of the varied number.
     pub system: System,
-    /// The best friction with the best value. The groups r, β and x̄ refer to m₁ and k₁ of the *description*, which
-    /// therefore convert them to Hz, N and m.
+    /// The best friction with the best value. Its groups r, β and x̄ refer to m₁ and k₁ of the original description.
+    /// Use the original description to convert them to Hz, N and m.
     pub optimum: Optimum,
     /// The best friction at all scanned values of the varied number, in ascending order. The list shows the influence
     /// of the number.
