@@ -4,9 +4,9 @@
 pub const GRIDS: &str = "\
 Grids:
   A grid is a number, a range a:step:b (b included), a range a:b of frequencies in 100 equal steps, or a
-  comma-separated list of those:
+  comma-separated list of these:
   0.9   0.2:0.01:2.5   0.2:2.5   0,0.5,1:0.1:2,inf
-  `map` takes a range a:b of frictions as well.
+  `map` also accepts a range a:b of frictions.
   Decimals have a point, not a comma. A frequency may be 0 and inf. A friction must be finite.
   A grid has at most 10 million points.
 
@@ -17,9 +17,9 @@ pub const UNITS: &str = "\
 Units:
   The units are those of the scene. With masses in kg and springs in N/m, forces are in N, lengths
   in m and angular frequencies in rad/s.
-  --hz or --omega       adds the column frequency_Hz beside r; --omega also omega_rad_s
-  --force P or --base Y adds friction_N, and gives amplitudes in m and phases in degrees; limits are
-                        also given as friction forces in N
+  --hz or --omega       adds the column frequency_Hz; --omega also adds the column omega_rad_s
+  --force P or --base Y adds the column friction_N; amplitudes are then in m, phases in degrees, and
+                        limits also in N
   r and beta refer to the first mass and the first spring of the description. If the description lists
   the masses in another order, r and beta change, but no physical result does. With --force or --base,
   the phase of a contact a - b of two masses is the phase of b relative to a.
@@ -28,10 +28,10 @@ Units:
 
 pub const LIMITS: &str = "\
 Quantities:
-  continuous limit  beta_lim, exact: below it a motion exists in which the contact slides all the time
-  without search    upper bound on beta_lim: the velocity is checked at the reversal alone
-  per mode          lower bound on beta_lim: the modes' own maxima of the velocity constraint are added
-  sliding limit     beta*_lim: at or above it a state exists in which the contact never slides (it locks)
+  continuous limit  beta_lim, exact. Below beta_lim a motion exists in which the contact slides all the time
+  without search    upper bound on beta_lim. It assumes that the contact would first stop at a reversal
+  per mode          lower bound on beta_lim. It adds the maxima of the modes' velocity constraints
+  sliding limit     beta*_lim. At or above it a state exists in which the contact never slides (it locks)
   With stiction 1 the contact slides all the time below beta_lim, and is stuck from beta*_lim on. With
   a larger stiction other states may exist as well. `orbit --states` lists them.
 
@@ -39,9 +39,10 @@ Quantities:
 
 pub const RESPONSES: &str = "\
 Regimes:
-  continuous  the contact slides all the time: exact amplitudes, phases and harmonics
-  stick-slip  the contact alternately sticks and slides: the steady state that motion from rest reaches
-  stuck       the contact never slides: it locks, or sticks permanently. Amplitude and phase of each mass
+  continuous  the contact slides all the time. Amplitudes, phases and harmonics are exact
+  stick-slip  the contact sticks and slides in turn. The values belong to the steady state that motion
+              from rest reaches
+  stuck       the contact never slides (it locks). The output has amplitude and phase of each mass
   unbounded   the amplitude grows without limit, on an undamped resonance; the contact slides if the
               margin is negative, otherwise it is stuck
   If several states exist, the answer is the state that motion from rest reaches. At rest, every mass is
@@ -49,26 +50,28 @@ Regimes:
   contact with the base may stick away from its centre.
 
 Answers:
-  closed form  exact, for a contact that always slides or never slides
-  orbit        exact, computed from event to event; the next word is the stability, as in `orbit`
+  closed form  an exact formula, for a contact that always slides or never slides
+  orbit        an exact steady state, computed from event to event; the next word is its stability, as
+               in `orbit`
   not from rest  motion from rest does not settle; this is another stable state
   subharmonic  a stable state, computed from event to event, that repeats after several cycles
   last 64 cycles  the motion does not settle; the values belong to its last 64 cycles, and the
                amplitude is the largest of these cycles
-  no cycle     no answer at a frequency ratio of 0 or infinity, between the limits
+  no cycle     between the limits there is no answer at a frequency ratio of 0 or infinity
   other words  the reason why there is no answer, in the words of `orbit`; the cells are empty (JSON: null)
 
 Quantities:
   margin      beta/min(beta_lim, beta*_lim) - 1. It is negative below both limits. The closed form exists
               there, and with stiction 1 no other state exists
-  offset      (max + min)/2 of the contact's motion over P/k1, for base motion over Y; with a load, m
-  amplitude   largest displacement of the cycle over P/k1, for base motion over Y; with a load, m
-  centred     half the distance between the least and the largest displacement
-  phase       lag of the largest displacement behind the maximum of the excitation, rad, in (-pi, pi];
-              with a load, degrees
-  fundamental lag of the fundamental component X_1
-  X_n         harmonics, x = Re(sum of X_n exp(i n t)): amplitude |X_n| and lag -arg X_n, rad;
-              with a load, m and degrees
+  offset      middle of the contact's motion, (max + min)/2, divided by P/k1 (by Y for base motion);
+              with a load, in m
+  amplitude   largest displacement in the cycle, divided by P/k1 (by Y for base motion); with a load, in m
+  centred     half the difference between the largest and the smallest displacement
+  phase       lag of the largest displacement behind the maximum of the excitation, in rad, from -pi to
+              pi; with a load, in degrees
+  fundamental phase lag of the fundamental component X_1
+  X_n         harmonics, x = Re(sum of X_n exp(i n t)): amplitude |X_n|, and lag -arg X_n in
+              rad; with a load, in m and degrees
 
 ";
 
@@ -78,8 +81,8 @@ Regimes:
 
 States:
   stable     small deviations die out
-  marginal   some deviation stays, or dies out more slowly than exponentially: the state belongs to a
-             continuum of steady states, or lies at its end; a stuck contact is also marginal
+  marginal   some deviation does not die out, or dies out more slowly than exponentially; the state
+             belongs to a continuum of steady states, or is the end of one; a stuck state is also marginal
   These words mean that there is no steady state:
   unbounded  the excitation is on an undamped resonance
   undamped   the load drives a mode that has no damping and on which the contact does not act
@@ -93,16 +96,18 @@ Quantities:
   stops       number of stops of the contact in a period
   reversals   number of changes of the sliding direction without a stop, in a period
   stuck       fraction of the period during which the contact sticks
-  offset      (max + min)/2 of the contact's motion over P/k1, for base motion over Y; with a load, m
+  offset      middle of the contact's motion, (max + min)/2, divided by P/k1 (by Y for base motion);
+              with a load, in m
   multiplier  factor by which the deviation that dies out most slowly changes in a period (Floquet
               multiplier)
-  amplitude   largest displacement of the period over P/k1, for base motion over Y; with a load, m
-  centred     half the distance between the least and the largest displacement
-  phase       lag of the largest displacement behind the maximum of the excitation, rad, in (-pi, pi];
-              with a load, degrees
-  fundamental lag of the fundamental component X_1
-  X_n         harmonics, x = Re(sum of X_n exp(i n t)): amplitude |X_n| and lag -arg X_n, rad;
-              X_0 is the mean; with a load, m and degrees
+  amplitude   largest displacement in the period, divided by P/k1 (by Y for base motion); with a load,
+              in m
+  centred     half the difference between the largest and the smallest displacement
+  phase       lag of the largest displacement behind the maximum of the excitation, in rad, from -pi to
+              pi; with a load, in degrees
+  fundamental phase lag of the fundamental component X_1
+  X_n         harmonics, x = Re(sum of X_n exp(i n t)): amplitude |X_n|, and lag -arg X_n in
+              rad; X_0 is the mean; with a load, in m and degrees
 
 ";
 
@@ -117,7 +122,7 @@ Several states:
 pub const GRIDS_IN_TIME: &str = "\
 Grids:
   A grid is a number, a range a:step:b (b included), a range a:b of frequencies in 100 equal steps, or a
-  comma-separated list of those:
+  comma-separated list of these:
   0.9   0.2:0.01:2.5   0.2:2.5   0.5,1:0.1:2
   Decimals have a point, not a comma. A frequency must be above 0 and below infinity: at 0 a cycle
   never ends, and at infinity nothing has time to move. For 0 and inf use `limits` or `response`.
@@ -129,34 +134,36 @@ Exit status:
 pub const TIMES: &str = "\
 Motions:
   The output has the contact and every mass, or the motions of --of. Each motion has a displacement,
-  over P/k1 or for base motion over Y, and a velocity, the derivative with respect to tau = omega t.
-  With a load they are in m and m/s. Motions of masses are absolute, that of the contact is relative.
+  divided by P/k1 (by Y for base motion), and a velocity, the derivative with respect to tau = omega t.
+  With a load they are in m and m/s. Motions of masses are absolute. The motion of the contact is relative.
   tau is 0 at a maximum of the excitation, before the skipped cycles
-  contact.friction  the friction force over P, for base motion over k1 Y; with a load, N. It acts against
-                    the sliding; while the contact sticks, it is the force that holds the contact
-  contact.state     stuck; or forward or backward, the sign of the relative velocity
-  The speeds of `friction: stribeck` need a load: --force or --base
+  contact.friction  the friction force, divided by P (by k1 Y for base motion); with a load, in N. It
+                    opposes sliding; while the contact sticks, it keeps the contact at rest
+  contact.state     stuck, forward or backward; the direction is the sign of the relative velocity
+  A description with `friction: stribeck` needs a load, --force or --base, because its speeds have units.
 
-State to start from:
+Initial state:
   --from \"x1,x2;v1,v2\"  displacements, then velocities of all masses in the order of the description,
                         at a maximum of the excitation; with a load, in m and m/s [default: rest]
 
 Steady states:
   --steady works in any regime. If the chain is undamped or has several steady states, the output is the
-  state that motion from rest reaches. The same motion decides where a stuck contact stays.
+  state that motion from rest reaches. Motion from rest also determines the position of a stuck
+  contact.
 
 Events:
-  stop, break-away, and reversal (the contact changes its direction without a stop). The instants are
-  exact. The list has all events between the first and the last sample.
+  The events are stop, break-away, and reversal (the contact changes its direction without a stop). The
+  instants are exact. The list has all events between the first and the last sample.
 
 Spectrum:
-  x = Re(sum of X exp(i n tau)): amplitude |X| and lag -arg X of every order n, in rad or degrees of
-  the cycle of that order. Order 0 is the mean. Orders are multiples of 1/cycles, up to half the number
-  of samples in a cycle.
+  x = Re(sum of X exp(i n tau)). The spectrum has amplitude |X| and lag -arg X of every order n. The lag
+  is in rad or degrees of a cycle of that order. Order 0 is the mean. Orders are multiples of 1/cycles,
+  up to half the number of samples in a cycle.
   The spectrum of a run comes from its samples, with tau counted from the first one. Faster vibrations
   appear at wrong orders (aliasing), with about 10/samples^3 of the amplitude. With --steady the spectrum
   is exact, up to order 9999.
-  A run has a spectrum of lines only after it has settled. Skip cycles, and take whole periods.
+  The spectrum of a run consists of lines only if the motion has settled. Skip the first cycles, and
+  compute whole periods.
 
 ";
 
@@ -170,21 +177,21 @@ Exit status:
 pub const CURVES: &str = "\
 Curves:
   Points are closer where a curve bends and at its peaks. Lines join only points of the same piece. A
-  piece ends where the regime changes, at a pole, at a jump, and where there is no answer.
+  piece ends where the regime changes, at a pole, at a jump, and at a point without an answer.
   --from up and --from down sweep the frequency, as in a laboratory. Each point starts from the state of
   the previous point, with the same displacements and velocities. --from up,down gives both sweeps.
   answer   closed form, orbit, or last 64 cycles of a motion that does not settle; any other word is the
            reason why there is no answer, in the words of `orbit`
-  force    largest friction force of the cycle over P (base motion: k1 Y); with a load, N
-  work     energy that friction dissipates in a cycle, over P^2/k1 (base motion: k1 Y^2); with a load,
-           the mean power in W
+  force    largest friction force in the cycle, divided by P (by k1 Y for base motion); with a load, in N
+  work     energy that friction dissipates in a cycle, divided by P^2/k1 (by k1 Y^2 for base motion);
+           with a load, the mean power in W
 
 ";
 
 pub const RANGES: &str = "\
 Ranges:
   A range of frequencies is a:b, above 0. In a:step:b, step is the largest distance between points.
-  Frictions are a number, a range a:step:b, or a comma-separated list of those.
+  Frictions are a number, a range a:step:b, or a comma-separated list of these.
 
 Exit status:
   0 without errors. Otherwise 2, with one line on standard error for each error.";
@@ -194,14 +201,14 @@ Regions:
   continuous        the contact slides all the time
   stuck             the contact never slides: it locks
   n stops           the contact stops n times in a cycle of the excitation
-  sliding reversals the contact reverses and never stops, but the motion is not that of the closed form
+  sliding reversals the contact reverses and never stops, but the motion is not the closed form
   subharmonic       the motion repeats after several cycles
   unsettled         the motion does not repeat
   other words       the reason why there is no answer, in the words of `orbit`
-A map shows the state that motion from rest ends in. With stiction 1 the boundaries of the continuous
-and the stuck region are the exact limits. With a larger stiction motion from rest may slide on above
-both limits. --boundaries finds the boundaries of the other regions by bisection. Each further digit
-takes longer, because the motion settles more slowly near a boundary. Pictures use 3 digits.
+A map shows the state in which motion from rest ends. With stiction 1 the boundaries of the continuous
+and the stuck region are the exact limits. With a larger stiction, motion from rest may continue to
+slide above both limits. --boundaries finds the boundaries of the other regions by bisection. Each additional
+digit takes longer, because the motion settles more slowly near a boundary. Pictures use 3 digits.
 Ctrl-C keeps the frequencies that are already computed.
 
 ";
@@ -228,24 +235,25 @@ What is searched:
   resonance.
 
 Quantities:
-  friction     with a load in N, otherwise beta
-  what limits it  equal peaks: more friction raises one peak and lowers another; or one peak at its least:
-                  more friction and less friction both raise it
+  friction     the best friction, in N with a load, otherwise as beta
+  what limits it  `equal peaks`: more friction raises one peak and lowers another; or `one peak at its least`:
+                  more friction and less friction both raise this peak
   how the search ended  converged; or at a jump to a larger steady state; or the best so far, because the
-                  search reached its limit of work. If it did not converge, the best friction lies
-                  between the two frictions that follow, and is only known to that interval
+                  search reached its limit of work. If the search did not converge, the output has an
+                  interval of frictions that contains the best friction
   beyond the jump  largest amplitude with a friction just beyond the jump
-  above the best  range of friction in which the largest amplitude is at most 1, 5 and 10 per cent larger
-  change in per cent  of the amplitude at the best friction, for one per cent more of a parameter;
-                  the friction changes as well, so that it stays the best; only with a load
+  above the best  ranges of friction in which the largest amplitude is at most 1, 5 or 10 per cent larger
+                  than the best
+  change in per cent  change of the amplitude if a parameter increases by one per cent and the friction
+                  is again the best for the new value; only with a load
 
 With --vary NAME=a:b:
   The search also chooses one number of the description, between a and b, in the unit of that number.
   Names are those of `sensitivity`: m upper, k base - lower, zeta 1, a, b, mu. zeta is the ratio of all
   modes, k2 the second spring, m1 the first mass. The search finds the best friction at 17 values from a
-  to b, and then refines the smallest amplitude between neighbouring values. It may miss a minimum that
-  17 values do not show. Frequencies, forces and lengths keep their units while the number changes.
-  Without a load, groups refer to the description.
+  to b, and then refines the smallest amplitude between neighbouring values. It may miss a minimum
+  between these values. Frequencies, forces and lengths keep their units while the number changes.
+  Without a load, r and beta refer to the first mass and spring of the original description.
 
 Exit status:
   0 without errors. Otherwise 2, with one line on standard error for each error.
@@ -254,17 +262,17 @@ Exit status:
 
 pub const FEATURES: &str = "\
 Features:
-  resonance                 a resonance of the chain. Without damping: the friction from which it is bounded (6.2).
-                            With damping: the friction up to which the contact slides there all the time
-  resonance if stuck        a resonance of the chain with its contact stuck, and the friction up to which the contact
-                            slides there
-  limit for r -> 0, inf     the friction up to which the contact slides, or slides all the time, for r -> 0 or inf
+  resonance                 a resonance of the chain. Without damping, the friction is that from which the amplitude is
+                            bounded (6.2). With damping, the contact slides all the time up to this friction
+  resonance if stuck        a resonance of the chain with its contact stuck. At this frequency the contact slides up to
+                            the given friction
+  limit for r -> 0, inf     the two frictions up to which the contact slides, and slides all the time, for r -> 0 or inf
   antiresonance             a frequency at which the amplitude is zero without friction
   invariant point           a frequency with the same amplitude, or fundamental component, for every friction up to
                             the given one. Exact for the contact and for fundamentals, otherwise an estimate (6.9, 6.10)
   grows with friction       a range in which more friction makes the motion larger
 With --beta or --friction, for each friction:
-  quasi-static start        the amplitude for r -> 0
+  quasi-static start        the limit of the amplitude for r -> 0
   slides                    ranges in which the contact slides at this friction and at every smaller one
   regime                    the regimes along frequency
   peak by estimate; peak    at each resonance, the estimate (7.60), and the largest amplitude itself, over all regimes
@@ -272,19 +280,19 @@ With two frictions or more:
   same amplitude            frequencies at which neighbouring frictions have the same exact amplitude
 
 Found:
-  exact    by a closed form
-  estimate by the monoharmonic formula (7.60); the line below has the peak itself
-  all      by interval arithmetic: the list has all features of the range
-  sampled  by close samples, then refined: two features closer than the samples may be missed
+  exact    from a closed form
+  estimate from the monoharmonic formula (7.60). The next line has the exact peak
+  all      by interval arithmetic. The list contains all features in the range
+  sampled  by samples with small steps, then refined. The search may miss two features within one step
 
 Ranges:
   A range is a:b, above 0. The default is from 0.55 times the lowest resonance to 1.5 times the highest. Towards
   r = 0 most features repeat infinitely often.
 
 Sensitivities:
-  A line has the change of its first number in per cent, for one per cent of the parameter that changes it most. JSON
-  has the derivatives with respect to all parameters. With a load they are at constant N and m, otherwise at constant
-  groups.
+  Each line names the parameter that changes its first number most, and the change in per cent for one per cent of
+  this parameter. JSON has the derivatives with respect to all parameters. With a load, the other quantities are
+  constant in N and m. Without a load, r and beta are constant.
 
 Exit status:
   0 without errors. Otherwise 2, with one line on standard error for each error.
@@ -295,24 +303,24 @@ pub const SENSITIVITIES: &str = "\
 Parameters:
   m, k      each mass and spring
   zeta i    the damping ratio of mode i; a, b of Rayleigh damping
-  mu        static over kinetic friction force
+  mu        ratio of static to kinetic friction force
   F, P or Y, f  with a load: friction force, load and frequency in Hz. Each derivative keeps all other
             parameters constant. The first mass and the first spring therefore change r and beta
   beta, r   without a load: derivatives are taken at constant r and beta
 
 Answers:
-  exact       derivatives of the closed form, of the steady state with stops, or of the stuck response
+  exact       exact derivatives of the closed form, of the steady state with stops, or of the stuck response
   These words mean that there is no derivative:
   bend        an event of the contact is about to appear or to vanish, or the friction equals a limit
   marginal    the steady state is one of a continuum
-  degenerate  two modes coincide, and the parameter separates them; or the contact starts to drive a
-              mode that it does not drive yet
+  degenerate  two modes coincide, and a change of the parameter separates them; or it makes the contact
+              drive a mode that the contact does not drive now
   other words there is no steady state; `orbit` gives the same reason
 
 Quantities:
-  X, d/dp     the answer X on the first line; on the others its derivative with respect to the parameter
+  X, d/dp     the first line has the answer X; the other lines have its derivative by the parameter p
   (p/X) d/dp  change of X in per cent for one per cent of p; for a phase, p d/dp
-  limits      beta_lim and beta*_lim at this frequency; with a load in N
+  limits      beta_lim and beta*_lim at this frequency; with a load, in N
 
 ";
 

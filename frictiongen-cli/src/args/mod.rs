@@ -48,7 +48,7 @@ pub struct Arguments {
 /// The commands.
 #[derive(Debug, Subcommand)]
 pub enum Command {
-    /// Print the limits of continuous motion and of sliding over frequency: where the contact stops, and where it locks
+    /// Print the limits of continuous motion and of sliding over frequency
     #[command(after_help = format!("{LIMITS}{UNITS}{GRIDS}"))]
     Limits(LimitsArguments),
     /// Print regimes, amplitudes, phases and harmonics over frequency and friction

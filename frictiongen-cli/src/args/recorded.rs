@@ -140,32 +140,33 @@ pub const DRIVES: &str = "\
 Recording:
   A CSV file has the inputs at evenly spaced times:
     time_s,base_m_s2
-  Its columns are base, or force on the excited mass; the name of a mass for a force on that mass; and
-  friction, if it changes. The base is given as displacement, velocity or acceleration. Displacements are
-  joined by a cubic spline. Velocities, accelerations and forces are joined by straight lines.
+  The column `base` is the motion of the base: displacement, velocity or acceleration. The column `force` is
+  the force on the excited mass. A column with the name of a mass is a force on that mass. The column
+  `friction` is the friction force, if it changes. The command interpolates displacements by a cubic spline,
+  and velocities, accelerations and forces by straight lines.
   --channel base=EW:m_s2  the column EW is the acceleration of the base
-  A file may also have numbers alone, separated by blanks, tabs or semicolons, also with decimal commas.
-  The first of several columns is the time in s, unless --rate gives the samples per second:
+  A file may also contain only numbers, separated by blanks, tabs or semicolons. Decimal commas are allowed.
+  If there are several columns, the first is the time in s, unless --rate gives the samples per second:
   --channel base=2:g          time in s and acceleration in g
   --rate 100 --channel base=1:m_s2   one column
   A PEER AT2 record (a header with NPTS and DT, then accelerations in g) needs no option.
   The chain starts from rest. Displacements of the base are relative to the first sample.
 
 Quantities:
-  displacement, velocity  of a mass, or the relative motion of the contact. If the base moves, masses are
-                  relative to the base by default (roof-base); `--of roof` gives the absolute motion
-  force           the friction force in N; while the contact sticks, the force that holds it
+  displacement, velocity  motion of a mass, or relative motion of the contact. If the base moves, the motion of
+                  a mass is relative to the base by default (roof-base); `--of roof` gives the absolute motion
+  force           the friction force in N; while the contact sticks, the force that keeps it at rest
   state           state of the contact at the sample: stuck, or the direction of sliding
   events          number of stops, break-aways and reversals since the previous sample
 
-The lines below the table, and the JSON, have the work of the load and the energy that friction and
-damping dissipated, in J. They also have the number of steps with more events than the stepper follows.
+The lines below the table, and the JSON, contain the work of the load and the energy that friction and
+damping dissipated, in J. They also contain the number of steps with more events than the stepper can follow.
 
 Response spectrum (--spectrum ZETA):
-  The largest displacement of a linear oscillator relative to the base within the record, over the period
-  of the oscillator. The lines with a mode have the natural periods of the scene. Further lines have 60
-  periods in a decade, from two samples to the length of the record.
-  pseudo_velocity, pseudo_acceleration  displacement times omega, and times omega^2
+  The spectrum is the largest displacement of a linear oscillator relative to the base within the record,
+  as a function of the period of the oscillator. Lines with a mode have the natural periods of the scene.
+  Other lines have 60 periods in a decade, from two time steps to the length of the record.
+  pseudo_velocity, pseudo_acceleration  displacement times omega, and displacement times omega^2
 
 Exit status:
   0 without errors. Otherwise 2, with one line on standard error for each error.";
@@ -179,7 +180,7 @@ Recordings:
   force. Other names are masses. Units are m, cm, mm, um, m_s, mm_s, m_s2, mm_s2, g, N, mN, kN, s, ms, us.
   Every channel needs a unit. Displacements, velocities and accelerations can be mixed.
   A universal file has a data set 58 for each channel, with the unit as label of its ordinate.
-  --channel upper=AI1:mm  the column AI1 is the mass upper, in mm; columns that are not named are ignored
+  --channel upper=AI1:mm  the column AI1 is the mass upper, in mm; the command ignores other columns
   --channel upper=3:mm    the third column is the mass upper
   A recording must have one driving frequency. Only `identify --decay` reads a free vibration.
   The command finds the steady interval of the recording. A constant or clipped channel, a drifting
@@ -191,23 +192,24 @@ Exit status:
 /// Text below the options of `identify`.
 pub const IDENTIFICATIONS: &str = "\
 Answers:
-  not explained   the description does not move like the rig: noise explains such residuals in
-                  fewer than one of 1000 recordings. The force may be far from that of the rig
-  determined      the measurement determines the force: the 95 % interval contains one friction force and
-                  is narrower than that force is large
+  not explained   the description does not fit the rig, because noise causes such large residuals in fewer
+                  than one of 1000 recordings. The force may be far from the force in the rig
+  determined      the measurement determines the force. The 95 % interval contains one solution, and its
+                  width is smaller than the force
   several levels  several friction forces give this response; each has its own interval
-  stuck           the contact never slides; the interval begins at the least force that holds it
+  stuck           the contact never slides; the interval begins at the smallest force that keeps the contact stuck
   not determined  the measurement does not determine the force, because the response hardly changes with
                   friction at this frequency, for example at an invariant point
   almost stuck    amplitudes without phases are so small that a unit may be wrong by 1000
 
 Quantities:
   friction force  F in N, for a scene in kg and N/m
-  condition       largest factor by which a relative error of the data grows in a fitted value
+  condition       largest ratio of the relative error of a fitted value to the relative error of the data
   misfit          sum of the squares of residuals over deviations, divided by the degrees of freedom. It
                   is about 1 if the residuals are noise. If it is larger than chance allows, the answer is
-                  not explained, and the intervals are wider
-  amplitude, lag  of the fundamental component relative to the excitation, measured and computed
+                  `not explained`, and the intervals are wider
+  amplitude, lag  amplitude and lag of the fundamental component relative to the excitation, measured
+                  and computed
 
 ";
 

@@ -7,9 +7,9 @@ use std::path::PathBuf;
 pub const REPORTS: &str = "\
 The page:
   The page shows a drawing of the scene, its modes, amplitudes and phases at several frictions, the
-  regime map with both limits, the best friction, and the cost of the emitted code. It is one file that
-  needs no network. A script in it shows values under the pointer or by arrow keys. A JSON block with a
-  version has every number.
+  regime map with both limits, the best friction, and the cost of the emitted code. It is one file and
+  needs no network. A script in the page shows the values at the pointer, or at a point that the arrow keys
+  select. A JSON block with a version number contains every number of the page.
 
 Defaults, which the page also states:
   range      from 0.3 times the lowest to 1.5 times the highest resonance
@@ -20,7 +20,7 @@ Defaults, which the page also states:
              contact stuck
   best       the friction that `frictiongen optimum` finds, for up to four motions. For a chain of more
              than four masses: for the two motions that are largest with the contact stuck
-Without --base or --force the page is in the groups r and beta.
+Without --base or --force, the page uses the non-dimensional groups r and beta.
 
 ";
 
@@ -47,7 +47,7 @@ pub struct ReportArguments {
     /// The load.
     #[command(flatten)]
     pub load: LoadArguments,
-    /// Show only this mass, or `contact`; may be given more than once [default: see below]
+    /// Show only this mass, or `contact`; may be given more than once [default: `motions` below]
     #[arg(long, value_name = "NAME")]
     pub of: Vec<String>,
     /// Write to this file instead of standard output

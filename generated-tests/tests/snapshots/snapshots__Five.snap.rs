@@ -409,7 +409,8 @@ const _: () = {
         fn shape(&self, mass: usize) -> Option<&[f64]> {
             Self::SHAPES.get(mass).map(<[f64; 5]>::as_slice)
         }
-        /// Returns whether the motion of this mass is provided.  Other masses have shapes for the stuck response alone.
+        /// Returns true if the scene provides the motion of this mass.  The other masses have mode shapes only for
+        /// the stuck response.
         #[inline]
         fn moves(&self, mass: usize) -> bool {
             match mass {

@@ -25,7 +25,7 @@ const CHOICES: [u8; 5] = [2, 3, 4, 6, 9];
 /// Writes the whole section.
 pub fn declared(measure: &Measure, text: &mut String) -> Written {
     let rows = &measure.rows;
-    text.push_str("## Against declared accuracies\n\nThe same scenes with `accuracy` and `range: { r: 0.2..2.5 }`: piecewise polynomials in place of the formulas.  `table` is both limits, or the contact's amplitude, from r on.  Bytes are those of pieces, buckets, zeros and poles; comparisons those that find a piece.  The error is the largest at the clock's points and the usual ones, against double-double.\n\n");
+    text.push_str("## Against declared accuracies\n\nHere the same scenes have `accuracy` and `range: { r: 0.2..2.5 }`, so that piecewise polynomials replace the formulas.  `table` is the time of both limits, or of the contact's amplitude, from r on.  Bytes are the size of pieces, buckets, zeros and poles.  Comparisons are the number that finds a piece.  The error is the largest difference from double-double at the clock's points and the usual points.\n\n");
     at_usual(rows, text)?;
     contact(rows, text)?;
     typical(rows, text)?;
@@ -166,7 +166,7 @@ fn typical(rows: &[Row], text: &mut String) -> Written {
     }
     writeln!(
         text,
-        "**Four typical scenes, to choose by.** Bytes, time for both limits, largest error.\n\n{table}"
+        "**Four typical scenes.** The table helps to choose an accuracy.  A cell has the bytes, the time of both limits and the largest error.\n\n{table}"
     )
 }
 
@@ -189,7 +189,7 @@ fn others(rows: &[Row], text: &mut String) -> Written {
     }
     writeln!(
         text,
-        "**Every accuracy.** Both limits.  Tables of 1e-12 are those of the run-time `System::compile`, which not every scene has.\n\n{table}"
+        "**Every accuracy.** The table is for both limits.  The run-time `System::compile` made the tables of 1e-12, which do not exist for every scene.\n\n{table}"
     )
 }
 

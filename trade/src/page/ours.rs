@@ -98,7 +98,7 @@ pub fn tails(tails: &[Tail], text: &mut String) -> Written {
     let [low, high] = RANGE;
     writeln!(
         text,
-        "## The slowest calls of exact limits\n\nEach of {points} points, log-uniform over r = {low} to {high}, by itself: the least of 3 calls, of 20 for the slowest 100, without the clock's own time.  The ratios are to the median, with aims of at most {} and {}.  Evaluations: the most that a search of these took, as `limits_searched` tells; in brackets how many gave up.\n",
+        "## The slowest calls of exact limits\n\nThe limits at {points} frequency ratios, log-uniform from r = {low} to {high}, are timed one by one.  A time is the shortest of 3 calls, or of 20 calls for the slowest 100 ratios, without the time of the clock itself.  The ratios are to the median, with aims of at most {} and {}.  The column of evaluations has the largest number in one search, as `limits_searched` returns it.  The number in brackets counts the searches that stopped at their bound.\n",
         TAILS[0], TAILS[1],
     )?;
     let mut table = Table::of_scenes(
