@@ -96,8 +96,8 @@ impl Canvas {
         }
     }
 
-    /// Draws rectangles of one colour, which meet without a seam. The rectangles are in units of the cells of a grid,
-    /// because most of these numbers are then small integers and the file is a third as long.
+    /// Draws rectangles of one colour, which meet without a seam. The coordinates of the rectangles count cells of a
+    /// grid. Most coordinates are then small integers, so that the file is only a third as long.
     pub(crate) fn cells(&mut self, cells: &[Rect], grid: CellGrid, fill: Rgb) {
         let mut data = String::new();
         let mut pen = (0.0, 0.0);

@@ -1,7 +1,7 @@
 //! Limits β_lim and β*_lim at several frequencies at once, without the search for the velocity constraint S.
 //!
-//! A processor computes the frequencies with packed (SIMD) instructions. The formulas are those for one frequency, in
-//! the same order, so that the results have the same bits.
+//! The processor evaluates several frequencies at once with packed (SIMD) instructions. The operations and their order
+//! are the same as for one frequency, so that the results have the same bits.
 
 use crate::contact::pairs::{Light, Undamped, Uniform};
 use crate::contact::sums::{Chain, ContactAt};

@@ -16,8 +16,8 @@ const GROWTH: f64 = 10.0;
 /// Ratio of a singular value to the largest one, below which the data do not determine its direction in parameter
 /// space.
 const RANK: f64 = 1e-12;
-/// Bound on the component of a parameter along an undetermined direction of length 1. Below this bound the data still
-/// determine the parameter.
+/// Largest component of a parameter along an undetermined direction of length 1, for which the data still determine the
+/// parameter.
 const APART: f64 = 1e-6;
 
 /// Residuals of a fit, and their derivatives with respect to the parameters: one column of the Jacobian for each

@@ -9,7 +9,8 @@ use crate::number::scalar::Float;
 /// Amount by which a force must exceed the break-away level, in units of the rounding error. This amount applies after
 /// the contact has just failed to start sliding.
 const WEDGED: f64 = 16.0;
-/// Smallest advance past an instant at which the function only touches zero, in rounding units of the instant.
+/// The search continues at least this many rounding units after an instant at which the function touches zero without a
+/// change of sign.
 const PAST: f64 = 4.0;
 
 /// Result of a *walk*, a search for a zero in steps that skip no zero.
