@@ -14,6 +14,14 @@ const FINE: f64 = 0.0025;
 const MOST_INTERVALS: f64 = 1500.0;
 /// Smallest amplitude of a peak of the grid that the search adds, as a fraction of the largest known amplitude.
 const WORTH: f64 = 0.98;
+/// Number of passes over the grid. Each pass takes every ninth frequency.
+const PASSES: usize = 9;
+/// Relative tolerance in r of the position of a peak that a grid point has found.
+const NEAR: f64 = 1e-5;
+/// Number of frequencies on each side of the largest peak that are evaluated in addition to the grid.
+const DENSE: i32 = 24;
+/// Relative distance of the farthest of these frequencies from the peak, in grid widths.
+const SPREAD: f64 = 1.0;
 /// Largest number of peaks that one search adds.
 const MOST: usize = 3;
 /// Number of grid points on each side of a peak that the search adds to all later evaluations. They are necessary
@@ -29,26 +37,33 @@ impl AmplitudeBand<'_> {
         }
     }
 
-    /// Adds the largest local maxima on the grid to the peaks of an evaluation. If the work ends before the grid does,
-    /// the evaluation stays incomplete.
-    pub(super) fn add_grid(&self, look: &mut Look, friction: FrictionAmount) {
+    /// Adds the largest local maxima on the grid to the peaks of an evaluation. The evaluation stays incomplete if an
+    /// amplitude exceeds `cutoff`, or if the work ends before the grid does.
+    pub(super) fn add_grid(&self, look: &mut Look, friction: FrictionAmount, cutoff: f64) {
         let [from, to] = self.ends();
         let width = (to / from).ln();
         let intervals = (width / FINE).min(MOST_INTERVALS).ceil();
         let mut most = look.peaks.first().map_or(0.0, |peak| peak.value);
         let mut seen: Vec<BandPeak> = Vec::new();
-        for index in 0..=intervals as u32 {
+        // A coarse pass over the band comes first, so that an amplitude above the cutoff is found early.
+        let last = intervals as usize;
+        for index in (0..PASSES).flat_map(|first| (first..=last).step_by(PASSES)) {
             if self.amplitude.is_spent() {
                 look.complete = false;
                 break;
             }
-            let r = (from * (width * f64::from(index) / intervals).exp()).min(to);
+            let r = (from * (width * index as f64 / intervals).exp()).min(to);
             let value = self.amplitude.followed(r, friction);
             if value.is_finite() {
                 most = most.max(value);
                 seen.push(self.peak(r, value));
             }
+            if cutoff < most {
+                look.complete = false;
+                break;
+            }
         }
+        seen.sort_by(|a, b| a.r.total_cmp(&b.r));
         let highest = |index: usize| {
             let value = |index: Option<usize>| {
                 index
@@ -66,6 +81,35 @@ impl AmplitudeBand<'_> {
             .collect();
         found.sort_by(|a, b| b.value.total_cmp(&a.value));
         found.truncate(MOST);
+        if look.complete
+            && let Some(top) = found.first_mut()
+        {
+            *top = self.densely(*top, friction);
+            look.complete = !self.amplitude.is_spent();
+        }
         look.peaks = sorted(look.peaks.iter().copied().chain(found).collect());
+    }
+    /// Returns the largest amplitude at frequencies close together around a peak. Between frequencies of the grid the
+    /// motion may end in a state with a larger amplitude.
+    fn densely(&self, peak: BandPeak, friction: FrictionAmount) -> BandPeak {
+        let [from, to] = self.ends();
+        let places = -DENSE..=DENSE;
+        let places = places.map(|index| {
+            let share = FINE * SPREAD * f64::from(index) / f64::from(DENSE);
+            (peak.r * (1.0 + share)).clamp(from, to)
+        });
+        let sampled = places.map(|r| self.peak(r, self.amplitude.followed(r, friction)));
+        let bounded = sampled.filter(|peak| peak.value.is_finite());
+        let top = bounded.fold(
+            peak,
+            |top, other| {
+                if top.value < other.value { other } else { top }
+            },
+        );
+        let ends = [-1.0, 1.0].map(|side| {
+            let share = side * FINE * SPREAD / f64::from(DENSE);
+            (top.r * (1.0 + share)).clamp(from, to)
+        });
+        self.climbed(ends, (top.r, top.value), friction, NEAR)
     }
 }

@@ -29,7 +29,7 @@ pub use request::{FrequencyBand, OptimumError, OptimumRequest};
 pub use tuned::{Tunable, TunedOptimum, TunedPoint, Tuning, UnknownTunable};
 
 /// Default bound on the work of a search, in units of about 10 µs.
-const WORK: usize = 1_000_000;
+const WORK: usize = 2_500_000;
 
 impl System {
     /// Returns the friction for which the largest amplitude of a motion over a band of frequencies is smallest. If the

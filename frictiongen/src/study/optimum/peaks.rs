@@ -389,7 +389,7 @@ impl<'s> AmplitudeBand<'s> {
         sorted(peaks)
     }
 
-    fn climbed(
+    pub(super) fn climbed(
         &self,
         ends: [f64; 2],
         start: (f64, f64),

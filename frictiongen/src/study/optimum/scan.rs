@@ -34,10 +34,6 @@ const CLOSER: usize = 5;
 const NEARLY: f64 = 1.2;
 /// Largest number of intervals that one round halves.
 const MOST_CLOSER: usize = 8;
-/// Number of rounds that refine the scan around the best friction ratio.
-const ABOUT: usize = 2;
-/// Number of equal pieces into which a round divides the interval on each side of the best friction ratio.
-const PARTS: u32 = 5;
 /// Factor on the best amplitude so far. The search rejects a friction ratio as soon as an amplitude exceeds this value.
 /// The factor exceeds every excess for which the result has a tolerance.
 const MARGIN: f64 = 1.2;
@@ -177,34 +173,6 @@ pub(super) fn closer(band: &AmplitudeBand<'_>, scan: &mut Vec<Scanned>) {
             break;
         }
         add(band, scan, middles.into_iter());
-    }
-}
-
-/// Adds friction ratios around the best one, up to its neighbours on both sides. With μ > 1 the amplitude jumps with
-/// friction, so that slopes do not predict amplitudes between points of the scan.
-pub(super) fn about_best(band: &AmplitudeBand<'_>, scan: &mut Vec<Scanned>) {
-    for _ in 0..ABOUT {
-        let best = best(scan);
-        let Some(index) = scan
-            .iter()
-            .position(|seen| seen.complete && seen.value == best)
-        else {
-            return;
-        };
-        let beta = |index: usize| scan.get(index).map(|seen| seen.beta);
-        let sides = [index.checked_sub(1), Some(index), Some(index + 1)];
-        let sides: Vec<f64> = sides.into_iter().flatten().filter_map(beta).collect();
-        let between = sides.windows(2).flat_map(|pair| match pair {
-            [a, b] => (1..PARTS)
-                .map(|part| a + (b - a) * f64::from(part) / f64::from(PARTS))
-                .collect(),
-            _ => Vec::new(),
-        });
-        let places: Vec<f64> = between.collect();
-        add(band, scan, places.into_iter());
-        if band.amplitude.is_spent() {
-            return;
-        }
     }
 }
 

@@ -13,7 +13,7 @@ use super::candidates::{FrictionCandidate, HOLDS, before, between, of_scan, stay
 use super::creep::crept;
 use super::look::{BandPeak, Closely, Look};
 use super::peaks::AmplitudeBand;
-use super::scan::{Scanned, about_best, add, best, closer, scanned, scanned_at, slope, with_slope};
+use super::scan::{Scanned, add, best, closer, scanned, scanned_at, slope, with_slope};
 use super::verified::{raise, verified};
 use crate::Regime;
 
@@ -81,38 +81,17 @@ pub(super) fn least(band: &AmplitudeBand<'_>, work: usize) -> Option<Least> {
     let [free_to, locked_from] = band.limits();
     let mut scan = scanned(band, free_to, locked_from);
     closer(band, &mut scan);
-    if 1.0 < band.amplitude.system.scene().stiction {
-        about_best(band, &mut scan);
-    }
-    let mut candidates = of_scan(&scan);
-    let top = best(&scan);
-    // An amplitude of 0 cannot be improved. Just below the friction that stops the contact, motions too small to settle
-    // have amplitudes close to 0.
-    if 0.0 < top {
-        let mut top = top;
-        for (below, above) in between(&scan, top) {
-            let found = minimum(band, below, above, top);
-            top = found.iter().fold(top, |top, found| top.min(found.at.value));
-            candidates.extend(found);
-        }
-        for (below, at, above) in valleys(&scan, top) {
-            let inside = |found: &FrictionCandidate| {
-                below.beta < found.at.beta && found.at.beta < above.beta && !found.of_scan
-            };
-            if !candidates.iter().any(inside) {
-                candidates.push(narrowed(band, (&below, &above), Some(at)));
-            }
-        }
-    }
     let spent = band.amplitude.is_spent();
     let best = if 1.0 < band.amplitude.system.scene().stiction {
         band.amplitude.follow_from_rest();
         band.amplitude.allow(work);
-        let best = verified(band, candidates)?;
+        let best = verified(band, &mut scan)?;
         band.amplitude.allow(work / OF_A_CHECK);
         raise(band, &mut scan, HIGHEST_TOLERANCE * best.at.value);
         best
     } else {
+        let candidates = minima(band, &scan);
+        let spent = band.amplitude.is_spent();
         band.amplitude.allow(work / OF_A_CHECK);
         checked(band, &mut scan, candidates, spent)?
     };
@@ -131,6 +110,32 @@ pub(super) fn least(band: &AmplitudeBand<'_>, work: usize) -> Option<Least> {
         locked_from,
         free_to,
     })
+}
+
+/// Returns the points of the scan and the minima between them that may be the best friction ratio.
+fn minima(band: &AmplitudeBand<'_>, scan: &[Scanned]) -> Vec<FrictionCandidate> {
+    let mut candidates = of_scan(scan);
+    let mut top = best(scan);
+    // An amplitude of 0 cannot be improved. Just below the friction that stops the contact, motions too small to settle
+    // have amplitudes close to 0.
+    if top <= 0.0 {
+        return candidates;
+    }
+    let first = candidates.len();
+    for (below, above) in between(scan, top) {
+        let found = minimum(band, below, above, top);
+        top = found.iter().fold(top, |top, found| top.min(found.at.value));
+        candidates.extend(found);
+    }
+    for (below, at, above) in valleys(scan, top) {
+        let inside = |found: &FrictionCandidate| {
+            below.beta < found.at.beta && found.at.beta < above.beta && !found.of_scan
+        };
+        if !candidates.iter().skip(first).any(inside) {
+            candidates.push(narrowed(band, (&below, &above), Some(at)));
+        }
+    }
+    candidates
 }
 
 /// Finds the friction between two nearby friction ratios for which the largest amplitude is smallest. Returns `None`
@@ -211,7 +216,7 @@ fn checked(
 
 /// Returns the minimum between two friction ratios, after another evaluation of the whole band. Returns `None` if its
 /// amplitude is not below `best`.
-fn minimum(
+pub(super) fn minimum(
     band: &AmplitudeBand<'_>,
     mut below: Scanned,
     mut above: Scanned,

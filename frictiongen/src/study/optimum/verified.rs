@@ -1,56 +1,240 @@
 //! Checks friction ratios on a fine grid of the band, for scenes with μ > 1.
 //!
 //! With μ > 1 motion from rest may reach stick-slip states in narrow ranges of frequency. The first comparison of
-//! friction ratios can miss such a range, so that its amplitudes are lower bounds. The check starts with the friction
-//! ratio of the lowest bound. It evaluates the band on the grid at one friction ratio after another, and stores the
-//! lowest result.
+//! friction ratios can miss such a range, so that its amplitudes are lower bounds. The check takes the friction ratio
+//! with the lowest bound, first raises the bound by the peaks that earlier checks found, and then evaluates the band on
+//! the grid. It ends when no bound is below the lowest checked amplitude.
 
 use super::amplitude::FrictionAmount;
-use super::candidates::FrictionCandidate;
+use super::candidates::{FrictionCandidate, between, valleys};
 use super::look::Closely;
 use super::peaks::AmplitudeBand;
 use super::scan::{Scanned, scanned_at, slope, with_slope};
-use super::search::narrowed;
+use super::search::{minimum, narrowed};
 
-/// Largest number of friction ratios that the code checks on the grid.
-const MOST: usize = 14;
-/// Relative distance from a checked friction ratio below which another friction ratio needs no check.
-const NEAR: f64 = 0.01;
-/// Fraction of the lowest checked amplitude. The code checks a friction ratio only if its lower bound is below this
-/// value.
+/// Largest number of friction ratios that are evaluated on the grid in one round.
+const MOST: usize = 24;
+/// A friction ratio is checked only if its lower bound is below this fraction of the lowest checked amplitude.
 const BETTER: f64 = 0.999;
+/// Number of rounds in which friction ratios are added around the best one.
+const ABOUT: usize = 3;
+/// Number of bisections for the least friction ratio with an amplitude of 0.
+const HALVINGS: u32 = 12;
+/// Bound on the work of that search.
+const WORK_OF_TRIVIAL: usize = 100_000;
+/// Number of equal pieces into which a round cuts the interval on each side of the best friction ratio.
+const PARTS: u32 = 4;
+/// Share of the largest amplitude at one friction ratio from which a peak is added to the evaluations at other friction
+/// ratios.
+const WORTH: f64 = 0.9;
+
+/// A friction ratio with a lower bound of its largest amplitude.
+struct Bounded {
+    at: Scanned,
+    /// Number of peaks that were known when the bound was computed.
+    known: usize,
+}
+
+/// The friction ratios that a search compares, and the lowest amplitude that was checked on the grid.
+struct Checks<'b, 's> {
+    band: &'b AmplitudeBand<'s>,
+    open: Vec<Bounded>,
+    best: Option<Scanned>,
+    /// Number of peaks that the checks have added to all further evaluations.
+    known: usize,
+}
+
+impl Checks<'_, '_> {
+    fn add(&mut self, at: Scanned) {
+        let known = self.known;
+        self.open.push(Bounded { at, known });
+    }
+
+    /// Returns the lowest checked amplitude, or infinity before the first check.
+    fn level(&self) -> f64 {
+        self.best.as_ref().map_or(f64::INFINITY, |best| best.value)
+    }
+
+    /// Returns the index of the lowest bound that is below the lowest checked amplitude.
+    fn next(&self) -> Option<usize> {
+        let below = BETTER * self.level();
+        let open = self.open.iter().enumerate();
+        let open = open.filter(|(_, of)| !of.at.whole && of.at.complete && of.at.value < below);
+        let least = open.min_by(|(_, a), (_, b)| a.at.value.total_cmp(&b.at.value));
+        least.map(|(index, _)| index)
+    }
+
+    /// Checks friction ratios until no bound is below the lowest checked amplitude.
+    fn run(&mut self) {
+        let mut grids = 0;
+        while grids < MOST && !self.band.amplitude.is_spent() {
+            let Some(index) = self.next() else {
+                break;
+            };
+            let Some(beta) = self.open.get(index).map(|of| of.at.beta) else {
+                break;
+            };
+            let level = self.level();
+            let again = self.open.get(index).is_some_and(|of| of.known < self.known);
+            let at = if again && self.best.is_some() {
+                scanned_at(self.band, beta, level)
+            } else {
+                grids += 1;
+                self.evaluated(beta, level)
+            };
+            if self.band.amplitude.is_spent() && !at.complete {
+                break;
+            }
+            if at.whole && at.value < level {
+                self.best = Some(at.clone());
+            }
+            let known = self.known;
+            if let Some(of) = self.open.get_mut(index) {
+                *of = Bounded { at, known };
+            }
+        }
+    }
+
+    /// Evaluates the whole band on the grid at one friction ratio, until an amplitude exceeds the cutoff. The largest
+    /// peaks are added to all further evaluations of the band.
+    fn evaluated(&mut self, beta: f64, cutoff: f64) -> Scanned {
+        let friction = FrictionAmount::Ratio(beta);
+        let band = self.band;
+        let mut look = band.look(band.open(friction), cutoff, Closely::Whole);
+        if look.complete {
+            band.add_grid(&mut look, friction, cutoff);
+        }
+        let most = look.peaks.first().map_or(0.0, |peak| peak.value);
+        for peak in look.peaks.iter().filter(|peak| WORTH * most <= peak.value) {
+            band.learn_around(peak.r);
+            self.known += 1;
+        }
+        let complete = look.complete;
+        Scanned {
+            whole: complete,
+            ..with_slope(beta, look, |peak| slope(band, beta, peak))
+        }
+    }
+
+    /// Returns the compared friction ratios in ascending order.
+    fn scan(&self) -> Vec<Scanned> {
+        let mut scan: Vec<Scanned> = self.open.iter().map(|of| of.at.clone()).collect();
+        scan.sort_by(|a, b| a.beta.total_cmp(&b.beta));
+        scan.dedup_by(|a, b| a.beta == b.beta);
+        scan
+    }
+
+    /// Returns the neighbours of a friction ratio among the compared ones.
+    fn neighbours(&self, beta: f64) -> [f64; 2] {
+        let others = self.open.iter().map(|of| of.at.beta);
+        let below = others.clone().filter(|other| *other < beta);
+        let above = others.filter(|other| beta < *other);
+        [
+            below.fold(f64::NEG_INFINITY, f64::max),
+            above.fold(f64::INFINITY, f64::min),
+        ]
+        .map(|other| if other.is_finite() { other } else { beta })
+    }
+
+    /// Adds friction ratios around the best one, up to its neighbours on both sides. The amplitude jumps with friction,
+    /// so that slopes do not predict amplitudes between friction ratios.
+    fn add_around(&mut self) {
+        let Some(beta) = self.best.as_ref().map(|best| best.beta) else {
+            return;
+        };
+        let level = self.level();
+        for end in self.neighbours(beta) {
+            for part in 1..PARTS {
+                let between = beta + (end - beta) * f64::from(part) / f64::from(PARTS);
+                if between != beta && !self.band.amplitude.is_spent() {
+                    self.add(scanned_at(self.band, between, level));
+                }
+            }
+        }
+    }
+
+    /// Adds the minima between friction ratios at which the amplitude is smooth.
+    fn add_minima(&mut self) {
+        let (scan, level) = (self.scan(), self.level());
+        let mut found = Vec::new();
+        for (below, above) in between(&scan, level) {
+            found.extend(minimum(self.band, below, above, level));
+        }
+        for (below, at, above) in valleys(&scan, level) {
+            let inside = |found: &FrictionCandidate| {
+                below.beta < found.at.beta && found.at.beta < above.beta
+            };
+            if !found.iter().any(inside) {
+                found.push(narrowed(self.band, (&below, &above), Some(at)));
+            }
+        }
+        for of in found {
+            if of.at.beta != self.best.as_ref().map_or(f64::NAN, |best| best.beta) {
+                self.add(Scanned {
+                    whole: false,
+                    ..of.at
+                });
+            }
+        }
+    }
+}
 
 /// Returns the friction ratio with the lowest amplitude on the grid. If the work ends before the first ratio is
 /// checked, returns the ratio with the lowest lower bound.
 pub(super) fn verified(
     band: &AmplitudeBand<'_>,
-    mut open: Vec<FrictionCandidate>,
+    scan: &mut Vec<Scanned>,
 ) -> Option<FrictionCandidate> {
-    open.retain(|candidate| candidate.at.value.is_finite());
-    open.sort_by(|a, b| a.at.value.total_cmp(&b.at.value));
-    let mut best: Option<FrictionCandidate> = None;
-    let mut seen: Vec<f64> = Vec::new();
-    for candidate in &open {
-        let beta = candidate.at.beta;
-        let cutoff = best.as_ref().map_or(f64::INFINITY, |best| best.at.value);
-        if seen.len() == MOST || band.amplitude.is_spent() || BETTER * cutoff < candidate.at.value {
-            break;
-        }
-        if seen.iter().any(|other| (other - beta).abs() <= NEAR * beta) {
-            continue;
-        }
-        seen.push(beta);
-        if let Some(at) = evaluated(band, beta, cutoff) {
-            best = Some(FrictionCandidate {
-                at,
-                ..candidate.clone()
-            });
+    let mut checks = Checks {
+        band,
+        open: Vec::new(),
+        best: None,
+        known: 0,
+    };
+    for at in scan.drain(..) {
+        checks.add(Scanned { whole: false, ..at });
+    }
+    checks.run();
+    for _ in 0..ABOUT {
+        checks.add_around();
+        checks.run();
+    }
+    if 0.0 < checks.level() {
+        checks.add_minima();
+        checks.run();
+    }
+    *scan = checks.scan();
+    let complete = scan.iter().filter(|at| at.complete && at.value.is_finite());
+    let lowest = complete.min_by(|a, b| a.value.total_cmp(&b.value)).cloned();
+    let mut at = checks.best.clone().or(lowest)?;
+    if at.value == 0.0 {
+        band.amplitude.allow(WORK_OF_TRIVIAL);
+        at = least_trivial(band, scan, at);
+    }
+    let bracket = checks.neighbours(at.beta);
+    Some(FrictionCandidate {
+        at,
+        bracket,
+        of_scan: false,
+    })
+}
+
+/// Returns the least friction ratio with an amplitude of 0, from one with that amplitude.
+fn least_trivial(band: &AmplitudeBand<'_>, scan: &[Scanned], at: Scanned) -> Scanned {
+    let moves = scan.iter().filter(|other| !(other.value == 0.0));
+    let below = moves
+        .map(|other| other.beta)
+        .filter(|other| *other < at.beta);
+    let (mut from, mut to) = (below.fold(0.0, f64::max), at);
+    for _ in 0..HALVINGS {
+        let here = scanned_at(band, 0.5 * (from + to.beta), 0.0);
+        if here.complete && here.value == 0.0 {
+            to = here;
+        } else {
+            from = here.beta;
         }
     }
-    let Some(best) = best else {
-        return open.into_iter().next();
-    };
-    Some(refined(band, best))
+    to
 }
 
 /// Evaluates the points of the scan again whose amplitude is at most `level`, including the peaks from the grids. The
@@ -65,44 +249,4 @@ pub(super) fn raise(band: &AmplitudeBand<'_>, scan: &mut [Scanned], level: f64) 
             *seen = again;
         }
     }
-}
-
-/// Evaluates the whole band on the grid at one friction ratio. Returns `None` if the largest amplitude is not below the
-/// cutoff, or if the work ends first.
-fn evaluated(band: &AmplitudeBand<'_>, beta: f64, cutoff: f64) -> Option<Scanned> {
-    // The peaks of earlier grids reject most friction ratios.
-    if cutoff.is_finite() && !scanned_at(band, beta, cutoff).complete {
-        return None;
-    }
-    let friction = FrictionAmount::Ratio(beta);
-    let mut look = band.look(band.open(friction), f64::INFINITY, Closely::Whole);
-    band.add_grid(&mut look, friction);
-    for peak in &look.peaks {
-        band.learn_around(peak.r);
-    }
-    let found = with_slope(beta, look, |peak| slope(band, beta, peak));
-    (found.complete && found.value < cutoff).then_some(Scanned {
-        whole: true,
-        ..found
-    })
-}
-
-/// Searches the bracket of the best friction ratio by golden sections, and checks the result on the grid.
-fn refined(band: &AmplitudeBand<'_>, best: FrictionCandidate) -> FrictionCandidate {
-    let [from, to] = best.bracket;
-    if !(from < to) {
-        return best;
-    }
-    let side = |beta: f64| Scanned {
-        beta,
-        complete: false,
-        ..best.at.clone()
-    };
-    let found = narrowed(band, (&side(from), &side(to)), Some(best.at.clone()));
-    if found.at.beta != best.at.beta
-        && let Some(at) = evaluated(band, found.at.beta, best.at.value)
-    {
-        return FrictionCandidate { at, ..found };
-    }
-    best
 }
