@@ -11,6 +11,8 @@ pub struct Limits {
     pub tables: bool,
     /// The proof of the tables.
     pub proof: ProofAt,
+    /// True if a scene may have `contacts` and `dampers`, for which no code is emitted.
+    pub joints: bool,
 }
 
 /// The proof of tables, as a caller of the parser wants it.
@@ -40,10 +42,12 @@ impl Limits {
         masses: 64,
         tables: true,
         proof: ProofAt::MACRO,
+        joints: false,
     };
     /// Limits of a macro expansion without a proof, for checks that discard the emitted code.
     pub const CHECK: Self = Self {
         proof: ProofAt::Never,
+        joints: true,
         ..Self::MACRO
     };
     /// Limits of a scene that is solved at run time, without tables.
@@ -51,5 +55,6 @@ impl Limits {
         masses: MOST_MASSES,
         tables: false,
         proof: ProofAt::Never,
+        joints: true,
     };
 }

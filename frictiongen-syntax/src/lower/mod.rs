@@ -1,5 +1,6 @@
 //! Turns a syntax tree into a scene that makes physical sense.
 
+mod joints;
 mod places;
 mod readable;
 mod resolve;
@@ -28,6 +29,12 @@ impl Located<'_> {
     #[must_use]
     pub fn place(&self, path: Path) -> Place {
         self.places.of(path)
+    }
+
+    /// Returns the position of the field `contacts`, or of the field `dampers`.
+    #[must_use]
+    pub fn joints(&self) -> Place {
+        self.places.joints()
     }
 
     /// Returns the position of an item; `None` if the item was not written.

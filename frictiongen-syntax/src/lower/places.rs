@@ -5,7 +5,7 @@ use frictiongen_model::validate::Path;
 use crate::diagnostics::Place;
 use crate::parse::Name;
 use crate::parse::syntax::{
-    AccuracyEntry, DampingKind, LawEntry, ProvideEntry, SpringEntry, Syntax,
+    AccuracyEntry, DampingKind, JointEntry, LawEntry, ProvideEntry, SpringEntry, Syntax,
 };
 
 /// Maps the items of a scene back to the description.
@@ -13,6 +13,10 @@ pub(super) struct Places<'s> {
     pub(super) syntax: &'s Syntax,
     /// The written entry of each spring of the scene. A faulty spring is written but not part of the scene.
     pub(super) springs: Vec<&'s SpringEntry>,
+    /// The written entry of each of several contacts of the scene.
+    pub(super) contacts: Vec<&'s JointEntry>,
+    /// The written entry of each dashpot of the scene.
+    pub(super) dampers: Vec<&'s SpringEntry>,
     /// The written entry of each provided item.
     pub(super) provide: Vec<&'s ProvideEntry>,
     /// The written name of each mass that the stepper may load.
@@ -36,6 +40,8 @@ impl Places<'_> {
                 .and_then(|masses| masses.list.entries.get(index))
         };
         let spring = |index: usize| self.springs.get(index);
+        let joint = |index: usize| self.contacts.get(index);
+        let damper = |index: usize| self.dampers.get(index);
         match path {
             Path::Scene => None,
             Path::Masses => fields.masses.given().map(|masses| masses.place),
@@ -49,6 +55,15 @@ impl Places<'_> {
                 fields.contact.given().map(|contact| contact.from.place)
             }
             Path::ContactTo => fields.contact.given().map(|contact| contact.to.place),
+            Path::JointName(index) => joint(index).map(|entry| entry.name.place),
+            Path::JointFrom(index) => joint(index).map(|entry| entry.from.place),
+            Path::JointTo(index) => joint(index).map(|entry| entry.to.place),
+            Path::JointStiffness(index) => joint(index)?.stiffness.map(|number| number.place),
+            Path::JointStiction(index) => joint(index)?.stiction.map(|number| number.place),
+            Path::JointShare(index) => joint(index)?.share.map(|number| number.place),
+            Path::Damper(index) => damper(index).map(|entry| entry.stiffness.place),
+            Path::DamperFrom(index) => damper(index).map(|entry| entry.from.place),
+            Path::DamperTo(index) => damper(index).map(|entry| entry.to.place),
             Path::Excitation => fields.excitation.given().map(|name| name.place),
             Path::Damping(index) => self.damping(index),
             Path::DampingFrom => fields.damping_from.given().map(|choice| choice.place),
@@ -79,6 +94,14 @@ impl Places<'_> {
             Path::Force(None) => fields.force.given().map(|force| force.place),
             Path::Force(Some(index)) => self.force.get(index).map(|name| name.place),
         }
+    }
+
+    /// Returns the position of the field `contacts`, or of the field `dampers`.
+    pub(super) fn joints(&self) -> Place {
+        let fields = &self.syntax.fields;
+        let contacts = fields.contacts.given().map(|placed| placed.place);
+        let dampers = || fields.dampers.given().map(|placed| placed.place);
+        contacts.or_else(dampers).unwrap_or(self.syntax.place)
     }
 
     fn friction(&self, index: Option<usize>) -> Option<Place> {
