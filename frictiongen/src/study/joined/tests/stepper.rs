@@ -57,7 +57,8 @@ fn bad_inputs_change_nothing() {
     let frame = system(&forced);
     let joined = frame.joined().expect("answers");
     let mut stepper = joined.stepper(1e-3).expect("a stepper");
-    let bad: [(&[(&str, f64)], &[(&str, f64)]); 4] = [
+    type Named<'n> = &'n [(&'n str, f64)];
+    let bad: [(Named<'_>, Named<'_>); 4] = [
         (&[("upper", f64::NAN)], &[]),
         (&[("roof", 1.0)], &[]),
         (&[], &[("brace", -1.0)]),
