@@ -8,6 +8,9 @@ use crate::number::survives;
 use frictiongen::System;
 use frictiongen::study::columns::{Frequency, FrequencyUnit as Unit};
 
+/// Number of frequencies in a range without a step.
+const SPREAD: u32 = 200;
+
 /// A continuous range of frequencies, with the unit in which the user gave it.
 #[derive(Clone, Debug)]
 pub struct Band {
@@ -131,6 +134,22 @@ impl Frequencies {
         let quantity = quantity(unit, in_time);
         Ok(Self {
             given: grid::parse(text, quantity).map_err(Failure::new)?,
+            unit,
+            quantity,
+        })
+    }
+
+    /// Parses a range a:b or a:step:b. A range without a step has 200 frequencies at equal distances.
+    pub fn spread(arguments: &FrequencyArguments) -> Result<Self, Failure> {
+        let (text, unit) = given(arguments)?;
+        let quantity = quantity(unit, true);
+        let [from, step, to] = grid::band(text, quantity).map_err(Failure::new)?;
+        if 0.0 < step {
+            return Self::parse(arguments, true);
+        }
+        let part = |index: u32| from + (to - from) * f64::from(index) / f64::from(SPREAD - 1);
+        Ok(Self {
+            given: (0..SPREAD).map(part).collect(),
             unit,
             quantity,
         })

@@ -47,9 +47,36 @@ impl FileArgument {
         })
     }
 
-    /// Reads and parses the description.
+    /// Reads and parses the description. Fails for a scene with several contacts or dashpots.
     pub fn description(&self, limits: &Limits) -> Result<Description, Failure> {
-        self.parsed(&self.text()?, limits)
+        self.single(self.parsed(&self.text()?, limits)?)
+    }
+
+    /// Reads and parses the description of a scene that may have several contacts and dashpots. Fails unless the
+    /// kinetic friction is constant.
+    pub fn any(&self, limits: &Limits) -> Result<Description, Failure> {
+        self.maybe_joined(limits, true)
+    }
+
+    /// Reads and parses the description of a scene that may have several contacts and dashpots. If `constant` is true, it
+    /// fails unless the kinetic friction is constant.
+    pub fn maybe_joined(&self, limits: &Limits, constant: bool) -> Result<Description, Failure> {
+        let description = self.parsed(&self.text()?, limits)?;
+        if constant {
+            self.check_constant(&description)?;
+        }
+        Ok(description)
+    }
+
+    /// Fails for a description with several contacts or dashpots.
+    pub fn single(&self, description: Description) -> Result<Description, Failure> {
+        if !description.scene.is_joined() {
+            return Ok(description);
+        }
+        Err(Failure::new(format_args!(
+            "{}: this command needs a single `contact` without dashpots, but this scene has `contacts` or `dampers`; use `frictiongen orbit`, `response`, `curve`, `map` or `time`",
+            self.name()
+        )))
     }
 
     fn parsed(&self, text: &str, limits: &Limits) -> Result<Description, Failure> {
@@ -90,9 +117,15 @@ impl FileArgument {
         limits: &Limits,
     ) -> Result<(Description, String), Failure> {
         let text = self.text()?;
-        let description = self.parsed(&text, limits)?;
+        let description = self.single(self.parsed(&text, limits)?)?;
+        self.check_constant(&description)?;
+        Ok((description, text))
+    }
+
+    /// Fails unless the kinetic friction is constant.
+    fn check_constant(&self, description: &Description) -> Result<(), Failure> {
         if description.scene.friction == FrictionLaw::Coulomb {
-            return Ok((description, text));
+            return Ok(());
         }
         Err(Failure::new(format_args!(
             "{}: the exact response needs a constant kinetic level, but this scene has `friction: stribeck`; write `friction: coulomb`, use its stepper, or compute a run with `frictiongen time`",

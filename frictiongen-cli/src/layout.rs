@@ -16,6 +16,8 @@ pub enum Layout {
     Masses,
     /// Text has one line for each moving contact or mass. JSON is the same as for [`Layout::Masses`].
     Lines,
+    /// Text is the same as for [`Layout::Lines`], and JSON the same as for [`Layout::Objects`].
+    Joints,
 }
 
 /// Heading of the column with the name of the contact or mass.
@@ -32,7 +34,7 @@ impl Layout {
             let title = column.title.iter().map(String::as_str);
             match (&column.part, self) {
                 (None, _) => titles.push(table::Column::of(column, &title.collect::<Vec<_>>())),
-                (part, Self::Lines) => {
+                (part, Self::Lines | Self::Joints) => {
                     if !parts {
                         let names = columns.iter().filter_map(|column| column.part.as_deref());
                         titles.push(table::Column::words(&[MOTION], names));
@@ -54,7 +56,7 @@ impl Layout {
     /// Returns the lines of a printed table for one row.
     pub fn lines<'r, R>(self, columns: &'r [Column<'_, R>], row: &'r R) -> Vec<Vec<Cell<'r>>> {
         let shown = || columns.iter().filter(|column| column.is_in_text());
-        if self != Self::Lines {
+        if !matches!(self, Self::Lines | Self::Joints) {
             return vec![shown().map(|column| column.read(row)).collect()];
         }
         let once = shown().filter(|column| column.part.is_none());
@@ -107,7 +109,7 @@ impl Layout {
                 continue;
             };
             match column.order {
-                Some(order) if self != Self::Objects => {
+                Some(order) if !matches!(self, Self::Objects | Self::Joints) => {
                     harmonic(own, order, column.name(), value);
                 }
                 _ => drop(own.insert(column.name_in_part(), value)),
@@ -117,7 +119,7 @@ impl Layout {
             fields.insert("masses".to_owned(), Json::Array(Vec::new()));
         }
         for (name, mut own) in parts {
-            if self != Self::Objects {
+            if !matches!(self, Self::Objects | Self::Joints) {
                 leave_out_missing(&mut own);
             }
             match fields.get_mut("masses") {

@@ -25,6 +25,7 @@ mod grids;
 mod hint;
 mod input;
 mod interrupt;
+mod joined;
 mod json;
 mod layout;
 mod limits;

@@ -100,12 +100,46 @@ pub fn row(values: &[f64]) -> String {
     cells.join("  ")
 }
 
+/// Describes a scene with several contacts or dashpots in a few words.
+fn joints(scene: &Scene, masses: &str) -> String {
+    let ends = |from, to| format!("{} - {}", scene.node_name(from), scene.node_name(to));
+    let contacts = scene.named_contacts().into_iter().map(|contact| {
+        let stiffness = contact.law.stiffness.map_or_else(String::new, |stiffness| {
+            format!(", stiffness {stiffness:?}")
+        });
+        format!(
+            "{} ({}{stiffness}, stiction {:?}, share {:?})",
+            contact.name,
+            ends(contact.sides.from, contact.sides.to),
+            contact.law.stiction,
+            contact.law.share
+        )
+    });
+    let dampers = scene.joints.dampers.iter();
+    let dampers = dampers.map(|damper| {
+        let ends = ends(damper.from, damper.to);
+        format!("dashpot {ends} of {:?}", damper.coefficient)
+    });
+    let load = match scene.excitation {
+        Excitation::Base => "base motion".to_owned(),
+        Excitation::Force(index) => {
+            let mass = scene.masses.get(index).map_or("?", |mass| &mass.name);
+            format!("force on {mass}")
+        }
+    };
+    let parts = contacts.chain(dampers).chain([load]);
+    format!("{masses}, {}", parts.collect::<Vec<_>>().join(", "))
+}
+
 /// Describes a scene in a few words.
 fn description(scene: &Scene) -> String {
     let masses = match scene.masses.len() {
         1 => "1 mass".to_owned(),
         count => format!("{count} masses"),
     };
+    if scene.is_joined() {
+        return joints(scene, &masses);
+    }
     let from = scene.node_name(scene.contact.from);
     let to = scene.node_name(scene.contact.to);
     let excitation = match scene.excitation {

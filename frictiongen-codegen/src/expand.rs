@@ -7,8 +7,8 @@ use crate::diagnostics::{Failure, Partial, compile_error};
 use crate::lower::{Description, Limits, parse_text, parse_tokens};
 use crate::{Diagnostics, emit, quoted};
 use frictiongen_model::scene::{
-    Contact, Damping, DampingFrom, Declared, Excitation, FrictionLaw, Mass, Node, Provide, Scene,
-    Spring, Stepping,
+    Contact, Damping, DampingFrom, Declared, Excitation, FrictionLaw, Joints, Mass, Node, Provide,
+    Scene, Spring, Stepping,
 };
 use proc_macro2::{Delimiter, Ident, Literal, Span, TokenStream, TokenTree};
 use std::path::{Path, PathBuf};
@@ -178,6 +178,7 @@ fn stand_in(partial: Partial) -> Option<TokenStream> {
             forces,
             ..Stepping::default()
         },
+        joints: Joints::default(),
     };
     Some(emit(&Description {
         attributes,

@@ -1,5 +1,9 @@
 //! Types of a scene, with the values of its description and in the units of the description.
 
+mod joints;
+
+pub use joints::{Damper, JointLaw, Joints, NamedContact};
+
 /// One end of a spring, or one side of a contact: a mass, the base or the wall.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -262,7 +266,7 @@ pub struct Scene {
     pub masses: Vec<Mass>,
     /// The springs of the chain. The first spring is k₁, the reference of all stiffness ratios.
     pub springs: Vec<Spring>,
-    /// The single Coulomb contact of the scene.
+    /// The single Coulomb contact of the scene. For a scene with `contacts`, the sides of the first one.
     pub contact: Contact,
     /// The harmonic excitation of the scene.
     pub excitation: Excitation,
@@ -289,6 +293,10 @@ pub struct Scene {
     /// The settings of the stepper.
     #[cfg_attr(feature = "serde", serde(default))]
     pub stepping: Stepping,
+    /// Several contacts, and dashpots.
+    #[cfg_attr(feature = "serde", serde(default))]
+    #[doc(hidden)]
+    pub joints: Joints,
 }
 
 impl Scene {

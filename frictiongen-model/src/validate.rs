@@ -7,6 +7,7 @@
 mod checks;
 mod elastic;
 mod error;
+mod joints;
 mod masses;
 mod names;
 mod path;
@@ -18,6 +19,7 @@ mod stepping;
 
 pub use checks::{Checks, LARGEST, MOST_MASSES, SMALLEST};
 pub use error::SceneError;
+pub use joints::{MOST_CONTACTS, MOST_JOINED};
 pub use names::{RESERVED, is_keyword, is_name, is_reserved, may_name};
 pub use path::Path;
 
@@ -40,7 +42,8 @@ pub fn validate_known(scene: &Scene, checks: &Checks) -> Result<(), Vec<SceneErr
     let mut errors = Vec::new();
     masses::check(scene, checks, &mut errors);
     springs::check(scene, checks, &mut errors);
-    if checks.contact {
+    let joined = checks.joined(scene);
+    if checks.contact && scene.joints.contacts.is_empty() {
         check_contact(scene, &mut errors);
     }
     if checks.excitation
@@ -48,13 +51,21 @@ pub fn validate_known(scene: &Scene, checks: &Checks) -> Result<(), Vec<SceneErr
     {
         check_node(scene, Node::Mass(mass), Path::Excitation, &mut errors);
     }
-    reach::check(scene, checks, &mut errors);
+    if joined {
+        joints::check(scene, checks, &mut errors);
+    } else {
+        reach::check(scene, checks, &mut errors);
+    }
     settings::check(scene, checks, &mut errors);
     stepping::check(scene, checks, &mut errors);
-    elastic::check(scene, &mut errors);
+    if joined {
+        elastic::check_value(scene, &mut errors);
+    } else {
+        elastic::check(scene, &mut errors);
+    }
     scale::check(scene, checks, &mut errors);
     let complete = checks.masses && checks.springs && checks.contact && checks.excitation;
-    if errors.is_empty() && complete {
+    if errors.is_empty() && complete && !joined {
         scale::check_modes(scene, &mut errors);
     }
     if errors.is_empty() {

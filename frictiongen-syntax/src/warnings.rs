@@ -61,6 +61,8 @@ fn overdamped(located: &Located<'_>, warnings: &mut Problems) {
                 }
             }
         }
+        // A mass that no spring holds has a natural frequency of 0, and no damping ratio.
+        Damping::Rayleigh { .. } if located.scene.is_joined() => {}
         Damping::Rayleigh { .. } => {
             let ratios = Modal::of(&located.scene).damping_ratios;
             let first = ratios.iter().position(|ratio| 1.0 <= ratio.hi);

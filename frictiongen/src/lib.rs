@@ -67,8 +67,10 @@
 //! | field | forms | default |
 //! |---|---|---|
 //! | `masses` | `{ name: number, … }`, the first is m₁ | required |
-//! | `springs` | `{ node - node: number, … }`, node = a mass, `base` or `wall`; the first is k₁ | required |
-//! | `contact` | `mass - wall`, `mass - mass`, `mass - base` | required |
+//! | `springs` | `{ node - node: number, … }`, node = a mass, `base` or `wall`; the first is k₁ | required, except with `contacts` or `dampers` |
+//! | `contact` | `mass - wall`, `mass - mass`, `mass - base` | required, or `contacts` |
+//! | `contacts` | `{ name: node - node { stiffness: k, stiction: μ, share: s }, … }`: several contacts, of a run-time `System` alone | |
+//! | `dampers` | `{ node - node: c, … }`: dashpots in N·s/m, of a run-time `System` alone | |
 //! | `excitation` | a mass, or `base` | required |
 //! | `damping` | `none`, `modal(ζ)`, `modal[ζ₁, …]`, `rayleigh(a, b)` | `none` |
 //! | `damping_from` | `rest` (damping acts on absolute velocities), `base` (on velocities relative to the moving base) | `rest` |

@@ -34,6 +34,7 @@ use recorded::{DRIVES, FITS, IDENTIFICATIONS, RECORDINGS};
 pub use report::ReportArguments;
 pub use shared::{
     FileArgument, FormatArguments, FrequencyArguments, FrictionArguments, LoadArguments,
+    PointArguments,
 };
 
 /// Exact solutions of mass-spring chains with one Coulomb friction contact.

@@ -36,7 +36,15 @@ pub fn run(arguments: &CheckArguments, out: &mut dyn Write) -> Result<(), Failur
     };
     let masses = count(scene.masses.len(), "mass", "masses");
     let springs = count(scene.springs.len(), "spring", "springs");
-    writeln!(out, "{name}: no errors; {masses}, {springs}")?;
+    let joints = &scene.joints;
+    let joined = if scene.is_joined() {
+        let contacts = count(scene.named_contacts().len(), "contact", "contacts");
+        let dampers = count(joints.dampers.len(), "dashpot", "dashpots");
+        format!(", {contacts}, {dampers}; only a System at run time solves this scene")
+    } else {
+        String::new()
+    };
+    writeln!(out, "{name}: no errors; {masses}, {springs}{joined}")?;
     if let Some(acts_on) = scene.damping_acts_on() {
         writeln!(out, "{acts_on}")?;
     }

@@ -35,7 +35,11 @@ pub fn write(scene: &Scene, out: &mut dyn Write) -> io::Result<()> {
             (Load::Force(FORCE), format!("1 N on {name}"))
         }
     };
-    if let Ok(scale) = system.load_scale(load) {
+    // A mass that no spring holds has no static displacement.
+    let held = system.resonances().iter().all(|root| *root > 0.0);
+    if let Ok(scale) = system.load_scale(load)
+        && held
+    {
         let placed = statics(&system)
             .into_iter()
             .map(|x| 1e3 * scale.displacement(x));

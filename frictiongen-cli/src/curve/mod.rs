@@ -9,9 +9,10 @@ use crate::asked::{self, Part};
 use crate::destination::Destination;
 use crate::destination::Form;
 use crate::failure::Failure;
-use crate::frequency::Band;
+use crate::frequency::{Band, Frequencies};
 use crate::friction::Frictions;
 use crate::interrupt;
+use crate::joined;
 use crate::measure;
 use crate::output;
 use crate::progress::Progress;
@@ -45,7 +46,19 @@ pub fn run(arguments: &CurveArguments, out: &mut dyn Write) -> Result<(), Failur
         ));
     }
     let frictions = Frictions::parse(&arguments.point.friction, None)?;
-    let description = arguments.point.file.constant_level(&Limits::RUN_TIME)?;
+    let description = arguments.point.file.any(&Limits::RUN_TIME)?;
+    if description.scene.is_joined() {
+        joined::refused(&[
+            (!orders.is_empty(), "--harmonics"),
+            (arguments.rates, "--rates"),
+            (arguments.accuracy.is_some(), "--accuracy"),
+            (!arguments.from.is_empty(), "--from"),
+        ])?;
+        let form = joined::without_picture(destination.form)?;
+        let frequencies = Frequencies::spread(&arguments.point.frequency)?;
+        let asked = joined::Asked::of(&arguments.point, frequencies, frictions, &arguments.of);
+        return destination.write(out, |out| asked.write(description.scene, false, form, out));
+    }
     let system = System::try_from(description.scene).map_err(Failure::new)?;
     let band = Band::parse(&arguments.point.frequency, &system)?;
     let parts = asked::parts(&system, &arguments.of)?;

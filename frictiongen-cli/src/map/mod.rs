@@ -14,6 +14,7 @@ use crate::frequency::Frequencies;
 use crate::friction::Frictions;
 use crate::grids::Grids;
 use crate::interrupt;
+use crate::joined;
 use crate::measure;
 use crate::output;
 use crate::progress::Progress;
@@ -43,7 +44,13 @@ pub fn run(arguments: &MapArguments, out: &mut dyn Write) -> Result<(), Failure>
         .transpose()?;
     let frequencies = Frequencies::parse(&arguments.point.frequency, false)?;
     let frictions = Frictions::of_map(&arguments.point.friction, &frequencies)?;
-    let description = arguments.point.file.constant_level(&Limits::RUN_TIME)?;
+    let description = arguments.point.file.any(&Limits::RUN_TIME)?;
+    if description.scene.is_joined() {
+        joined::refused(&[(digits.is_some(), "--boundaries")])?;
+        let form = joined::without_picture(destination.form)?;
+        let asked = joined::Asked::of(&arguments.point, frequencies, frictions, &arguments.of);
+        return destination.write(out, |out| asked.write(description.scene, false, form, out));
+    }
     let system = System::try_from(description.scene).map_err(Failure::new)?;
     frequencies.check(&system)?;
     let parts = asked::parts(&system, &arguments.of)?;

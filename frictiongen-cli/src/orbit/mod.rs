@@ -8,6 +8,7 @@ use crate::failure::Failure;
 use crate::frequency::Frequencies;
 use crate::friction::Frictions;
 use crate::grids::Grids;
+use crate::joined;
 use crate::measure;
 use crate::output;
 use crate::summary::Summary;
@@ -24,7 +25,17 @@ pub fn run(arguments: &OrbitArguments, out: &mut dyn Write) -> Result<(), Failur
         Some(highest) => (0..=highest).collect(),
         None => Vec::new(),
     };
-    let description = arguments.point.file.constant_level(&Limits::RUN_TIME)?;
+    let description = arguments.point.file.any(&Limits::RUN_TIME)?;
+    if description.scene.is_joined() {
+        joined::refused(&[(!orders.is_empty(), "--harmonics")])?;
+        let asked = joined::Asked::of(&arguments.point, frequencies, frictions, &arguments.of);
+        return asked.write(
+            description.scene,
+            arguments.states,
+            arguments.format.checked()?,
+            out,
+        );
+    }
     let system = System::try_from(description.scene).map_err(Failure::new)?;
     let parts = asked::contact_and(&system, &arguments.of)?;
     frequencies.check(&system)?;

@@ -8,6 +8,7 @@ use crate::failure::Failure;
 use crate::frequency::Frequencies;
 use crate::friction::Frictions;
 use crate::grids::Grids;
+use crate::joined;
 use crate::measure;
 use crate::output;
 use crate::summary::Summary;
@@ -24,7 +25,12 @@ pub fn run(arguments: &ResponseArguments, out: &mut dyn Write) -> Result<(), Fai
         Some(highest) => (1..=highest).step_by(2).collect(),
         None => Vec::new(),
     };
-    let description = arguments.point.file.constant_level(&Limits::RUN_TIME)?;
+    let description = arguments.point.file.any(&Limits::RUN_TIME)?;
+    if description.scene.is_joined() {
+        joined::refused(&[(!orders.is_empty(), "--harmonics")])?;
+        let asked = joined::Asked::of(&arguments.point, frequencies, frictions, &arguments.of);
+        return asked.write(description.scene, false, arguments.format.checked()?, out);
+    }
     let system = System::try_from(description.scene).map_err(Failure::new)?;
     let parts = asked::contact_and(&system, &arguments.of)?;
     frequencies.check(&system)?;

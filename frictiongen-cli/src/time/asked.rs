@@ -6,6 +6,7 @@ use crate::asked::whole;
 use crate::failure::Failure;
 use frictiongen::System;
 use frictiongen::study::history::MOST_SAMPLES;
+use frictiongen::study::units::LoadScale;
 
 /// Largest number of cycles, of skipped cycles and of samples in a cycle.
 const MOST: u32 = MOST_SAMPLES as u32;
@@ -55,6 +56,16 @@ pub type Start = (Vec<f64>, Vec<f64>);
 
 /// Parses the state of `--from`. With a load, the state is in the units of the load.
 pub fn start(text: &str, system: &System, course: &Course<'_>) -> Result<Start, Failure> {
+    state(text, system, course.measure.scale(), course.frequency.omega)
+}
+
+/// Parses a state in the units of the load, if a load is given. `omega` is ω in rad/s.
+pub fn state(
+    text: &str,
+    system: &System,
+    scale: Option<LoadScale>,
+    omega: f64,
+) -> Result<Start, Failure> {
     let refuse = |why: &str| Failure::new(format_args!("--from `{text}`: {why}"));
     let halves: Vec<&str> = text.split(';').collect();
     let [displacements, velocities] = *halves else {
@@ -89,9 +100,8 @@ pub fn start(text: &str, system: &System, course: &Course<'_>) -> Result<Start, 
             .map(one)
             .collect::<Result<Vec<f64>, Failure>>()
     };
-    let scale = course.measure.scale();
     let displacement = |x| scale.map_or(x, |scale| scale.displacement_ratio(x));
-    let velocity = |v| scale.map_or(v, |scale| scale.velocity_ratio(v, course.frequency.omega));
+    let velocity = |v| scale.map_or(v, |scale| scale.velocity_ratio(v, omega));
     Ok((
         numbers(displacements, "displacements", &displacement)?,
         numbers(velocities, "velocities", &velocity)?,

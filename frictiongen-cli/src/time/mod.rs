@@ -1,6 +1,6 @@
 //! `frictiongen time`: computes displacements, velocities, the friction force and events over time, and spectra.
 
-mod asked;
+pub mod asked;
 mod course;
 #[cfg(feature = "pictures")]
 mod draw;
@@ -16,6 +16,7 @@ use crate::destination::Form;
 use crate::failure::Failure;
 use crate::frequency::Frequencies;
 use crate::friction::Frictions;
+use crate::joined;
 use crate::measure;
 use crate::output;
 use crate::summary::Summary;
@@ -42,10 +43,20 @@ pub fn run(arguments: &TimeArguments, out: &mut dyn Write) -> Result<(), Failure
     let frequencies = Frequencies::parse(&arguments.point.frequency, true)?;
     let frictions = Frictions::parse(&arguments.point.friction, Some(&frequencies))?;
     let file = &arguments.point.file;
-    let description = match arguments.steady {
-        true => file.constant_level(&Limits::RUN_TIME)?,
-        false => file.description(&Limits::RUN_TIME)?,
-    };
+    let description = file.maybe_joined(&Limits::RUN_TIME, arguments.steady)?;
+    if description.scene.is_joined() {
+        joined::refused(&[(arguments.spectrum, "--spectrum")])?;
+        let form = joined::without_picture(form)?;
+        let point = joined::Asked::of(&arguments.point, frequencies, frictions, &arguments.of);
+        let of_time = joined::OfTime {
+            asked,
+            from: arguments.from.as_deref(),
+            events: arguments.events,
+        };
+        return destination.write(out, |out| {
+            point.time(description.scene, &of_time, form, out)
+        });
+    }
     let system = System::try_from(description.scene).map_err(Failure::new)?;
     let parts = parts(&system, &arguments.of)?;
     without_rates(&parts)?;

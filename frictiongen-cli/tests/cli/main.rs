@@ -13,6 +13,7 @@ mod features;
 mod first_hour;
 mod first_steps;
 mod hints;
+mod joined;
 mod limits;
 mod map;
 mod mistakes;

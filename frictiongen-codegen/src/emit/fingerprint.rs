@@ -1,8 +1,8 @@
 //! Hash of a scene. Emitted code contains the hash, so that a reader can identify the scene from which the code comes.
 
 use frictiongen_model::scene::{
-    Accuracy, Beyond, Contact, Damping, DampingFrom, Declared, Excitation, FrictionLaw, Mass, Node,
-    Precision, Provide, Proving, Range, Scene, Side, Spring, StepInput, Stepping,
+    Accuracy, Beyond, Contact, Damping, DampingFrom, Declared, Excitation, FrictionLaw, Joints,
+    Mass, Node, Precision, Provide, Proving, Range, Scene, Side, Spring, StepInput, Stepping,
 };
 
 /// Returns the FNV-1a hash of all fields of a scene. Texts that differ only in layout have the same
@@ -24,6 +24,7 @@ pub(crate) fn fingerprint(scene: &Scene) -> u64 {
         declared,
         friction,
         stepping,
+        joints,
     } = scene;
     let mut hash = Fnv::new();
     hash.text(name);
@@ -69,6 +70,9 @@ pub(crate) fn fingerprint(scene: &Scene) -> u64 {
     }
     if let Some(stiffness) = stiffness {
         hash.number(*stiffness);
+    }
+    if !joints.is_empty() {
+        hash.joints(joints);
     }
     hash.0
 }
@@ -121,6 +125,22 @@ impl Fnv {
         for one in list {
             entry(self, one);
         }
+    }
+
+    fn joints(&mut self, joints: &Joints) {
+        self.list(&joints.contacts, |hash, contact| {
+            hash.text(&contact.name);
+            hash.node(contact.sides.from);
+            hash.node(contact.sides.to);
+            // A rigid contact is one of infinite stiffness.
+            hash.number(contact.law.stiffness.unwrap_or(f64::INFINITY));
+            hash.numbers(&[contact.law.stiction, contact.law.share]);
+        });
+        self.list(&joints.dampers, |hash, damper| {
+            hash.node(damper.from);
+            hash.node(damper.to);
+            hash.number(damper.coefficient);
+        });
     }
 
     fn node(&mut self, node: Node) {

@@ -11,6 +11,8 @@ pub struct Limits {
     pub tables: bool,
     /// Whether the code proves the tables.
     pub proof: ProofAt,
+    /// True if a scene may have `contacts` and `dampers`, for which no code is emitted.
+    pub joints: bool,
 }
 
 /// Selects whether the code proves the tables.
@@ -41,10 +43,12 @@ impl Limits {
         masses: 64,
         tables: true,
         proof: ProofAt::MACRO,
+        joints: false,
     };
     /// Limits for a macro expansion without a proof, for checks that discard the emitted code.
     pub const CHECK: Self = Self {
         proof: ProofAt::Never,
+        joints: true,
         ..Self::MACRO
     };
     /// Limits for a scene that is solved at run time, without tables.
@@ -52,5 +56,6 @@ impl Limits {
         masses: MOST_MASSES,
         tables: false,
         proof: ProofAt::Never,
+        joints: true,
     };
 }

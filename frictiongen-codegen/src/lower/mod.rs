@@ -25,6 +25,9 @@ pub use limits::{Limits, ProofAt};
 /// The error of `proof: whole` in a build without the feature `proof`.
 const WITHOUT_PROOF: &str = "`proof: whole` needs the feature `proof` of frictiongen, which is off; write `frictiongen = { version = \"0.1\", features = [\"proof\"] }` in Cargo.toml, or leave `proof` out, so that the table is checked but not proven";
 
+/// The error of a macro for several contacts or dashpots.
+const WITHOUT_JOINTS: &str = "the macro emits no code for `contacts` and `dampers`; solve this scene at run time with `frictiongen::System`, or write a single `contact` without `dampers`";
+
 /// A valid description, after parsing and checking.
 pub struct Description {
     /// The doc comments and attributes before the struct, as attributes of Rust.
@@ -171,9 +174,17 @@ fn lower(
     {
         problems.report(located.place(Path::Proof), WITHOUT_PROOF);
     }
+    if let Some(located) = &located
+        && !limits.joints
+        && located.scene.is_joined()
+        && problems.is_empty()
+    {
+        problems.report(located.joints(), WITHOUT_JOINTS);
+    }
     let mut tables = None;
     if let Some(located) = &located
         && limits.tables
+        && !located.scene.is_joined()
         && problems.is_empty()
     {
         match SceneTables::of(&located.scene) {

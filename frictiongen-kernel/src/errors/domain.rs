@@ -123,6 +123,8 @@ pub enum Unsupported {
     FrictionLaw,
     /// A call that has no answer for a scene with an elastic contact.
     ElasticContact,
+    /// A call that has no answer for a scene with several contacts or dashpots.
+    SeveralContacts,
 }
 
 impl Given {
@@ -195,6 +197,9 @@ impl fmt::Display for Unsupported {
             }
             Self::FrictionLaw => {
                 "the exact continuous response needs a constant kinetic level, but this scene has `friction: stribeck`; use its stepper, or `simulation_under` with the amplitude of the load"
+            }
+            Self::SeveralContacts => {
+                "this answer needs a single contact without dashpots, but this scene has `contacts` or `dampers`; ask for its steady state (`joined`, then `orbit`), its stuck state (`stuck`) or its motion in time (`simulation`)"
             }
             Self::ElasticContact => {
                 "this answer needs a rigid contact, but this scene has `stiffness`; ask for its steady state (`orbit`), its stuck state (`stuck`, `sliding_limit`) or its motion in time (`simulation`)"

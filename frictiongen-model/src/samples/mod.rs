@@ -52,6 +52,7 @@ pub fn scene(kind: &str, count: usize, zeta: f64, stiction: f64) -> Modal {
         declared: Declared::default(),
         friction: FrictionLaw::default(),
         stepping: Stepping::default(),
+        joints: Default::default(),
     })
 }
 

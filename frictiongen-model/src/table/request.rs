@@ -56,6 +56,8 @@ pub enum TableError {
     DampedFromBase,
     /// The contact is elastic. Its response has no table.
     ElasticContact,
+    /// The scene has several contacts or dashpots. Its response has no table.
+    SeveralContacts,
     /// Even the coarsest accuracy does not fit into the allowed bytes.
     TooFewBytes {
         /// The allowed number of bytes.
@@ -81,6 +83,9 @@ impl fmt::Display for TableError {
             ),
             Self::ElasticContact => f.write_str(
                 "tables are not possible with an elastic contact (`stiffness`); compute its steady states at run time",
+            ),
+            Self::SeveralContacts => f.write_str(
+                "tables are not possible with `contacts` or `dampers`; compute the steady states of the scene at run time",
             ),
             Self::NotMet {
                 accuracy,

@@ -39,6 +39,7 @@ fn chain(count: usize, damping: Damping) -> Scene {
         declared: Declared::default(),
         friction: FrictionLaw::default(),
         stepping: Stepping::default(),
+        joints: Default::default(),
     }
 }
 

@@ -30,6 +30,7 @@ fn chain(masses: &[f64], springs: &[f64], contact: usize, damping: Damping) -> S
         declared: crate::scene::Declared::default(),
         friction: crate::scene::FrictionLaw::default(),
         stepping: crate::scene::Stepping::default(),
+        joints: Default::default(),
     }
 }
 

@@ -29,6 +29,8 @@ pub struct Checks {
     pub contact: bool,
     /// True if the parser could read the excitation.
     pub excitation: bool,
+    /// True if the parser could read every entry of `contacts` and `dampers`.
+    pub joints: bool,
     /// True if the parser could read the whole list `provide`.
     pub provide: bool,
 }
@@ -41,8 +43,16 @@ impl Default for Checks {
             springs: true,
             contact: true,
             excitation: true,
+            joints: true,
             provide: true,
         }
+    }
+}
+
+impl Checks {
+    /// Returns true if the scene has several contacts or dashpots, or if its description tries to.
+    pub(super) fn joined(&self, scene: &Scene) -> bool {
+        scene.is_joined() || !self.joints
     }
 }
 

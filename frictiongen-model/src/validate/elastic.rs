@@ -25,10 +25,10 @@ fn kept(precision: Precision) -> u32 {
     }
 }
 
-/// Reports a stiffness that is not a positive number, and fields that an elastic contact excludes.
-pub(super) fn check(scene: &Scene, errors: &mut Vec<SceneError>) {
+/// Reports a stiffness that is no positive number. Returns false if the contact has no finite stiffness.
+pub(super) fn check_value(scene: &Scene, errors: &mut Vec<SceneError>) -> bool {
     let Some(value) = scene.stiffness else {
-        return;
+        return false;
     };
     let path = Path::Stiffness;
     if value.is_nan() {
@@ -37,13 +37,22 @@ pub(super) fn check(scene: &Scene, errors: &mut Vec<SceneError>) {
     } else if value == f64::INFINITY {
         // Without the field, nothing else is wrong.
         errors.push(SceneError::StiffnessInfinite { path });
-        return;
+        return false;
     } else if !(0.0 < value) {
         errors.push(SceneError::ContactStiffnessNotPositive { path, value });
     } else if !(SMALLEST..=LARGEST).contains(&value) {
         let what = "the stiffness of the contact".to_owned();
         errors.push(SceneError::OutOfScale { path, what, value });
     }
+    true
+}
+
+/// Reports a stiffness that is no positive number, and fields that do not go with an elastic contact.
+pub(super) fn check(scene: &Scene, errors: &mut Vec<SceneError>) {
+    if !check_value(scene, errors) {
+        return;
+    }
+    let path = Path::Stiffness;
     if scene.friction != FrictionLaw::Coulomb {
         errors.push(SceneError::ElasticStribeck { path });
     }

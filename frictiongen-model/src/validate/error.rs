@@ -114,6 +114,44 @@ scene_errors! {
         "an elastic contact sticks after each reversal, so that it has no β_lim and no closed form; write `provide: [orbit, simulation]`, or leave `stiffness` out for a rigid contact",
     NotElastic { item: String } =>
         "`{item}` is not possible with `stiffness`; write `orbit`, `simulation`, `stepper` or `stuck` instead, or leave `stiffness` out for a rigid contact",
+    TooManyContacts { count: usize, limit: usize } =>
+        "the scene has {count} contacts, but at most {limit} are possible; join neighbouring contacts into one with the sum of their shares",
+    ContactKeyword { name: String } =>
+        "`{name}` is a keyword of Rust and cannot name a contact; write, for example, `{name}_1`",
+    ContactReserved { name: String } =>
+        "`{name}` already means something else in a scene or in its results and cannot name a contact; write, for example, `{name}_1`",
+    ContactNotAName { name: String } =>
+        "`{name}` cannot name a contact: a name is made of letters, digits and `_`, and does not begin with a digit",
+    DuplicateContact { name: String } =>
+        "two contacts are called `{name}`; give this one a name of its own",
+    ContactNamedAsMass { name: String } =>
+        "a mass is called `{name}`, and a contact cannot have the same name; give the contact a name of its own",
+    ParallelContacts { from: String, to: String, sum: String } =>
+        "there is already a rigid contact between `{from}` and `{to}`; two rigid contacts side by side act as one, so add their shares and write a single contact{sum}",
+    ShareNotPositive { name: String, value: f64 } =>
+        "the share of the contact `{name}` is {value:?}: a share must be greater than zero; write a positive number, or leave the contact out",
+    JointStiffnessNotPositive { name: String, value: f64 } =>
+        "the stiffness of the contact `{name}` is {value:?}: it must be greater than zero; write a positive number, or leave `stiffness` out for a rigid contact",
+    RedundantContacts { names: String } =>
+        "the rigid contacts {names} close a loop, so that their forces are not determined while all of them stick; give one of them a `stiffness`, or leave one out",
+    DamperToItself { name: String } =>
+        "this dashpot joins `{name}` to itself and never moves; join it to another mass, to `base` or to `wall`",
+    DamperWithoutMass {} =>
+        "this dashpot joins two supports and touches no mass; leave it out, or join one of its ends to a mass",
+    ParallelDampers { from: String, to: String, sum: String } =>
+        "there is already a dashpot between `{from}` and `{to}`; parallel dashpots act as one, so add their coefficients and write a single dashpot{sum}",
+    DamperNotPositive { from: String, to: String, value: f64 } =>
+        "the dashpot `{from} - {to}` has the coefficient {value:?}: a coefficient must be greater than zero; write a positive number, or leave the dashpot out",
+    Untouched { name: String } =>
+        "neither a spring nor a dashpot nor a contact touches the mass `{name}`; join it to another mass or to a support, or leave it out",
+    IdleJoinedBase {} =>
+        "the base moves, but no spring, dashpot or contact joins a mass to it, so nothing is excited; join a mass to `base`, or put a force on a mass",
+    LawOfEachContact { field: String, example: String } =>
+        "with `contacts`, each contact has its own `{field}`; write it in braces after the sides of a contact, for example `m1 - wall {{ {field}: {example} }}`",
+    NoStribeckJoined {} =>
+        "`stribeck` is not possible with `contacts` or `dampers`; write `friction: coulomb`",
+    NoTablesJoined { tables: String } =>
+        "tables are not possible with `contacts` or `dampers`; leave `{tables}` and its range out",
     StictionBelowOne { value: f64 } =>
         "the stiction μ is {value:?}, but static friction is never smaller than kinetic; write 1 or more",
     NothingProvided {} =>

@@ -60,6 +60,24 @@ pub enum Path {
     Step,
     /// The course of the stepper's input between two samples.
     Input,
+    /// The name of the contact with this index in `contacts`.
+    JointName(usize),
+    /// The side of the contact with this index that the description writes first.
+    JointFrom(usize),
+    /// The side of the contact with this index that the description writes second.
+    JointTo(usize),
+    /// The stiffness of the contact with this index.
+    JointStiffness(usize),
+    /// The ratio μ of the contact with this index.
+    JointStiction(usize),
+    /// The share of the contact with this index.
+    JointShare(usize),
+    /// The coefficient of the dashpot with this index.
+    Damper(usize),
+    /// The first end of the dashpot with this index.
+    DamperFrom(usize),
+    /// The second end of the dashpot with this index.
+    DamperTo(usize),
     /// The list of masses on which a force may act in the stepper, as a whole (`None`), or the entry with this index.
     Force(Option<usize>),
 }

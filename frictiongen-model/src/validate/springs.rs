@@ -10,7 +10,7 @@ use crate::scene::{Node, Scene, Spring};
 
 /// Reports errors in the ends and the stiffnesses of the springs.
 pub(super) fn check(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>) {
-    if scene.springs.is_empty() && checks.springs {
+    if scene.springs.is_empty() && checks.springs && !checks.joined(scene) {
         errors.push(SceneError::NoSprings {
             path: Path::Springs,
         });
@@ -89,13 +89,17 @@ fn sums(springs: &[Spring]) -> HashMap<(usize, usize), f64> {
     sums
 }
 
-/// Returns the two ends of a spring in a fixed order, so that `a - b` and `b - a` are the same pair.
 fn pair(spring: &Spring) -> (usize, usize) {
+    pair_of(spring.from, spring.to)
+}
+
+/// Returns two nodes in a fixed order, so that `a - b` and `b - a` are the same pair.
+pub(super) fn pair_of(from: Node, to: Node) -> (usize, usize) {
     let key = |node| match node {
         Node::Mass(index) => index,
         Node::Base => usize::MAX - 1,
         Node::Wall => usize::MAX,
     };
-    let (from, to) = (key(spring.from), key(spring.to));
+    let (from, to) = (key(from), key(to));
     (from.min(to), from.max(to))
 }

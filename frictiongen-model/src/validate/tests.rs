@@ -45,6 +45,7 @@ fn chain(count: usize) -> Scene {
         declared: Declared::default(),
         friction: FrictionLaw::default(),
         stepping: Stepping::default(),
+        joints: Default::default(),
     }
 }
 

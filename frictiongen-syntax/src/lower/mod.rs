@@ -1,5 +1,6 @@
 //! Converts a syntax tree to a scene, and checks that the scene makes physical sense.
 
+mod joints;
 mod places;
 mod readable;
 mod resolve;
@@ -28,6 +29,12 @@ impl Located<'_> {
     #[must_use]
     pub fn place(&self, path: Path) -> Place {
         self.places.of(path)
+    }
+
+    /// Returns the position of the field `contacts`, or of the field `dampers`.
+    #[must_use]
+    pub fn joints(&self) -> Place {
+        self.places.joints()
     }
 
     /// Returns the position of an item, or `None` if the description does not contain the item.

@@ -5,7 +5,7 @@ use frictiongen_model::validate::Path;
 use crate::diagnostics::Place;
 use crate::parse::Name;
 use crate::parse::syntax::{
-    AccuracyEntry, DampingKind, LawEntry, ProvideEntry, SpringEntry, Syntax,
+    AccuracyEntry, DampingKind, JointEntry, LawEntry, ProvideEntry, SpringEntry, Syntax,
 };
 
 /// Links from the items of a scene to the description.
@@ -14,6 +14,10 @@ pub(super) struct Places<'s> {
     /// Entry in the description of each spring of the scene. Faulty springs are not in this list, because the scene
     /// does not contain them.
     pub(super) springs: Vec<&'s SpringEntry>,
+    /// Entry in the description of each of several contacts.
+    pub(super) contacts: Vec<&'s JointEntry>,
+    /// Entry in the description of each dashpot.
+    pub(super) dampers: Vec<&'s SpringEntry>,
     /// Entry in the description of each provided item.
     pub(super) provide: Vec<&'s ProvideEntry>,
     /// Name, as written, of each mass on which the stepper may apply a force.
@@ -37,6 +41,8 @@ impl Places<'_> {
                 .and_then(|masses| masses.list.entries.get(index))
         };
         let spring = |index: usize| self.springs.get(index);
+        let joint = |index: usize| self.contacts.get(index);
+        let damper = |index: usize| self.dampers.get(index);
         match path {
             Path::Scene => None,
             Path::Masses => fields.masses.given().map(|masses| masses.place),
@@ -50,6 +56,15 @@ impl Places<'_> {
                 fields.contact.given().map(|contact| contact.from.place)
             }
             Path::ContactTo => fields.contact.given().map(|contact| contact.to.place),
+            Path::JointName(index) => joint(index).map(|entry| entry.name.place),
+            Path::JointFrom(index) => joint(index).map(|entry| entry.from.place),
+            Path::JointTo(index) => joint(index).map(|entry| entry.to.place),
+            Path::JointStiffness(index) => joint(index)?.stiffness.map(|number| number.place),
+            Path::JointStiction(index) => joint(index)?.stiction.map(|number| number.place),
+            Path::JointShare(index) => joint(index)?.share.map(|number| number.place),
+            Path::Damper(index) => damper(index).map(|entry| entry.stiffness.place),
+            Path::DamperFrom(index) => damper(index).map(|entry| entry.from.place),
+            Path::DamperTo(index) => damper(index).map(|entry| entry.to.place),
             Path::Excitation => fields.excitation.given().map(|name| name.place),
             Path::Damping(index) => self.damping(index),
             Path::DampingFrom => fields.damping_from.given().map(|choice| choice.place),
@@ -80,6 +95,14 @@ impl Places<'_> {
             Path::Force(None) => fields.force.given().map(|force| force.place),
             Path::Force(Some(index)) => self.force.get(index).map(|name| name.place),
         }
+    }
+
+    /// Returns the position of the field `contacts`, or of the field `dampers`.
+    pub(super) fn joints(&self) -> Place {
+        let fields = &self.syntax.fields;
+        let contacts = fields.contacts.given().map(|placed| placed.place);
+        let dampers = || fields.dampers.given().map(|placed| placed.place);
+        contacts.or_else(dampers).unwrap_or(self.syntax.place)
     }
 
     fn friction(&self, index: Option<usize>) -> Option<Place> {

@@ -32,7 +32,11 @@ pub(super) fn resolve<'s>(
     };
     let masses = lowering.masses(fields);
     let (springs, spring_entries) = lowering.springs(fields);
-    let contact = lowering.contact(fields);
+    let joints = lowering.joints(fields);
+    let contact = match joints.joints.contacts.first() {
+        Some(first) => first.sides,
+        None => lowering.contact(fields),
+    };
     let excitation = lowering.excitation(fields);
     let damping = lowering.damping(fields);
     let damping_from = fields.damping_from.given().map(|choice| choice.value);
@@ -65,6 +69,7 @@ pub(super) fn resolve<'s>(
         declared,
         friction,
         stepping,
+        joints: joints.joints,
     };
     let Lowering {
         problems,
@@ -75,6 +80,8 @@ pub(super) fn resolve<'s>(
     let places = Places {
         syntax,
         springs: spring_entries,
+        contacts: joints.contacts,
+        dampers: joints.dampers,
         provide: provide_entries,
         force: force_entries,
     };
@@ -110,12 +117,14 @@ fn report_missing(syntax: &Syntax, problems: &mut Problems) {
             "masses: { m1: 1.0 }".to_owned(),
         ),
         (
-            fields.springs.is_missing(),
+            fields.springs.is_missing()
+                && fields.contacts.is_missing()
+                && fields.dampers.is_missing(),
             "springs",
             format!("springs: {{ base - {mass}: 1.0 }}"),
         ),
         (
-            fields.contact.is_missing(),
+            fields.contact.is_missing() && fields.contacts.is_missing(),
             "contact",
             format!("contact: {mass} - wall"),
         ),
@@ -227,7 +236,7 @@ impl<'s> Lowering<'s, '_> {
             .report(name.place, format!("there is no mass `{text}`{hint}")))
     }
 
-    fn node(&mut self, name: &Name) -> Result<Node, Reported> {
+    pub(super) fn node(&mut self, name: &Name) -> Result<Node, Reported> {
         match name.text.as_str() {
             "base" => Ok(Node::Base),
             "wall" => Ok(Node::Wall),
@@ -258,7 +267,9 @@ impl<'s> Lowering<'s, '_> {
     fn springs(&mut self, fields: &'s Fields) -> (Vec<Spring>, Vec<&'s SpringEntry>) {
         let (mut springs, mut entries) = (Vec::new(), Vec::new());
         let Some(written) = fields.springs.given() else {
-            self.checks.springs = false;
+            // A chain with several contacts or dashpots needs no spring.
+            let joined = !(fields.contacts.is_missing() && fields.dampers.is_missing());
+            self.checks.springs = joined && fields.springs.is_missing();
             return (springs, entries);
         };
         self.checks.springs = written.list.complete;

@@ -70,8 +70,23 @@ pub(crate) fn springs(
 }
 
 fn spring(reader: &mut Reader<'_>, problems: &mut Problems) -> Result<Read<SpringEntry>, Reported> {
-    let (from, to) = ends(reader, problems, "a spring", "base - m1: 1.0")?;
-    reader.take_colon(problems, "the ends of a spring and its stiffness")?;
+    link(
+        reader,
+        problems,
+        "a spring",
+        "the ends of a spring and its stiffness",
+    )
+}
+
+/// Parses `node - node: number`, for `what`. `parts` names what the colon separates.
+pub(crate) fn link(
+    reader: &mut Reader<'_>,
+    problems: &mut Problems,
+    what: &str,
+    parts: &str,
+) -> Result<Read<SpringEntry>, Reported> {
+    let (from, to) = ends(reader, problems, what, "base - m1: 1.0")?;
+    reader.take_colon(problems, parts)?;
     let stiffness = number(reader, problems);
     let value = stiffness.value.map(|stiffness| SpringEntry {
         from,
@@ -84,10 +99,6 @@ fn spring(reader: &mut Reader<'_>, problems: &mut Problems) -> Result<Read<Sprin
     })
 }
 
-/// The message for a list of contacts.
-pub(crate) const ONE_CONTACT: &str =
-    "a scene has one contact (docs/limits.md says how to treat a second)";
-
 /// Parses `mass - wall`, `mass - mass` or `mass - base`, in either order.
 pub(crate) fn contact(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<ContactEntry> {
     if let Some(Token {
@@ -95,7 +106,7 @@ pub(crate) fn contact(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<
         place,
     }) = reader.peek(0)
     {
-        let message = format!("{ONE_CONTACT}; write it without brackets, for example `m1 - wall`");
+        let message = "`contact` takes one contact without brackets; write, for example, `m1 - wall`, or several as `contacts: { pads: m1 - wall, brace: base - m1 }`";
         return Err(problems.report(*place, message)).into();
     }
     ends(reader, problems, "the contact", "m1 - wall")
@@ -104,7 +115,7 @@ pub(crate) fn contact(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<
 }
 
 /// Parses `node - node`.
-fn ends(
+pub(crate) fn ends(
     reader: &mut Reader<'_>,
     problems: &mut Problems,
     what: &str,

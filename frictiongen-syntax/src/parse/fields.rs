@@ -6,6 +6,7 @@ use frictiongen_model::validate::is_keyword;
 use super::chain;
 use super::declared;
 use super::forms;
+use super::joints;
 use super::reader::{Name, Read, Reader};
 use super::stepping;
 use super::suggest;
@@ -19,6 +20,8 @@ enum Field {
     Masses,
     Springs,
     Contact,
+    Contacts,
+    Dampers,
     Excitation,
     Damping,
     DampingFrom,
@@ -39,10 +42,12 @@ enum Field {
     Crate,
 }
 
-const FIELDS: [(&str, Field); 21] = [
+const FIELDS: [(&str, Field); 23] = [
     ("masses", Field::Masses),
     ("springs", Field::Springs),
     ("contact", Field::Contact),
+    ("contacts", Field::Contacts),
+    ("dampers", Field::Dampers),
     ("excitation", Field::Excitation),
     ("damping", Field::Damping),
     ("damping_from", Field::DampingFrom),
@@ -113,7 +118,7 @@ fn field(
         return Err(problems.report(place, message));
     };
     if fields.contact.given().is_some() && reader.is_punct(0, '-') && known(&word.text).is_none() {
-        let message = format!("{}; delete this one", chain::ONE_CONTACT);
+        let message = "`contact` takes one contact; write both as `contacts: { pads: m1 - wall, brace: base - m1 }`, or delete this one";
         return Err(problems.report(place, message));
     }
     // An unknown field gets no second error for a missing colon.
@@ -123,6 +128,20 @@ fn field(
         Field::Masses => store(&mut fields.masses, &word, reader, problems, chain::masses),
         Field::Springs => store(&mut fields.springs, &word, reader, problems, chain::springs),
         Field::Contact => store(&mut fields.contact, &word, reader, problems, chain::contact),
+        Field::Contacts => store(
+            &mut fields.contacts,
+            &word,
+            reader,
+            problems,
+            joints::contacts,
+        ),
+        Field::Dampers => store(
+            &mut fields.dampers,
+            &word,
+            reader,
+            problems,
+            joints::dampers,
+        ),
         Field::Excitation => store(
             &mut fields.excitation,
             &word,

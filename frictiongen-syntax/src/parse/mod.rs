@@ -8,6 +8,7 @@ mod declared;
 mod fields;
 mod forms;
 pub(crate) mod header;
+mod joints;
 mod lex;
 pub(crate) mod number;
 pub(crate) mod reader;

@@ -27,6 +27,11 @@ impl<T> Slot<T> {
         }
     }
 
+    /// Returns false if the field is present but unreadable.
+    pub(crate) fn is_read(&self) -> bool {
+        !matches!(self, Self::Broken)
+    }
+
     pub(crate) fn is_missing(&self) -> bool {
         matches!(self, Self::Missing)
     }
@@ -52,6 +57,18 @@ pub(crate) struct SpringEntry {
 pub(crate) struct ContactEntry {
     pub(crate) from: Name,
     pub(crate) to: Name,
+}
+
+/// One of several contacts.
+pub(crate) struct JointEntry {
+    pub(crate) name: Name,
+    pub(crate) from: Name,
+    pub(crate) to: Name,
+    pub(crate) stiffness: Option<Number>,
+    pub(crate) stiction: Option<Number>,
+    pub(crate) share: Option<Number>,
+    /// True if everything in the braces of the contact could be read.
+    pub(crate) complete: bool,
 }
 
 pub(crate) struct DampingEntry {
@@ -162,6 +179,8 @@ pub(crate) struct Fields {
     pub(crate) masses: Slot<Placed<MassEntry>>,
     pub(crate) springs: Slot<Placed<SpringEntry>>,
     pub(crate) contact: Slot<ContactEntry>,
+    pub(crate) contacts: Slot<Placed<JointEntry>>,
+    pub(crate) dampers: Slot<Placed<SpringEntry>>,
     pub(crate) excitation: Slot<Name>,
     pub(crate) damping: Slot<DampingEntry>,
     pub(crate) damping_from: Slot<Choice<DampingFrom>>,

@@ -4,8 +4,8 @@ use super::error::InvalidScene;
 use super::system::System;
 use frictiongen_kernel::Float;
 use frictiongen_model::scene::{
-    Contact, Damping, DampingFrom, Declared, Excitation, FrictionLaw, Mass, Node, Precision,
-    Provide, Scene, Spring, StepInput, Stepping,
+    Contact, Damper, Damping, DampingFrom, Declared, Excitation, FrictionLaw, JointLaw, Joints,
+    Mass, NamedContact, Node, Precision, Provide, Scene, Spring, StepInput, Stepping,
 };
 use frictiongen_model::validate::{Checks, validate_known};
 
@@ -41,6 +41,8 @@ pub struct Builder {
     damping_from: DampingFrom,
     stiction: f64,
     stiffness: Option<f64>,
+    contacts: Vec<(String, (String, String), JointLaw)>,
+    dampers: Vec<(String, String, f64)>,
     friction: FrictionLaw,
     step: Option<f64>,
     input: StepInput,
@@ -60,6 +62,8 @@ impl System {
             damping_from: DampingFrom::Rest,
             stiction: 1.0,
             stiffness: None,
+            contacts: Vec::new(),
+            dampers: Vec::new(),
             friction: FrictionLaw::Coulomb,
             step: None,
             input: StepInput::Linear,
@@ -94,6 +98,23 @@ impl Builder {
     /// Sets the two nodes between which the friction contact acts.
     pub fn contact(mut self, from: &str, to: &str) -> Self {
         self.contact = Some((from.to_owned(), to.to_owned()));
+        self
+    }
+
+    /// Adds one of several contacts, with its name, its two sides and its law. A scene has either `contact` or calls of
+    /// this method, and `System::joined` then gives its answers.
+    #[doc(hidden)]
+    pub fn contact_named(mut self, name: &str, from: &str, to: &str, law: JointLaw) -> Self {
+        let sides = (from.to_owned(), to.to_owned());
+        self.contacts.push((name.to_owned(), sides, law));
+        self
+    }
+
+    /// Adds a dashpot between two nodes. The coefficient is its force over its relative velocity, in N·s/m.
+    #[doc(hidden)]
+    pub fn damper(mut self, from: &str, to: &str, coefficient: f64) -> Self {
+        self.dampers
+            .push((from.to_owned(), to.to_owned(), coefficient));
         self
     }
 
@@ -220,6 +241,31 @@ impl Builder {
                 checks.springs = false;
             }
         }
+        let mut joints = Joints::default();
+        for (name, (from, to), law) in &self.contacts {
+            let place = || format!("the contact `{from} - {to}`");
+            if let (Some(from), Some(to)) = (node(from, &place), node(to, &place)) {
+                joints.contacts.push(NamedContact {
+                    name: name.clone(),
+                    sides: Contact { from, to },
+                    law: *law,
+                });
+            } else {
+                checks.joints = false;
+            }
+        }
+        for (from, to, coefficient) in &self.dampers {
+            let place = || format!("the dashpot `{from} - {to}`");
+            if let (Some(from), Some(to)) = (node(from, &place), node(to, &place)) {
+                joints.dampers.push(Damper {
+                    from,
+                    to,
+                    coefficient: *coefficient,
+                });
+            } else {
+                checks.joints = false;
+            }
+        }
         let sides = self.contact.as_ref().map(|(from, to)| {
             let place = || format!("the contact `{from} - {to}`");
             (node(from, &place), node(to, &place))
@@ -228,11 +274,18 @@ impl Builder {
             .excitation
             .as_ref()
             .map(|name| node(name, &|| "the excitation".to_owned()));
-        if self.contact.is_none() {
+        if self.contact.is_some() && !self.contacts.is_empty() {
+            unknown.push(
+                "`contact` and `contact_named` exclude each other; keep one of the two".to_owned(),
+            );
+        }
+        if self.contact.is_none() && self.contacts.is_empty() {
             unknown.push("there is no contact; add one by `contact`".to_owned());
         }
         let contact = if let Some((Some(from), Some(to))) = sides {
             Contact { from, to }
+        } else if let Some(first) = joints.contacts.first() {
+            first.sides
         } else {
             checks.contact = false;
             Contact {
@@ -290,6 +343,7 @@ impl Builder {
             declared: Declared::default(),
             friction: self.friction,
             stepping,
+            joints,
         };
         if unknown.is_empty() {
             return System::try_from(scene);

@@ -85,6 +85,7 @@ impl<S: Float> System<S> {
     /// # Errors
     /// Same errors as [`compile`](Self::compile).
     pub fn compile_for(&self, request: Request) -> Result<CompiledSystem<'_, S>, TableError> {
+        self.single().map_err(|_| TableError::SeveralContacts)?;
         self.rigid().map_err(|_| TableError::ElasticContact)?;
         let tables = Tables::build(self.modal(), request)?;
         let pieces = TablePieces::of(&tables);

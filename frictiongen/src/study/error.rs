@@ -74,6 +74,8 @@ pub enum LoadError {
     OutOfRange,
     /// The request needs a rigid contact, but the contact is elastic.
     ElasticContact,
+    /// The request needs a single contact without dashpots, but the scene has `contacts` or `dampers`.
+    SeveralContacts,
     /// The request needs a load of constant amplitude, but the amplitude depends on frequency.
     Varies,
 }
@@ -89,6 +91,7 @@ impl std::fmt::Display for LoadError {
                 "with the stiffness of the first spring, this load makes a length or a force too small or too large to compute with"
             ),
             Self::ElasticContact => Unsupported::ElasticContact.fmt(f),
+            Self::SeveralContacts => Unsupported::SeveralContacts.fmt(f),
             Self::Varies => write!(
                 f,
                 "the amplitude of this load depends on frequency, which `limits`, `response`, `orbit`, `curve`, `optimum` and `sensitivity` take into account; give a base motion in m, or a force"

@@ -17,6 +17,8 @@ mod held;
 #[cfg(feature = "desk")]
 pub mod history;
 #[doc(hidden)]
+pub mod joined;
+#[doc(hidden)]
 pub mod joints;
 mod large;
 #[cfg(feature = "desk")]

@@ -25,6 +25,7 @@ impl<S: Plain> System<S> {
     /// Returns the modal data for a simulation in time. Fails for a chain with too many modes at or beyond critical
     /// damping.
     pub(super) fn dynamics_in_time(&self) -> Result<Dynamics<'_, S, AnyContact<S>>, OutOfDomain> {
+        self.single()?;
         if self.loses_motion() {
             return Err(Unsupported::CriticalDamping.into());
         }

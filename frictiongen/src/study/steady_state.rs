@@ -110,8 +110,8 @@ impl<S: Plain> System<S> {
 
     /// Returns the data of the scene at r and β = 0, and the oscillators of its modes.
     fn stuck_setting(&self, r: S) -> Result<StuckSetting<'_, S>, OutOfDomain> {
-        let mut parts = self.parts();
         let dynamics = self.dynamics_in_time()?;
+        let mut parts = self.parts();
         let setting = Setting::new(dynamics, r, S::constant(0.0), &mut parts)?;
         Ok((setting, parts))
     }

@@ -247,7 +247,8 @@ impl<S: Plain> System<S> {
         dt: S,
         state: Option<(&[S], &[S])>,
     ) -> Result<SystemStepper<'_, S>, OutOfDomain> {
-        let scene = self.steps().scene(self.dynamics_in_time()?);
+        let dynamics = self.dynamics_in_time()?;
+        let scene = self.steps().scene(dynamics);
         let tables = SystemStepTables::new(&scene, dt)?;
         let store = SystemStepStore::new(&scene);
         Ok(SystemStepper {

@@ -1,6 +1,7 @@
 //! The run-time system. It evaluates the closed forms with vectors instead of arrays.
 
 use super::error::{InvalidScene, UnknownMass};
+use super::joined;
 use super::large;
 use crate::{OutOfDomain, Unsupported};
 use frictiongen_kernel::Float;
@@ -97,6 +98,11 @@ impl<S: Float> System<S> {
     /// Creates the system of a valid scene.
     fn from_scene(scene: Scene) -> Self {
         let modal = large::modal(&scene);
+        let modal = if scene.is_joined() {
+            joined::at_rest(&scene, modal)
+        } else {
+            modal
+        };
         Self::with_data(scene, modal.clone(), &modal, rounded::<S>)
     }
 
@@ -243,10 +249,13 @@ impl<S: Float> System<S> {
     }
 
     /// Returns the threshold β_n,i of every resonance (6.2, 6.26). Below this friction ratio the amplitude at the
-    /// undamped resonance i is unbounded. The entry is `None` for a mode that the contact does not drive. As in every
-    /// closed form, F is a constant kinetic friction force.
+    /// undamped resonance i is unbounded. The entry is `None` for a mode that the contact does not drive, and for a
+    /// scene with `contacts` or `dampers`. As in every closed form, F is a constant kinetic friction force.
     #[must_use]
     pub fn resonance_thresholds(&self) -> Vec<Option<S>> {
+        if self.scene.is_joined() {
+            return vec![None; self.resonances.len()];
+        }
         // An elastic contact dissipates less than a rigid one in each cycle, but the same for large amplitudes, so that
         // the thresholds are the same.
         self.modal
@@ -293,24 +302,39 @@ impl<S: Float> System<S> {
     }
 
     /// Returns β_∞ and β*_∞, the values of β_lim and β*_lim for r → ∞ (6.28). Both are infinite on a moving base. An
-    /// elastic contact has β_∞ = 0. Its β*_∞ is 0, or on a moving base its stiffness over μk₁.
+    /// elastic contact has β_∞ = 0. Its β*_∞ is 0, or on a moving base its stiffness over μk₁. Both are NaN for a scene
+    /// with `contacts` or `dampers`, which has no such closed form.
     #[must_use]
     pub fn high_frequency_limits(&self) -> (S, S) {
+        if self.scene.is_joined() {
+            return (S::constant(f64::NAN), S::constant(f64::NAN));
+        }
         let ends = &self.reduced.ends;
         (ends.continuous_at_infinity, ends.sliding_at_infinity)
     }
 
-    /// Fails if the contact is elastic.
+    /// Fails if the scene has several contacts or dashpots.
+    pub(crate) fn single(&self) -> Result<(), Unsupported> {
+        if self.scene.is_joined() {
+            Err(Unsupported::SeveralContacts)
+        } else {
+            Ok(())
+        }
+    }
+
+    /// Fails if the contact is elastic, or if the scene has several contacts or dashpots.
     pub(crate) fn rigid(&self) -> Result<(), OutOfDomain> {
+        self.single()?;
         match self.scene.stiffness {
             None => Ok(()),
             Some(_) => Err(Unsupported::ElasticContact.into()),
         }
     }
 
-    /// Fails if the kinetic friction force depends on the speed. The closed forms and the motion from event to event need
-    /// a constant force.
+    /// Fails if the kinetic friction force depends on the speed, or if the scene has several contacts or dashpots. The
+    /// closed forms and the motion from event to event need one contact with a constant force.
     pub(super) fn constant_force(&self) -> Result<(), OutOfDomain> {
+        self.single()?;
         match self.scene.friction {
             FrictionLaw::Coulomb => Ok(()),
             FrictionLaw::Stribeck(_) => Err(Unsupported::FrictionLaw.into()),

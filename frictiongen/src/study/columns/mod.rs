@@ -46,6 +46,7 @@ mod curve;
 mod features;
 #[cfg(feature = "desk")]
 mod history;
+mod joined;
 mod limits;
 #[cfg(feature = "desk")]
 mod map;
@@ -68,6 +69,7 @@ pub use features::{
 };
 #[cfg(feature = "desk")]
 pub use history::{EventRow, HistoryTable, SampleRow, SpectrumRow};
+pub use joined::{JoinedEventRow, JoinedRow, JoinedSample, JoinedTable};
 pub use limits::{LimitsAsked, LimitsRow, LimitsTable};
 #[cfg(feature = "desk")]
 pub use map::{BoundaryRow, MapLimitsRow, MapRow, MapTable};

@@ -78,6 +78,9 @@ impl CurveRequest {
     }
 
     pub(super) fn check(&self, system: &System) -> Result<(), CurveError> {
+        if system.single().is_err() {
+            return Err(CurveError::SeveralContacts);
+        }
         // Subnormal numbers are refused, because they leave too few numbers between the bounds.
         if !(f64::MIN_POSITIVE <= self.from && self.to.is_finite() && self.from < self.to) {
             return Err(CurveError::Range);
@@ -109,6 +112,8 @@ pub enum CurveError {
     Friction,
     /// The scene does not have the mass or the spring of this motion.
     NoSuchMotion(Of),
+    /// The scene has several contacts or dashpots.
+    SeveralContacts,
 }
 
 impl std::fmt::Display for CurveError {
@@ -124,6 +129,7 @@ impl std::fmt::Display for CurveError {
             Self::Widest => write!(f, "the largest distance between two points must be above 0"),
             Self::Friction => write!(f, "a friction ratio must be a finite number, 0 or above"),
             Self::NoSuchMotion(of) => words::no_such_motion(f, *of),
+            Self::SeveralContacts => crate::Unsupported::SeveralContacts.fmt(f),
         }
     }
 }

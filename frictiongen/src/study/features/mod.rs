@@ -186,6 +186,7 @@ impl System {
     /// # Errors
     /// [`LoadError`] for a load that does not fit the scene, and for an elastic contact.
     pub fn features(&self, load: Option<Load>) -> Result<Features<'_>, LoadError> {
+        self.single().map_err(|_| LoadError::SeveralContacts)?;
         self.rigid().map_err(|_| LoadError::ElasticContact)?;
         Ok(Features {
             system: self,

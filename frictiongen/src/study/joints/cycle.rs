@@ -1,6 +1,6 @@
 //! Amplitudes of the masses, and stops, slip, force and energy of the contacts, over one period of a motion.
 
-use super::model::Model;
+use super::model::{Model, add};
 use super::roots::{first_negative, value};
 use super::run::{STUCK, State, Transition};
 use super::series::{Poly, Series, TERMS};
@@ -16,6 +16,8 @@ pub struct ContactCycle {
     pub stuck_fraction: f64,
     /// Distance that the slider travels, in both directions together.
     pub slip: f64,
+    /// Largest absolute relative displacement.
+    pub displacement: f64,
     /// Largest absolute force.
     pub force: f64,
     /// Energy that friction dissipates in the contact.
@@ -27,6 +29,9 @@ pub struct ContactCycle {
 pub struct Cycle {
     /// Largest |x| of each mass.
     pub amplitudes: Vec<f64>,
+    /// Half the distance between the least and the largest displacement of each mass. A constant velocity is taken out
+    /// beforehand where nothing holds the mass.
+    pub centred: Vec<f64>,
     /// Result of each contact, in the order of the chain.
     pub contacts: Vec<ContactCycle>,
     /// Number of instants with an event.
@@ -39,6 +44,12 @@ pub struct Watch {
     ends: Vec<(usize, usize)>,
     cycle: Cycle,
     slides: Vec<bool>,
+    /// The least and the largest displacement of each mass.
+    spans: Vec<(f64, f64)>,
+    /// A velocity of each mass that is taken out of its displacement.
+    drifts: Vec<f64>,
+    /// The time that was seen.
+    passed: f64,
 }
 
 impl Watch {
@@ -49,10 +60,22 @@ impl Watch {
             ends: model.contacts.iter().map(|c| (c.plus, c.minus)).collect(),
             cycle: Cycle {
                 amplitudes: vec![0.0; model.masses.len()],
+                centred: Vec::new(),
                 contacts: vec![ContactCycle::default(); contacts],
                 events: 0,
             },
             slides: vec![false; contacts],
+            spans: vec![(f64::INFINITY, f64::NEG_INFINITY); model.masses.len()],
+            drifts: vec![0.0; model.masses.len()],
+            passed: 0.0,
+        }
+    }
+
+    /// Starts a period in which each mass has a constant velocity besides its vibration.
+    pub fn drifting(model: &Model, drifts: Vec<f64>) -> Self {
+        Self {
+            drifts,
+            ..Self::new(model)
         }
     }
 
@@ -71,6 +94,18 @@ impl Watch {
             );
             *amplitude = amplitude.max(most);
         }
+        let masses = self.spans.iter_mut().zip(&self.drifts).enumerate();
+        for (mass, (span, drift)) in masses {
+            let mut x = series.displacement_terms(mass);
+            let mut v = series.velocity_terms(mass).map(|term| series.length * term);
+            add(&mut x, 0, -drift * self.passed);
+            add(&mut x, 1, -drift * series.length);
+            add(&mut v, 0, -drift * series.length);
+            for value in extremes(&x, &v, end) {
+                *span = (span.0.min(value), span.1.max(value));
+            }
+        }
+        self.passed += end * series.length;
         let contacts = self
             .cycle
             .contacts
@@ -80,6 +115,9 @@ impl Watch {
         for (j, ((contact, &(plus, minus)), slides)) in contacts.enumerate() {
             let force = series.force_terms(j);
             contact.force = contact.force.max(largest(&force, &slope(&force), end));
+            let place = series.place_terms(plus, minus);
+            let most = largest(&place, &series.speed_terms(plus, minus), end);
+            contact.displacement = contact.displacement.max(most);
             if state.phase(j) == STUCK {
                 contact.stuck_fraction += end * series.length;
                 continue;
@@ -108,23 +146,27 @@ impl Watch {
         for contact in &mut self.cycle.contacts {
             contact.stuck_fraction /= length;
         }
+        let spans = self.spans.iter();
+        self.cycle.centred = spans.map(|(least, most)| 0.5 * (most - least)).collect();
         self.cycle
     }
 }
 
 /// Returns the largest absolute value of a quantity, whose slope is known up to a factor, from 0 to `end`.
 fn largest(terms: &Poly, slope: &Poly, end: f64) -> f64 {
+    let values = extremes(terms, slope, end);
+    values.into_iter().map(f64::abs).fold(0.0, f64::max)
+}
+
+/// Returns the values of a quantity at 0, at `end`, and where its slope changes its sign between them.
+fn extremes(terms: &Poly, slope: &Poly, end: f64) -> [f64; 3] {
     let rises = slope
         .iter()
         .find(|&&term| term != 0.0)
         .is_some_and(|&term| term > 0.0);
     let turn = first_negative(&slope.map(|term| if rises { term } else { -term }), 0);
-    let instants = [Some(0.0), Some(end), turn.map(|turn| turn.min(end))];
-    let values = instants
-        .into_iter()
-        .flatten()
-        .map(|at| value(terms, at).abs());
-    values.fold(0.0, f64::max)
+    let turn = turn.map_or(end, |turn| turn.min(end));
+    [0.0, end, turn].map(|at| value(terms, at))
 }
 
 /// Returns the terms of the derivative.

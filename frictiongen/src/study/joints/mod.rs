@@ -35,7 +35,7 @@ pub use decide::{Decision, MAX_PATTERNS};
 pub use model::Model;
 pub use run::{MAX_EVENTS, MAX_STRETCHES, Motion, State, Transition};
 pub use series::Series;
-pub use steady::{MAX_PERIOD, Steady, steady_state};
+pub use steady::{MAX_PERIOD, Steady, steady_state, steady_state_of};
 pub use stuck::{StuckResponse, stuck_response};
 
 use frictiongen_model::scene::Node;

@@ -126,6 +126,14 @@ impl Motion {
         (c.across(&v), place)
     }
 
+    /// Returns the present force of each contact.
+    pub fn forces(&self) -> Vec<f64> {
+        let span = (self.time, 0.0);
+        let series = Series::new(&self.model, &self.state, &self.tree, span);
+        let contacts = 0..self.model.contacts.len();
+        contacts.map(|j| series.force(j, 0.0)).collect()
+    }
+
     /// Starts again at time 0 with a state of this chain.
     pub fn restart(&mut self, state: State) {
         self.time = 0.0;

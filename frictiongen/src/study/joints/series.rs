@@ -137,6 +137,11 @@ impl Series {
         self.v.get(mass).copied().unwrap_or([0.0; TERMS])
     }
 
+    /// Returns the terms of the relative displacement of two nodes.
+    pub fn place_terms(&self, plus: usize, minus: usize) -> Poly {
+        difference(&self.x, plus, minus)
+    }
+
     /// Returns the relative displacement of two nodes at a fraction of the stretch.
     pub fn place(&self, (plus, minus): (usize, usize), fraction: f64) -> f64 {
         value(&difference(&self.x, plus, minus), fraction)

@@ -73,7 +73,15 @@ impl Steady {
 /// [`JointError::NotSteady`] if the motion does not settle on a period of at most [`MAX_PERIOD`] cycles within some
 /// thousand cycles; and the errors of a motion.
 pub fn steady_state(chain: &Chain, omega: f64) -> Result<Steady, JointError> {
-    let mut motion = Motion::from_rest(chain)?;
+    steady_state_of(Motion::from_rest(chain)?, omega)
+}
+
+/// Returns the steady state to which a motion comes, as [`steady_state`] does.
+///
+/// # Errors
+///
+/// Those of [`steady_state`].
+pub fn steady_state_of(mut motion: Motion, omega: f64) -> Result<Steady, JointError> {
     let mut shooting = Shooting {
         cycle: TAU / omega,
         sizes: Vec::new(),
@@ -90,7 +98,7 @@ pub fn steady_state(chain: &Chain, omega: f64) -> Result<Steady, JointError> {
                 && steady.is_stable()
                 && shooting.confirm(&mut motion, &steady)?
             {
-                return Ok(steady);
+                return shooting.about_its_mean(&motion, steady);
             }
         }
         cycles *= 2;
@@ -176,6 +184,25 @@ impl Shooting {
             watch.events(&events);
         }
         Ok(())
+    }
+
+    /// Takes the constant velocities of masses that nothing holds out of their displacements.
+    fn about_its_mean(&self, motion: &Motion, mut steady: Steady) -> Result<Steady, JointError> {
+        if steady.neutral == 0 {
+            return Ok(steady);
+        }
+        let length = steady.period as f64 * self.cycle;
+        let mut motion = motion.clone();
+        motion.restart(steady.state.clone());
+        let start = motion.state().x.clone();
+        let mut end = motion.clone();
+        self.advance(&mut end, steady.period, &mut Watch::new(motion.model()))?;
+        let ends = end.state().x.iter().zip(&start);
+        let drifts = ends.map(|(end, start)| (end - start) / length).collect();
+        let mut watch = Watch::drifting(motion.model(), drifts);
+        self.advance(&mut motion, steady.period, &mut watch)?;
+        steady.cycle.centred = watch.cycle(length).centred;
+        Ok(steady)
     }
 
     /// Returns true if the motion approaches a periodic motion as fast as its multipliers predict. A contact that has not

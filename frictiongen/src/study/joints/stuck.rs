@@ -10,6 +10,8 @@ use nalgebra::{Complex, DMatrix, DVector};
 pub struct StuckResponse {
     /// Amplitude of each mass.
     pub amplitudes: Vec<f64>,
+    /// Complex amplitude X of each mass: x = Re X exp(iωt).
+    pub displacements: Vec<Complex<f64>>,
     /// Amplitude of the force of each contact.
     pub forces: Vec<f64>,
     /// The factor by which all levels must be multiplied so that the contact that goes first just holds, and this
@@ -174,7 +176,9 @@ fn answer(model: &Model, tree: &Tree, chain: &Chain, shape: &Shape) -> StuckResp
         .map(|(j, (contact, force))| (force / (contact.stiction * contact.level.constant), j))
         .reduce(|best, other| if other.0 > best.0 { other } else { best });
     let masses = shape.re.iter().zip(&shape.im).take(model.wall());
+    let complex = masses.clone().map(|(re, im)| Complex::new(*re, *im));
     StuckResponse {
+        displacements: complex.collect(),
         amplitudes: masses.map(|(re, im)| re.hypot(*im)).collect(),
         forces,
         limit,

@@ -172,6 +172,7 @@ impl System {
         request: &MapRequest,
         go_on: impl Fn(usize) -> bool + Sync,
     ) -> Result<Map, OutOfDomain> {
+        self.constant_force()?;
         let usable = |value: &f64| 0.0 <= *value && value.is_finite();
         if let Some(r) = request.r.iter().find(|r| !usable(r)) {
             return Err(OutOfDomain::FrequencyRatio(Given::of(*r)));

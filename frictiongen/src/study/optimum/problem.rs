@@ -33,6 +33,9 @@ pub(super) struct OptimumProblem<'s> {
 
 impl<'s> OptimumProblem<'s> {
     pub(super) fn new(system: &'s System, request: &OptimumRequest) -> Result<Self, OptimumError> {
+        system
+            .single()
+            .map_err(|_| OptimumError::Load(crate::study::units::LoadError::SeveralContacts))?;
         let ends = match request.band {
             FrequencyBand::Ratio(from, to) => [from, to],
             FrequencyBand::Hertz(from, to) => {

@@ -264,4 +264,174 @@ struct Frame {
 }
 }
 
+mod case_423_contacts_in_brackets {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contacts: [pads: upper - wall],
+    excitation: base,
+}
+}
+}
+
+mod case_424_contact_without_a_name {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contacts: { upper - wall },
+    excitation: base,
+}
+}
+}
+
+mod case_425_contact_named_by_a_number {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contacts: { 1: upper - wall },
+    excitation: base,
+}
+}
+}
+
+mod case_426_no_contact_in_the_list {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contacts: {},
+    excitation: base,
+}
+}
+}
+
+mod case_427_contact_and_contacts {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contact: upper - wall,
+    contacts: { brace: base - lower },
+    excitation: base,
+}
+}
+}
+
+mod case_428_misspelt_property_of_a_contact {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contacts: { pads: upper - wall { shore: 0.5 } },
+    excitation: base,
+}
+}
+}
+
+mod case_429_unknown_property_of_a_contact {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contacts: { pads: upper - wall { force: 0.5 } },
+    excitation: base,
+}
+}
+}
+
+mod case_430_property_of_a_contact_twice {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contacts: { pads: upper - wall { share: 0.5, share: 0.6 } },
+    excitation: base,
+}
+}
+}
+
+mod case_431_property_without_a_name {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contacts: { pads: upper - wall { 0.5 } },
+    excitation: base,
+}
+}
+}
+
+mod case_432_property_without_a_colon {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contacts: { pads: upper - wall { share 0.5 } },
+    excitation: base,
+}
+}
+}
+
+mod case_433_contact_without_a_colon {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contacts: { pads upper - wall },
+    excitation: base,
+}
+}
+}
+
+mod case_434_dashpots_in_brackets {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contacts: { pads: upper - wall },
+    dampers: [lower - upper: 12.0],
+    excitation: base,
+}
+}
+}
+
+mod case_435_dashpot_without_a_colon {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contacts: { pads: upper - wall },
+    dampers: { lower - upper 12.0 },
+    excitation: base,
+}
+}
+}
+
+mod case_436_dashpot_without_a_hyphen {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contacts: { pads: upper - wall },
+    dampers: { lower: 12.0 },
+    excitation: base,
+}
+}
+}
+
+mod case_437_no_dashpot_in_the_list {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contacts: { pads: upper - wall },
+    dampers: {},
+    excitation: base,
+}
+}
+}
+
 fn main() {}

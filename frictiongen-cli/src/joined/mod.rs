@@ -1,0 +1,140 @@
+//! Answers of the commands for a scene with several contacts, dashpots, or masses that no spring holds.
+
+mod report;
+mod time;
+
+use crate::args::PointArguments;
+use crate::asked;
+use crate::destination::Form;
+use crate::failure::Failure;
+use crate::frequency::Frequencies;
+use crate::friction::Frictions;
+use crate::measure::{self, Measure};
+use crate::output;
+use crate::summary::Summary;
+use frictiongen::System;
+use frictiongen::study::columns::{JoinedTable, Setting};
+use frictiongen::study::joined::Joined;
+use frictiongen::study::scene::Scene;
+use report::JoinedReport;
+use std::io::Write;
+
+pub use time::OfTime;
+
+/// Fails for the first option that is given, because it has no answer for several contacts.
+pub fn refused(options: &[(bool, &str)]) -> Result<(), Failure> {
+    match options.iter().find(|(given, _)| *given) {
+        None => Ok(()),
+        Some((_, option)) => Err(Failure::new(format_args!(
+            "{option} has no answer for a scene with `contacts` or `dampers`; leave it out, or sample the motion by `frictiongen time`"
+        ))),
+    }
+}
+
+/// Fails for a picture, which does not exist for several contacts.
+pub fn without_picture(form: Form) -> Result<Form, Failure> {
+    match form {
+        Form::Svg | Form::Png => Err(Failure::new(
+            "-o: there is no picture of a scene with `contacts` or `dampers`; write a file that ends in .csv or .json",
+        )),
+        form => Ok(form),
+    }
+}
+
+/// Frequencies, frictions, load and masses that the user requests.
+pub struct Asked<'a> {
+    point: &'a PointArguments,
+    frequencies: Frequencies,
+    frictions: Frictions,
+    of: &'a [String],
+}
+
+/// The request in the units of the answers.
+struct Question<'s> {
+    system: &'s System,
+    joined: &'s Joined<'s>,
+    frequencies: Frequencies,
+    frictions: Frictions,
+    measure: Measure,
+    masses: Vec<usize>,
+}
+
+impl Question<'_> {
+    fn table(&self) -> JoinedTable<'_> {
+        JoinedTable {
+            setting: Setting {
+                system: self.system,
+                measure: self.measure,
+                frequency: self.frequencies.unit(),
+                frequencies: self.frequencies.given(),
+                frictions: self.frictions.given(),
+                forces: self.frictions.are_forces(),
+                parts: &[],
+            },
+            joined: self.joined,
+            masses: &self.masses,
+        }
+    }
+
+    fn summary(&self) -> Summary {
+        Summary::of(self.system, self.frequencies.are_physical(), self.measure)
+    }
+}
+
+impl<'a> Asked<'a> {
+    /// Collects the options of a command.
+    pub fn of(
+        point: &'a PointArguments,
+        frequencies: Frequencies,
+        frictions: Frictions,
+        of: &'a [String],
+    ) -> Self {
+        Self {
+            point,
+            frequencies,
+            frictions,
+            of,
+        }
+    }
+
+    /// Passes the request in the units of the answers to `answer`.
+    fn question(
+        self,
+        scene: Scene,
+        answer: impl FnOnce(&Question<'_>) -> Result<(), Failure>,
+    ) -> Result<(), Failure> {
+        let system = System::try_from(scene).map_err(Failure::new)?;
+        let joined = system.joined().map_err(Failure::new)?;
+        self.frequencies.check(&system)?;
+        let measure = measure::of(&self.point.load, &system)?;
+        let masses = asked::masses(&system, "--of", self.of)?;
+        let question = Question {
+            system: &system,
+            joined: &joined,
+            frequencies: self.frequencies.under(&measure),
+            frictions: self.frictions.under(&measure)?,
+            measure,
+            masses: masses.into_iter().map(|mass| mass.index).collect(),
+        };
+        // A scene without springs needs physical units. The message must come before any output.
+        if let Some(first) = question.frequencies.all(&system).next() {
+            question.table().at(first).map_err(Failure::new)?;
+        }
+        answer(&question)
+    }
+
+    /// Writes steady states over frequency and friction. If `states` is true, it writes every steady state that is
+    /// found.
+    pub fn write(
+        self,
+        scene: Scene,
+        states: bool,
+        form: Form,
+        out: &mut dyn Write,
+    ) -> Result<(), Failure> {
+        self.question(scene, |question| {
+            let report = JoinedReport { question, states };
+            output::write(&report, &question.summary(), form, out)
+        })
+    }
+}

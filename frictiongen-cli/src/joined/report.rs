@@ -1,0 +1,54 @@
+//! Writes steady states of a scene with several contacts. A table has a line for each contact and mass.
+
+use super::Question;
+use crate::failure::Failure;
+use crate::layout::Layout;
+use crate::output::{Table, Visitor};
+use frictiongen::study::columns::{Column, JoinedRow};
+
+/// The steady states, with the settings that are needed to write them.
+pub struct JoinedReport<'q> {
+    /// Grids, units and masses.
+    pub(super) question: &'q Question<'q>,
+    /// True if the user requested every steady state.
+    pub states: bool,
+}
+
+impl Table for JoinedReport<'_> {
+    type Row = JoinedRow;
+
+    fn len(&self) -> usize {
+        let frequencies = self.question.frequencies.len();
+        frequencies.saturating_mul(self.question.frictions.len())
+    }
+
+    fn each(&self, visit: Visitor<'_, JoinedRow>) -> Result<(), Failure> {
+        let (question, table) = (self.question, self.question.table());
+        for frequency in question.frequencies.all(question.system) {
+            for friction in question.frictions.all() {
+                let mut rows = Vec::new();
+                if self.states {
+                    rows = table.states(frequency, friction).map_err(Failure::new)?;
+                }
+                // Without a steady state, the line contains the reason.
+                if rows.is_empty() {
+                    rows.push(table.row(frequency, friction).map_err(Failure::new)?);
+                }
+                rows.iter().try_for_each(&mut *visit)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn columns(&self) -> Vec<Column<'_, JoinedRow>> {
+        self.question.table().columns()
+    }
+
+    fn layout(&self) -> Layout {
+        Layout::Joints
+    }
+
+    fn has_motions(&self, row: &JoinedRow) -> bool {
+        row.is_known()
+    }
+}

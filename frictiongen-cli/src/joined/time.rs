@@ -1,0 +1,145 @@
+//! Writes motions over time of a scene with several contacts.
+
+use super::{Asked, Question};
+use crate::destination::Form;
+use crate::failure::Failure;
+use crate::layout::Layout;
+use crate::output::{self, Table, Visitor};
+use crate::time::asked::{Asked as Length, state};
+use frictiongen::study::columns::{Column, JoinedEventRow, JoinedSample};
+use frictiongen::study::joined::JoinedHistory;
+use frictiongen::study::scene::Scene;
+use std::io::Write;
+
+/// Length, start and form of the motion.
+pub struct OfTime<'a> {
+    /// Number of cycles and samples, and whether a steady state is written.
+    pub asked: Length,
+    /// The state of `--from`.
+    pub from: Option<&'a str>,
+    /// True if events are written instead of samples.
+    pub events: bool,
+}
+
+impl Asked<'_> {
+    /// Writes a motion over time.
+    pub fn time(
+        self,
+        scene: Scene,
+        time: &OfTime<'_>,
+        form: Form,
+        out: &mut dyn Write,
+    ) -> Result<(), Failure> {
+        self.question(scene, |question| {
+            let (history, omega) = history(question, time)?;
+            let (history, summary) = (&history, question.summary());
+            if time.events {
+                let report = EventsReport {
+                    question,
+                    history,
+                    omega,
+                };
+                return output::write(&report, &summary, form, out);
+            }
+            let report = SamplesReport {
+                question,
+                history,
+                omega,
+            };
+            output::write(&report, &summary, form, out)
+        })
+    }
+}
+
+/// Computes the motion. Returns it with its angular frequency.
+fn history(question: &Question<'_>, time: &OfTime<'_>) -> Result<(JoinedHistory, f64), Failure> {
+    let frequency = question.frequencies.only(question.system)?;
+    let friction = question.frictions.only()?;
+    let friction = friction.at(&question.measure, frequency).beta;
+    let at = question.table().at(frequency).map_err(Failure::new)?;
+    let asked = &time.asked;
+    let history = if asked.steady {
+        let orbit = at.orbit(friction).map_err(Failure::new)?;
+        let cycles = u32::try_from(orbit.period()).unwrap_or(u32::MAX);
+        let mut run = orbit.simulation().map_err(Failure::new)?;
+        run.history(0, cycles, asked.samples)
+    } else {
+        let run = match time.from {
+            None => at.simulation(friction),
+            Some(text) => {
+                let scale = question.measure.scale_at(frequency.omega);
+                let (x, v) = state(text, question.system, scale, frequency.omega)?;
+                at.simulation_from(friction, (&x, &v))
+            }
+        };
+        let mut run = run.map_err(Failure::new)?;
+        run.history(asked.skip, asked.cycles, asked.samples)
+    };
+    Ok((history.map_err(Failure::new)?, frequency.omega))
+}
+
+/// The samples of a motion.
+struct SamplesReport<'m> {
+    question: &'m Question<'m>,
+    history: &'m JoinedHistory,
+    omega: f64,
+}
+
+/// The events of a motion.
+struct EventsReport<'m> {
+    question: &'m Question<'m>,
+    history: &'m JoinedHistory,
+    omega: f64,
+}
+
+impl<'m> Table for SamplesReport<'m> {
+    type Row = JoinedSample<'m>;
+
+    fn len(&self) -> usize {
+        self.history.taus.len()
+    }
+
+    fn each(&self, visit: Visitor<'_, JoinedSample<'m>>) -> Result<(), Failure> {
+        (0..self.len()).try_for_each(|index| {
+            visit(&JoinedSample {
+                history: self.history,
+                index,
+                omega: self.omega,
+            })
+        })
+    }
+
+    fn columns(&self) -> Vec<Column<'_, JoinedSample<'m>>> {
+        self.question.table().sample_columns()
+    }
+
+    fn layout(&self) -> Layout {
+        Layout::Objects
+    }
+}
+
+impl<'m> Table for EventsReport<'m> {
+    type Row = JoinedEventRow<'m>;
+
+    fn len(&self) -> usize {
+        self.history.events.len()
+    }
+
+    fn each(&self, visit: Visitor<'_, JoinedEventRow<'m>>) -> Result<(), Failure> {
+        (0..self.len()).try_for_each(|index| {
+            visit(&JoinedEventRow {
+                history: self.history,
+                index,
+                omega: self.omega,
+            })
+        })
+    }
+
+    fn columns(&self) -> Vec<Column<'_, JoinedEventRow<'m>>> {
+        self.question.table().event_columns()
+    }
+
+    fn layout(&self) -> Layout {
+        Layout::Objects
+    }
+}

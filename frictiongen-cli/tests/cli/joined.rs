@@ -1,0 +1,176 @@
+//! Tests the commands on scenes with several contacts, dashpots, and masses that no spring holds.
+
+#![allow(clippy::indexing_slicing, reason = "a test may fail")]
+
+use crate::common::{column, output, texts};
+
+/// Two floors with a brace, a pair of pads and a dashpot.
+const FRAME: &str = "struct Frame { masses: { lower: 2.0, upper: 1.5 },
+    springs: { base - lower: 1500.0, lower - upper: 1200.0 },
+    contacts: { brace: base - lower { stiffness: 4.0e3 }, pads: lower - upper { share: 0.6 } },
+    dampers: { lower - upper: 1.5 }, damping: modal(0.01), excitation: base }";
+
+/// A block on a floor, without a spring.
+const BLOCK: &str = "struct Block { masses: { block: 2.0 }, contacts: { floor: block - wall },
+    excitation: block }";
+
+/// The five storeys of the scene in `scenes/`.
+const STOREYS: &str = include_str!("../../scenes/storeys.friction");
+
+/// Returns the message of a run that must fail.
+fn failure(scene: &str, arguments: &[&str]) -> String {
+    crate::common::failure(scene, arguments).join("\n")
+}
+
+fn split(line: &str) -> Vec<&str> {
+    line.split_whitespace().collect()
+}
+
+/// Orbit, response, curve and map have the same rows. In SI units the numbers are those of the groups times P/k₁ and P.
+#[test]
+fn commands_agree() {
+    let groups = output(FRAME, &split("orbit --r 0.6 --beta 0.3 --csv"));
+    for command in ["response", "map"] {
+        let line = format!("{command} --r 0.6 --beta 0.3 --csv");
+        assert_eq!(output(FRAME, &split(&line)), groups, "{command}");
+    }
+    let curve = output(
+        FRAME,
+        &split("curve --r 0.5:0.1:0.7 --beta 0.3 --of lower --csv"),
+    );
+    let place = column(&curve, "r")
+        .iter()
+        .position(|r| (r - 0.6).abs() < 1e-12);
+    let amplitude = column(&curve, "lower.amplitude")[place.expect("r = 0.6")];
+    let expected = column(&groups, "lower.amplitude")[0];
+    assert!(
+        (amplitude - expected).abs() < 1e-12,
+        "{amplitude} {expected}"
+    );
+    // k₁Y = 3 N, so that β = 0.3 is 0.9 N.
+    let physical = output(
+        FRAME,
+        &split("orbit --r 0.6 --friction 0.9 --base 2e-3 --csv"),
+    );
+    for (name, factor, group) in [
+        ("lower.amplitude_m", 2e-3, "lower.amplitude"),
+        ("brace.force_N", 3.0, "brace.force"),
+        ("pads.energy_J", 6e-3, "pads.energy"),
+        ("stuck_from_N", 3.0, "stuck_from"),
+    ] {
+        let (got, expected) = (
+            column(&physical, name)[0],
+            factor * column(&groups, group)[0],
+        );
+        assert!(
+            (got - expected).abs() < 1e-9 * expected.abs(),
+            "{name}: {got} {expected}"
+        );
+    }
+    assert_eq!(texts(&groups, "regime"), ["stick-slip"]);
+}
+
+/// Text and JSON name each contact, and the contact that slides first.
+#[test]
+fn contacts_are_named() {
+    let text = output(FRAME, &split("orbit --r 0.6 --beta 0.3"));
+    for word in [
+        "brace",
+        "pads",
+        "slides_first",
+        "dashpot lower - upper of 1.5",
+    ] {
+        assert!(text.contains(word), "{word}: {text}");
+    }
+    let json = output(FRAME, &split("orbit --r 0.6 --beta 0.3 --states --json"));
+    let json: serde_json::Value = serde_json::from_str(&json).expect("JSON");
+    let point = &json["points"][0];
+    assert!(
+        point["brace"]["stops"]
+            .as_u64()
+            .is_some_and(|stops| stops > 0),
+        "{point}"
+    );
+    assert!(point["lower"]["amplitude"].as_f64().is_some(), "{point}");
+}
+
+/// Events and samples over time. Their forces are within the friction of each contact.
+#[test]
+fn motions_over_time() {
+    let line = "time --r 0.6 --beta 0.3 --steady --samples 40 --csv";
+    let samples = output(FRAME, &split(line));
+    let force = column(&samples, "pads.force").into_iter().map(f64::abs);
+    let largest = force.fold(0.0, f64::max);
+    assert!(0.0 < largest && largest <= 0.18 + 1e-12, "{largest}");
+    let events = output(
+        FRAME,
+        &split("time --r 0.6 --beta 0.3 --cycles 2 --events --csv"),
+    );
+    assert!(texts(&events, "contact").contains(&"brace"), "{events}");
+    let from = "time --r 0.6 --beta 0.3 --cycles 1 --samples 10 --from 0.5,0;0,0 --csv";
+    assert_eq!(
+        column(&output(FRAME, &split(from)), "lower.displacement")[0],
+        0.5
+    );
+}
+
+/// Without a spring, r and β have no k₁, and the message names the units to use.
+#[test]
+fn a_scene_without_springs_needs_physical_units() {
+    let told = failure(BLOCK, &split("orbit --r 0.5 --beta 0.3"));
+    assert!(
+        told.contains("no spring") && told.contains("Hz or rad/s"),
+        "{told}"
+    );
+    let line = "orbit --omega 7 --friction 3 --force 10 --csv";
+    let orbit = output(BLOCK, &split(line));
+    // Sliding all the time, the block moves as P/(mω²) against square waves of F: below P/(mω²).
+    let amplitude = column(&orbit, "block.amplitude_m")[0];
+    assert!(0.05 < amplitude / (10.0 / (2.0 * 49.0)) && amplitude < 10.0 / (2.0 * 49.0));
+    assert!(output(BLOCK, &["check"]).contains("1 contact, 0 dashpots"));
+}
+
+/// The scene of five storeys: every damper slides under a moderate friction, none under a large one.
+#[test]
+fn five_storeys() {
+    let line = "orbit --hz 1.2 --friction 1e4,1e7 --base 0.02 --csv";
+    let orbit = output(STOREYS, &split(line));
+    assert_eq!(texts(&orbit, "regime"), ["stick-slip", "stuck"]);
+    assert!(output(STOREYS, &["check"]).contains("5 contacts, 0 dashpots"));
+}
+
+/// Commands and options without an answer name the fields and another command, in one line.
+#[test]
+fn the_rest_is_refused_by_name() {
+    for line in [
+        "limits --r 0.5",
+        "features",
+        "optimum --r 0.5:1.2 --of upper",
+        "sensitivity --r 0.5 --beta 0.3 --of lower",
+        "compile --accuracy 1e-4 --r 0.2:2.5",
+    ] {
+        let told = failure(FRAME, &split(line));
+        assert!(
+            told.contains("`contacts`") && told.lines().count() == 1,
+            "{line}: {told}"
+        );
+    }
+    let told = failure(FRAME, &["expand"]);
+    assert!(
+        told.contains("the macro emits no code for `contacts`"),
+        "{told}"
+    );
+    for line in [
+        "orbit --r 0.5 --beta 0.3 --harmonics 3",
+        "curve --r 0.5:1 --beta 0.3 --rates",
+        "map --r 0.5 --beta 0.3 --boundaries 4",
+        "time --r 0.5 --beta 0.3 --spectrum",
+        "curve --r 0.5:1 --beta 0.3 -o frame.svg",
+    ] {
+        let told = failure(FRAME, &split(line));
+        assert!(
+            told.contains("`contacts`") && told.lines().count() == 1,
+            "{line}: {told}"
+        );
+    }
+}

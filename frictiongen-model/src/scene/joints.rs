@@ -1,0 +1,100 @@
+//! Several contacts and dashpots of a scene.
+
+use super::{Contact, Node, Scene};
+
+/// The law of one of several contacts.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[doc(hidden)]
+pub struct JointLaw {
+    /// Stiffness of an elastic contact (Jenkins element), in the scene's own units (N/m in SI). `None` for a rigid
+    /// contact.
+    pub stiffness: Option<f64>,
+    /// μ, the ratio of static to kinetic friction force, at least 1.
+    pub stiction: f64,
+    /// The kinetic friction force of this contact over the common friction force F.
+    pub share: f64,
+}
+
+impl Default for JointLaw {
+    /// A rigid contact with μ = 1 and the whole friction force F.
+    fn default() -> Self {
+        Self {
+            stiffness: None,
+            stiction: 1.0,
+            share: 1.0,
+        }
+    }
+}
+
+/// One of several contacts, with its name.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[doc(hidden)]
+pub struct NamedContact {
+    /// The name of the contact, a Rust identifier.
+    pub name: String,
+    /// The two sides of the contact.
+    pub sides: Contact,
+    /// The law of the contact.
+    pub law: JointLaw,
+}
+
+/// A dashpot between two nodes.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[doc(hidden)]
+pub struct Damper {
+    /// The end of the dashpot that the description writes first.
+    pub from: Node,
+    /// The end of the dashpot that the description writes second.
+    pub to: Node,
+    /// Force over relative velocity, in the scene's own units (N·s/m in SI).
+    pub coefficient: f64,
+}
+
+/// Several contacts, and dashpots. Both lists are empty for a scene with one contact and without dashpots.
+#[derive(Clone, Debug, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[doc(hidden)]
+pub struct Joints {
+    /// The contacts of the field `contacts`. The list is empty if the scene has the field `contact`.
+    pub contacts: Vec<NamedContact>,
+    /// The dashpots.
+    pub dampers: Vec<Damper>,
+}
+
+impl Joints {
+    /// Returns true if there are neither several contacts nor dashpots.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.contacts.is_empty() && self.dampers.is_empty()
+    }
+}
+
+impl Scene {
+    /// Returns true if the scene has the field `contacts` or `dampers`. Only a `System` at run time solves it.
+    #[must_use]
+    #[doc(hidden)]
+    pub fn is_joined(&self) -> bool {
+        !self.joints.is_empty()
+    }
+
+    /// Returns every contact with its name. The contact of the field `contact` is called `contact`.
+    #[must_use]
+    #[doc(hidden)]
+    pub fn named_contacts(&self) -> Vec<NamedContact> {
+        if !self.joints.contacts.is_empty() {
+            return self.joints.contacts.clone();
+        }
+        vec![NamedContact {
+            name: "contact".to_owned(),
+            sides: self.contact,
+            law: JointLaw {
+                stiffness: self.stiffness,
+                stiction: self.stiction,
+                share: 1.0,
+            },
+        }]
+    }
+}

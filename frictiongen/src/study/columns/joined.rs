@@ -1,0 +1,387 @@
+//! Rows and columns of scenes with several contacts: steady states, samples and events of a motion in time.
+
+use super::builder::Columns;
+use super::column::{Column, Head, Row, Shown};
+use super::measure::Dimension;
+use super::setting::{AtFrequency, AtFriction, Frequency, Friction, Setting};
+use crate::answer::Event;
+use crate::study::joined::{Joined, JoinedAt, JoinedError, JoinedHistory, JoinedOrbit};
+use crate::study::joints::JointError;
+use crate::study::words;
+
+/// A row: the steady state of a scene with several contacts at one frequency and one friction.
+#[derive(Clone, Debug)]
+pub struct JoinedRow {
+    /// Frequency of the excitation, as ratio r, in Hz and in rad/s.
+    pub frequency: Frequency,
+    /// The common friction, as ratio β and, under a load, as force in N.
+    pub friction: Friction,
+    /// Regime: continuous, stick-slip or stuck. Empty without a steady state.
+    pub regime: &'static str,
+    /// Word for the state: stable or marginal. Without a steady state, the reason.
+    pub state: &'static str,
+    /// The friction from which the stuck state exists, and the contact that slides first below it.
+    stuck: Option<(f64, String)>,
+    steady: Option<Steady>,
+}
+
+/// Numbers of a steady state.
+#[derive(Clone, Debug)]
+struct Steady {
+    period: usize,
+    multiplier: Option<f64>,
+    marginal: String,
+    parts: Vec<Part>,
+}
+
+/// Numbers of a contact or a mass over a period.
+#[derive(Clone, Debug)]
+struct Part {
+    amplitude: f64,
+    contact: Option<ContactPart>,
+}
+
+/// Numbers of a contact over a period.
+#[derive(Clone, Copy, Debug)]
+struct ContactPart {
+    regime: &'static str,
+    stops: usize,
+    reversals: usize,
+    stuck_fraction: f64,
+    slip: f64,
+    force: f64,
+    energy: f64,
+}
+
+impl Row for JoinedRow {
+    fn omega(&self) -> f64 {
+        self.frequency.omega
+    }
+}
+
+impl AtFrequency for JoinedRow {
+    fn frequency(&self) -> Frequency {
+        self.frequency
+    }
+}
+
+impl AtFriction for JoinedRow {
+    fn friction(&self) -> Friction {
+        self.friction
+    }
+}
+
+impl JoinedRow {
+    /// Returns true if there is a steady state.
+    #[must_use]
+    pub fn is_known(&self) -> bool {
+        self.steady.is_some()
+    }
+
+    fn part(&self, index: usize) -> Option<&Part> {
+        self.steady.as_ref()?.parts.get(index)
+    }
+
+    fn contact(&self, index: usize) -> Option<ContactPart> {
+        self.part(index)?.contact
+    }
+}
+
+/// The tables of a scene with several contacts.
+#[derive(Clone, Copy)]
+pub struct JoinedTable<'a> {
+    /// System, units, and frequencies and frictions as the user gave them. Its list of motions is not used.
+    pub setting: Setting<'a>,
+    /// The scene's contacts and masses.
+    pub joined: &'a Joined<'a>,
+    /// Indices of the masses in the table.
+    pub masses: &'a [usize],
+}
+
+impl<'a> JoinedTable<'a> {
+    /// Evaluates the scene at a frequency. Without a spring, the frequency must be in Hz or rad/s, and a load must be
+    /// given. The numbers then count with k₁ = 1.
+    ///
+    /// # Errors
+    /// Same errors as [`Joined::at`].
+    pub fn at(&self, frequency: Frequency) -> Result<JoinedAt<'a>, JoinedError> {
+        let physical =
+            self.setting.frequency.is_physical() && self.setting.measure.scale().is_some();
+        if physical {
+            self.joined.at_any(frequency.r)
+        } else {
+            self.joined.at(frequency.r)
+        }
+    }
+
+    /// Computes the row of the steady state that motion from rest reaches.
+    ///
+    /// # Errors
+    /// [`JoinedError`] for a frequency or a friction outside the domain. A motion that does not settle is a row.
+    pub fn row(&self, frequency: Frequency, friction: Friction) -> Result<JoinedRow, JoinedError> {
+        let at = self.at(frequency)?;
+        let friction = friction.at(&self.setting.measure, frequency);
+        match at.orbit(friction.beta) {
+            Ok(orbit) => self.found(&at, (frequency, friction), &orbit),
+            Err(JoinedError::Engine(error)) => Ok(JoinedRow {
+                frequency,
+                friction,
+                regime: "",
+                state: reason(&error),
+                stuck: limit(&at),
+                steady: None,
+            }),
+            Err(error) => Err(error),
+        }
+    }
+
+    /// Computes one row for every steady state that is found.
+    ///
+    /// # Errors
+    /// Same errors as [`row`](Self::row).
+    pub fn states(
+        &self,
+        frequency: Frequency,
+        friction: Friction,
+    ) -> Result<Vec<JoinedRow>, JoinedError> {
+        let at = self.at(frequency)?;
+        let friction = friction.at(&self.setting.measure, frequency);
+        let states = at.states(friction.beta)?;
+        let rows = states
+            .iter()
+            .map(|orbit| self.found(&at, (frequency, friction), orbit));
+        rows.collect()
+    }
+
+    fn found(
+        &self,
+        at: &JoinedAt<'_>,
+        (frequency, friction): (Frequency, Friction),
+        orbit: &JoinedOrbit<'_>,
+    ) -> Result<JoinedRow, JoinedError> {
+        let contacts = orbit.contacts().map(|contact| Part {
+            amplitude: contact.displacement(),
+            contact: Some(ContactPart {
+                regime: words::regime(contact.regime()),
+                stops: contact.stops(),
+                reversals: contact.reversals(),
+                stuck_fraction: contact.stuck_fraction(),
+                slip: contact.slip(),
+                force: contact.force(),
+                energy: contact.energy(),
+            }),
+        });
+        let amplitudes = orbit.amplitudes();
+        let masses = self.masses.iter().map(|mass| Part {
+            amplitude: amplitudes.get(*mass).copied().unwrap_or(f64::NAN),
+            contact: None,
+        });
+        let multipliers = orbit.multipliers().iter().map(|value| value.norm());
+        Ok(JoinedRow {
+            frequency,
+            friction,
+            regime: words::regime(orbit.regime()),
+            state: if orbit.is_marginal() {
+                "marginal"
+            } else {
+                "stable"
+            },
+            stuck: limit(at),
+            steady: Some(Steady {
+                period: orbit.period(),
+                multiplier: multipliers.reduce(f64::max),
+                marginal: orbit.marginal_contacts().join(" "),
+                parts: contacts.chain(masses).collect(),
+            }),
+        })
+    }
+
+    /// Returns the names of the contacts and of the masses of the table.
+    fn parts(&self) -> Vec<String> {
+        let masses = self.joined.scene().masses.iter().enumerate();
+        let masses = masses.filter(|(index, _)| self.masses.contains(index));
+        let masses = masses.map(|(_, mass)| mass.name.clone());
+        self.joined
+            .contact_names()
+            .into_iter()
+            .chain(masses)
+            .collect()
+    }
+
+    /// Returns the columns of the table of steady states.
+    #[must_use]
+    pub fn columns(&self) -> Vec<Column<'a, JoinedRow>> {
+        let mut columns = Columns::new(&self.setting.measure);
+        self.setting.frequency(&mut columns);
+        self.setting.friction(&mut columns);
+        columns.word("regime", "continuous", |row: &JoinedRow| Some(row.regime));
+        columns.word("state", "unsettled", |row| Some(row.state));
+        let head = Head::new("period").titled(&["period", "(cycles)"]);
+        columns.count(head, |row| Some(row.steady.as_ref()?.period));
+        let head = Head::new("largest_multiplier").titled(&["multiplier", "(largest)"]);
+        columns.number(head, |row| row.steady.as_ref()?.multiplier);
+        columns.number(Head::of("stuck_from", Dimension::Force), |row| {
+            Some(row.stuck.as_ref()?.0)
+        });
+        columns.word("slides_first", "slides_first", |row| {
+            Some(row.stuck.as_ref()?.1.as_str())
+        });
+        columns.show(Shown::Files);
+        columns.word("marginal", "marginal", |row| {
+            Some(row.steady.as_ref()?.marginal.as_str())
+        });
+        columns.show(Shown::Everywhere);
+        for (index, name) in self.parts().iter().enumerate() {
+            columns.begin_part(name);
+            columns.number(Head::of("amplitude", Dimension::Length), move |row| {
+                Some(row.part(index)?.amplitude)
+            });
+            columns.word("regime", "continuous", move |row: &JoinedRow| {
+                Some(row.contact(index)?.regime)
+            });
+            columns.count("stops", move |row| Some(row.contact(index)?.stops));
+            columns.count("reversals", move |row| Some(row.contact(index)?.reversals));
+            let head = Head::new("stuck_fraction").titled(&["stuck", "(of period)"]);
+            columns.number(head, move |row| Some(row.contact(index)?.stuck_fraction));
+            columns.number(Head::of("slip", Dimension::Length), move |row| {
+                Some(row.contact(index)?.slip)
+            });
+            columns.number(Head::of("force", Dimension::Force), move |row| {
+                Some(row.contact(index)?.force)
+            });
+            columns.number(Head::of("energy", Dimension::Energy), move |row| {
+                Some(row.contact(index)?.energy)
+            });
+        }
+        columns.end_parts();
+        columns.done()
+    }
+}
+
+/// Returns the friction from which the stuck state exists, and the contact that slides first. `None` on a resonance.
+fn limit(at: &JoinedAt<'_>) -> Option<(f64, String)> {
+    let stuck = at.stuck().ok()?;
+    Some((stuck.limit(), stuck.first().to_owned()))
+}
+
+/// Returns a word for the reason why there is no steady state.
+fn reason(error: &JointError) -> &'static str {
+    match error {
+        JointError::NotSteady => "unsettled",
+        JointError::Events | JointError::Stretches | JointError::Patterns => "too long",
+        JointError::NotFinite => "unbounded",
+        _ => "no state",
+    }
+}
+
+/// A row of the table of samples: one instant.
+#[derive(Clone, Copy, Debug)]
+pub struct JoinedSample<'h> {
+    /// The motion over time to which the row belongs.
+    pub history: &'h JoinedHistory,
+    /// Index of the sample, counted from 0.
+    pub index: usize,
+    /// Angular frequency ω of the excitation, rad/s.
+    pub omega: f64,
+}
+
+impl Row for JoinedSample<'_> {
+    fn omega(&self) -> f64 {
+        self.omega
+    }
+}
+
+/// A row of the table of events.
+#[derive(Clone, Copy, Debug)]
+pub struct JoinedEventRow<'h> {
+    /// The motion over time to which the row belongs.
+    pub history: &'h JoinedHistory,
+    /// Index of the event, counted from 0.
+    pub index: usize,
+    /// Angular frequency ω of the excitation, rad/s.
+    pub omega: f64,
+}
+
+impl Row for JoinedEventRow<'_> {
+    fn omega(&self) -> f64 {
+        self.omega
+    }
+}
+
+impl<'a> JoinedTable<'a> {
+    /// Returns the columns of the table of samples.
+    #[must_use]
+    pub fn sample_columns<'h>(&self) -> Vec<Column<'a, JoinedSample<'h>>>
+    where
+        'h: 'a,
+    {
+        let mut columns = Columns::new(&self.setting.measure);
+        let tau = |row: &JoinedSample<'h>| row.history.taus.get(row.index).copied();
+        if self.setting.frequency.has_hertz() {
+            columns.number(Head::of("time", Dimension::Time), move |row| {
+                Some(tau(row)? / row.omega)
+            });
+        }
+        columns.number("tau", tau);
+        for (index, name) in self.joined.contact_names().iter().enumerate() {
+            columns.begin_part(name);
+            let now = move |row: &JoinedSample<'h>| {
+                row.history.contacts.get(row.index)?.get(index).copied()
+            };
+            columns.number(Head::of("displacement", Dimension::Length), move |row| {
+                Some(now(row)?.displacement)
+            });
+            columns.number(Head::of("velocity", Dimension::Velocity), move |row| {
+                Some(now(row)?.velocity)
+            });
+            columns.number(Head::of("force", Dimension::Force), move |row| {
+                Some(now(row)?.force)
+            });
+            columns.number(Head::of("slip", Dimension::Length), move |row| {
+                Some(now(row)?.slip)
+            });
+            columns.flag("sticks", move |row| Some(now(row)?.is_sticking));
+        }
+        let masses = self.joined.scene().masses.iter().enumerate();
+        for (index, mass) in masses.filter(|(index, _)| self.masses.contains(index)) {
+            columns.begin_part(&mass.name);
+            columns.number(Head::of("displacement", Dimension::Length), move |row| {
+                let (x, _) = row.history.states.get(row.index)?;
+                x.get(index).copied()
+            });
+            columns.number(Head::of("velocity", Dimension::Velocity), move |row| {
+                let (_, v) = row.history.states.get(row.index)?;
+                v.get(index).copied()
+            });
+        }
+        columns.end_parts();
+        columns.done()
+    }
+
+    /// Returns the columns of the table of events.
+    #[must_use]
+    pub fn event_columns<'h>(&self) -> Vec<Column<'a, JoinedEventRow<'h>>>
+    where
+        'h: 'a,
+    {
+        let mut columns = Columns::new(&self.setting.measure);
+        let tau = |row: &JoinedEventRow<'h>| Some(row.history.events.get(row.index)?.tau);
+        if self.setting.frequency.has_hertz() {
+            columns.number(Head::of("time", Dimension::Time), move |row| {
+                Some(tau(row)? / row.omega)
+            });
+        }
+        columns.number("tau", tau);
+        columns.word("contact", "contact", |row: &JoinedEventRow<'h>| {
+            Some(row.history.events.get(row.index)?.name.as_str())
+        });
+        columns.word("event", "reversal", |row: &JoinedEventRow<'h>| {
+            Some(match row.history.events.get(row.index)?.event {
+                Event::Stop => "stop",
+                Event::Slip => "slip",
+                Event::Reversal => "reversal",
+            })
+        });
+        columns.done()
+    }
+}

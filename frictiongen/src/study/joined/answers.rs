@@ -1,0 +1,102 @@
+//! Linear answers in closed form: the chain without friction, and the chain whose contacts stick.
+
+use super::at::Units;
+use super::error::UnknownContact;
+use super::scene::Joined;
+use crate::Complex;
+use crate::study::error::UnknownMass;
+use crate::study::joints::StuckResponse;
+
+/// A linear response: the complex amplitude of each mass.
+#[derive(Clone, Debug)]
+pub struct LinearResponse<'a> {
+    joined: Joined<'a>,
+    displacements: Vec<Complex<f64>>,
+    units: Units,
+}
+
+impl<'a> LinearResponse<'a> {
+    pub(super) fn new(joined: Joined<'a>, displacements: Vec<Complex<f64>>, units: Units) -> Self {
+        Self {
+            joined,
+            displacements,
+            units,
+        }
+    }
+
+    /// Returns X, the complex amplitude of the mass called `name`: x̄ = Re X exp(iτ).
+    ///
+    /// # Errors
+    /// [`UnknownMass`] if no mass has this name.
+    pub fn mass(&self, name: &str) -> Result<Complex<f64>, UnknownMass> {
+        let mass = self.joined.mass_index(name)?;
+        let found = self.displacements.get(mass).copied();
+        Ok(found.unwrap_or_default() / self.units.length)
+    }
+
+    /// Returns displacement and velocity of every mass at a maximum of the load.
+    #[must_use]
+    pub fn state(&self, omega: f64) -> (Vec<f64>, Vec<f64>) {
+        let all = || self.displacements.iter();
+        let x = all().map(|x| x.re / self.units.length);
+        let v = all().map(|x| -omega * x.im / self.units.speed);
+        (x.collect(), v.collect())
+    }
+}
+
+/// The state in which no contact slides.
+#[derive(Clone, Debug)]
+pub struct StuckState<'a> {
+    linear: LinearResponse<'a>,
+    forces: Vec<f64>,
+    limit: f64,
+    first: String,
+}
+
+impl<'a> StuckState<'a> {
+    pub(super) fn new(joined: Joined<'a>, response: StuckResponse, units: Units) -> Self {
+        let (limit, first) = response.limit.unwrap_or((0.0, 0));
+        let names = joined.contact_names();
+        Self {
+            first: names.get(first).cloned().unwrap_or_default(),
+            limit,
+            forces: response.forces.iter().map(|f| f / units.force).collect(),
+            linear: LinearResponse::new(joined, response.displacements, units),
+        }
+    }
+
+    /// Returns β*_lim, the smallest common friction at which no contact needs to slide: the largest |f|/(μ·share) of
+    /// the contacts. It is F in N for a scene under a load in N or m.
+    #[must_use]
+    pub fn limit(&self) -> f64 {
+        self.limit
+    }
+
+    /// Returns the name of the contact that slides first if the friction falls below the limit.
+    #[must_use]
+    pub fn first(&self) -> &str {
+        &self.first
+    }
+
+    /// Returns the complex amplitude of the mass called `name`.
+    ///
+    /// # Errors
+    /// [`UnknownMass`] if no mass has this name.
+    pub fn mass(&self, name: &str) -> Result<Complex<f64>, UnknownMass> {
+        self.linear.mass(name)
+    }
+
+    /// Returns the amplitude of the force in the contact called `name`.
+    ///
+    /// # Errors
+    /// [`UnknownContact`] if no contact has this name.
+    pub fn force(&self, name: &str) -> Result<f64, UnknownContact> {
+        let contact = self.linear.joined.contact_index(name)?;
+        Ok(self.forces.get(contact).copied().unwrap_or_default())
+    }
+
+    /// Returns displacement and velocity of every mass at a maximum of the load.
+    pub(super) fn state(&self, omega: f64) -> (Vec<f64>, Vec<f64>) {
+        self.linear.state(omega)
+    }
+}

@@ -1,0 +1,122 @@
+//! Errors of scenes with several contacts.
+
+use crate::study::error::UnknownMass;
+use crate::study::joints::JointError;
+use crate::{Given, OutOfDomain, Unsupported};
+use std::fmt;
+
+/// The error that a scene has no contact with the requested name.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct UnknownContact {
+    /// The requested name, which no contact has.
+    pub name: String,
+    /// The names of all contacts of the scene.
+    pub known: Vec<String>,
+}
+
+impl fmt::Display for UnknownContact {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            f,
+            "there is no contact `{}`; the contacts are {}",
+            self.name,
+            self.known.join(", ")
+        )
+    }
+}
+
+impl std::error::Error for UnknownContact {}
+
+/// The reason why a scene with several contacts gives no answer.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum JoinedError {
+    /// The request is outside the domain, or the scene does not support it.
+    OutOfDomain(OutOfDomain),
+    /// The scene has more masses than the engine takes.
+    TooManyMasses(usize),
+    /// The scene has no spring, so that r and β have no k₁.
+    NoSpring,
+    /// The angular frequency is not above 0 and finite.
+    Frequency(Given),
+    /// The amplitude of the load is not above 0 and finite.
+    Amplitude(Given),
+    /// The frequency is an undamped resonance of the linear chain.
+    Resonance,
+    /// The scene has no contact of the requested name.
+    UnknownContact(UnknownContact),
+    /// The scene has no mass of the requested name.
+    UnknownMass(UnknownMass),
+    /// The stepper needs a force that drives the scene, but the base moves.
+    BaseMoves,
+    /// The engine found no answer.
+    Engine(JointError),
+}
+
+impl fmt::Display for JoinedError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::OutOfDomain(error) => error.fmt(f),
+            Self::TooManyMasses(count) => write!(
+                f,
+                "the scene has {count} masses, but at most {} are possible with several contacts",
+                crate::study::joints::MAX_MASSES
+            ),
+            Self::NoSpring => write!(
+                f,
+                "the scene has no spring, so that r and beta have no k1; give the frequency in Hz or rad/s, the load in N or m and the friction in N"
+            ),
+            Self::Frequency(given) => write!(
+                f,
+                "the angular frequency must be above 0 and finite, but it is {given}"
+            ),
+            Self::Amplitude(given) => write!(
+                f,
+                "the amplitude of the load must be above 0 and finite, but it is {given}"
+            ),
+            Self::Resonance => write!(
+                f,
+                "this frequency is an undamped resonance of the linear chain, so that its response is unbounded; choose another frequency, or add damping"
+            ),
+            Self::UnknownContact(error) => error.fmt(f),
+            Self::UnknownMass(error) => error.fmt(f),
+            Self::BaseMoves => write!(
+                f,
+                "the stepper of several contacts needs a force on a mass, but here the base moves; write a mass as `excitation`"
+            ),
+            Self::Engine(error) => error.fmt(f),
+        }
+    }
+}
+
+impl std::error::Error for JoinedError {}
+
+impl From<OutOfDomain> for JoinedError {
+    fn from(error: OutOfDomain) -> Self {
+        Self::OutOfDomain(error)
+    }
+}
+
+impl From<Unsupported> for JoinedError {
+    fn from(error: Unsupported) -> Self {
+        Self::OutOfDomain(error.into())
+    }
+}
+
+impl From<UnknownContact> for JoinedError {
+    fn from(error: UnknownContact) -> Self {
+        Self::UnknownContact(error)
+    }
+}
+
+impl From<UnknownMass> for JoinedError {
+    fn from(error: UnknownMass) -> Self {
+        Self::UnknownMass(error)
+    }
+}
+
+impl From<JointError> for JoinedError {
+    fn from(error: JointError) -> Self {
+        Self::Engine(error)
+    }
+}

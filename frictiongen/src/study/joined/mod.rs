@@ -1,0 +1,54 @@
+//! Answers of scenes with several contacts, dashpots, or masses that no spring holds.
+//!
+//! A description asks for them by the fields `contacts` and `dampers`. [`System::joined`] is the only door: every other
+//! call of a `System` refuses such a scene by name. The engine is [`joints`](super::joints).
+//!
+//! ```
+//! use frictiongen::{Regime, System};
+//!
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! let frame: System = "struct Frame {
+//!     masses: { lower: 2000, upper: 2000 },                  // kg
+//!     springs: { base - lower: 1.5e6, lower - upper: 1.5e6 },  // N/m
+//!     contacts: {
+//!         brace: base - lower { stiffness: 5.0e6 },
+//!         pads: lower - upper { share: 0.6, stiction: 1.2 },
+//!     },
+//!     dampers: { lower - upper: 1200.0 },                    // N·s/m
+//!     excitation: base,
+//! }"
+//! .parse()?;
+//! let joined = frame.joined()?;
+//! let at = joined.at(0.6)?;
+//! let stuck = at.stuck()?;
+//! assert_eq!(stuck.first(), "brace");
+//! let orbit = at.orbit(0.5 * stuck.limit())?;
+//! assert_eq!(orbit.regime(), Regime::StickSlip);
+//! assert_eq!(orbit.contact_named("brace")?.stops(), 2);
+//! assert!(orbit.contact_named("pads")?.energy() > 0.0);
+//! # Ok(())
+//! # }
+//! ```
+
+mod answers;
+mod at;
+mod error;
+mod history;
+mod orbit;
+mod scene;
+mod simulation;
+mod states;
+mod stepper;
+
+#[cfg(test)]
+mod tests;
+
+pub use answers::{LinearResponse, StuckState};
+pub use at::{JoinedAt, Units};
+pub use error::{JoinedError, UnknownContact};
+pub use history::JoinedHistory;
+pub use orbit::{ContactOrbit, JoinedOrbit};
+pub use scene::Joined;
+pub(super) use scene::at_rest;
+pub use simulation::{JoinedContactNow, JoinedEvent, JoinedSimulation};
+pub use stepper::{JoinedInput, JoinedStepper};

@@ -1,0 +1,272 @@
+//! Steady states of scenes with several contacts.
+
+use super::at::Units;
+use super::error::{JoinedError, UnknownContact};
+use super::scene::Joined;
+use crate::study::error::UnknownMass;
+use crate::study::joints::{Chain, ContactCycle, Motion, Steady};
+use crate::{Complex, Regime};
+use std::f64::consts::TAU;
+
+/// Difference of two half periods, relative to their size, below which a motion is symmetric.
+const SYMMETRIC: f64 = 1e-7;
+
+/// A steady state of a scene with several contacts.
+///
+/// Displacements, forces and energies are in the units of [`JoinedAt::units`](super::JoinedAt::units).
+#[derive(Clone, Debug)]
+pub struct JoinedOrbit<'a> {
+    joined: Joined<'a>,
+    chain: Chain,
+    omega: f64,
+    units: Units,
+    steady: Steady,
+}
+
+/// Motion of one contact over the period of a steady state.
+#[derive(Clone, Copy, Debug)]
+pub struct ContactOrbit<'o> {
+    cycle: &'o ContactCycle,
+    units: Units,
+}
+
+impl ContactOrbit<'_> {
+    /// Returns how often the contact stops in a period.
+    #[must_use]
+    pub fn stops(&self) -> usize {
+        self.cycle.stops
+    }
+
+    /// Returns how often the contact changes its direction of sliding without a stop.
+    #[must_use]
+    pub fn reversals(&self) -> usize {
+        self.cycle.reversals
+    }
+
+    /// Returns the fraction of the period in which the contact sticks. An elastic contact that sticks moves with its
+    /// spring.
+    #[must_use]
+    pub fn stuck_fraction(&self) -> f64 {
+        self.cycle.stuck_fraction
+    }
+
+    /// Returns the distance that the slider travels in a period, in both directions together.
+    #[must_use]
+    pub fn slip(&self) -> f64 {
+        self.cycle.slip / self.units.length
+    }
+
+    /// Returns the largest absolute relative displacement of the two sides.
+    #[must_use]
+    pub fn displacement(&self) -> f64 {
+        self.cycle.displacement / self.units.length
+    }
+
+    /// Returns the largest absolute force.
+    #[must_use]
+    pub fn force(&self) -> f64 {
+        self.cycle.force / self.units.force
+    }
+
+    /// Returns the energy that friction dissipates in a period.
+    #[must_use]
+    pub fn energy(&self) -> f64 {
+        self.cycle.energy / self.units.energy()
+    }
+
+    /// Returns the regime of this contact: it slides all the time, stops at times, or never slides.
+    #[must_use]
+    pub fn regime(&self) -> Regime {
+        let cycle = self.cycle;
+        if cycle.stops == 0 && cycle.reversals == 0 && cycle.stuck_fraction >= 0.5 {
+            Regime::Stuck
+        } else if cycle.stops == 0 {
+            Regime::Continuous
+        } else {
+            Regime::StickSlip
+        }
+    }
+}
+
+impl<'a> JoinedOrbit<'a> {
+    pub(super) fn new(
+        joined: Joined<'a>,
+        chain: Chain,
+        (omega, units): (f64, Units),
+        steady: Steady,
+    ) -> Self {
+        Self {
+            joined,
+            chain,
+            omega,
+            units,
+            steady,
+        }
+    }
+
+    /// Returns the period in cycles of the load, at most 64.
+    #[must_use]
+    pub fn period(&self) -> usize {
+        self.steady.period
+    }
+
+    /// Returns the Floquet multipliers of a period, the largest first. The multipliers 1 of marginal directions are left
+    /// out.
+    #[must_use]
+    pub fn multipliers(&self) -> &[Complex<f64>] {
+        &self.steady.multipliers
+    }
+
+    /// Returns true if every small change dies out, except for changes along marginal directions.
+    #[must_use]
+    pub fn is_stable(&self) -> bool {
+        self.steady.is_stable()
+    }
+
+    /// Returns true if the steady state depends on the motion before: a contact never slides and keeps its place, or
+    /// nothing holds a part of the chain.
+    #[must_use]
+    pub fn is_marginal(&self) -> bool {
+        !self.steady.marginal.is_empty() || self.steady.neutral > 0
+    }
+
+    /// Returns the names of the contacts that never slide. They keep the force or the place that the motion before has
+    /// left.
+    #[must_use]
+    pub fn marginal_contacts(&self) -> Vec<String> {
+        let names = self.joined.contact_names().into_iter().enumerate();
+        let kept = names.filter(|(index, _)| self.steady.marginal.contains(index));
+        kept.map(|(_, name)| name).collect()
+    }
+
+    /// Returns the number of places and velocities of parts that nothing holds.
+    #[must_use]
+    pub fn free_directions(&self) -> usize {
+        self.steady.neutral
+    }
+
+    /// Returns the largest difference of the state after a period, relative to its size.
+    #[must_use]
+    pub fn residual(&self) -> f64 {
+        self.steady.residual
+    }
+
+    /// Returns the regime. *Stuck*: no contact slides. *Continuous*: all contacts slide all the time. Otherwise
+    /// *stick-slip*: some contacts stick, some of the time or all of it.
+    #[must_use]
+    pub fn regime(&self) -> Regime {
+        let all = self.contacts().map(|contact| contact.regime());
+        let all: Vec<Regime> = all.collect();
+        let same = |regime: Regime| all.iter().all(|own| *own == regime);
+        if same(Regime::Continuous) {
+            Regime::Continuous
+        } else if same(Regime::Stuck) {
+            Regime::Stuck
+        } else {
+            Regime::StickSlip
+        }
+    }
+
+    /// Returns the contacts, in the order of the description.
+    pub fn contacts(&self) -> impl Iterator<Item = ContactOrbit<'_>> {
+        let units = self.units;
+        let contacts = self.steady.cycle.contacts.iter();
+        contacts.map(move |cycle| ContactOrbit { cycle, units })
+    }
+
+    /// Returns the contact called `name`.
+    ///
+    /// # Errors
+    /// [`UnknownContact`] if no contact has this name.
+    pub fn contact_named(&self, name: &str) -> Result<ContactOrbit<'_>, UnknownContact> {
+        let index = self.joined.contact_index(name)?;
+        self.contacts().nth(index).ok_or_else(|| UnknownContact {
+            name: name.to_owned(),
+            known: self.joined.contact_names(),
+        })
+    }
+
+    /// Returns the amplitude of the mass called `name`: the largest |x̄|. If nothing holds a part of the chain, it is
+    /// half the distance between the least and the largest displacement about the mean motion.
+    ///
+    /// # Errors
+    /// [`UnknownMass`] if no mass has this name.
+    pub fn amplitude(&self, name: &str) -> Result<f64, UnknownMass> {
+        let mass = self.joined.mass_index(name)?;
+        Ok(self.amplitudes().get(mass).copied().unwrap_or_default())
+    }
+
+    /// Returns the amplitude of every mass, as [`amplitude`](Self::amplitude) does.
+    #[must_use]
+    pub fn amplitudes(&self) -> Vec<f64> {
+        let cycle = &self.steady.cycle;
+        let amplitudes = match self.steady.neutral {
+            0 => &cycle.amplitudes,
+            _ => &cycle.centred,
+        };
+        let amplitudes = amplitudes.iter();
+        amplitudes.map(|x| x / self.units.length).collect()
+    }
+
+    /// Returns the largest |x̄| of every mass, also where nothing holds the chain.
+    #[must_use]
+    pub fn largest_displacements(&self) -> Vec<f64> {
+        let largest = self.steady.cycle.amplitudes.iter();
+        largest.map(|x| x / self.units.length).collect()
+    }
+
+    /// Returns half the distance between the least and the largest displacement of every mass.
+    #[must_use]
+    pub fn centred_amplitudes(&self) -> Vec<f64> {
+        let centred = self.steady.cycle.centred.iter();
+        centred.map(|x| x / self.units.length).collect()
+    }
+
+    /// Returns displacement and velocity of every mass at a maximum of the load.
+    #[must_use]
+    pub fn state(&self) -> (Vec<f64>, Vec<f64>) {
+        let state = &self.steady.state;
+        let x = state.x.iter().map(|x| x / self.units.length);
+        let v = state.v.iter().map(|v| v / self.units.speed);
+        (x.collect(), v.collect())
+    }
+
+    /// Returns the motion over the period from here on, as the engine follows it.
+    ///
+    /// # Errors
+    /// Those of the engine, for a chain that it does not take.
+    pub fn motion(&self) -> Result<Motion, JoinedError> {
+        let mut motion = Motion::from_rest(&self.chain)?;
+        motion.restart(self.steady.state.clone());
+        Ok(motion)
+    }
+
+    /// Returns true if the motion is the same with the opposite sign after half a period.
+    ///
+    /// # Errors
+    /// Those of the engine.
+    pub fn is_symmetric(&self) -> Result<bool, JoinedError> {
+        if self.steady.period.is_multiple_of(2) {
+            return Ok(false);
+        }
+        let mut motion = self.motion()?;
+        let half = 0.5 * self.steady.period as f64 * TAU / self.omega;
+        motion.run(half, &mut |_, _, _| {})?;
+        let (start, end) = (&self.steady.state, motion.state());
+        let apart = |a: &[f64], b: &[f64], size: f64| {
+            let sums = a.iter().zip(b).map(|(a, b)| (a + b).abs());
+            sums.fold(0.0, f64::max) <= SYMMETRIC * size
+        };
+        let sizes = self.steady.cycle.amplitudes.iter().copied();
+        let size = sizes.fold(f64::MIN_POSITIVE, f64::max);
+        let speeds = apart(&start.v, &end.v, size * self.omega);
+        // Where nothing holds the chain, its place is arbitrary.
+        let places = self.steady.neutral > 0 || apart(&start.x, &end.x, size);
+        Ok(speeds && places)
+    }
+
+    /// Returns the angular frequency of the load and the units of the answers.
+    pub(super) fn setting(&self) -> (&Joined<'a>, f64, Units) {
+        (&self.joined, self.omega, self.units)
+    }
+}

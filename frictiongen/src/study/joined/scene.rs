@@ -1,0 +1,202 @@
+//! The chain of a scene, in the units of its description.
+
+use super::at::{JoinedAt, Units};
+use super::error::{JoinedError, UnknownContact};
+use crate::study::error::UnknownMass;
+use crate::study::joints::{Chain, Joint, MAX_MASSES, Wave};
+use crate::study::system::System;
+use crate::{Given, OutOfDomain, Unsupported};
+use frictiongen_kernel::Float;
+use frictiongen_kernel::number::dd::Dd;
+use frictiongen_model::modal::Modal;
+use frictiongen_model::scene::{Damping, Excitation, FrictionLaw, Scene};
+
+/// Natural frequencies below this fraction of the largest belong to motions without deformation.
+const RIGID: f64 = 1e-13;
+
+/// Returns modal data in which the chain's motions without deformation have a natural frequency of exactly 0.
+pub(in crate::study) fn at_rest(scene: &Scene, mut modal: Modal) -> Modal {
+    let most = modal.resonances.iter().map(|root| root.to_f64());
+    let most = most.fold(0.0, f64::max);
+    for (root, ratio) in modal.resonances.iter_mut().zip(&mut modal.damping_ratios) {
+        if root.to_f64() <= RIGID * most {
+            *root = Dd::from(0.0);
+            if matches!(scene.damping, Damping::Rayleigh { .. }) {
+                *ratio = Dd::from(0.0);
+            }
+        }
+    }
+    modal
+}
+
+/// A scene with several contacts or dashpots, ready for questions.
+#[derive(Clone, Debug)]
+pub struct Joined<'a> {
+    scene: &'a Scene,
+    /// The chain without loads. The level of each contact is its share.
+    chain: Chain,
+    /// √(k₁/m₁) in rad per unit of time.
+    reference: f64,
+}
+
+impl<S: Float> System<S> {
+    /// Returns the door to the answers of a scene with several contacts, dashpots, or masses that no spring holds. A
+    /// scene with a single `contact` has these answers too, and its contact is then called `contact`. They are
+    /// computed in `f64`.
+    ///
+    /// # Errors
+    /// [`JoinedError`] for `friction: stribeck`, and for more than 64 masses.
+    #[doc(hidden)]
+    pub fn joined(&self) -> Result<Joined<'_>, JoinedError> {
+        if self.scene().friction != FrictionLaw::Coulomb {
+            return Err(Unsupported::FrictionLaw.into());
+        }
+        let count = self.scene().masses.len();
+        if count > MAX_MASSES {
+            return Err(JoinedError::TooManyMasses(count));
+        }
+        Joined::new(self.scene(), self.modal().reference.to_f64())
+    }
+}
+
+impl<'a> Joined<'a> {
+    fn new(scene: &'a Scene, reference: f64) -> Result<Self, JoinedError> {
+        let masses: Vec<f64> = scene.masses.iter().map(|mass| mass.value).collect();
+        let springs = scene.springs.iter();
+        let dampers = scene.joints.dampers.iter();
+        let contacts = scene.named_contacts().into_iter().map(|contact| Joint {
+            ends: (contact.sides.from, contact.sides.to),
+            level: Wave::constant(contact.law.share),
+            stiction: contact.law.stiction,
+            stiffness: contact.law.stiffness,
+        });
+        let mut chain = Chain {
+            springs: springs
+                .map(|spring| (spring.from, spring.to, spring.stiffness))
+                .collect(),
+            dashpots: dampers
+                .map(|damper| (damper.from, damper.to, damper.coefficient))
+                .collect(),
+            contacts: contacts.collect(),
+            damping_from_base: scene.is_damped_from_base(),
+            ..Chain::default()
+        };
+        let count = masses.len();
+        chain.masses = masses;
+        match &scene.damping {
+            Damping::None => {}
+            Damping::Uniform(ratio) => chain.damp_modes(&vec![*ratio; count])?,
+            Damping::Modal(ratios) => chain.damp_modes(ratios)?,
+            Damping::Rayleigh { mass, stiffness } => chain.damp_by_rayleigh(*mass, *stiffness)?,
+        }
+        Ok(Self {
+            scene,
+            chain,
+            reference,
+        })
+    }
+
+    /// Returns the scene.
+    #[must_use]
+    pub fn scene(&self) -> &'a Scene {
+        self.scene
+    }
+
+    /// Returns the chain of the engine without loads, in which the level of each contact is its share.
+    #[must_use]
+    pub fn chain(&self) -> &Chain {
+        &self.chain
+    }
+
+    /// Returns the names of the contacts, in the order of the description.
+    #[must_use]
+    pub fn contact_names(&self) -> Vec<String> {
+        let contacts = self.scene.named_contacts().into_iter();
+        contacts.map(|contact| contact.name).collect()
+    }
+
+    /// Returns the index of a contact.
+    pub(super) fn contact_index(&self, name: &str) -> Result<usize, UnknownContact> {
+        let known = self.contact_names();
+        let found = known.iter().position(|known| known == name);
+        found.ok_or_else(|| UnknownContact {
+            name: name.to_owned(),
+            known,
+        })
+    }
+
+    /// Returns the index of a mass.
+    pub(super) fn mass_index(&self, name: &str) -> Result<usize, UnknownMass> {
+        let masses = || self.scene.masses.iter();
+        let found = masses().position(|mass| mass.name == name);
+        found.ok_or_else(|| UnknownMass {
+            name: name.to_owned(),
+            known: masses().map(|mass| mass.name.clone()).collect(),
+        })
+    }
+
+    /// Evaluates the scene at the frequency ratio r = ω√(m₁/k₁). Frictions are ratios β = F/P, for base motion F/(k₁Y).
+    /// Displacements are over P/k₁, for base motion over Y, forces over P or k₁Y.
+    ///
+    /// # Errors
+    /// [`OutOfDomain`] unless r is above 0 and finite. [`JoinedError::NoSpring`] for a scene without springs.
+    pub fn at(&self, r: f64) -> Result<JoinedAt<'a>, JoinedError> {
+        if self.scene.springs.is_empty() {
+            return Err(JoinedError::NoSpring);
+        }
+        self.at_any(r)
+    }
+
+    /// Evaluates the scene at a frequency ratio, as [`at`](Self::at) does, but counts with k₁ = 1 in the units of the
+    /// description if the scene has no spring.
+    ///
+    /// # Errors
+    /// [`OutOfDomain`] unless r is above 0 and finite.
+    pub fn at_any(&self, r: f64) -> Result<JoinedAt<'a>, JoinedError> {
+        if !(r > 0.0 && r.is_finite()) {
+            return Err(OutOfDomain::FrequencyRatioInTime(Given::of(r)).into());
+        }
+        let stiffness = self.scene.first_stiffness();
+        let omega = r * self.reference;
+        let amplitude = match self.scene.excitation {
+            Excitation::Force(_) => stiffness,
+            Excitation::Base => 1.0,
+        };
+        let units = Units {
+            force: stiffness,
+            length: 1.0,
+            speed: omega,
+        };
+        Ok(self.loaded(omega, amplitude, units))
+    }
+
+    /// Evaluates the scene under a load in the units of the description: the angular frequency ω in rad/s, and the
+    /// amplitude P in N, for base motion Y in m. Frictions are forces F in N, and all answers are in these units.
+    ///
+    /// # Errors
+    /// [`JoinedError::Frequency`] unless ω is above 0 and finite, [`JoinedError::Amplitude`] unless the amplitude is.
+    pub fn under(&self, omega: f64, amplitude: f64) -> Result<JoinedAt<'a>, JoinedError> {
+        if !(omega > 0.0 && omega.is_finite()) {
+            return Err(JoinedError::Frequency(Given::of(omega)));
+        }
+        if !(amplitude > 0.0 && amplitude.is_finite()) {
+            return Err(JoinedError::Amplitude(Given::of(amplitude)));
+        }
+        let units = Units {
+            force: 1.0,
+            length: 1.0,
+            speed: 1.0,
+        };
+        Ok(self.loaded(omega, amplitude, units))
+    }
+
+    fn loaded(&self, omega: f64, amplitude: f64, units: Units) -> JoinedAt<'a> {
+        let mut chain = self.chain.clone();
+        let wave = Wave::harmonic(amplitude, omega);
+        match self.scene.excitation {
+            Excitation::Force(mass) => chain.loads.push((mass, wave)),
+            Excitation::Base => chain.base = wave,
+        }
+        JoinedAt::new(self.clone(), chain, omega, units)
+    }
+}

@@ -1,0 +1,179 @@
+//! Motions in time of scenes with several contacts.
+
+use super::at::Units;
+use super::error::{JoinedError, UnknownContact};
+use super::scene::Joined;
+use crate::answer::Event;
+use crate::study::error::UnknownMass;
+use crate::study::joints::{Motion, Series, State, Transition};
+use crate::{Given, OutOfDomain};
+
+/// Phase of a contact that sticks, as the engine counts it.
+const STUCK: i8 = 0;
+/// Phase of a contact without force, as the engine counts it.
+const FREE: i8 = 2;
+
+/// An event of one contact.
+#[derive(Clone, Debug, PartialEq)]
+pub struct JoinedEvent {
+    /// Phase τ = ωt of the load.
+    pub tau: f64,
+    /// Index of the contact in the description.
+    pub contact: usize,
+    /// Name of the contact.
+    pub name: String,
+    /// The event.
+    pub event: Event,
+}
+
+/// A contact at an instant.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct JoinedContactNow {
+    /// Relative displacement of the two sides.
+    pub displacement: f64,
+    /// Relative velocity of the two sides.
+    pub velocity: f64,
+    /// Force of the contact.
+    pub force: f64,
+    /// Distance that the slider has travelled since the start, in both directions together.
+    pub slip: f64,
+    /// True if the contact sticks.
+    pub is_sticking: bool,
+}
+
+/// An exact motion in time.
+#[derive(Clone, Debug)]
+pub struct JoinedSimulation<'a> {
+    joined: Joined<'a>,
+    motion: Motion,
+    omega: f64,
+    units: Units,
+    /// Distance that each slider has travelled.
+    slips: Vec<f64>,
+}
+
+impl<'a> JoinedSimulation<'a> {
+    pub(super) fn new(joined: Joined<'a>, motion: Motion, (omega, units): (f64, Units)) -> Self {
+        let slips = vec![0.0; motion.model().contacts.len()];
+        Self {
+            joined,
+            motion,
+            omega,
+            units,
+            slips,
+        }
+    }
+
+    /// Returns the phase τ = ωt of the load since the start.
+    #[must_use]
+    pub fn tau(&self) -> f64 {
+        self.omega * self.motion.time()
+    }
+
+    /// Returns displacements and velocities of all masses.
+    #[must_use]
+    pub fn state(&self) -> (Vec<f64>, Vec<f64>) {
+        let state = self.motion.state();
+        let x = state.x.iter().map(|x| x / self.units.length);
+        let v = state.v.iter().map(|v| v / self.units.speed);
+        (x.collect(), v.collect())
+    }
+
+    /// Returns displacement and velocity of the mass called `name`.
+    ///
+    /// # Errors
+    /// [`UnknownMass`] if no mass has this name.
+    pub fn mass(&self, name: &str) -> Result<(f64, f64), UnknownMass> {
+        let mass = self.joined.mass_index(name)?;
+        let (x, v) = self.state();
+        let of = |values: &[f64]| values.get(mass).copied().unwrap_or_default();
+        Ok((of(&x), of(&v)))
+    }
+
+    /// Returns every contact at the present instant, in the order of the description.
+    #[must_use]
+    pub fn contacts(&self) -> Vec<JoinedContactNow> {
+        let forces = self.motion.forces().into_iter().zip(&self.slips);
+        let contacts = forces.enumerate().map(|(index, (force, slip))| {
+            let (velocity, displacement) = self.motion.relative(index);
+            JoinedContactNow {
+                displacement: displacement / self.units.length,
+                velocity: velocity / self.units.speed,
+                force: force / self.units.force,
+                slip: slip / self.units.length,
+                is_sticking: self.motion.state().phase(index) == STUCK,
+            }
+        });
+        contacts.collect()
+    }
+
+    /// Returns the contact called `name` at the present instant.
+    ///
+    /// # Errors
+    /// [`UnknownContact`] if no contact has this name.
+    pub fn contact_named(&self, name: &str) -> Result<JoinedContactNow, UnknownContact> {
+        let index = self.joined.contact_index(name)?;
+        let found = self.contacts().get(index).copied();
+        found.ok_or_else(|| UnknownContact {
+            name: name.to_owned(),
+            known: self.joined.contact_names(),
+        })
+    }
+
+    /// Advances by `reach` in the phase τ, and returns the events on the way. Several contacts may have an event at one
+    /// instant.
+    ///
+    /// # Errors
+    /// [`OutOfDomain`] for a reach that is negative or not finite. [`JoinedError::Engine`] if the motion has too many
+    /// events or leaves the range of numbers.
+    pub fn advance(&mut self, reach: f64) -> Result<Vec<JoinedEvent>, JoinedError> {
+        if !(reach >= 0.0 && reach.is_finite()) {
+            return Err(OutOfDomain::Duration(Given::of(reach)).into());
+        }
+        self.advance_to(self.motion.time() + reach / self.omega)
+    }
+
+    /// Advances to a time in seconds, and returns the events on the way.
+    ///
+    /// # Errors
+    /// [`JoinedError::Engine`], as [`advance`](Self::advance).
+    pub fn advance_to(&mut self, time: f64) -> Result<Vec<JoinedEvent>, JoinedError> {
+        let contacts = self.motion.model().contacts.iter();
+        let ends: Vec<(usize, usize)> = contacts.map(|c| (c.plus, c.minus)).collect();
+        let mut slips = std::mem::take(&mut self.slips);
+        let mut watch = |series: &Series, end: f64, state: &State| {
+            for (index, (slip, ends)) in slips.iter_mut().zip(&ends).enumerate() {
+                if ![STUCK, FREE].contains(&state.phase(index)) {
+                    // A contact keeps its direction of sliding over a stretch.
+                    *slip += (series.place(*ends, end) - series.place(*ends, 0.0)).abs();
+                }
+            }
+        };
+        let events = self.motion.run(time, &mut watch);
+        self.slips = slips;
+        Ok(self.events(&events?))
+    }
+
+    fn events(&self, transitions: &[Transition]) -> Vec<JoinedEvent> {
+        let names = self.joined.contact_names();
+        let mut events = Vec::new();
+        for transition in transitions {
+            let phases = transition.before.iter().zip(&transition.after);
+            for ((contact, (before, after)), name) in phases.enumerate().zip(&names) {
+                let event = match (*before, *after) {
+                    (before, after) if before == after => continue,
+                    (_, STUCK) => Event::Stop,
+                    (STUCK, _) => Event::Slip,
+                    _ => Event::Reversal,
+                };
+                events.push(JoinedEvent {
+                    tau: self.omega * transition.time,
+                    contact,
+                    name: name.clone(),
+                    event,
+                });
+            }
+        }
+        events
+    }
+}

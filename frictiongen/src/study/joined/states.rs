@@ -1,0 +1,59 @@
+//! All steady states that are found at one frequency and one friction.
+
+use super::at::JoinedAt;
+use super::error::JoinedError;
+use super::orbit::JoinedOrbit;
+
+/// Factors by which the states of linear responses are multiplied for further starts.
+const FACTORS: [f64; 3] = [1.0, -1.0, 3.0];
+/// Relative difference of amplitudes below which two steady states are the same.
+const SAME: f64 = 1e-6;
+
+impl<'a> JoinedAt<'a> {
+    /// Returns every steady state that is found: from rest, from the state in which no contact slides, from the
+    /// response without friction, and from multiples of these two. The state from rest is the first. If none is found,
+    /// the list is empty.
+    ///
+    /// # Errors
+    /// [`OutOfDomain`](crate::OutOfDomain) for a friction that is negative or not finite.
+    pub fn states(&self, friction: f64) -> Result<Vec<JoinedOrbit<'a>>, JoinedError> {
+        let mut found: Vec<JoinedOrbit<'a>> = Vec::new();
+        let mut keep = |orbit: Result<JoinedOrbit<'a>, JoinedError>| {
+            match orbit {
+                Ok(orbit) if !found.iter().any(|known| same(known, &orbit)) => found.push(orbit),
+                // From this start the motion does not settle.
+                Ok(_) | Err(JoinedError::Engine(_)) => {}
+                Err(error) => return Err(error),
+            }
+            Ok(())
+        };
+        keep(self.orbit(friction))?;
+        let stuck = self.stuck().map(|stuck| stuck.state(self.omega()));
+        let linear = self.linear().map(|linear| linear.state(self.omega()));
+        for (x, v) in [stuck, linear].into_iter().flatten() {
+            for factor in FACTORS {
+                let scaled = |values: &[f64]| -> Vec<f64> {
+                    values.iter().map(|value| factor * value).collect()
+                };
+                keep(self.orbit_from(friction, (&scaled(&x), &scaled(&v))))?;
+            }
+        }
+        Ok(found)
+    }
+}
+
+/// Returns true if two steady states are the same. A marginal state is one of a continuum, which counts as one.
+fn same(one: &JoinedOrbit<'_>, other: &JoinedOrbit<'_>) -> bool {
+    let (a, b) = (one.centred_amplitudes(), other.centred_amplitudes());
+    let size = a
+        .iter()
+        .chain(&b)
+        .copied()
+        .fold(f64::MIN_POSITIVE, f64::max);
+    let apart = a.iter().zip(&b).map(|(a, b)| (a - b).abs());
+    let apart = apart.fold(0.0, f64::max);
+    let stops = |orbit: &JoinedOrbit<'_>| -> Vec<usize> {
+        orbit.contacts().map(|contact| contact.stops()).collect()
+    };
+    one.period() == other.period() && stops(one) == stops(other) && apart <= SAME * size
+}

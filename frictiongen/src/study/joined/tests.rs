@@ -1,0 +1,33 @@
+//! Tests of scenes with several contacts, from their text to their answers.
+
+mod balance;
+mod free;
+mod reference;
+mod refused;
+mod single;
+mod stepper;
+
+use crate::System;
+
+/// A frame of two floors with a brace, a pair of pads and a dashpot.
+pub const FRAME: &str = "struct Frame {
+    masses: { lower: 2.0, upper: 1.5 },
+    springs: { base - lower: 1500.0, lower - upper: 1200.0 },
+    contacts: {
+        brace: base - lower { stiffness: 4.0e3 },
+        pads: lower - upper { share: 0.6, stiction: 1.2 },
+    },
+    dampers: { lower - upper: 1.5 },
+    damping: modal(0.01),
+    excitation: base,
+}";
+
+pub fn system(text: &str) -> System {
+    text.parse()
+        .unwrap_or_else(|error| panic!("{error}\n{text}"))
+}
+
+/// Difference of two numbers over the second one.
+pub fn apart(got: f64, expected: f64) -> f64 {
+    (got - expected).abs() / expected.abs()
+}

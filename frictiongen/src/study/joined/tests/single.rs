@@ -1,0 +1,191 @@
+//! A list with one rigid contact against the solver of a single contact.
+
+use super::{FRAME, apart, system};
+use crate::Regime;
+
+const SINGLE: &str = "struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contact: upper - wall,
+    excitation: base,
+    damping: modal[0.010, 0.012],
+}";
+
+fn listed() -> String {
+    SINGLE.replace("contact: upper - wall", "contacts: { pads: upper - wall }")
+}
+
+/// Steady states, from continuous sliding to six stops in a cycle.
+#[test]
+fn steady_states_are_those_of_a_single_contact() {
+    let (one, many) = (system(SINGLE), system(&listed()));
+    let joined = many.joined().expect("answers");
+    let (mut seen, mut worst) = (Vec::new(), 0.0_f64);
+    for (r, beta) in [(0.9, 0.3), (0.9, 0.6), (0.3, 0.4), (0.17, 0.5), (2.0, 0.8)] {
+        let expected = one.at(r).expect("r").orbit(beta).expect("an orbit");
+        let orbit = joined.at(r).expect("r").orbit(beta).expect("an orbit");
+        let contact = orbit.contact_named("pads").expect("a contact");
+        assert_eq!(
+            (contact.stops(), contact.reversals()),
+            (expected.stops(), expected.reversals()),
+            "r {r}, beta {beta}"
+        );
+        let stuck = (contact.stuck_fraction() - expected.stuck_fraction()).abs();
+        assert!(stuck < 1e-9, "r {r}, beta {beta}: {stuck}");
+        for name in ["lower", "upper"] {
+            let amplitude = expected.mass(name).expect("a mass").amplitude();
+            let got = orbit.amplitude(name).expect("a mass");
+            assert!(
+                apart(got, amplitude) < 1e-10,
+                "r {r}, beta {beta}: {got} {amplitude}"
+            );
+            worst = worst.max(apart(got, amplitude));
+        }
+        let displacement = expected.contact().amplitude();
+        assert!(apart(contact.displacement(), displacement) < 1e-10);
+        let symmetric = orbit.is_symmetric().expect("a motion");
+        assert_eq!(
+            (orbit.is_stable(), symmetric),
+            (expected.is_stable(), expected.is_symmetric()),
+            "r {r}, beta {beta}"
+        );
+        assert_eq!(
+            orbit.is_marginal(),
+            expected.is_marginal(),
+            "r {r}, beta {beta}"
+        );
+        // The solver of a single contact lists the multiplier 1 of a stuck contact, too.
+        if !expected.is_marginal() {
+            let rate = expected.multipliers().iter().map(|m| m.norm());
+            let rate = rate.fold(0.0, f64::max);
+            let got = orbit.multipliers().first().map_or(0.0, |m| m.norm());
+            // The multipliers here come from differences with a step of 1e-6.
+            assert!(
+                (got - rate).abs() < 1e-5,
+                "r {r}, beta {beta}: {got} {rate}"
+            );
+        }
+        seen.push(contact.stops());
+    }
+    println!("stops {seen:?}: {worst:.1e}");
+    assert!(
+        seen.contains(&0) && seen.iter().any(|stops| *stops > 2),
+        "{seen:?}"
+    );
+}
+
+/// The limit of the stuck state, and the amplitudes while the contact sticks.
+#[test]
+fn stuck_states_are_those_of_a_single_contact() {
+    let (one, many) = (system(SINGLE), system(&listed()));
+    let joined = many.joined().expect("answers");
+    for r in [0.2, 0.9, 1.3, 2.2] {
+        let at = one.at(r).expect("r");
+        let stuck = joined.at(r).expect("r").stuck().expect("a state");
+        assert!(apart(stuck.limit(), at.sliding_limit()) < 1e-12, "r {r}");
+        assert_eq!(stuck.first(), "pads");
+        let expected = at
+            .stuck()
+            .expect("a response")
+            .mass("lower")
+            .expect("a mass")
+            .norm();
+        let got = stuck.mass("lower").expect("a mass").norm();
+        assert!(apart(got, expected) < 1e-12, "r {r}: {got} {expected}");
+        let force = stuck.force("pads").expect("a contact");
+        assert!(apart(force, stuck.limit()) < 1e-12, "r {r}");
+    }
+}
+
+/// A single elastic contact without and with the list.
+#[test]
+fn an_elastic_contact_has_the_same_steady_state() {
+    let elastic = SINGLE.replace(
+        "contact: upper - wall,",
+        "contact: upper - wall, stiffness: 5.0e3, provide: [orbit],",
+    );
+    let listed = SINGLE.replace(
+        "contact: upper - wall,",
+        "contacts: { pads: upper - wall { stiffness: 5.0e3 } },",
+    );
+    let (one, many) = (system(&elastic), system(&listed));
+    let joined = many.joined().expect("answers");
+    for (r, beta) in [(0.9, 0.3), (0.9, 0.6), (1.6, 0.2)] {
+        let expected = one.at(r).expect("r").orbit(beta).expect("an orbit");
+        let orbit = joined.at(r).expect("r").orbit(beta).expect("an orbit");
+        let amplitude = expected.mass("lower").expect("a mass").amplitude();
+        let got = orbit.amplitude("lower").expect("a mass");
+        assert!(
+            apart(got, amplitude) < 1e-10,
+            "r {r}, beta {beta}: {got} {amplitude}"
+        );
+        assert_eq!(orbit.regime(), Regime::StickSlip);
+    }
+}
+
+/// A scene with a single `contact` has the same answers, and its contact is called `contact`.
+#[test]
+fn a_single_contact_has_these_answers_too() {
+    let one = system(SINGLE);
+    let orbit = one
+        .joined()
+        .expect("answers")
+        .at(0.9)
+        .expect("r")
+        .orbit(0.6);
+    let orbit = orbit.expect("an orbit");
+    assert!(orbit.contact_named("contact").expect("a contact").stops() > 0);
+    let unknown = orbit
+        .contact_named("pads")
+        .map(|_| ())
+        .expect_err("no such contact");
+    assert_eq!(
+        unknown.to_string(),
+        "there is no contact `pads`; the contacts are contact"
+    );
+}
+
+/// All regimes: below every limit, between, and above.
+#[test]
+fn regimes_are_told_with_the_contacts_that_stick() {
+    let system = system(FRAME);
+    let at = system.joined().expect("answers").at(0.6).expect("r");
+    let stuck = at.stuck().expect("a state");
+    let above = at.orbit(1.5 * stuck.limit()).expect("an orbit");
+    // The motion from rest overshoots, so that a contact may have slipped before, and keeps its place.
+    assert_eq!(above.regime(), Regime::Stuck);
+    assert_eq!(above.marginal_contacts(), ["brace", "pads"]);
+    assert!(above.is_marginal());
+    let between = at.orbit(0.9 * stuck.limit()).expect("an orbit");
+    assert_eq!(between.regime(), Regime::StickSlip);
+    let sticks = between.marginal_contacts();
+    assert!(
+        sticks.len() < 2 && !sticks.contains(&stuck.first().to_owned()),
+        "{sticks:?}"
+    );
+    let rigid = FRAME.replace(" { stiffness: 4.0e3 }", "");
+    let rigid = super::system(&rigid);
+    let sliding = rigid
+        .joined()
+        .expect("answers")
+        .at(0.6)
+        .expect("r")
+        .orbit(0.01);
+    assert_eq!(sliding.expect("an orbit").regime(), Regime::Continuous);
+}
+
+/// Without friction the steady state is the linear response, in closed form.
+#[test]
+fn the_response_without_friction_is_linear() {
+    let system = system(FRAME);
+    for r in [0.4, 0.9, 1.7] {
+        let at = system.joined().expect("answers").at(r).expect("r");
+        let (linear, orbit) = (at.linear().expect("a response"), at.orbit(0.0));
+        let orbit = orbit.expect("a steady state");
+        for name in ["lower", "upper"] {
+            let expected = linear.mass(name).expect("a mass").norm();
+            let got = orbit.amplitude(name).expect("a mass");
+            assert!(apart(got, expected) < 1e-10, "r {r}: {got} {expected}");
+        }
+    }
+}
