@@ -146,7 +146,7 @@ fn mass(system: &System, option: &str, name: &str) -> Result<Mass, Failure> {
 pub fn without_rates(parts: &[Part]) -> Result<(), Failure> {
     match parts.iter().find(|part| part.has_rate()) {
         Some(part) => Err(Failure::new(format_args!(
-            "--of `{}`: this command has displacements and forces of springs only; `curve`, `response`, `orbit` and `optimum` have velocities, accelerations, and force and energy of the contact",
+            "--of `{}`: this command has displacements and forces of springs only; `curve`, `response`, `orbit` and `optimum` have velocities, accelerations, and force, energy and equivalent damping of the contact",
             part.name
         ))),
         None => Ok(()),

@@ -36,6 +36,7 @@ mod number;
 mod optimum;
 mod orbit;
 mod output;
+mod periodic;
 #[cfg(feature = "pictures")]
 mod picture;
 mod progress;
@@ -88,6 +89,7 @@ pub fn run(
         Command::Limits(arguments) => limits::run(arguments, out),
         Command::Response(arguments) => response::run(arguments, out),
         Command::Orbit(arguments) => orbit::run(arguments, out),
+        Command::Periodic(arguments) => periodic::run(arguments, out),
         Command::Sensitivity(arguments) => sensitivity::run(arguments, out),
         Command::Curve(arguments) => curve::run(arguments, out),
         Command::Map(arguments) => map::run(arguments, out),

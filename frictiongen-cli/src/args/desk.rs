@@ -52,7 +52,8 @@ pub struct CurveArguments {
     #[command(flatten)]
     pub point: PointArguments,
     /// Print only this motion: a mass, `contact`, `roof-base`, `roof-first`, `spring(a-b)`, `shear`, `vel(roof)`,
-    /// `accel(roof)`; may be given more than once [default: contact and every mass]
+    /// `accel(roof)`, `force(contact)`, `energy(contact)`, `zeta_eq`; may be given more than once [default: contact and
+    /// every mass]
     #[arg(long, value_name = "NAME")]
     pub of: Vec<String>,
     /// Largest deviation between the curve and straight lines through its points, relative to the curve [default: 5e-4]

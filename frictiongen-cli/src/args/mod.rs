@@ -3,6 +3,7 @@
 mod code;
 mod desk;
 mod help;
+mod periodic;
 mod points;
 mod recorded;
 #[cfg(feature = "report")]
@@ -24,6 +25,8 @@ use help::{
     CURVES, DIFFERENCES, FEATURES, GRIDS, GRIDS_IN_TIME, LIMITS, MAPS, ONE_POINT, OPTIMA, ORBITS,
     RANGES, RESPONSES, SENSITIVITIES, STATES, TABLES, TIMES, UNITS,
 };
+use periodic::PERIODICS;
+pub use periodic::PeriodicArguments;
 pub use points::{LimitsArguments, OrbitArguments, ResponseArguments};
 pub use recorded::{
     Also, By, DriveArguments, FitArguments, IdentifyArguments, RecordingArguments,
@@ -58,6 +61,9 @@ pub enum Command {
     /// Print the steady state that motion from rest reaches, in every regime
     #[command(after_help = format!("{ORBITS}{STATES}{UNITS}{GRIDS_IN_TIME}"))]
     Orbit(OrbitArguments),
+    /// Print the steady state under a periodic load that is no cosine: a table of one period, or harmonics
+    #[command(after_help = PERIODICS)]
+    Periodic(PeriodicArguments),
     /// Draw or print responses over frequency in every regime, with more points where a curve bends
     #[command(after_help = format!("{CURVES}{UNITS}{RANGES}"))]
     Curve(CurveArguments),

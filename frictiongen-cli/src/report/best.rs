@@ -2,12 +2,13 @@
 
 use super::asked::Asked;
 use super::found::at_once;
-use super::words::{Words, number, object};
+use super::words::{Words, digits, number, object};
 use crate::asked::Part;
 use crate::measure::Dimension;
 use frictiongen::Of;
 use frictiongen::study::{
     optimum::{FrequencyBand, Optimum, OptimumEnd, OptimumKind, OptimumRequest},
+    response::Size,
     words,
 };
 use maud::{Markup, html};
@@ -101,6 +102,13 @@ pub fn worst(best: &Result<Vec<Best>, String>) -> Option<(&Best, &Optimum)> {
     found.max_by(|a, b| a.1.amplitude.total_cmp(&b.1.amplitude))
 }
 
+/// Returns the equivalent damping ratio ζ_eq of the contact at the highest peak, with the best friction.
+fn damping(optimum: &Optimum, asked: &Asked) -> Option<f64> {
+    let peak = optimum.peaks.first()?;
+    let response = asked.system.at(peak.r).ok()?.response(optimum.beta).ok()?;
+    response.largest(Of::Contact, Size::Damping)
+}
+
 /// Returns words for the reason why no other friction gives a lower amplitude.
 pub fn kind(optimum: &Optimum) -> &'static str {
     match (optimum.kind, optimum.end) {
@@ -142,6 +150,7 @@ pub fn html(best: &Result<Vec<Best>, String>, asked: &Asked) -> Markup {
                                 th scope="col" { "best friction" }
                                 th scope="col" { "largest amplitude" }
                                 th scope="col" { "at" }
+                                th scope="col" { "equivalent damping ratio ζ" sub { "eq" } " there" }
                                 th scope="col" { "without friction" }
                                 th scope="col" { "contact stuck" }
                                 th scope="col" { "within a tenth: friction from … to" }
@@ -171,7 +180,7 @@ fn row(best: &Best, asked: &Asked) -> Markup {
         tr {
             th scope="row" { (best.part.name) }
             @match &best.found {
-                Err(error) => td colspan="7" { "none: " (error) },
+                Err(error) => td colspan="8" { "none: " (error) },
                 Ok(optimum) => {
                     td { (words.friction(optimum.beta)) @if matches!(optimum.kind, OptimumKind::Stuck | OptimumKind::Trivial) { " or more" } }
                     td { (bound(words, optimum.amplitude)) }
@@ -182,6 +191,7 @@ fn row(best: &Best, asked: &Asked) -> Markup {
                             @if peak.at_end { ", end of the range" } ")"
                         }
                     }
+                    td { @if let Some(ratio) = damping(optimum, asked) { (digits(ratio)) } }
                     td { (bound(words, optimum.without_friction)) }
                     td { (bound(words, optimum.with_contact_locked)) }
                     td {
@@ -227,6 +237,9 @@ pub fn data(best: &Result<Vec<Best>, String>, asked: &Asked) -> Json {
             ));
             fields.push(("stuck_from".to_owned(), limit(optimum.locked)));
             fields.push(("end".to_owned(), words::end(optimum.end).into()));
+            if let Some(ratio) = damping(optimum, asked) {
+                fields.push(("zeta_eq".to_owned(), number(ratio)));
+            }
             if let Some(beyond) = optimum.beyond_jump {
                 fields.push((name("beyond_jump"), length(beyond)));
             }

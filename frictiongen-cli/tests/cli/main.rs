@@ -19,6 +19,7 @@ mod map;
 mod mistakes;
 mod optimum;
 mod orbit;
+mod periodic;
 mod quantities;
 mod recorded;
 mod records;

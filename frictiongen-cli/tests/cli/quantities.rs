@@ -94,6 +94,93 @@ fn forces_and_accelerations_fit_the_displacements() {
     }
 }
 
+/// The equivalent damping ratio is E_d/(4πE_s), with the strain energy of all springs or of one. `response` has the closed
+/// form, `orbit` the motion from event to event, and `curve` both.
+#[test]
+fn equivalent_damping_is_that_of_its_formula() {
+    let of = [
+        "zeta_eq",
+        "zeta_eq(upper-lower)",
+        "energy(contact)",
+        "spring(base-lower)",
+        "spring(lower-upper)",
+    ];
+    let mut compared = 0;
+    for command in ["response", "orbit", "curve"] {
+        let found = table(command, &of);
+        let energy = column(&found, "energy(contact).cycle_J");
+        let forces = [
+            column(&found, "spring(base-lower).centred_N"),
+            column(&found, "spring(lower-upper).centred_N"),
+        ];
+        let whole = column(&found, "zeta_eq.ratio");
+        let storey = column(&found, "zeta_eq(upper-lower).ratio");
+        for (row, energy) in energy.iter().enumerate() {
+            let strain = [
+                0.5 * forces[0][row].powi(2) / 1190.0,
+                0.5 * forces[1][row].powi(2) / 1323.0,
+            ];
+            let ratio = |stored: f64| energy / (4.0 * std::f64::consts::PI * stored);
+            for (got, want) in [
+                (whole[row], ratio(strain[0] + strain[1])),
+                (storey[row], ratio(strain[1])),
+            ] {
+                assert!((got / want - 1.0).abs() < 1e-12, "{command}: {got} {want}");
+                assert!(1e-3 < got && got < 1.0, "{got}");
+                compared += 1;
+            }
+        }
+    }
+    assert!(compared > 30, "{compared}");
+    // The textbooks' 2F/(πkX) of one mass on one spring: a loop of area 4FX over 4π·½kX².
+    let system: System = BLOCK.parse().unwrap();
+    let response = system.at(0.6).unwrap().response(0.3).unwrap();
+    let size = response.swing(Of::Contact).unwrap().amplitude;
+    for name in ["zeta_eq", "zeta_eq(base-block)"] {
+        let (of, size_of) = system.quantity_named(name).unwrap();
+        assert_eq!(size_of, Size::Damping);
+        let ratio = response.largest(of, size_of).unwrap();
+        let want = 2.0 * 0.3 / (std::f64::consts::PI * size);
+        assert!((ratio / want - 1.0).abs() < 1e-13, "{ratio} {want}");
+    }
+    // A stuck contact takes no energy, and a search for the least ratio would end there.
+    // The block on its only spring has no ratio then, because nothing moves.
+    let frame: System = std::fs::read_to_string(FRAME).unwrap().parse().unwrap();
+    for (system, ratio) in [(&system, None), (&frame, Some(0.0))] {
+        let stuck = system.at(0.6).unwrap().response(9.0).unwrap();
+        assert_eq!(stuck.largest(Of::Contact, Size::Damping), ratio);
+    }
+    let message = failure(
+        "",
+        &[
+            "optimum", FRAME, "--of", "zeta_eq", "--hz", "1:7", "--base", "0.002",
+        ],
+    )
+    .join(" ");
+    assert!(
+        message.contains("`zeta_eq` is best where it is large"),
+        "{message}"
+    );
+    let message = failure(
+        "",
+        &[
+            "curve",
+            FRAME,
+            "--of",
+            "zeta_eq(upper)",
+            "--r",
+            "0.5:1",
+            "--beta",
+            "0.3",
+        ],
+    )
+    .join(" ");
+    assert!(
+        message.contains("the springs are spring(base-lower)"),
+        "{message}"
+    );
+}
+
 /// Other commands have the same columns for the same names.
 #[test]
 fn every_command_reads_the_names() {
@@ -175,7 +262,7 @@ fn names_that_mean_nothing() {
         ),
         (
             "jerk(upper)",
-            "--of: there is no quantity `jerk(…)`; write the name of a mass, `contact`, `mass-base`, `mass-mass`, `spring(a-b)`, `shear`, `vel(…)`, `accel(…)`, `slip(contact)`, `force(contact)` or `energy(contact)`",
+            "--of: there is no quantity `jerk(…)`; write the name of a mass, `contact`, `mass-base`, `mass-mass`, `spring(a-b)`, `shear`, `vel(…)`, `accel(…)`, `slip(contact)`, `force(contact)`, `energy(contact)`, `zeta_eq` or `zeta_eq(a-b)`",
         ),
         (
             "accel(upper",

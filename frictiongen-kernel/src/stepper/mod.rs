@@ -24,6 +24,7 @@ mod interval;
 mod law;
 mod now;
 mod pace;
+mod periodic;
 mod reaction;
 mod rigid;
 mod rows;

@@ -111,7 +111,7 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepConta
         Ok(())
     }
 
-    fn keep_sample(&mut self, sample: &Sample<'_, S>) {
+    pub(super) fn keep_sample(&mut self, sample: &Sample<'_, S>) {
         let store = self.store.change();
         let moving = store.last.len().saturating_sub(sample.forces.len());
         let last = store.last.iter_mut().skip(moving);
@@ -253,7 +253,7 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepConta
     }
 
     /// Writes the inputs over a sub-interval as polynomials, and returns the base's motion as a polynomial.
-    fn write_inputs(
+    pub(super) fn write_inputs(
         &mut self,
         sample: &Sample<'_, S>,
         motion: [S; 4],

@@ -107,6 +107,7 @@ impl Reading {
                     Size::Acceleration => acceleration,
                     Size::Force => point.contact_force,
                     Size::Energy => point.friction_work,
+                    Size::Damping => movement.damping?,
                 };
                 (rate, None)
             }

@@ -282,12 +282,12 @@ impl Scales {
 
     /// Converts the largest velocity or acceleration at the frequency ratio r to the unit of its axis.
     #[must_use]
-    pub fn rate_at(&self, size: Size, r: f64, value: f64) -> f64 {
+    pub fn rate_at(&self, size: Size, r: f64, ratio: f64) -> f64 {
         let Some(load) = self.load else {
-            return value;
+            return ratio;
         };
         let omega = r * self.reference;
-        let value = value * self.unit_at(r);
+        let value = ratio * self.unit_at(r);
         let displacement = load.displacement(value);
         match size {
             Size::Displacement => displacement * 1e3,
@@ -295,6 +295,7 @@ impl Scales {
             Size::Acceleration => displacement * omega * omega,
             Size::Force => load.friction(value),
             Size::Energy => load.displacement(load.friction(value)) * self.unit_at(r),
+            Size::Damping => ratio,
         }
     }
 
@@ -310,6 +311,7 @@ impl Scales {
             (Size::Force, Some(_)) => "force of the contact (N)".into(),
             (Size::Force, None) if self.base_motion => "force of the contact over *k*_1*Y*".into(),
             (Size::Force, None) => "force of the contact over *P*".into(),
+            (Size::Damping, _) => "equivalent damping ratio *ζ*_eq".into(),
             (Size::Energy, Some(_)) => "energy in a cycle (J)".into(),
             (Size::Energy, None) if self.base_motion => "energy in a cycle over *k*_1*Y*²".into(),
             (Size::Energy, None) => "energy in a cycle over *P*²/*k*_1".into(),

@@ -163,6 +163,23 @@ impl<S: Float> System<S> {
         matches!(of, Of::Relative(of, to) if self.simplest(Of::Relative(to, of)) == Of::Contact)
     }
 
+    /// Returns true if a motion is the contact's relative motion, with either sign: also that of a mass whose contact is at
+    /// rest on the other side.
+    pub(super) fn moves_as_contact(&self, of: Of) -> bool {
+        let ends = [self.scene.contact.from, self.scene.contact.to];
+        let base_moves = self.scene.excitation == Excitation::Base;
+        let other = |index: usize| match ends {
+            [Node::Mass(own), other] | [other, Node::Mass(own)] if own == index => Some(other),
+            _ => None,
+        };
+        let alone = matches!(of, Of::Mass(index) if match other(index) {
+            Some(Node::Wall) => true,
+            Some(Node::Base) => !base_moves,
+            _ => false,
+        });
+        alone || self.simplest(of) == Of::Contact || self.is_reversed_contact(of)
+    }
+
     fn terms(&self, of: Of) -> Terms {
         let one = Dd::constant(1.0);
         let mut terms = Terms::none();

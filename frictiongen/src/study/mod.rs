@@ -28,6 +28,8 @@ mod naming;
 pub mod optimum;
 pub mod orbit;
 mod parameter;
+#[doc(hidden)]
+pub mod periodic;
 mod physical;
 mod rates;
 pub mod response;

@@ -54,7 +54,7 @@ impl std::fmt::Display for UnknownMotion {
             ),
             Self::Function(name) => write!(
                 f,
-                "there is no quantity `{name}(…)`; write the name of a mass, `contact`, `mass-base`, `mass-mass`, `spring(a-b)`, `shear`, `vel(…)`, `accel(…)`, `slip(contact)`, `force(contact)` or `energy(contact)`"
+                "there is no quantity `{name}(…)`; write the name of a mass, `contact`, `mass-base`, `mass-mass`, `spring(a-b)`, `shear`, `vel(…)`, `accel(…)`, `slip(contact)`, `force(contact)`, `energy(contact)`, `zeta_eq` or `zeta_eq(a-b)`"
             ),
             Self::Rate(name) => write!(
                 f,
@@ -156,8 +156,9 @@ impl<S: Float> System<S> {
 
     /// Returns the motion with this name, and the quantity (displacement, velocity or acceleration). `vel(roof)` is the
     /// velocity and `accel(roof)` the acceleration of the motion `roof`. `slip(contact)` is the relative displacement
-    /// in the contact, `force(contact)` its largest force, and `energy(contact)` the energy that it takes in a cycle. Any
-    /// other name means a displacement or a force.
+    /// in the contact, `force(contact)` its largest force, and `energy(contact)` the energy that it takes in a cycle.
+    /// `zeta_eq` is the equivalent viscous damping ratio of the contact ([`Size::Damping`]), and `zeta_eq(first-roof)` the
+    /// ratio relative to the spring between `first` and `roof`. Any other name means a displacement or a force.
     ///
     /// ```
     /// use frictiongen::study::response::Size;
@@ -182,6 +183,9 @@ impl<S: Float> System<S> {
     /// Same errors as [`motion_named`](Self::motion_named), and [`UnknownMotion::Rate`] for the velocity of a force.
     pub fn quantity_named(&self, name: &str) -> Result<(Of, Size), UnknownMotion> {
         let name = name.trim();
+        if let Some(of) = self.damping_named(name)? {
+            return Ok((of, Size::Damping));
+        }
         let functions = [
             ("slip(", Size::Displacement),
             ("vel(", Size::Velocity),
@@ -228,6 +232,26 @@ impl<S: Float> System<S> {
                 None => "spring(?)".to_owned(),
             },
             Of::Shear => "shear".to_owned(),
+        }
+    }
+
+    /// Returns the springs to which an equivalent damping ratio refers: all of them for `zeta_eq`, one for
+    /// `zeta_eq(a-b)`. `None` for another quantity.
+    fn damping_named(&self, name: &str) -> Result<Option<Of>, UnknownMotion> {
+        let Some(inside) = name.strip_prefix("zeta_eq") else {
+            return Ok(None);
+        };
+        if inside.is_empty() {
+            return Ok(self.mass_index(name).is_err().then_some(Of::Contact));
+        }
+        let Some(inside) = inside.trim_start().strip_prefix('(') else {
+            return Ok(None);
+        };
+        let spring = inside.strip_suffix(')').map(str::trim);
+        let spring = spring.ok_or_else(|| UnknownMotion::Brackets(name.to_owned()))?;
+        match spring {
+            "contact" => Ok(Some(Of::Contact)),
+            spring => self.spring_named(spring).map(Some),
         }
     }
 

@@ -10,6 +10,7 @@ use super::system::System;
 use super::units::{fundamental_phase, polar, reversed_phase};
 use crate::{Complex, Of, Regime};
 use frictiongen_kernel::response::Scene as _;
+use std::f64::consts::TAU;
 
 /// The steady response of a system at one frequency ratio and one friction ratio.
 ///
@@ -83,6 +84,10 @@ pub enum Size {
     /// The energy that the contact dissipates in a cycle of the excitation, in units of P²/k₁ (of k₁Y² for base
     /// motion). Only the contact has this quantity.
     Energy,
+    /// The equivalent viscous damping ratio ζ_eq = E_d/(4πE_s) of the contact. E_d is the energy that the contact takes in
+    /// a cycle. E_s is the sum of ½kX² of all springs, or of one spring, where X is the centred amplitude of its
+    /// elongation. [`Of::Contact`] means all springs, [`Of::Spring`] one.
+    Damping,
 }
 
 impl SystemResponse<'_> {
@@ -224,6 +229,10 @@ impl SystemResponse<'_> {
             Size::Displacement => return Some(self.swing(of)?.amplitude),
             Size::Force => return (of == Of::Contact).then(|| self.contact_force()),
             Size::Energy => return (of == Of::Contact).then(|| self.friction_work()),
+            Size::Damping => {
+                let centred = |of| self.centred_amplitude(of);
+                return equivalent_damping(self.system(), of, self.friction_work(), centred);
+            }
             Size::Velocity | Size::Acceleration => {}
         }
         match self {
@@ -270,6 +279,14 @@ impl SystemResponse<'_> {
         }
     }
 
+    fn system(&self) -> &System {
+        match self {
+            Self::Continuous(motion) => motion.at().scene(),
+            Self::StickSlip(orbit) => orbit.system,
+            Self::Stuck(held) => held.at().scene(),
+        }
+    }
+
     /// Returns the work of friction in one cycle of the excitation, in units of P²/k₁ (of k₁Y² for base motion).
     #[must_use]
     pub fn friction_work(&self) -> f64 {
@@ -282,6 +299,30 @@ impl SystemResponse<'_> {
             Self::Stuck(_) => 0.0,
         }
     }
+}
+
+/// Returns the equivalent viscous damping ratio of a contact that takes `energy` in a cycle, relative to the strain energy
+/// of all springs or of one spring. `None` for another motion, and where no spring moves. `centred` returns the centred
+/// amplitude of a motion.
+pub(super) fn equivalent_damping(
+    system: &System,
+    of: Of,
+    energy: f64,
+    centred: impl Fn(Of) -> Option<f64>,
+) -> Option<f64> {
+    let scene = system.scene();
+    // A spring force f̄ over P is κx̄, so that ½κx̄² = ½f̄²/κ.
+    let strain = |index: usize| {
+        let force = centred(Of::Spring(index))?;
+        let stiffness = scene.springs.get(index)?.stiffness / scene.first_stiffness();
+        Some(0.5 * force * force / stiffness)
+    };
+    let stored = match of {
+        Of::Contact => (0..scene.springs.len()).map(strain).sum::<Option<f64>>()?,
+        Of::Spring(index) => strain(index)?,
+        _ => return None,
+    };
+    (0.0 < stored).then(|| energy / (2.0 * TAU * stored))
 }
 
 /// Returns the largest velocity or acceleration in a steady state. For displacement, returns the amplitude.

@@ -60,6 +60,7 @@ fn quantity(system: &System, (of, size): (Of, Size), load: Load, hertz: f64, new
         Size::Acceleration => value * length * omega * omega,
         Size::Force => value * force,
         Size::Energy => value * force * length,
+        Size::Damping => value,
     }
 }
 
@@ -107,6 +108,7 @@ fn physical(system: &System, request: &OptimumRequest, optimum: &Optimum) -> (f6
         Size::Acceleration => scale.length() * omega * omega,
         Size::Force => scale.force(),
         Size::Energy => scale.force() * scale.length(),
+        Size::Damping => 1.0,
     };
     (scale.friction(optimum.beta), unit * optimum.amplitude)
 }

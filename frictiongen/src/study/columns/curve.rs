@@ -74,6 +74,7 @@ impl Moving for CurveRow {
             monoharmonic: None,
             rates: movement.rates,
             contact: Some((point.contact_force, point.friction_work)),
+            damping: movement.damping,
             harmonics: &movement.harmonics,
         })
     }

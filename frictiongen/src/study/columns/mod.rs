@@ -54,6 +54,7 @@ mod measure;
 
 mod motion;
 mod optimum;
+mod periodic;
 mod quantity;
 mod sensitivity;
 mod setting;
@@ -76,6 +77,7 @@ pub use map::{BoundaryRow, MapLimitsRow, MapRow, MapTable};
 pub use measure::{Dimension, Measure};
 pub use motion::{Extent, Moving, PartMotion, motions};
 pub use optimum::{OptimumLine, OptimumSensitivityRow, OptimumTable, PeakRow, Tuned};
+pub use periodic::{PeriodicRow, PeriodicSample, PeriodicTable};
 pub use quantity::{base_load, unbalance};
 pub use sensitivity::{SensitivityRow, SensitivityTable};
 pub use setting::{

@@ -24,6 +24,8 @@ pub struct PartMotion<'r> {
     pub rates: Option<(f64, f64)>,
     /// Largest force in the contact over P, and energy that the contact dissipates in a cycle over P²/k₁.
     pub contact: Option<(f64, f64)>,
+    /// Equivalent viscous damping ratio of the contact, relative to all springs or to one.
+    pub damping: Option<f64>,
     /// Complex amplitudes of the requested harmonics, in the order of the request.
     pub harmonics: &'r [Complex<f64>],
 }
@@ -60,6 +62,7 @@ pub fn motions<'a, R: Moving + 'a>(columns: &mut Columns<'a, R>, parts: &[Part],
             let of = named.size;
             let name = match of {
                 Size::Energy => "cycle",
+                Size::Damping => "ratio",
                 _ => "amplitude",
             };
             columns.number(Head::of(name, size), move |row: &R| {
@@ -68,6 +71,7 @@ pub fn motions<'a, R: Moving + 'a>(columns: &mut Columns<'a, R>, parts: &[Part],
                     Size::Velocity => motion.rates?.0,
                     Size::Force => motion.contact?.0,
                     Size::Energy => motion.contact?.1,
+                    Size::Damping => motion.damping?,
                     _ => motion.rates?.1,
                 })
             });

@@ -36,7 +36,7 @@ impl Part {
     }
 
     /// Returns true if the requested quantity is not a displacement. It is then a velocity, an acceleration, or the
-    /// force or the energy of the contact.
+    /// force, the energy or the equivalent damping of the contact.
     #[must_use]
     pub fn has_rate(&self) -> bool {
         self.size != Size::Displacement
@@ -52,6 +52,7 @@ impl Part {
             Size::Acceleration => Dimension::Acceleration,
             Size::Force => Dimension::Force,
             Size::Energy => Dimension::Energy,
+            Size::Damping => Dimension::One,
         }
     }
 

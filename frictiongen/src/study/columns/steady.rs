@@ -26,6 +26,7 @@ struct MotionGroups {
     monoharmonic: Option<f64>,
     rates: Option<(f64, f64)>,
     contact: Option<(f64, f64)>,
+    damping: Option<f64>,
     harmonics: Vec<Complex<f64>>,
 }
 
@@ -45,6 +46,11 @@ impl MotionGroups {
             monoharmonic: response.monoharmonic(of),
             rates: if part.has_rate() { rates() } else { None },
             contact: Some((response.contact_force(), response.friction_work())),
+            damping: if part.has_rate() {
+                response.largest(of, Size::Damping)
+            } else {
+                None
+            },
             harmonics: harmonics.collect::<Option<_>>().unwrap_or_default(),
         }
     }
@@ -63,6 +69,7 @@ impl MotionGroups {
             monoharmonic: None,
             rates: Some((motion.largest_velocity(), motion.largest_acceleration())),
             contact: None,
+            damping: None,
             harmonics: orders.iter().map(|order| motion.harmonic(*order)).collect(),
         }
     }
@@ -116,6 +123,7 @@ impl MotionGroups {
             monoharmonic: self.monoharmonic,
             rates: self.rates,
             contact: self.contact,
+            damping: self.damping,
             harmonics: &self.harmonics,
         }
     }

@@ -45,6 +45,8 @@ pub struct Movement {
     pub fundamental_phase: Option<f64>,
     /// The largest |dx̄/dτ| and the largest |d²x̄/dτ²|, if they were requested.
     pub rates: Option<(f64, f64)>,
+    /// Equivalent viscous damping ratio of the contact, for the contact and for forces of springs, if rates were requested.
+    pub damping: Option<f64>,
     /// The harmonics that were requested, in the order of the request.
     pub harmonics: Vec<Complex<f64>>,
 }
@@ -92,6 +94,11 @@ impl Movement {
             centred: response.centred_amplitude(of)?,
             fundamental_phase: response.fundamental_phase(of),
             rates: if request.rates { both() } else { None },
+            damping: if request.rates {
+                response.largest(of, Size::Damping)
+            } else {
+                None
+            },
             harmonics: harmonics
                 .map(|n| response.harmonic(of, *n))
                 .collect::<Option<_>>()?,

@@ -41,6 +41,8 @@ impl Objective {
             Size::Displacement => true,
             Size::Velocity | Size::Acceleration => !self.of.is_force(),
             Size::Force | Size::Energy => self.of == Of::Contact,
+            // The best damping ratio is the largest one, which this search does not seek.
+            Size::Damping => false,
         }
     }
 
@@ -63,6 +65,7 @@ impl Objective {
             // Energy is a product of a force and a displacement.
             Size::Energy => -self.fall,
             Size::Displacement | Size::Force => 0,
+            Size::Damping => return 1.0,
         };
         r.powi(rate - self.fall)
     }

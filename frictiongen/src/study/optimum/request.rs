@@ -58,6 +58,7 @@ pub enum OptimumError {
     Scene(InvalidScene),
     /// The motion does not have the requested quantity. Only the contact has a contact force and an energy, and a force
     /// has neither a velocity nor an acceleration.
+    /// An equivalent damping ratio has no least value to search for.
     Size,
 }
 
@@ -86,7 +87,7 @@ impl std::fmt::Display for OptimumError {
             Self::Interval => "both bounds of an interval must be finite, the second above the first",
             Self::Scene(error) => return error.fmt(f),
             Self::Size => {
-                "only the contact has a contact force and an energy, and a force has neither a velocity nor an acceleration"
+                "the search minimises displacements, velocities, accelerations and forces, and of the contact also force and energy; a force has neither a velocity nor an acceleration, and `zeta_eq` is best where it is large"
             }
         })
     }

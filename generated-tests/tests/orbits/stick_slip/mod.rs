@@ -2,6 +2,7 @@
 
 mod above;
 mod amplitudes;
+mod cycle_energy;
 mod edges;
 mod emitted;
 mod energy;

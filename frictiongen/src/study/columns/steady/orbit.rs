@@ -6,6 +6,7 @@ use crate::study::columns::column::{Column, Head, Kind, Row, Shown};
 use crate::study::columns::measure::Dimension;
 use crate::study::columns::motion::{Extent, Moving, PartMotion, motions};
 use crate::study::columns::setting::{AtFrequency, AtFriction, Frequency, Friction, Setting};
+use crate::study::response::{Size, equivalent_damping};
 use crate::study::{SystemAt, orbit::SystemOrbit, words};
 use crate::{Complex, NoOrbit, OutOfDomain};
 
@@ -192,6 +193,12 @@ impl<'a> OrbitTable<'a> {
             });
             let mut motion = motion.unwrap_or_default();
             motion.contact = contact;
+            if part.size == Size::Damping
+                && let Some((_, energy)) = contact
+            {
+                let centred = |of| orbit.ask_of(of, |motion| motion.centred_amplitude());
+                motion.damping = equivalent_damping(self.setting.system, part.of, energy, centred);
+            }
             if measure.turns(part.of) {
                 motion.turn(Some(orbit.reversed_contact_phase()));
             }

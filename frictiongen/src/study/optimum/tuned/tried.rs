@@ -71,6 +71,7 @@ impl GroupRatios {
             Size::Acceleration => length * r * r,
             Size::Force => beta,
             Size::Energy => beta * length * load,
+            Size::Damping => 1.0,
         };
         Self {
             r,

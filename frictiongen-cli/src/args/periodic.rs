@@ -1,0 +1,73 @@
+//! Arguments of `frictiongen periodic`, with the text that `--help` prints below its options.
+
+use super::FormatArguments;
+use clap::Args;
+use std::path::PathBuf;
+
+/// Arguments of `frictiongen periodic`.
+#[derive(Debug, Args)]
+pub struct PeriodicArguments {
+    /// File with the description; standard input if it is -
+    #[arg(value_name = "FILE")]
+    pub scene: PathBuf,
+    /// Table of the load over one period, as CSV or columns of numbers
+    #[arg(value_name = "TABLE", conflicts_with_all = ["harmonics"])]
+    pub table: Option<PathBuf>,
+    /// The load as a sum of harmonics, ORDER:AMPLITUDE@DEGREES, for example 1:100@0,3:20@45
+    #[arg(long, value_name = "LIST", allow_hyphen_values = true)]
+    pub harmonics: Option<String>,
+    /// Frequency of the first order of --harmonics, in Hz
+    #[arg(long, value_name = "HZ", allow_hyphen_values = true)]
+    pub hz: Option<String>,
+    /// Kinetic friction forces F in N, as a grid
+    #[arg(long, value_name = "F", allow_hyphen_values = true)]
+    pub friction: String,
+    /// Hold each force of the table until the next sample, as in a square wave
+    #[arg(long)]
+    pub hold: bool,
+    /// Print only this motion: a mass, `contact`, `roof-base`, `roof-first`, `spring(a-b)`, `shear`; may be given more
+    /// than once [default: the contact and every mass, relative to the base if the base moves]
+    #[arg(long, value_name = "NAME")]
+    pub of: Vec<String>,
+    /// Print the motion over a period instead of its extremes
+    #[arg(long)]
+    pub motion: bool,
+    /// Column and unit of the load: base or force [default: by name]
+    #[arg(long, value_name = "NAME=COLUMN:UNIT")]
+    pub channel: Vec<String>,
+    /// Samples per second, if no column has the time
+    #[arg(long, value_name = "HZ", allow_hyphen_values = true)]
+    pub rate: Option<String>,
+    /// The format.
+    #[command(flatten)]
+    pub format: FormatArguments,
+    /// Write to this file; the file extension sets the format: .csv, .json
+    #[arg(short, long, value_name = "OUT")]
+    pub output: Option<PathBuf>,
+}
+
+/// Text below the options of `periodic`.
+pub const PERIODICS: &str = "\
+Load:
+  A table has the load at evenly spaced times over one period. The last line repeats the load of the
+  first line, one period later:
+    time_s,force_N
+  The column is force, on the excited mass, or base, the motion of the base, as in `drive`. Forces and
+  accelerations change linearly between samples. With --hold a force keeps its value until the next
+  sample. Displacements of the base are joined by a periodic cubic spline.
+  --harmonics is the sum of AMPLITUDE cos(ORDER omega t - DEGREES): a force in N, or a displacement of
+  the base in m. The order 0 is a constant.
+  The closed forms of `limits`, `response`, `optimum`, `map` and `sensitivity` need a cosine, so that such
+  a load has no friction ratio beta. `orbit` has the steady states of a cosine.
+
+Quantities:
+  state       stable: small changes die out; marginal: the place of the contact depends on the past
+  period      number of periods of the load after which the motion from rest repeats, at most 64
+  events      number of stops, break-aways and reversals of the contact in a period of the motion
+  stuck       fraction of the period in which the contact sticks, to one step
+  multiplier  largest Floquet multiplier of a period; JSON has all of them
+  load, friction, damping  work of the load, and what friction and damping take of it, in a period, J
+  least, largest  smallest and largest value of the motion in a period, m or N
+
+Exit status:
+  0 without errors. Otherwise 2, with one line on standard error for each error.";

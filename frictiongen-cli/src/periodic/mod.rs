@@ -1,0 +1,154 @@
+//! `frictiongen periodic`: finds the steady state under any periodic load.
+
+mod load;
+
+use crate::args::{FileArgument, PeriodicArguments};
+use crate::asked::{parts, without_rates};
+use crate::destination::Destination;
+use crate::failure::Failure;
+use crate::grid::{self, Quantity};
+use crate::measure::Measure;
+use crate::output::{self, Table, Visitor};
+use crate::summary::Summary;
+use frictiongen::study::columns::{Column, PeriodicRow, PeriodicSample, PeriodicTable};
+use frictiongen::study::periodic::PeriodicRequest;
+use frictiongen::study::scene::{Excitation, Provide, StepInput};
+use frictiongen::{Of, System};
+use frictiongen_codegen::Limits;
+use std::io::Write;
+
+/// Runs `frictiongen periodic`.
+pub fn run(arguments: &PeriodicArguments, out: &mut dyn Write) -> Result<(), Failure> {
+    let (scene_file, output) = (&arguments.scene, arguments.output.as_deref());
+    let destination = Destination::of(output, Some(scene_file), &arguments.format, false)?;
+    let form = destination.form;
+    let system = scene(arguments)?;
+    let mut parts = parts(&system, &arguments.of)?;
+    without_rates(&parts)?;
+    if arguments.of.is_empty() && system.scene().excitation == Excitation::Base {
+        for part in &mut parts {
+            if let Of::Mass(index) = part.of {
+                part.of = Of::FromBase(index);
+                part.name = system.name_of_motion(part.of);
+            }
+        }
+    }
+    let load = load::of(arguments, &system)?;
+    let forces = grid::parse(&arguments.friction, Quantity::FrictionForce).map_err(Failure::new)?;
+    if arguments.motion && forces.len() != 1 {
+        return Err(Failure::new(
+            "--motion prints one motion: give one force with --friction",
+        ));
+    }
+    let asked = Asked {
+        table: PeriodicTable {
+            system: &system,
+            parts: &parts,
+        },
+        request: PeriodicRequest {
+            load,
+            friction: 0.0,
+            of: parts.iter().map(|part| part.of).collect(),
+        },
+        forces,
+    };
+    let summary = Summary::of(&system, true, Measure::groups(&system));
+    destination.write(out, |out| {
+        if !arguments.motion {
+            return output::write(&StatesReport(&asked), &summary, form, out);
+        }
+        let force = asked.forces.first().copied().unwrap_or_default();
+        let row = asked.row(force)?;
+        output::write(
+            &MotionReport {
+                asked: &asked,
+                row: &row,
+            },
+            &summary,
+            form,
+            out,
+        )
+    })
+}
+
+/// Reads the scene, whose input is held between samples if `--hold` asks for it.
+fn scene(arguments: &PeriodicArguments) -> Result<System, Failure> {
+    let file = FileArgument {
+        file: Some(arguments.scene.clone()),
+    };
+    let mut description = file.description(&Limits::RUN_TIME)?;
+    if arguments.hold {
+        description.scene.stepping.input = StepInput::Hold;
+        // A description may set the input only beside a stepper.
+        if !description.scene.provides(&Provide::Stepper) {
+            description.scene.provide.push(Provide::Stepper);
+        }
+    }
+    System::try_from(description.scene).map_err(Failure::new)
+}
+
+/// The question of the command.
+struct Asked<'a> {
+    table: PeriodicTable<'a>,
+    request: PeriodicRequest,
+    forces: Vec<f64>,
+}
+
+impl Asked<'_> {
+    /// Finds the steady state at one friction force.
+    fn row(&self, friction: f64) -> Result<PeriodicRow, Failure> {
+        let request = PeriodicRequest {
+            friction,
+            ..self.request.clone()
+        };
+        let state = self.table.system.periodic(&request);
+        let state = state.map_err(|error| {
+            Failure::new(format_args!(
+                "with a friction force of {friction} N: {error}"
+            ))
+        })?;
+        Ok(PeriodicRow { friction, state })
+    }
+}
+
+/// Writes one steady state for each friction force.
+struct StatesReport<'a>(&'a Asked<'a>);
+
+impl Table for StatesReport<'_> {
+    type Row = PeriodicRow;
+
+    fn len(&self) -> usize {
+        self.0.forces.len()
+    }
+
+    fn each(&self, visit: Visitor<'_, PeriodicRow>) -> Result<(), Failure> {
+        let mut forces = self.0.forces.iter();
+        forces.try_for_each(|force| visit(&self.0.row(*force)?))
+    }
+
+    fn columns(&self) -> Vec<Column<'_, PeriodicRow>> {
+        self.0.table.columns()
+    }
+}
+
+/// Writes the motion over a period.
+struct MotionReport<'a> {
+    asked: &'a Asked<'a>,
+    row: &'a PeriodicRow,
+}
+
+impl<'a> Table for MotionReport<'a> {
+    type Row = PeriodicSample<'a>;
+
+    fn len(&self) -> usize {
+        self.row.state.forces().len()
+    }
+
+    fn each(&self, visit: Visitor<'_, PeriodicSample<'a>>) -> Result<(), Failure> {
+        self.row.samples().try_for_each(|sample| visit(&sample))
+    }
+
+    fn columns(&self) -> Vec<Column<'_, PeriodicSample<'a>>> {
+        self.asked.table.sample_columns()
+    }
+}

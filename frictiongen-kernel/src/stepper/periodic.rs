@@ -1,0 +1,110 @@
+//! What a search for periodic motions needs of a stepper: forces that follow cubics, and the numbers of its state.
+
+use super::Input;
+use super::drive::{Sample, SubInterval, base_motion};
+use super::interval::StepInterval;
+use super::law::StepContact;
+use super::state::Store;
+use super::table::Tables;
+use super::types::{Stepped, Stepper};
+use crate::errors::OutOfDomain;
+use crate::motion::Contact;
+use crate::number::scalar::Float;
+
+impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepContact<S>>
+    Stepper<'_, S, D, T, V, K>
+{
+    /// Takes one step as [`advance`](Self::advance) with linear input, but with forces that follow cubics. `slopes` has the
+    /// slopes of each force at the start and at the end of the step, per second.
+    ///
+    /// # Errors
+    /// Same errors as [`advance`](Self::advance).
+    pub fn advance_cubic(
+        &mut self,
+        sample: Sample<'_, S>,
+        slopes: &[[S; 2]],
+    ) -> Result<Stepped<S>, OutOfDomain> {
+        sample.check(&self.scene, self.status.stiction)?;
+        self.check_work()?;
+        let pace = self.tables.view().pace;
+        let stiffness = self.scene.units.stiffness;
+        self.status.level = sample.friction / stiffness;
+        let per_step = |[place, rate]: [S; 2]| [place, rate * pace.step];
+        let base = [self.status.base, sample.base].map(per_step);
+        let motion = base_motion(Input::Linear, base[0], base[1]);
+        let mut stepped = Stepped {
+            contact: Contact::Stuck,
+            force: S::constant(0.0),
+            events: 0,
+            exceeded: false,
+        };
+        for part in 0..pace.parts {
+            let stretch = SubInterval::nth(part, pace.parts);
+            let base = self.write_inputs(&sample, motion, stretch);
+            let store = self.store.change();
+            let moving = store.last.len().saturating_sub(sample.forces.len());
+            let channels = store.drive.iter_mut().zip(&*store.last).skip(moving);
+            for (((drive, last), force), [from, to]) in
+                channels.zip(sample.forces).zip(slopes.iter().copied())
+            {
+                let ends = [[*last, from], [*force / stiffness, to]];
+                let [from, to] = ends.map(|[force, slope]| [force, slope / stiffness]);
+                let cubic = base_motion(Input::Linear, per_step(from), per_step(to));
+                for (term, value) in drive.iter_mut().zip(stretch.cubic(cubic)) {
+                    *term = value;
+                }
+            }
+            let mut interval = StepInterval {
+                scene: &self.scene,
+                table: self.tables.view(),
+                store,
+                status: &mut self.status,
+                base,
+                progress: S::constant(0.0),
+                events: 0,
+                exceeded: false,
+            };
+            interval.advance();
+            stepped.events += interval.events;
+            stepped.exceeded |= interval.exceeded;
+        }
+        self.keep_sample(&sample);
+        if self.status.level.is_zero() {
+            self.status.contact = self.direction();
+        }
+        self.status.given = S::constant(0.0);
+        self.status.steps = self.status.steps.wrapping_add(1);
+        self.status.exceeded += u64::from(stepped.exceeded);
+        stepped.contact = self.status.contact;
+        stepped.force = self.force();
+        Ok(stepped)
+    }
+
+    /// Calls `visit` with every number of the state that the motion to come depends on: displacement and scaled velocity of
+    /// each oscillator, and while the contact sticks its place, which for an elastic contact is that of the slider. Their
+    /// number differs between a contact that slides and one that sticks. All are displacements.
+    pub fn visit_state(&mut self, mut visit: impl FnMut(&mut S)) {
+        let sticks = self.status.contact == Contact::Stuck && !self.status.unknown;
+        let driven = self.scene.dynamics.in_contact();
+        let store = self.store.change();
+        let first = if sticks { driven } else { 0 };
+        let held = if sticks { store.held } else { &mut [] };
+        let modes = store.modes.iter_mut().skip(first);
+        for value in held.iter_mut().chain(modes).flatten() {
+            visit(value);
+        }
+        if sticks {
+            visit(&mut self.status.stuck_at);
+        }
+        // A stop that the stepper has noted is not one of the changed state.
+        self.status.wedged = false;
+    }
+
+    /// Sets the work since the start to 0.
+    pub fn restart_work(&mut self) {
+        self.status.load = crate::motion::Total::zero();
+        self.status.dissipated = crate::motion::Total::zero();
+        self.status.energy = self.energy();
+        self.status.pull = self.pull();
+    }
+}

@@ -1,0 +1,154 @@
+//! Rows and columns of steady states under periodic loads, and of their motion over a period.
+
+use super::builder::Columns;
+use super::column::{Column, Head, Kind, Row, Shown};
+use super::measure::{Dimension, Measure};
+use super::setting::{CONTACT, Part};
+use crate::study::System;
+use crate::study::periodic::PeriodicState;
+
+/// A row: the steady state at one friction force.
+#[derive(Clone, Debug)]
+pub struct PeriodicRow {
+    /// The kinetic friction force, N.
+    pub friction: f64,
+    /// The steady state.
+    pub state: PeriodicState,
+}
+
+/// A row: the motion at one step of a steady state.
+#[derive(Clone, Copy, Debug)]
+pub struct PeriodicSample<'s> {
+    row: &'s PeriodicRow,
+    step: usize,
+}
+
+/// The tables of steady states under a periodic load.
+#[derive(Clone, Copy)]
+pub struct PeriodicTable<'a> {
+    /// The system whose steady states are tabulated.
+    pub system: &'a System,
+    /// The motions and forces of springs, in the order in which the question has them.
+    pub parts: &'a [Part],
+}
+
+impl Row for PeriodicRow {}
+impl Row for PeriodicSample<'_> {}
+
+impl PeriodicRow {
+    /// Returns the least and the largest value of a motion, with the sign of the description.
+    fn extremes(&self, part: usize, turned: bool) -> Option<[f64; 2]> {
+        let [least, most] = self.state.tracks().get(part)?.extremes();
+        Some(if turned {
+            [0.0 - most, 0.0 - least]
+        } else {
+            [least, most]
+        })
+    }
+
+    /// Returns the rows of the motion over a period.
+    pub fn samples(&self) -> impl Iterator<Item = PeriodicSample<'_>> {
+        (0..self.state.forces().len()).map(|step| PeriodicSample { row: self, step })
+    }
+}
+
+impl<'a> PeriodicTable<'a> {
+    /// Returns the columns of the steady states.
+    #[must_use]
+    pub fn columns(&self) -> Vec<Column<'a, PeriodicRow>> {
+        let measure = Measure::si(self.system);
+        let mut columns = Columns::new(&measure);
+        let head = Head::of("friction", Dimension::Force);
+        columns.converted(head, |row: &PeriodicRow| Some(row.friction));
+        columns.word("state", "marginal", |row| {
+            Some(if row.state.is_stable() {
+                "stable"
+            } else {
+                "marginal"
+            })
+        });
+        let head = Head::new("period").titled(&["period", "(of load)"]);
+        columns.count(head, |row| Some(row.state.period()));
+        columns.count("events", |row| usize::try_from(row.state.events()).ok());
+        let head = Head::new("stuck_fraction").titled(&["stuck", "(of period)"]);
+        columns.converted(head, |row| Some(row.state.stuck_fraction()));
+        let head = Head::new("largest_multiplier").titled(&["multiplier", "(largest)"]);
+        columns.converted(head, |row| {
+            row.state.multipliers().first().map(|value| value.norm())
+        });
+        for (name, title) in [
+            ("load", "load"),
+            ("friction", "friction"),
+            ("damping", "damping"),
+        ] {
+            let head = Head::of(format!("{name}_work"), Dimension::Energy);
+            columns.converted(head.titled(&[title, "(J)"]), move |row: &PeriodicRow| {
+                let work = row.state.work();
+                Some(match name {
+                    "load" => work.load,
+                    "friction" => work.friction,
+                    _ => work.damping,
+                })
+            });
+        }
+        columns.show(Shown::Objects);
+        columns.list("multipliers", Kind::Complex, |row| {
+            let all = row.state.multipliers().iter();
+            Some(all.map(|value| [value.re, value.im]).collect())
+        });
+        columns.show(Shown::Everywhere);
+        for (place, part) in self.parts.iter().enumerate() {
+            columns.begin_part(&part.name);
+            let turned = measure.turns(part.of);
+            for (which, name) in ["least", "largest"].into_iter().enumerate() {
+                let head = Head::of(name, part.dimension());
+                columns.converted(head, move |row: &PeriodicRow| {
+                    row.extremes(place, turned)?.get(which).copied()
+                });
+            }
+        }
+        columns.done()
+    }
+
+    /// Returns the columns of the motion over a period.
+    #[must_use]
+    pub fn sample_columns<'s>(&self) -> Vec<Column<'s, PeriodicSample<'s>>> {
+        let measure = Measure::si(self.system);
+        let mut columns = Columns::new(&measure);
+        let head = Head::of("time", Dimension::Time);
+        columns.converted(head, |sample: &PeriodicSample<'_>| {
+            let state = &sample.row.state;
+            Some(state.start() + sample.step as f64 * state.step())
+        });
+        let signed = |value: f64, turned: bool| if turned { 0.0 - value } else { value };
+        for (place, part) in self.parts.iter().enumerate() {
+            columns.begin_part(&part.name);
+            let turned = measure.turns(part.of);
+            let names: &[(&str, Dimension)] = match part.of.is_force() {
+                true => &[("force", Dimension::Force)],
+                false => &[
+                    ("displacement", Dimension::Length),
+                    ("velocity", Dimension::Velocity),
+                ],
+            };
+            for (which, (name, dimension)) in names.iter().enumerate() {
+                let head = Head::of(*name, *dimension);
+                columns.converted(head, move |sample: &PeriodicSample<'_>| {
+                    let track = sample.row.state.tracks().get(place)?;
+                    let value = track.values.get(sample.step)?.get(which)?;
+                    Some(signed(*value, turned))
+                });
+            }
+        }
+        columns.begin_part(CONTACT);
+        let turned = measure.turns_contact();
+        columns.converted(
+            Head::of("friction", Dimension::Force),
+            move |sample: &PeriodicSample<'_>| {
+                let force = sample.row.state.forces().get(sample.step)?;
+                Some(signed(*force, turned))
+            },
+        );
+        columns.done()
+    }
+}

@@ -1,0 +1,197 @@
+//! The steady state under a periodic load.
+
+use super::error::PeriodicError;
+use super::load::Sampled;
+use super::search::Fixed;
+use super::walk::Walk;
+use crate::{Complex, Of};
+use frictiongen_kernel::motion::Contact;
+use frictiongen_kernel::stepper::Work;
+
+/// Distance of a multiplier from the unit circle that counts as rounding of the differences.
+const ON_CIRCLE: f64 = 1e-7;
+
+/// A steady state under a periodic load, over one of its periods, in the units of the scene.
+#[derive(Clone, Debug)]
+pub struct PeriodicState {
+    period: usize,
+    multipliers: Vec<Complex<f64>>,
+    events: u64,
+    stuck: usize,
+    work: Work<f64>,
+    residual: f64,
+    step: f64,
+    start: usize,
+    tracks: Vec<PeriodicTrack>,
+    forces: Vec<f64>,
+}
+
+/// A motion or the force of a spring over one period of a steady state.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PeriodicTrack {
+    /// The motion or the spring.
+    pub of: Of,
+    /// Value and derivative in time at each step, and at the end of the period.
+    pub values: Vec<[f64; 2]>,
+    step: f64,
+    /// For the contact's own motion, true in steps with an event. The acceleration then jumps where the velocity is 0.
+    kinks: Vec<bool>,
+}
+
+impl PeriodicTrack {
+    /// Returns the least and the largest value of the period. Between two steps the value is taken from the cubic with the
+    /// values and derivatives at both. Where the contact's motion reverses, two parabolas meet at its largest displacement.
+    #[must_use]
+    pub fn extremes(&self) -> [f64; 2] {
+        let mut extremes = [f64::INFINITY, f64::NEG_INFINITY];
+        let mut note = |value: f64| {
+            let [least, most] = extremes;
+            extremes = [least.min(value), most.max(value)];
+        };
+        for (place, pair) in self.values.windows(2).enumerate() {
+            let [[x0, v0], [x1, v1]] =
+                [pair.first(), pair.last()].map(|at| at.copied().unwrap_or_default());
+            note(x0);
+            note(x1);
+            let (v0, v1, rise) = (v0 * self.step, v1 * self.step, x1 - x0);
+            let (c, d) = (3.0 * rise - 2.0 * v0 - v1, v0 + v1 - 2.0 * rise);
+            let kink = self.kinks.get(place).copied().unwrap_or(false);
+            if kink && v0 * v1 < 0.0 {
+                // Each parabola has velocity 0 at its end: x0 + v0·s/2 = x1 − v1·(1 − s)/2.
+                let share = ((2.0 * rise - v1) / (v0 - v1)).clamp(0.0, 1.0);
+                note(x0 + 0.5 * v0 * share);
+            } else if v0 * v1 < 0.0 {
+                // The zero of v0 + 2cs + 3ds² in the step, in the form that does not cancel.
+                let root = (c * c - 3.0 * d * v0).max(0.0).sqrt();
+                for share in [-v0 / (c + root), -v0 / (c - root)] {
+                    if (0.0..=1.0).contains(&share) {
+                        note(x0 + share * (v0 + share * (c + share * d)));
+                    }
+                }
+            }
+        }
+        extremes
+    }
+}
+
+impl PeriodicState {
+    /// Follows the period of a state that repeats.
+    pub(super) fn of(
+        walk: &mut Walk<'_>,
+        load: &Sampled,
+        fixed: &Fixed,
+        of: &[Of],
+    ) -> Result<Self, PeriodicError> {
+        walk.stepper.restart_work();
+        let tracks = of.iter().map(|of| PeriodicTrack {
+            of: *of,
+            values: Vec::new(),
+            step: load.step,
+            kinks: Vec::new(),
+        });
+        let mut state = Self {
+            period: fixed.period,
+            multipliers: fixed.multipliers.clone(),
+            events: 0,
+            stuck: 0,
+            work: walk.stepper.work(),
+            residual: fixed.residual,
+            step: load.step,
+            start: walk.at,
+            tracks: tracks.collect(),
+            forces: Vec::new(),
+        };
+        state.note(walk);
+        for _ in 0..fixed.period * load.points.len() {
+            let stepped = walk.step()?;
+            state.events += u64::from(stepped.events);
+            state.stuck += usize::from(stepped.contact == Contact::Stuck);
+            state.note(walk);
+            for track in &mut state.tracks {
+                let own = walk.stepper.system.moves_as_contact(track.of);
+                track.kinks.push(own && stepped.events > 0);
+            }
+        }
+        state.work = walk.stepper.work();
+        Ok(state)
+    }
+
+    fn note(&mut self, walk: &Walk<'_>) {
+        for track in &mut self.tracks {
+            let (value, rate) = walk.stepper.motion_of(track.of).unwrap_or_default();
+            track.values.push([value, rate]);
+        }
+        self.forces.push(walk.stepper.contact().force());
+    }
+
+    /// Returns the number of periods of the load after which the motion repeats.
+    #[must_use]
+    pub fn period(&self) -> usize {
+        self.period
+    }
+
+    /// Returns the Floquet multipliers of a period, the largest first. They come from central differences, whose error is
+    /// about 1e-9. A contact that never slides has a multiplier of 1 for its place.
+    #[must_use]
+    pub fn multipliers(&self) -> &[Complex<f64>] {
+        &self.multipliers
+    }
+
+    /// Returns true if every small change of the state dies out.
+    #[must_use]
+    pub fn is_stable(&self) -> bool {
+        self.multipliers
+            .iter()
+            .all(|value| value.norm() < 1.0 - ON_CIRCLE)
+    }
+
+    /// Returns the number of stops, break-aways and reversals of the contact in a period of the motion.
+    #[must_use]
+    pub fn events(&self) -> u64 {
+        self.events
+    }
+
+    /// Returns the fraction of the steps at whose end the contact sticks.
+    #[must_use]
+    pub fn stuck_fraction(&self) -> f64 {
+        let steps = self.forces.len().saturating_sub(1).max(1);
+        self.stuck as f64 / steps as f64
+    }
+
+    /// Returns the work of the load and the losses in a period of the motion. The damping takes what the load gives and
+    /// friction does not take.
+    #[must_use]
+    pub fn work(&self) -> Work<f64> {
+        self.work
+    }
+
+    /// Returns the difference of the state after a period, relative to the size of the motion.
+    #[must_use]
+    pub fn residual(&self) -> f64 {
+        self.residual
+    }
+
+    /// Returns the time between two steps of the tracks, s.
+    #[must_use]
+    pub fn step(&self) -> f64 {
+        self.step
+    }
+
+    /// Returns the time at which the tracks begin, s after the start of the load's period.
+    #[must_use]
+    pub fn start(&self) -> f64 {
+        self.start as f64 * self.step
+    }
+
+    /// Returns the requested motions over a period.
+    #[must_use]
+    pub fn tracks(&self) -> &[PeriodicTrack] {
+        &self.tracks
+    }
+
+    /// Returns the force of the contact at each step, and at the end of the period.
+    #[must_use]
+    pub fn forces(&self) -> &[f64] {
+        &self.forces
+    }
+}

@@ -1,0 +1,89 @@
+//! The reasons why there is no steady state under a periodic load.
+
+use crate::study::words;
+use crate::{Of, OutOfDomain};
+use std::fmt;
+
+/// The reason why there is no steady state under a periodic load.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum PeriodicError {
+    /// The table has fewer than three samples.
+    Short,
+    /// A sample, a step or an amplitude is not finite, or a step or a frequency is not above 0.
+    Number,
+    /// The last sample differs from the first one. The table must end with the sample with which the next period begins.
+    Open(f64, f64),
+    /// The mean acceleration or velocity of the base is not 0, so that the base does not come back.
+    Drifts(&'static str, f64),
+    /// There are no harmonics.
+    NoHarmonics,
+    /// A harmonic has an order above 1000.
+    Order(u32),
+    /// A force was given, but the base of the scene is excited.
+    BaseMoves,
+    /// A motion of the base was given, but a mass of the scene is excited.
+    BaseAtRest,
+    /// The scene holds its input between samples, which a motion of the base cannot do.
+    Held,
+    /// The period needs more steps than the search takes.
+    Long,
+    /// The scene has no such motion.
+    NoSuchMotion(Of),
+    /// The stepper refuses a number.
+    Step(OutOfDomain),
+    /// The motion from rest settles on no period of up to 64 periods of the load.
+    NotSteady,
+}
+
+impl fmt::Display for PeriodicError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Short => "one period needs at least three samples",
+            Self::Number => {
+                "the samples and amplitudes must be finite, and the time between samples and the frequency above 0"
+            }
+            Self::Open(first, last) => {
+                return write!(
+                    f,
+                    "the period does not close: its first sample is {first} and its last one {last}; end the table with the sample with which the next period begins"
+                );
+            }
+            Self::Drifts(quantity, mean) => {
+                return write!(
+                    f,
+                    "the period does not close: the mean {quantity} of the base is {mean}, so the base does not come back; subtract the mean"
+                );
+            }
+            Self::NoHarmonics => "a sum of harmonics needs at least one harmonic",
+            Self::Order(order) => {
+                return write!(f, "the order {order} of a harmonic is above 1000");
+            }
+            Self::BaseMoves => {
+                "the excitation of the scene is the base; give its motion in m, m/s, m/s2 or g, not a force"
+            }
+            Self::BaseAtRest => {
+                "the excitation of the scene is a mass; give the force on it in N, not a motion of the base"
+            }
+            Self::Held => {
+                "a motion of the base cannot be held between samples; leave `input: hold` out of the description"
+            }
+            Self::Long => {
+                "the period needs more than 65536 steps of the fastest mode; give fewer samples or a shorter period"
+            }
+            Self::NoSuchMotion(of) => return words::no_such_motion(f, *of),
+            Self::Step(error) => return error.fmt(f),
+            Self::NotSteady => {
+                "the motion from rest repeats neither after one period of the load nor after up to 64"
+            }
+        })
+    }
+}
+
+impl std::error::Error for PeriodicError {}
+
+impl From<OutOfDomain> for PeriodicError {
+    fn from(error: OutOfDomain) -> Self {
+        Self::Step(error)
+    }
+}

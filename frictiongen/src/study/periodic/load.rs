@@ -1,0 +1,331 @@
+//! Periodic loads, and their samples at the steps of the stepper.
+
+use super::error::PeriodicError;
+use crate::study::System;
+use crate::study::scene::{Excitation, StepInput};
+use std::f64::consts::TAU;
+
+/// Number of samples in a cycle of the highest harmonic.
+const IN_A_CYCLE: usize = 1024;
+/// Largest order of a harmonic.
+const MOST_ORDER: u32 = 1000;
+/// Largest number of steps in a period of the load.
+const MOST_STEPS: usize = 65_536;
+/// Largest angle of the fastest mode in a step, in rad. Cubics between the steps give the largest displacements.
+const ANGLE: f64 = 0.1;
+/// Relative difference within which the last sample equals the first one.
+const SAME: f64 = 1e-9;
+/// Mean of the base's acceleration or velocity, relative to its largest value, that counts as rounding of a table.
+const MEAN: f64 = 1e-6;
+/// Sweeps of the iteration for the spline through displacements. Each divides the error by more than 2.
+const SWEEPS: usize = 64;
+
+/// One harmonic of a load: a_n cos(nωt − φ).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Harmonic {
+    /// The order n; 0 is a constant.
+    pub order: u32,
+    /// The amplitude a_n: a force, or a displacement of the base.
+    pub amplitude: f64,
+    /// The lag φ behind a cosine, rad.
+    pub lag: f64,
+}
+
+/// The quantity of a table of the base's motion.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BaseTable {
+    /// Displacements, joined by a periodic cubic spline.
+    Displacement,
+    /// Velocities, joined by straight lines.
+    Velocity,
+    /// Accelerations, joined by straight lines.
+    Acceleration,
+}
+
+/// A load over one period, in the units of the scene.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PeriodicLoad(Kind);
+
+#[derive(Clone, Debug, PartialEq)]
+enum Kind {
+    /// Time between samples, and the forces without the last sample, which repeats the first one.
+    Forces(f64, Vec<f64>),
+    /// Time between samples, and displacement and velocity of the base.
+    Base(f64, Vec<[f64; 2]>),
+    /// Period of the load, and its harmonics.
+    Harmonics(f64, Vec<Harmonic>),
+}
+
+/// The load at one step: displacement and velocity of the base, force, and slope of the force.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Point {
+    pub base: [f64; 2],
+    pub force: f64,
+    pub slope: f64,
+}
+
+/// The load at all steps of one period.
+#[derive(Clone, Debug)]
+pub(super) struct Sampled {
+    pub step: f64,
+    pub points: Vec<Point>,
+    /// True if forces follow cubics between the steps.
+    pub cubic: bool,
+    /// True if the load is constant in each step.
+    pub hold: bool,
+}
+
+impl Sampled {
+    /// Returns the load at a step, which may be beyond the period.
+    pub fn at(&self, step: usize) -> Point {
+        let place = step.checked_rem(self.points.len()).unwrap_or(0);
+        self.points.get(place).copied().unwrap_or_default()
+    }
+}
+
+impl PeriodicLoad {
+    /// Returns a force on the excited mass, from samples `step` seconds apart. The last sample repeats the first one.
+    ///
+    /// # Errors
+    /// [`PeriodicError`] for fewer than three samples, for numbers that are not finite, and if the period does not close.
+    pub fn forces(step: f64, samples: &[f64]) -> Result<Self, PeriodicError> {
+        Ok(Self(Kind::Forces(step, closed(step, samples)?.to_vec())))
+    }
+
+    /// Returns a motion of the base, from samples `step` seconds apart. The last sample repeats the first one. The mean
+    /// displacement of the base is 0.
+    ///
+    /// # Errors
+    /// Same errors as [`forces`](Self::forces), and [`PeriodicError::Drifts`] if the base does not come back.
+    pub fn base(step: f64, samples: &[f64], quantity: BaseTable) -> Result<Self, PeriodicError> {
+        let samples = closed(step, samples)?;
+        let next = |values: &[f64], k: usize| at(values, (k + 1) % values.len().max(1));
+        let count = samples.len() as f64;
+        let mean = |values: &[f64]| values.iter().sum::<f64>() / count;
+        let motion = match quantity {
+            BaseTable::Velocity => {
+                let rates = settled(samples, "velocity")?;
+                let mut place = 0.0;
+                let places = rates.iter().enumerate().map(|(k, rate)| {
+                    let here = place;
+                    place += 0.5 * step * (rate + next(&rates, k));
+                    [here, *rate]
+                });
+                places.collect()
+            }
+            BaseTable::Acceleration => integrated(step, &settled(samples, "acceleration")?),
+            BaseTable::Displacement => {
+                let bends = spline(step, samples);
+                let rate = |k: usize| {
+                    let rise = (next(samples, k) - at(samples, k)) / step;
+                    rise - step * (2.0 * at(&bends, k) + next(&bends, k)) / 6.0
+                };
+                let places = samples.iter().enumerate();
+                places.map(|(k, place)| [*place, rate(k)]).collect()
+            }
+        };
+        let mut motion: Vec<[f64; 2]> = motion;
+        let places: Vec<f64> = motion.iter().map(|[place, _]| *place).collect();
+        let centre = mean(&places);
+        for [place, _] in &mut motion {
+            *place -= centre;
+        }
+        Ok(Self(Kind::Base(step, motion)))
+    }
+
+    /// Returns a sum of harmonics of the frequency 1/`period`: of the force on the excited mass, or of the displacement of
+    /// the base.
+    ///
+    /// # Errors
+    /// [`PeriodicError`] for no harmonic, for an order above 1000, and for numbers that are not finite.
+    pub fn harmonics(period: f64, harmonics: &[Harmonic]) -> Result<Self, PeriodicError> {
+        if harmonics.is_empty() {
+            return Err(PeriodicError::NoHarmonics);
+        }
+        if let Some(high) = harmonics.iter().find(|one| MOST_ORDER < one.order) {
+            return Err(PeriodicError::Order(high.order));
+        }
+        let numbers = harmonics.iter().flat_map(|one| [one.amplitude, one.lag]);
+        let sound = numbers.into_iter().all(f64::is_finite);
+        if !(sound && 0.0 < period && period.is_finite()) {
+            return Err(PeriodicError::Number);
+        }
+        Ok(Self(Kind::Harmonics(period, harmonics.to_vec())))
+    }
+
+    /// Returns the load at the steps that the search takes, for this system.
+    pub(super) fn sampled(&self, system: &System) -> Result<Sampled, PeriodicError> {
+        let scene = system.scene();
+        let moving = scene.excitation == Excitation::Base;
+        let hold = scene.stepping.input == StepInput::Hold;
+        match &self.0 {
+            Kind::Forces(..) if moving => return Err(PeriodicError::BaseMoves),
+            Kind::Base(..) if !moving => return Err(PeriodicError::BaseAtRest),
+            Kind::Forces(..) => {}
+            _ if hold => return Err(PeriodicError::Held),
+            _ => {}
+        }
+        let fastest = system.natural_frequencies().into_iter().fold(0.0, f64::max);
+        let parts = |step: f64, count: usize| {
+            let parts = (step * fastest / ANGLE).ceil().max(1.0);
+            let steps = parts * count as f64;
+            (steps <= MOST_STEPS as f64)
+                .then_some(parts as usize)
+                .ok_or(PeriodicError::Long)
+        };
+        let (step, points) = match &self.0 {
+            Kind::Forces(step, forces) => {
+                let parts = parts(*step, forces.len())?;
+                let rise = |k: usize| at(forces, (k + 1) % forces.len().max(1)) - at(forces, k);
+                let point = |k: usize, share: f64| Point {
+                    force: at(forces, k) + if hold { 0.0 } else { share * rise(k) },
+                    ..Point::default()
+                };
+                (step / parts as f64, divided(forces.len(), parts, point))
+            }
+            Kind::Base(step, motion) => {
+                let parts = parts(*step, motion.len())?;
+                let ends = |k: usize| [k, (k + 1) % motion.len().max(1)];
+                let point = |k: usize, share: f64| Point {
+                    base: hermite(
+                        ends(k).map(|k| motion.get(k).copied().unwrap_or_default()),
+                        *step,
+                        share,
+                    ),
+                    ..Point::default()
+                };
+                (step / parts as f64, divided(motion.len(), parts, point))
+            }
+            Kind::Harmonics(period, harmonics) => {
+                let highest = harmonics.iter().map(|one| one.order).max().unwrap_or(1);
+                let count = IN_A_CYCLE * highest.max(1) as usize;
+                let count = count * parts(period / count as f64, count)?;
+                let points = (0..count).map(|k| {
+                    let [value, rate] = summed(harmonics, *period, k as f64 / count as f64);
+                    match moving {
+                        true => Point {
+                            base: [value, rate],
+                            ..Point::default()
+                        },
+                        false => Point {
+                            force: value,
+                            slope: rate,
+                            ..Point::default()
+                        },
+                    }
+                });
+                (period / count as f64, points.collect())
+            }
+        };
+        Ok(Sampled {
+            step,
+            points,
+            cubic: matches!(self.0, Kind::Harmonics(..)) && !moving,
+            hold,
+        })
+    }
+}
+
+/// Checks the samples of a table, and returns them without the last one.
+fn closed(step: f64, samples: &[f64]) -> Result<&[f64], PeriodicError> {
+    let [first, .., last] = samples else {
+        return Err(PeriodicError::Short);
+    };
+    if samples.len() < 3 {
+        return Err(PeriodicError::Short);
+    }
+    if !(0.0 < step && step.is_finite() && samples.iter().all(|value| value.is_finite())) {
+        return Err(PeriodicError::Number);
+    }
+    let most = samples
+        .iter()
+        .fold(0.0_f64, |most, value| most.max(value.abs()));
+    if SAME * most < (first - last).abs() {
+        return Err(PeriodicError::Open(*first, *last));
+    }
+    Ok(samples.split_last().map_or(samples, |(_, before)| before))
+}
+
+/// Returns rates of the base without their mean, which must be rounding.
+fn settled(rates: &[f64], quantity: &'static str) -> Result<Vec<f64>, PeriodicError> {
+    let most = rates
+        .iter()
+        .fold(0.0_f64, |most, rate| most.max(rate.abs()));
+    let mean = rates.iter().sum::<f64>() / rates.len() as f64;
+    if MEAN * most < mean.abs() {
+        return Err(PeriodicError::Drifts(quantity, mean));
+    }
+    Ok(rates.iter().map(|rate| rate - mean).collect())
+}
+
+/// Returns displacement and velocity of a base whose acceleration changes linearly between samples.
+fn integrated(step: f64, accelerations: &[f64]) -> Vec<[f64; 2]> {
+    let next = |k: usize| at(accelerations, (k + 1) % accelerations.len().max(1));
+    let (mut place, mut rate) = (0.0, 0.0);
+    let mut motion = Vec::with_capacity(accelerations.len());
+    for (k, here) in accelerations.iter().enumerate() {
+        motion.push([place, rate]);
+        place += step * (rate + step * (2.0 * here + next(k)) / 6.0);
+        rate += 0.5 * step * (here + next(k));
+    }
+    // With this velocity at the start, the displacement closes.
+    let count = accelerations.len() as f64;
+    let drift = place / (count * step);
+    for (k, [place, rate]) in motion.iter_mut().enumerate() {
+        *place -= drift * step * k as f64;
+        *rate -= drift;
+    }
+    motion
+}
+
+/// Returns the second derivatives of the periodic cubic spline through displacements.
+fn spline(step: f64, places: &[f64]) -> Vec<f64> {
+    let count = places.len();
+    let mut bends = vec![0.0; count];
+    for _ in 0..SWEEPS {
+        for k in 0..count {
+            let [before, after] = [(k + count - 1) % count, (k + 1) % count];
+            let bend = at(places, before) - 2.0 * at(places, k) + at(places, after);
+            let bend = 6.0 * bend / (step * step) - at(&bends, before) - at(&bends, after);
+            if let Some(to) = bends.get_mut(k) {
+                *to = 0.25 * bend;
+            }
+        }
+    }
+    bends
+}
+
+/// Returns the points of a table whose steps are divided into equal parts.
+fn divided(count: usize, parts: usize, point: impl Fn(usize, f64) -> Point) -> Vec<Point> {
+    let steps = (0..count).flat_map(|k| (0..parts).map(move |part| (k, part)));
+    steps
+        .map(|(k, part)| point(k, part as f64 / parts as f64))
+        .collect()
+}
+
+/// Returns displacement and velocity at a fraction of a step, on the cubic between two samples.
+fn hermite([[x0, v0], [x1, v1]]: [[f64; 2]; 2], step: f64, share: f64) -> [f64; 2] {
+    let (v0, v1, rise) = (v0 * step, v1 * step, x1 - x0);
+    let (c, d) = (3.0 * rise - 2.0 * v0 - v1, v0 + v1 - 2.0 * rise);
+    [
+        x0 + share * (v0 + share * (c + share * d)),
+        (v0 + share * (2.0 * c + share * 3.0 * d)) / step,
+    ]
+}
+
+/// Returns the value of a sum of harmonics and its derivative in time, at a fraction of the period.
+fn summed(harmonics: &[Harmonic], period: f64, share: f64) -> [f64; 2] {
+    harmonics.iter().fold([0.0; 2], |[value, rate], one| {
+        let order = f64::from(one.order);
+        let (sine, cosine) = (TAU * order * share - one.lag).sin_cos();
+        let omega = TAU * order / period;
+        [
+            value + one.amplitude * cosine,
+            rate - one.amplitude * omega * sine,
+        ]
+    })
+}
+
+fn at(values: &[f64], place: usize) -> f64 {
+    values.get(place).copied().unwrap_or(0.0)
+}

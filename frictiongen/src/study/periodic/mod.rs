@@ -1,0 +1,68 @@
+//! Steady states under any periodic load: a table of one period, or harmonics.
+//!
+//! The stepper follows the motion, whose steps are exact for loads that are polynomials between samples. Newton's method
+//! finds the state that repeats after a whole number of periods of the load. Closed forms need a cosine, so that such a
+//! load has no limits, no friction ratio and no phase.
+
+mod answer;
+mod error;
+mod load;
+mod search;
+mod walk;
+
+#[cfg(test)]
+mod tests;
+
+pub use answer::{PeriodicState, PeriodicTrack};
+pub use error::PeriodicError;
+pub use load::{BaseTable, Harmonic, PeriodicLoad};
+
+use crate::Of;
+use crate::study::System;
+
+/// A question for the steady state under a periodic load.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PeriodicRequest {
+    /// The load over one period.
+    pub load: PeriodicLoad,
+    /// The kinetic friction force F, in the unit of force of the scene.
+    pub friction: f64,
+    /// The motions and forces of springs that the answer contains.
+    pub of: Vec<Of>,
+}
+
+impl System {
+    /// Returns the steady state in which motion from rest ends under a periodic load on the excited mass or of the base.
+    ///
+    /// The load is a table of one period or a sum of harmonics. Between samples, forces change linearly, and with `input:
+    /// hold` they are constant. The base moves with an acceleration that changes linearly, so that the stepper is exact
+    /// for tables. A sum of harmonics has 1024 samples in a cycle of its highest order and cubics between them, which
+    /// differ from it by at most 4e-12 of its amplitude.
+    ///
+    /// The search follows motion from rest until Newton's method finds a state that repeats, with a matrix of central
+    /// differences. This state is stable, and the motion approaches it. Its period is up to 64 periods of the load.
+    ///
+    /// ```
+    /// use frictiongen::{Of, System};
+    /// use frictiongen::study::periodic::{PeriodicLoad, PeriodicRequest};
+    ///
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// let block: System = "struct Block { masses: { m: 2 }, springs: { base - m: 800 },
+    ///     contact: m - wall, excitation: m, damping: modal(0.02) }".parse()?;
+    /// // A triangle of 30 N in a period of 0.8 s.
+    /// let load = PeriodicLoad::forces(0.2, &[0.0, 30.0, 0.0, -30.0, 0.0])?;
+    /// let request = PeriodicRequest { load, friction: 6.0, of: vec![Of::Mass(0)] };
+    /// let state = block.periodic(&request)?;
+    /// assert!(state.is_stable() && state.period() == 1);
+    /// let work = state.work();
+    /// assert!((work.load - work.friction - work.damping).abs() < 1e-10 * work.load);
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// # Errors
+    /// [`PeriodicError`] for a load that does not close or does not fit the excitation, and if no steady state is found.
+    pub fn periodic(&self, request: &PeriodicRequest) -> Result<PeriodicState, PeriodicError> {
+        search::steady(self, request)
+    }
+}

@@ -1,0 +1,231 @@
+//! Finds the state that repeats: motion from rest, then Newton's method.
+
+use super::PeriodicRequest;
+use super::answer::PeriodicState;
+use super::error::PeriodicError;
+use super::walk::{Numbers, Place, Walk};
+use crate::study::System;
+use nalgebra::{Complex, DMatrix, DVector};
+
+/// Periods of the load from rest before the first attempt. Each further attempt follows twice as many.
+const WARM: usize = 8;
+/// Number of attempts.
+const ATTEMPTS: usize = 9;
+/// Largest number of periods of the load after which the motion repeats.
+const MOST_PERIODS: usize = 64;
+/// A number of periods is tried if the motion comes as close to its earlier state, relative to the largest distance.
+const NEARLY: f64 = 0.02;
+/// Largest number of Newton's steps in an attempt.
+const NEWTON: usize = 14;
+/// Difference after a period that counts as rounding, relative to the motion.
+const SAME: f64 = 1e-13;
+/// Largest such difference at which Newton's method may end if it no longer improves.
+const ENOUGH: f64 = 1e-11;
+/// Step of the central differences, relative to the motion. Their error is about its square.
+const STEP: f64 = 1e-5;
+/// Singular values below which a direction counts as neutral.
+const RANK: f64 = 1e-7;
+/// Distance of a multiplier from the unit circle that counts as rounding of the differences.
+const ON_CIRCLE: f64 = 1e-7;
+/// Factor by which the distance from a steady state must fall before the motion counts as approaching it.
+const DECAY: f64 = 0.1;
+/// Largest number of periods of the load for that.
+const MOST_CONFIRMED: usize = 512;
+/// Distance from the steady state that counts as reached, relative to the motion.
+const REACHED: f64 = 1e-7;
+/// Distance from a state with a neutral direction that counts as reached. The past decides which of these states it is, so
+/// that the motion must have come to rest in it.
+const SETTLED: f64 = 1e-10;
+
+/// A state that repeats, with the multipliers of its period.
+pub(super) struct Fixed {
+    pub place: Place,
+    pub numbers: Numbers,
+    pub period: usize,
+    pub multipliers: Vec<Complex<f64>>,
+    /// Difference after a period, relative to the motion.
+    pub residual: f64,
+}
+
+impl Fixed {
+    /// Returns the largest modulus of the multipliers.
+    pub fn largest(&self) -> f64 {
+        self.multipliers
+            .iter()
+            .fold(0.0, |most, value| most.max(value.norm()))
+    }
+}
+
+/// Returns the steady state in which motion from rest ends.
+pub(super) fn steady(
+    system: &System,
+    request: &PeriodicRequest,
+) -> Result<PeriodicState, PeriodicError> {
+    if let Some(of) = request.of.iter().find(|of| !system.has_motion(**of)) {
+        return Err(PeriodicError::NoSuchMotion(*of));
+    }
+    let load = request.load.sampled(system)?;
+    let mut search = Search {
+        walk: Walk::new(system, &load, request.friction)?,
+        size: 0.0,
+    };
+    let mut periods = WARM;
+    for _ in 0..ATTEMPTS {
+        search.walk.periods(periods)?;
+        search.walk.to_quiet()?;
+        for period in search.periods(periods)? {
+            if let Some(fixed) = search.newton(period)?
+                && fixed.largest() < 1.0 + ON_CIRCLE
+                && search.approaches(&fixed)?
+            {
+                search.walk.go(&fixed.place)?;
+                return PeriodicState::of(&mut search.walk, &load, &fixed, &request.of);
+            }
+        }
+        periods *= 2;
+    }
+    Err(PeriodicError::NotSteady)
+}
+
+struct Search<'a> {
+    walk: Walk<'a>,
+    /// Size of the motion: its largest number at the start of a period.
+    size: f64,
+}
+
+impl Search<'_> {
+    /// Returns the numbers of periods after which the motion may repeat: 1, and the number after which it comes close to
+    /// its present state. The motion stays where it is.
+    fn periods(&mut self, most: usize) -> Result<Vec<usize>, PeriodicError> {
+        let here = self.walk.place();
+        let first = self.walk.numbers();
+        self.size = first.size();
+        let mut aways = Vec::new();
+        for _ in 0..most.min(MOST_PERIODS) {
+            self.walk.periods(1)?;
+            let numbers = self.walk.numbers();
+            self.size = self.size.max(numbers.size());
+            aways.push(numbers.away(&first));
+        }
+        self.walk.go(&here)?;
+        // A motion that has not begun has no size. Any other size then serves as well.
+        if self.size == 0.0 {
+            self.size = 1.0;
+        }
+        let finite = aways.iter().copied().filter(|away| away.is_finite());
+        let widest = finite.fold(0.0, f64::max);
+        let near = |away: &f64| *away <= NEARLY * widest;
+        let several = aways.iter().skip(1).position(near).map(|place| place + 2);
+        Ok(std::iter::once(1).chain(several).collect())
+    }
+
+    /// Seeks a state near the present one that repeats after `period` periods of the load. The motion stays where it is.
+    fn newton(&mut self, period: usize) -> Result<Option<Fixed>, PeriodicError> {
+        let here = self.walk.place();
+        let found = self.newton_from(here.clone(), period);
+        self.walk.go(&here)?;
+        found
+    }
+
+    fn newton_from(
+        &mut self,
+        mut start: Place,
+        period: usize,
+    ) -> Result<Option<Fixed>, PeriodicError> {
+        let mut before = f64::INFINITY;
+        for _ in 0..NEWTON {
+            self.walk.go(&start)?;
+            let from = self.walk.numbers();
+            self.walk.periods(period)?;
+            let to = self.walk.numbers();
+            let away = to.away(&from);
+            if !away.is_finite() {
+                start = self.walk.place();
+                continue;
+            }
+            let residual = away / self.size;
+            let Some(matrix) = self.differences(&start, &from, period)? else {
+                return Ok(None);
+            };
+            if residual <= SAME || (residual <= ENOUGH && 0.5 * before <= residual) {
+                let mut multipliers: Vec<Complex<f64>> =
+                    matrix.complex_eigenvalues().iter().copied().collect();
+                multipliers.sort_by(|a, b| b.norm().total_cmp(&a.norm()));
+                return Ok(Some(Fixed {
+                    place: start,
+                    numbers: from,
+                    period,
+                    multipliers,
+                    residual,
+                }));
+            }
+            before = residual;
+            let count = from.values.len();
+            let change = to
+                .values
+                .iter()
+                .zip(&from.values)
+                .map(|(to, from)| to - from);
+            let change = DVector::from_iterator(count, change);
+            let system = DMatrix::identity(count, count) - matrix;
+            let Ok(step) = system.svd(true, true).solve(&change, RANK) else {
+                return Ok(None);
+            };
+            self.walk.go(&start)?;
+            self.walk.add(step.as_slice());
+            start = self.walk.place();
+        }
+        Ok(None)
+    }
+
+    /// Returns the derivatives of the state after a period with respect to the state before, as central differences.
+    /// `None` if a change of the state changes the contact at the end.
+    fn differences(
+        &mut self,
+        start: &Place,
+        from: &Numbers,
+        period: usize,
+    ) -> Result<Option<DMatrix<f64>>, PeriodicError> {
+        let count = from.values.len();
+        let step = STEP * self.size;
+        let mut matrix = DMatrix::zeros(count, count);
+        for column in 0..count {
+            let mut after = |side: f64| {
+                self.walk.go(start)?;
+                let mut changes = vec![0.0; count];
+                if let Some(change) = changes.get_mut(column) {
+                    *change = side * step;
+                }
+                self.walk.add(&changes);
+                self.walk.periods(period)?;
+                Ok::<Numbers, PeriodicError>(self.walk.numbers())
+            };
+            let (above, below) = (after(1.0)?, after(-1.0)?);
+            let alike = |numbers: &Numbers| numbers.contact == from.contact;
+            if !(alike(&above) && alike(&below)) {
+                return Ok(None);
+            }
+            let pairs = above.values.iter().zip(&below.values);
+            let slopes = pairs.map(|(above, below)| (above - below) / (step + step));
+            matrix.set_column(column, &DVector::from_iterator(count, slopes));
+        }
+        Ok(Some(matrix))
+    }
+
+    /// Returns true if the motion approaches a state as fast as its multipliers predict. The motion goes on meanwhile.
+    fn approaches(&mut self, fixed: &Fixed) -> Result<bool, PeriodicError> {
+        let rate = fixed.largest();
+        if 1.0 - ON_CIRCLE <= rate {
+            let away = self.walk.numbers().away(&fixed.numbers);
+            return Ok(away <= SETTLED * self.size);
+        }
+        let count = DECAY.ln() / rate.max(DECAY).ln();
+        let most = (MOST_CONFIRMED / fixed.period).max(1);
+        let count = (count.ceil() as usize).clamp(1, most);
+        let before = self.walk.numbers().away(&fixed.numbers);
+        self.walk.periods(count * fixed.period)?;
+        let after = self.walk.numbers().away(&fixed.numbers);
+        let expected = rate.powf(count as f64).max(DECAY);
+        Ok(after <= REACHED * self.size || after <= 0.5 * (1.0 + expected) * before)
+    }
+}

@@ -1,0 +1,173 @@
+//! Follows the motion under a periodic load, step by step.
+
+use super::error::PeriodicError;
+use super::load::Sampled;
+use crate::study::System;
+use crate::study::stepper::{SystemStepSaved, SystemStepper};
+use frictiongen_kernel::motion::Contact;
+use frictiongen_kernel::stepper::{Sample, Stepped};
+use std::ops::DerefMut;
+
+/// A motion under a periodic load.
+pub(super) struct Walk<'a> {
+    pub stepper: SystemStepper<'a>,
+    load: &'a Sampled,
+    friction: f64,
+    /// Number of the step in the period that comes next.
+    pub at: usize,
+    /// The force on each loaded mass, of which only the first one is not 0, and its slopes at both ends of a step.
+    forces: Vec<f64>,
+    slopes: Vec<[f64; 2]>,
+}
+
+/// A state of the motion, and its place in the period.
+#[derive(Clone)]
+pub(super) struct Place {
+    saved: SystemStepSaved,
+    at: usize,
+}
+
+/// The numbers of a state. Only states of the same contact have the same numbers.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Numbers {
+    pub contact: Contact,
+    pub values: Vec<f64>,
+}
+
+impl Numbers {
+    /// Returns the largest difference between two states. It is infinite between a contact that slides and one that
+    /// sticks.
+    pub fn away(&self, other: &Self) -> f64 {
+        if self.contact != other.contact || self.values.len() != other.values.len() {
+            return f64::INFINITY;
+        }
+        let pairs = self.values.iter().zip(&other.values);
+        pairs.fold(0.0, |most, (a, b)| most.max((a - b).abs()))
+    }
+
+    /// Returns the largest number.
+    pub fn size(&self) -> f64 {
+        let values = self.values.iter();
+        values.fold(0.0, |most, value| most.max(value.abs()))
+    }
+}
+
+impl<'a> Walk<'a> {
+    /// Starts from rest at the beginning of the period.
+    pub fn new(
+        system: &'a System,
+        load: &'a Sampled,
+        friction: f64,
+    ) -> Result<Self, PeriodicError> {
+        let masses = system.scene().masses.len();
+        let mut walk = Self {
+            stepper: system.stepper(load.step)?,
+            load,
+            friction,
+            at: 0,
+            forces: vec![0.0; masses],
+            slopes: vec![[0.0; 2]; masses],
+        };
+        let first = load.at(0);
+        walk.set(first.force, [0.0; 2]);
+        let sample = Sample {
+            base: first.base,
+            forces: &walk.forces,
+            friction,
+        };
+        walk.stepper.deref_mut().begin(sample)?;
+        Ok(walk)
+    }
+
+    fn set(&mut self, force: f64, slopes: [f64; 2]) {
+        if let Some(first) = self.forces.first_mut() {
+            *first = force;
+        }
+        if let Some(first) = self.slopes.first_mut() {
+            *first = slopes;
+        }
+    }
+
+    /// Takes one step.
+    pub fn step(&mut self) -> Result<Stepped<f64>, PeriodicError> {
+        let (from, to) = (self.load.at(self.at), self.load.at(self.at + 1));
+        let end = if self.load.hold { from } else { to };
+        self.set(end.force, [from.slope, to.slope]);
+        let sample = Sample {
+            base: end.base,
+            forces: &self.forces,
+            friction: self.friction,
+        };
+        let stepper = self.stepper.deref_mut();
+        let stepped = match self.load.cubic {
+            true => stepper.advance_cubic(sample, &self.slopes)?,
+            false => stepper.advance(sample)?,
+        };
+        self.at = (self.at + 1)
+            .checked_rem(self.load.points.len())
+            .unwrap_or(0);
+        Ok(stepped)
+    }
+
+    /// Takes the steps of some periods of the load.
+    pub fn periods(&mut self, count: usize) -> Result<(), PeriodicError> {
+        for _ in 0..count * self.load.points.len() {
+            self.step()?;
+        }
+        Ok(())
+    }
+
+    /// Takes the steps of one period, and then those to the middle of the longest run of steps without an event.
+    pub fn to_quiet(&mut self) -> Result<(), PeriodicError> {
+        let count = self.load.points.len();
+        let mut eventful = Vec::with_capacity(count);
+        for _ in 0..count {
+            eventful.push(self.step()?.events > 0);
+        }
+        let (mut best, mut middle, mut run) = (0, 0, 0);
+        // A run may reach over the end of the period.
+        for place in 0..2 * count {
+            let event = eventful.get(place % count.max(1)).copied().unwrap_or(true);
+            run = if event { 0 } else { run + 1 };
+            if best < run.min(count) {
+                best = run;
+                middle = place + 1 - run / 2;
+            }
+        }
+        for _ in 0..middle.checked_rem(count).unwrap_or(0) {
+            self.step()?;
+        }
+        Ok(())
+    }
+
+    /// Returns the present state.
+    pub fn place(&self) -> Place {
+        Place {
+            saved: self.stepper.save(),
+            at: self.at,
+        }
+    }
+
+    /// Goes back to a state.
+    pub fn go(&mut self, place: &Place) -> Result<(), PeriodicError> {
+        self.at = place.at;
+        Ok(self.stepper.restore(&place.saved)?)
+    }
+
+    /// Returns the numbers of the present state.
+    pub fn numbers(&mut self) -> Numbers {
+        let mut values = Vec::new();
+        self.stepper.visit_state(|value| values.push(*value));
+        Numbers {
+            contact: self.stepper.contact().contact(),
+            values,
+        }
+    }
+
+    /// Adds to the numbers of the present state.
+    pub fn add(&mut self, changes: &[f64]) {
+        let mut changes = changes.iter();
+        self.stepper
+            .visit_state(|value| *value += changes.next().copied().unwrap_or(0.0));
+    }
+}
