@@ -11,6 +11,7 @@
 mod digits;
 mod emitted;
 mod energy;
+mod features;
 mod full_slip;
 mod joints;
 mod multipliers;
