@@ -8,6 +8,7 @@
     reason = "tests fail by panics"
 )]
 
+mod bilinear;
 mod digits;
 mod emitted;
 mod energy;
