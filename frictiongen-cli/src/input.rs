@@ -87,13 +87,6 @@ impl FileArgument {
         })
     }
 
-    /// Reads and parses a description for a command that requires a rigid contact. Fails for an elastic contact.
-    pub fn rigid(&self, limits: &Limits) -> Result<Description, Failure> {
-        let description = self.description(limits)?;
-        self.check_rigid(&description)?;
-        Ok(description)
-    }
-
     /// Fails for a description with an elastic contact.
     pub fn check_rigid(&self, description: &Description) -> Result<(), Failure> {
         if description.scene.stiffness.is_none() {

@@ -75,7 +75,7 @@
 //! | `damping` | `none`, `modal(ζ)`, `modal[ζ₁, …]`, `rayleigh(a, b)` | `none` |
 //! | `damping_from` | `rest` (damping acts on absolute velocities), `base` (on velocities relative to the moving base) | `rest` |
 //! | `stiction` | μ = static over kinetic friction, at least 1 | 1 |
-//! | `stiffness` | the stiffness of an elastic contact (Jenkins element), a spring in series with the slider, of a run-time `System` alone | a rigid contact |
+//! | `stiffness` | the stiffness of an elastic contact (Jenkins element), a spring in series with the slider | a rigid contact |
 //! | `scalar` | `f64`, `f32` | `f64` |
 //! | `provide` | a list of `limits`, `motion`, `motion(name, …)`, `stuck`, `orbit`, `simulation`, `stepper`, `self_check`. A scene with `stepper` alone, or with `simulation` and `friction: stribeck`, gives no answers at a frequency | `[limits, motion]` |
 //! | `accuracy` | `exact`, or the largest relative error of an answer from tables: `1e-4` | `exact` |

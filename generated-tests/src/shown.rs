@@ -220,4 +220,17 @@ shown! {
         friction: stribeck(0.02: 0.7, 0.1: 0.55),
         provide: [simulation],
     }
+
+    /// Two masses with an elastic contact (Jenkins element): the stuck state, the steady state, the motion in time and a
+    /// stepper.
+    struct Sprung {
+        masses: { lower: 3.27, upper: 3.25 },
+        springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+        contact: upper - wall,
+        stiffness: 5.0e3,
+        excitation: base,
+        damping: modal[0.010, 0.012],
+        provide: [stuck, orbit, simulation, stepper],
+        step: 1e-3,
+    }
 }

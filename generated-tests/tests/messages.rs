@@ -124,6 +124,10 @@ fn of_a_scene_made_in_code() {
         match name {
             "708-not-finite" => scene.masses[0].value = f64::NAN,
             "779-infinite-stiffness-of-the-contact" => scene.stiffness = Some(f64::INFINITY),
+            "785-stiffness-of-the-contact-not-a-number" => {
+                scene.stiffness = Some(f64::NAN);
+                scene.provide = vec![Provide::Orbit];
+            }
             "712-no-such-mass" => scene.excitation = Excitation::Force(6),
             other => panic!("{other} is not known here"),
         }

@@ -57,6 +57,8 @@ pub enum Also {
     Frequency,
     /// The ratio μ of static to kinetic friction. Only motions with stops depend on it.
     Stiction,
+    /// Stiffness of an elastic contact. The description has a first guess.
+    Stiffness,
 }
 
 /// Arguments of `frictiongen identify`.

@@ -48,7 +48,6 @@ pub fn run(arguments: &FeaturesArguments, out: &mut dyn Write) -> Result<(), Fai
         )));
     }
     let description = arguments.file.constant_level(&Limits::RUN_TIME)?;
-    arguments.file.check_rigid(&description)?;
     let system = System::try_from(description.scene).map_err(Failure::new)?;
     let frequency = FrequencyArguments {
         r: arguments.r.clone(),

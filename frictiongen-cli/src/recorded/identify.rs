@@ -12,6 +12,7 @@ use crate::summary::Summary;
 use frictiongen::System;
 use frictiongen::measure::columns::identify_lines;
 use frictiongen::measure::{Identified, IdentifyRequest, Observation, Unknown, Using};
+use frictiongen::study::sensitivity::Quantity;
 use std::io::Write;
 
 /// Runs `frictiongen identify`.
@@ -31,6 +32,12 @@ pub fn run(arguments: &IdentifyArguments, out: &mut dyn Write) -> Result<(), Fai
         return destination.write(out, |out| {
             output::write(&lines, &summary, destination.form, out)
         });
+    }
+    if arguments.also.contains(&Also::Stiffness) && system.scene().stiffness.is_none() {
+        return Err(Failure::new(format_args!(
+            "--also stiffness: the contact of {} is rigid; add `stiffness` to the description, with a first guess in N/m",
+            files.scene.display()
+        )));
     }
     let harmonics = asked::harmonics(arguments.harmonics.as_deref())?.unwrap_or(1);
     let masses = asked::masses(&system, "--mass", &arguments.mass)?;
@@ -56,6 +63,7 @@ pub fn run(arguments: &IdentifyArguments, out: &mut dyn Write) -> Result<(), Fai
                 Also::Damping => Unknown::Damping,
                 Also::Frequency => Unknown::Frequencies,
                 Also::Stiction => Unknown::Stiction,
+                Also::Stiffness => Unknown::Quantity(Quantity::ContactStiffness),
             })
             .collect(),
         range: arguments.between.as_deref().map(between).transpose()?,

@@ -14,7 +14,7 @@ pub fn scene(path: &Path) -> Result<System, Failure> {
     let file = FileArgument {
         file: Some(path.to_owned()),
     };
-    let description = file.rigid(&Limits::RUN_TIME)?;
+    let description = file.description(&Limits::RUN_TIME)?;
     System::try_from(description.scene).map_err(Failure::new)
 }
 

@@ -112,6 +112,11 @@ impl Asked {
         farthest_if_stuck(&self.system, &self.band)
     }
 
+    /// Returns true if the contact is elastic.
+    pub fn is_elastic(&self) -> bool {
+        self.system.scene().stiffness.is_some()
+    }
+
     /// Returns the finite values of β*_lim over the range, in ascending order.
     pub fn sliding_limits(&self) -> Vec<f64> {
         let at = |r: f64| Some(self.system.at(r).ok()?.sliding_limit());

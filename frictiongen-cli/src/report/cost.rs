@@ -46,7 +46,7 @@ struct Tabled {
 /// Upper bounds on evaluations, memory and operations of the solvers, from the numbers of masses and modes.
 struct Bounds {
     /// Largest number of evaluations of the modal sum in a search for β_lim.
-    limit: u32,
+    limit: Option<u32>,
     /// Largest number of evaluations of the modal sum in a search for an amplitude.
     amplitude: u32,
     /// Size of a steady state with stops, in bytes.
@@ -188,7 +188,9 @@ impl Bounds {
     fn html(&self, precision: &str) -> Markup {
         html! {
             dl.facts {
-                div { dt { "a search for the limit of continuous motion, at most" } dd { (self.limit) " evaluations" } }
+                @if let Some(limit) = self.limit {
+                    div { dt { "a search for the limit of continuous motion, at most" } dd { (limit) " evaluations" } }
+                }
                 div { dt { "a search for an amplitude, at most" } dd { (self.amplitude) " evaluations" } }
                 div { dt { "a steady state with stops, in " (precision) } dd { (self.orbit) " bytes" } }
                 @if let Some((seconds, tables, one_event)) = self.step {
@@ -215,6 +217,7 @@ fn bounds(asked: &Asked) -> Option<Bounds> {
     let modes = system.scene().masses.len();
     let touched = system.modal().contacts.iter();
     let touched = touched.filter(|contact| !contact.is_zero()).count();
+    let state = 2 * touched + usize::from(asked.is_elastic());
     let highest = system.resonances().last().map(|r| system.hertz(*r));
     let step = highest.and_then(|hertz| {
         let seconds = 1.0 / (STEPS_OF_A_PERIOD * hertz);
@@ -222,9 +225,9 @@ fn bounds(asked: &Asked) -> Option<Bounds> {
         Some((seconds, cost.tables, cost.one_event))
     });
     Some(Bounds {
-        limit: most.limit,
+        limit: (!asked.is_elastic()).then_some(most.limit),
         amplitude: most.amplitude,
-        orbit: size * frictiongen::kernel::orbit::numbers(modes, touched),
+        orbit: size * frictiongen::kernel::orbit::numbers_of(modes, state),
         step,
     })
 }
@@ -306,6 +309,9 @@ fn compared<S: Float>(
 
 fn tabled(asked: &Asked) -> Result<Tabled, String> {
     let scene = asked.system.scene();
+    if scene.stiffness.is_some() {
+        return Err("Tables need a rigid contact.".to_owned());
+    }
     if MOST_TABLED < scene.masses.len() {
         return Err(format!(
             "The page does not build tables for chains of more than {MOST_TABLED} masses; “frictiongen compile” builds them."

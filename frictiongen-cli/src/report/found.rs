@@ -18,7 +18,8 @@ pub type Found = Result<(Regime, Swing), Error>;
 pub fn found(asked: &Asked, r: f64, beta: f64, of: Of) -> Found {
     let at = asked.system.at(r)?;
     let rest = Swing::REST;
-    if beta == STUCK {
+    // The closed form of a stuck elastic contact is a response, because the contact moves with its spring.
+    if beta == STUCK && !asked.is_elastic() {
         let stuck = at.stuck()?;
         let swing = match of {
             Of::Mass(index) => stuck.mass_at(index).map_or(rest, |harmonic| {
@@ -43,6 +44,15 @@ pub fn found(asked: &Asked, r: f64, beta: f64, of: Of) -> Found {
         });
     }
     Ok((response.regime(), swing))
+}
+
+/// Returns the meaning of the styles of lines.
+pub fn line_styles(elastic: bool) -> &'static str {
+    if elastic {
+        "A dash-dotted line is motion in which the contact slides, and sticks after each reversal. A dotted line is a contact that never slides."
+    } else {
+        "A solid line is motion without stops, a dash-dotted line is motion with stops, and a dotted line is a stuck contact."
+    }
 }
 
 /// Answers questions in parallel. Each question has a thread of its own, because there are only a few questions and

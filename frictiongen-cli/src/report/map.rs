@@ -164,10 +164,13 @@ impl Regimes {
             let layers = [Layer::from(line)];
             Series::of(&name.into(), Colour::Black, &layers, false)
         };
-        let series = vec![
+        let mut series = vec![
             series("limit of continuous motion", continuous),
             series("limit of sliding", sliding),
         ];
+        if asked.is_elastic() {
+            series.remove(0);
+        }
         let axes = Axes {
             quantity: if asked.words.measure.scale().is_some() {
                 "friction"
@@ -210,6 +213,10 @@ impl Regimes {
         for row in 0..map.beta.len() {
             for column in &map.columns {
                 let name = match column.points.get(row) {
+                    // An elastic contact sticks, but it moves with its spring.
+                    Some(Ok(point)) if asked.is_elastic() => {
+                        does(point.pattern).replace("stops", "sticks")
+                    }
                     Some(Ok(point)) => does(point.pattern),
                     Some(Err(error)) => format!("no answer: {}", words::no_answer(*error)),
                     None => continue,
@@ -241,16 +248,22 @@ impl Regimes {
             section #regimes {
                 h2 { "Where the contact slides and where it sticks" }
                 p {
+                    @if asked.is_elastic() {
+                        "From the dashed limit on the contact never slides, and moves with its spring. Below this limit it slides, and sticks after each reversal."
+                    } @else {
                     "Below the solid limit the contact can slide all the time. From the dashed limit on it can stay stuck. Between the two limits \
                      it slides and stops in turn. Where the dashed limit is below the solid one, both states are possible between them, \
                      and the start decides."
+                    }
                     @if self.levels.iter().any(|level| *level > 0.0) { " The thin horizontal lines are the frictions of the curves." }
                     @if self.is_cut { " Ctrl-C ended the map before its last frequency." }
                     @else if self.map.is_none() { " The map does not show the motion between the limits, because that takes too long for this number of masses." }
                 }
                 div.plots.single { (plot.html()) }
                 dl.facts {
-                    div { dt { "never a stop in the range up to" } dd { (words.friction(self.spread.continuous_to)) } }
+                    @if !asked.is_elastic() {
+                        div { dt { "never a stop in the range up to" } dd { (words.friction(self.spread.continuous_to)) } }
+                    }
                     div {
                         dt { "stuck all over the range from" }
                         dd {
@@ -260,17 +273,17 @@ impl Regimes {
                     }
                 }
                 details {
-                    summary { "Values: both limits" }
+                    summary { @if asked.is_elastic() { "Values: the limit" } @else { "Values: both limits" } }
                     div.scroll tabindex="0" role="region" aria-label="Both limits over frequency" {
                         table {
                             thead { tr {
                                 th scope="col" { (words.frequency_title()) }
-                                th scope="col" { "limit of continuous motion" }
+                                @if !asked.is_elastic() { th scope="col" { "limit of continuous motion" } }
                                 th scope="col" { "limit of sliding" }
                             } }
                             tbody { @for row in &self.rows { tr {
                                 th scope="row" { (digits(words.scales.frequency(row.frequency.r))) }
-                                td { (row.continuous.map(|beta| words.friction(beta)).unwrap_or_default()) }
+                                @if !asked.is_elastic() { td { (row.continuous.map(|beta| words.friction(beta)).unwrap_or_default()) } }
                                 td { (words.friction(row.sliding)) }
                             } } }
                         }

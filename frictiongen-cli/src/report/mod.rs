@@ -57,7 +57,6 @@ pub fn run(arguments: &ReportArguments, out: &mut dyn Write) -> Result<(), Failu
         let lines = diagnostics.list.into_iter();
         Failure::Lines(lines.map(|line| format!("{name}:{line}")).collect())
     })?;
-    arguments.file.check_rigid(&description)?;
     let documentation = description.documentation();
     let system = System::try_from(description.scene).map_err(Failure::new)?;
     let mut asked = Asked::of(arguments, system)?;

@@ -1,7 +1,7 @@
 //! Computes and draws amplitudes and phases over frequency, at several frictions and with the contact stuck.
 
 use super::asked::Asked;
-use super::found::{Found, STUCK, at_once, found};
+use super::found::{Found, STUCK, at_once, found, line_styles};
 use super::plot::{Across, Axes, Plot, Series};
 use super::words::{Words, object};
 
@@ -100,8 +100,8 @@ impl Responses {
     }
 
     /// Returns the regimes along a curve, each with its range of frequencies. Returns `None` if the page cannot list so
-    /// many ranges.
-    pub fn stretches(&self, beta: f64) -> Option<Vec<(&'static str, f64, f64)>> {
+    /// many ranges. `elastic` selects the words for an elastic contact.
+    pub fn stretches(&self, beta: f64, elastic: bool) -> Option<Vec<(&'static str, f64, f64)>> {
         let level = self.levels.iter().find(|level| level.beta == beta)?;
         let mut found: Vec<(&'static str, f64, f64)> = Vec::new();
         for piece in &level.curve.pieces {
@@ -111,6 +111,7 @@ impl Responses {
             let does = match piece.regime {
                 Regime::Continuous => "slides all the time",
                 Regime::Stuck => "is stuck",
+                _ if elastic => "sticks and slides",
                 _ => "stops and slides",
             };
             match found.last_mut() {
@@ -252,7 +253,7 @@ impl Responses {
                 h2 { "Amplitudes and phases" }
                 p {
                     "The steady response from " (words.frequency(asked.band.from)) " to " (words.frequency(asked.band.to))
-                    ". A solid line is motion without stops, a dash-dotted line is motion with stops, and a dotted line is a stuck contact. \
+                    ". " (line_styles(asked.is_elastic())) " \
                      Where a line changes its style, the friction is equal to a limit. An amplitude is the largest displacement of a cycle. \
                      A dotted line is drawn about the middle of the motion, without the offset of a contact that came to rest away from its centre. \
                      A phase is the lag of that maximum behind the maximum of the load."

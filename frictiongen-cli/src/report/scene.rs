@@ -101,6 +101,9 @@ pub fn html(asked: &Asked) -> Markup {
             }
             dl.facts {
                 div { dt { "contact" } dd { (contact.0) " – " (contact.1) } }
+                @if let Some(stiffness) = scene.stiffness {
+                    div { dt { "stiffness of the contact, in series with its slider" } dd { (digits(stiffness)) " N/m" } }
+                }
                 div { dt { "load" } dd { (load(asked)) } }
                 div { dt { "damping" } dd { (damping(scene)) } }
                 div { dt { "stiction, static over kinetic friction" } dd { "μ = " (digits(scene.stiction)) } }
@@ -145,6 +148,7 @@ pub fn data(asked: &Asked) -> Json {
             "N_per_m": spring.stiffness,
         })).collect::<Vec<_>>(),
         "contact": [node(scene, scene.contact.from), node(scene, scene.contact.to)],
+        "contact_N_per_m": scene.stiffness,
         "load": load(asked),
         "load_m_or_N": asked.words.measure.load().map(|load| load.amplitude()),
         "damping": damping(scene),

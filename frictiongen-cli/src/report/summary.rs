@@ -71,7 +71,7 @@ pub fn html(
                             " the largest amplitude stays within a tenth of its minimum."
                         }
                     }
-                    @if let Some(stretches) = responses.stretches(optimum.beta) {
+                    @if let Some(stretches) = responses.stretches(optimum.beta, asked.is_elastic()) {
                         li { "With the best friction the contact " @for (index, (does, from, to)) in stretches.iter().enumerate() {
                             @if index > 0 { ", " } (does) " from " (words.frequency(*from)) " to " (words.frequency(*to))
                         } "." }
@@ -85,7 +85,9 @@ pub fn html(
                     } }
                 }
                 li {
-                    @if spread.continuous_to > 0.0 {
+                    @if asked.is_elastic() {
+                        "The contact is elastic: with any friction it sticks after each reversal, until its spring has the friction force; "
+                    } @else if spread.continuous_to > 0.0 {
                         "Up to " (words.friction(spread.continuous_to)) " the contact never stops anywhere in this range; "
                     } @else {
                         "With any friction the contact stops somewhere in this range; "

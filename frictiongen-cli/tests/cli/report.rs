@@ -17,7 +17,7 @@ use serde_json::Value;
 const VOID: [&str; 3] = ["meta", "br", "input"];
 
 /// Creates a page, and checks its elements, its quoted attributes and its data. Returns the text and the data.
-fn page(input: &str, arguments: &[&str]) -> (String, Value) {
+pub fn page(input: &str, arguments: &[&str]) -> (String, Value) {
     let arguments = [&["report"], arguments].concat();
     let page = output(input, &arguments);
     let mut rest = page.strip_prefix("<!DOCTYPE html>").unwrap();

@@ -2,7 +2,7 @@
 
 use super::naming::UnknownMotion;
 use super::words;
-use crate::{Error, NoOrbit, NotContinuous, Of, OutOfDomain, StuckResonance, Unsupported};
+use crate::{Error, NoOrbit, NotContinuous, Of, OutOfDomain, StuckResonance};
 use frictiongen_kernel::orbit::NoDerivative;
 use frictiongen_model::validate::SceneError;
 use frictiongen_syntax::Diagnostics;
@@ -72,8 +72,6 @@ pub enum LoadError {
     Amplitude,
     /// The units of force (P or k₁Y) or of length (P/k₁ or Y) are too small or too large for the number type.
     OutOfRange,
-    /// The request needs a rigid contact, but the contact is elastic.
-    ElasticContact,
     /// The request needs a single contact without dashpots, but the scene has `contacts` or `dampers`.
     SeveralContacts,
     /// The request needs a load of constant amplitude, but the amplitude depends on frequency.
@@ -90,7 +88,6 @@ impl std::fmt::Display for LoadError {
                 f,
                 "with the stiffness of the first spring, this load makes a length or a force too small or too large to compute with"
             ),
-            Self::ElasticContact => Unsupported::ElasticContact.fmt(f),
             Self::SeveralContacts => Unsupported::SeveralContacts.fmt(f),
             Self::Varies => write!(
                 f,

@@ -8,9 +8,11 @@
     reason = "tests fail by panics"
 )]
 
+mod bilinear;
 mod digits;
 mod emitted;
 mod energy;
+mod features;
 mod full_slip;
 mod joints;
 mod multipliers;

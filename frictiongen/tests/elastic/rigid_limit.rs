@@ -76,3 +76,24 @@ fn stops_differ_by_the_compliance() {
         assert!((9.0..12.0).contains(&fell[0]), "{fell:?}");
     }
 }
+
+/// Amplitude and phase of masses with a stuck contact differ from those of a rigid one by a multiple of 1/k, over six decades.
+#[test]
+fn stuck_responses_differ_by_the_compliance() {
+    let rigid: System = FRAME.parse().expect("a scene");
+    let stuck = |system: &System| {
+        let at = system.at(0.9).expect("in the domain");
+        at.stuck()
+            .expect("no resonance")
+            .mass("lower")
+            .expect("a mass")
+    };
+    let exact = stuck(&rigid);
+    let mut last: Option<f64> = None;
+    for decade in 2..=8 {
+        let difference = (stuck(&with(1190.0 * 10_f64.powi(decade))) - exact).norm();
+        println!("k = 1e{decade} k1: {difference}");
+        assert!(last.is_none_or(|last| (9.9..10.1).contains(&(last / difference))));
+        last = Some(difference);
+    }
+}

@@ -9,6 +9,7 @@
 mod axis;
 mod bad;
 mod decay;
+mod elastic;
 mod files;
 mod force;
 mod fuzz;

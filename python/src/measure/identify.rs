@@ -10,6 +10,7 @@ use crate::work::without_lock;
 use frictiongen::Of;
 use frictiongen::measure::columns::{identify_values, residual_columns, residuals};
 use frictiongen::measure::{IdentifyRequest, Unknown};
+use frictiongen::study::sensitivity::Quantity;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -26,8 +27,9 @@ fn unknowns(given: Option<&Bound<'_, PyAny>>) -> PyResult<Vec<Unknown>> {
             "damping" => Ok(Unknown::Damping),
             "frequency" => Ok(Unknown::Frequencies),
             "stiction" => Ok(Unknown::Stiction),
+            "stiffness" => Ok(Unknown::Quantity(Quantity::ContactStiffness)),
             _ => Err(domain(format_args!(
-                "also: {name:?} cannot be fitted; give damping, frequency or stiction"
+                "also: {name:?} cannot be fitted; give damping, frequency, stiction or stiffness"
             ))),
         });
     each.collect()

@@ -31,6 +31,7 @@ impl Features {
             None => String::new(),
         };
         let damped = asked.system.modal().is_damped();
+        let elastic = asked.is_elastic();
         let force = |line: &FeatureLine| {
             line.friction
                 .map_or_else(|| line.detail.clone(), |force| limit(words, force))
@@ -45,7 +46,19 @@ impl Features {
             row.push(moved(line));
             row
         });
-        let (says, heads) = if damped {
+        let (says, heads) = if elastic && damped {
+            (
+                "An elastic contact sticks after each reversal, so that it never slides all the time. The threshold is that without damping: up to \
+                 it, the amplitude of the undamped chain would be unbounded.",
+                vec![
+                    "mode",
+                    "at",
+                    "the contact",
+                    "threshold without damping",
+                    "frequency moves most",
+                ],
+            )
+        } else if damped {
             (
                 "Up to the first friction the contact slides all the time at that resonance. The second is the threshold without damping: up to it, \
                  the amplitude of the undamped chain would be unbounded.",
@@ -178,13 +191,9 @@ impl Features {
         let slides = self
             .named("slides")
             .map(|line| vec![force(line), range(words, line)]);
-        let regimes = self.named("regime").map(|line| {
-            vec![
-                force(line),
-                range(words, line),
-                does(&line.detail).to_owned(),
-            ]
-        });
+        let regimes = self
+            .named("regime")
+            .map(|line| vec![force(line), range(words, line), does(&line.detail)]);
         // A mass that the stuck contact keeps at rest has no peak.
         let moving = |line: &&FeatureLine| line.amplitude != Some(0.0);
         let peaks = self.named("peak").filter(moving).map(|line| {
@@ -200,7 +209,7 @@ impl Features {
                 place(words, line),
                 amplitude(words, line),
                 estimate.map_or_else(|| "none".to_owned(), |line| amplitude(words, line)),
-                does(regime).to_owned(),
+                does(regime),
             ]
         });
         let starts = self.named("quasi-static start").map(|line| {
@@ -309,11 +318,12 @@ fn measured(detail: &str) -> &'static str {
 }
 
 /// Returns words for the motion of the contact in a regime.
-fn does(regime: &str) -> &str {
+fn does(regime: &str) -> String {
     match regime {
-        "continuous" => "slides all the time",
-        "stick-slip" => "slides and stops in turn",
-        "stuck" => "is stuck",
-        other => other,
+        "continuous" => "slides all the time".to_owned(),
+        "stick-slip" => "slides and stops in turn".to_owned(),
+        "stuck" => "is stuck".to_owned(),
+        // The share of an elastic contact follows the regime.
+        other => other.replacen("stick-slip (", "slides and sticks in turn (", 1),
     }
 }

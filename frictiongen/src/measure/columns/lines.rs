@@ -5,6 +5,7 @@ use super::drive;
 use super::once::scaled;
 use crate::measure::{Estimate, Explained, FreeDecay, Identified, Observation, SweepFit, Unknown};
 use crate::study::columns::{Cell, Column, Columns, Head, Kind, Measure, Row, Shown};
+use crate::study::sensitivity::Quantity;
 use crate::study::units::{hertz, polar};
 use crate::study::{System, words};
 use std::f64::consts::TAU;
@@ -198,6 +199,9 @@ pub fn identify_lines(
             }
             Unknown::Damping => lines.estimate("damping", &symbol, *estimate, ""),
             Unknown::Stiction => lines.estimate("stiction", &symbol, *estimate, ""),
+            Unknown::Quantity(Quantity::ContactStiffness) => {
+                lines.estimate("stiffness", &symbol, *estimate, "N/m");
+            }
             _ => lines.estimate(&symbol, &symbol, *estimate, ""),
         }
     }

@@ -91,15 +91,19 @@ impl System {
     /// ```
     ///
     /// # Errors
-    /// [`MeasureError`] for more than one mass, and for a channel that is not the displacement of the mass.
+    /// [`MeasureError`] for more than one mass, for an elastic contact, and for a channel that is not the displacement of the mass.
     /// [`MeasureError`] also for too few extremes above the noise, and for extremes that do not decrease.
     pub fn free_decay(
         &self,
         recording: &Recording,
         damping: Option<f64>,
     ) -> Result<FreeDecay, MeasureError> {
-        self.rigid()?;
         let scene = self.scene();
+        if scene.stiffness.is_some() {
+            return Err(MeasureError::Asked(
+                "a free vibration gives the friction force only of a rigid contact, but this scene has `stiffness`; identify the force from steady recordings, or leave `stiffness` out",
+            ));
+        }
         let [mass] = scene.masses.as_slice() else {
             return Err(MeasureError::Asked(
                 "a free decay gives the friction force only for a scene with one mass, because several masses beat (thesis 6.4.2)",

@@ -23,6 +23,11 @@ impl System {
     /// same response, and detects a flat response. With more unknowns, damped Gauss–Newton steps with exact
     /// sensitivities follow. The intervals then come from the covariance.
     ///
+    /// The stiffness of an elastic contact is an unknown as well ([`Quantity::ContactStiffness`]). A contact that never
+    /// slides determines this stiffness, but not the friction force.
+    ///
+    /// [`Quantity::ContactStiffness`]: crate::study::sensitivity::Quantity::ContactStiffness
+    ///
     /// If the contact slides all the time, the fundamental of one mass gives β directly: |X₁ − V| = 4β|H|/π. The
     /// two-amplitude method at resonance (Liang and Feeny, J. Vib. Acoust. 126 (2004) 118) corresponds to observations
     /// at two loads with [`Unknown::Damping`].
@@ -60,7 +65,6 @@ impl System {
         observations: &[Observation],
         request: &IdentifyRequest,
     ) -> Result<Identified, MeasureError> {
-        self.rigid()?;
         let problem = friction::IdentifyProblem::new(self, observations, request)?;
         let alone = problem.friction()?;
         if request.unknowns.is_empty() {

@@ -103,6 +103,7 @@ pub(super) fn value(system: &System, unknown: Unknown) -> Option<f64> {
             (Quantity::Mass(place), _) => scene.masses.get(place)?.value,
             (Quantity::Stiffness(place), _) => scene.springs.get(place)?.stiffness,
             (Quantity::Stiction, _) => scene.stiction,
+            (Quantity::ContactStiffness, _) => scene.stiffness?,
             (Quantity::MassDamping, Damping::Rayleigh { mass, .. }) => *mass,
             (Quantity::StiffnessDamping, Damping::Rayleigh { stiffness, .. }) => *stiffness,
             (Quantity::DampingRatio(mode), Damping::Modal(ratios)) => *ratios.get(mode)?,
@@ -128,6 +129,7 @@ fn set(scene: &mut Scene, unknown: Unknown, value: f64) -> Option<()> {
         Unknown::Quantity(quantity) => match (quantity, &mut scene.damping) {
             (Quantity::Mass(place), _) => scene.masses.get_mut(place)?.value = value,
             (Quantity::Stiffness(place), _) => scene.springs.get_mut(place)?.stiffness = value,
+            (Quantity::ContactStiffness, _) => *scene.stiffness.as_mut()? = value,
             (Quantity::MassDamping, Damping::Rayleigh { mass, .. }) => *mass = value,
             (Quantity::StiffnessDamping, Damping::Rayleigh { stiffness, .. }) => *stiffness = value,
             (Quantity::DampingRatio(mode), damping) => {

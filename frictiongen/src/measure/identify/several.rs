@@ -25,8 +25,14 @@ fn bounds(unknown: Unknown, start: f64) -> (f64, f64) {
         Unknown::Stiction | Unknown::Quantity(Quantity::Stiction) => (1.0, 10.0),
         Unknown::Damping | Unknown::Quantity(Quantity::DampingRatio(_)) => (0.0, 1.0),
         Unknown::Quantity(Quantity::MassDamping | Quantity::StiffnessDamping) => (0.0, f64::MAX),
+        // The stiffness of a contact is often known only within a factor of ten.
+        Unknown::Quantity(Quantity::ContactStiffness) => (0.02 * start, 50.0 * start),
         _ => (0.2 * start, 5.0 * start),
     }
+}
+
+fn is_contact_stiffness(unknown: Unknown) -> bool {
+    matches!(unknown, Unknown::Quantity(Quantity::ContactStiffness))
 }
 
 /// Returns the variables of derivatives whose sum is the derivative with respect to an unknown.
@@ -175,6 +181,11 @@ pub(super) fn fit(
                 .map(|(unknown, start)| bounds(*unknown, *start)),
         )
         .collect();
+    // A wrong first guess of a contact's stiffness changes the response by more than steps along its slope can follow.
+    let factors: &[f64] = match unknowns.iter().copied().any(is_contact_stiffness) {
+        true => &[1.0, 0.2, 5.0],
+        false => &[1.0],
+    };
     let mut best: Option<Fit> = None;
     let mut several = SeveralFit {
         problem,
@@ -197,9 +208,15 @@ pub(super) fn fit(
         )
         .filter(|fit| fit.settled)
     };
-    for force in forces {
+    for (force, factor) in forces.flat_map(|force| factors.iter().map(move |one| (force, *one))) {
         let mut from = vec![force.max(1e-3 * high)];
-        from.extend(&start);
+        let values = unknowns.iter().zip(&start);
+        from.extend(
+            values.map(|(unknown, value)| match is_contact_stiffness(*unknown) {
+                true => factor * value,
+                false => *value,
+            }),
+        );
         if let Some(found) = run(&several, &from)
             && best
                 .as_ref()

@@ -71,7 +71,6 @@ impl System {
         points: &[SweepPoint],
         damping: bool,
     ) -> Result<SweepFit, MeasureError> {
-        self.rigid()?;
         let scene = self.scene();
         if scene.excitation != Excitation::Base {
             return Err(MeasureError::Asked(

@@ -35,6 +35,8 @@ pub(super) struct ChainNumbers<T> {
     pub on_base: Option<T>,
     /// Inverse effective mass m* of the contact.
     pub inverse_mass: T,
+    /// ρ = k₁/k, the compliance of an elastic contact. `None` for a rigid contact.
+    pub compliance: Option<T>,
     /// μ, static over kinetic friction force.
     pub stiction: T,
     /// True if the requested motion is that of the contact, false if it is that of a mass.
@@ -72,6 +74,7 @@ impl<T> ChainNumbers<T> {
             modes: (0..modal.resonances.len()).map(mode).collect(),
             on_base: modal.on_moving_base.then(|| to(modal.static_motion)),
             inverse_mass: to(modal.inverse_mass),
+            compliance: modal.compliance.map(&to),
             stiction: to(modal.stiction),
             is_contact: mass.is_none(),
             damped: modal.is_damped(),
@@ -97,7 +100,7 @@ pub(super) enum Target<T> {
     /// amplitude.
     Fundamental,
     /// V − βμH (with damping |V|² − (βμ)²|H|²) (6.13). V is the contact's motion without friction, and H its
-    /// receptance. The function is zero where β*_lim equals β.
+    /// receptance. It is zero where β*_lim equals β. H is H + ρ for an elastic contact.
     Sliding(T),
     /// V² − β²(U² + (μm*/r²)²) of an undamped chain. This function is zero where β_lim without search equals β.
     Continuous(T),
@@ -115,8 +118,7 @@ pub(super) struct ModalPole {
 /// y − p, which are finite.
 pub(super) struct Near<T> {
     gap: T,
-    /// For each mode with this pole: 1/d and tan(πx/2)/x, both times the distance y − p. `None` for modes without this
-    /// pole.
+    /// For each mode with this pole: 1/d and tan(πx/2)/x, both times the distance y − p. `None` for other modes.
     own: Vec<Option<[T; 2]>>,
 }
 
@@ -191,6 +193,15 @@ impl<T: Number> ChainNumbers<T> {
         if let (ModalSum::V, Some(at_rest)) = (which, self.on_base) {
             let gap = near.map_or(one, |near| near.gap);
             sum[0] = sum[0] + at_rest / (y * y) * gap;
+        }
+        if let Some(compliance) = self.compliance {
+            // H + ρ, over the factor 1/r² of the sums.
+            let own = compliance / (y * y) * near.map_or(one, |near| near.gap);
+            match which {
+                ModalSum::Against(level) => sum[0] = sum[0] - level * own,
+                ModalSum::H => sum[0] = sum[0] + own,
+                _ => {}
+            }
         }
         if let (ModalSum::Against(_), Some(_)) = (which, self.on_base) {
             let gap = near.map_or(one, |near| near.gap);
@@ -290,9 +301,7 @@ impl ChainNumbers<Interval> {
             } else {
                 (y - Interval::rounded(pole.y)) / ((x - one) * (x + one))
             };
-            if let Some(place) = own.get_mut(*index) {
-                *place = Some([rational, tangent]);
-            }
+            *own.get_mut(*index)? = Some([rational, tangent]);
         }
         Some(Near {
             gap: y - Interval::rounded(pole.y),

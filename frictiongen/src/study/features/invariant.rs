@@ -132,7 +132,7 @@ impl Features<'_> {
 
     /// Returns all invariant points of a motion in the range, in ascending order. At an invariant point the quantity
     /// `measured` does not depend on friction, provided that the contact slides all the time. The list is empty for a
-    /// motion that friction does not influence.
+    /// motion that friction does not influence, and for an elastic contact.
     ///
     /// # Errors
     /// [`FeatureError::Damped`] for a damped chain. For such a chain, call [`crossings`](Self::crossings) with two
@@ -145,6 +145,9 @@ impl Features<'_> {
     ) -> Result<Vec<InvariantPoint>, FeatureError> {
         let mass = self.mass_of(of)?;
         let free = self.function(of, range, Target::Free)?;
+        if self.system.modal().compliance.is_some() {
+            return Ok(Vec::new());
+        }
         let mut points = Vec::new();
         for (condition, target) in targets(measured, mass.is_none()) {
             let function = self.function(of, range, *target)?;
@@ -180,7 +183,7 @@ impl Features<'_> {
     }
 
     /// Returns all ranges of r, in ascending order, in which more friction makes the quantity `measured` larger. The
-    /// contact slides all the time in these ranges.
+    /// contact slides all the time in these ranges. The list is empty for an elastic contact.
     ///
     /// A range may contain single frequencies at which the contact cannot slide all the time with any friction. These
     /// frequencies are poles of U, where β_lim = 0.
@@ -196,6 +199,9 @@ impl Features<'_> {
         let mass = self.mass_of(of)?;
         let function = |target| self.function(of, range, target);
         let (free, own) = (function(Target::Free)?, function(Target::FreeContact)?);
+        if self.system.modal().compliance.is_some() {
+            return Ok(Vec::new());
+        }
         let all = targets(measured, mass.is_none());
         let mut functions = Vec::new();
         for (_, target) in all {

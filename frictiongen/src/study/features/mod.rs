@@ -124,7 +124,7 @@ pub struct Resonance {
     /// mode that the contact does not drive.
     pub threshold: Option<Sensed>,
     /// Limit of continuous motion β_lim at the resonance, in N under a load. Without damping β_lim equals the
-    /// threshold. With damping, (7.62) is an estimate of β_lim.
+    /// threshold. With damping, (7.62) is an estimate of β_lim. An elastic contact has β_lim = 0.
     pub continuous_limit: f64,
 }
 
@@ -183,11 +183,13 @@ impl System {
     /// # }
     /// ```
     ///
+    /// An elastic contact sticks after each reversal, so that it has no features of continuous motion: the limit β_lim
+    /// is 0, and the lists of invariant points, inversions, crossings and static starts are empty.
+    ///
     /// # Errors
-    /// [`LoadError`] for a load that does not fit the scene, and for an elastic contact.
+    /// [`LoadError`] for a load that does not fit the scene.
     pub fn features(&self, load: Option<Load>) -> Result<Features<'_>, LoadError> {
         self.single().map_err(|_| LoadError::SeveralContacts)?;
-        self.rigid().map_err(|_| LoadError::ElasticContact)?;
         Ok(Features {
             system: self,
             variations: Variations::new(self, load)?,
@@ -232,7 +234,7 @@ impl Features<'_> {
     }
 
     /// Returns the displacement x̄ of every mass for r → 0 at the friction ratio β (6.5), with derivatives. Returns
-    /// `None` if the contact is stuck at r = 0.
+    /// `None` if the contact is stuck at r = 0, and for an elastic contact.
     ///
     /// # Errors
     /// [`FeatureError::Friction`].

@@ -45,7 +45,7 @@ impl Features<'_> {
     /// Without damping β_lim has a closed form for r ≥ √λ_N/2, and this closed form is an upper bound on β_lim at every
     /// r.
     ///
-    /// Without damping, the list is therefore proven for a range above √λ_N/2. Otherwise the code samples the intervals
+    /// For an elastic contact, the list is proven for every range. Without damping it is proven for a range above √λ_N/2. Otherwise the code samples the intervals
     /// in which the closed form exceeds β. In these intervals the search may miss a regime whose range is narrower than
     /// one of [`Certainty::STEPS`] equal steps over 1/r.
     ///
@@ -104,7 +104,8 @@ impl Features<'_> {
     ) -> Result<(Vec<Bound>, Certainty), FeatureError> {
         let [from, to] = range;
         let modal = self.system.modal();
-        if beta == 0.0 {
+        // An elastic contact sticks after each reversal, so that β_lim is 0 at every frequency.
+        if beta == 0.0 || modal.compliance.is_some() {
             return Ok((Vec::new(), Certainty::Proven));
         }
         let fastest = modal.resonances.last().map_or(0.0, |last| last.to_f64());

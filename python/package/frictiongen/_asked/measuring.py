@@ -60,8 +60,8 @@ class Measuring(Base):
         :param measured: recordings, or amplitudes and phases as an :class:`Observation`.
         :param by: quantities to compare: "both", "amplitude" or "phase".  The default is all measured quantities.
         :param of: names of the masses to use.  The default is all measured masses.
-        :param also: further unknowns to fit: "damping", "frequency" (a factor on all natural frequencies) or
-            "stiction".
+        :param also: further unknowns to fit: "damping", "frequency" (a factor on all natural frequencies),
+            "stiction" or "stiffness" (of an elastic contact).
         :param between: range of friction forces to search, N.  The default range is from 0 to the
             smallest force at which the contact is stuck.
         :param harmonics: order up to which the odd harmonics of recordings are used too.

@@ -167,7 +167,10 @@ impl FeatureLists {
         range: [f64; 2],
     ) -> Result<(), FeatureError> {
         let mut starts = features.quasi_static_start(beta)?.map(Vec::into_iter);
-        for mass in &features.system().scene().masses {
+        // The static start of an elastic contact is not computed.
+        let scene = features.system().scene();
+        let masses = scene.masses.iter().filter(|_| scene.stiffness.is_none());
+        for mass in masses {
             let of = mass.name.clone();
             let it = starts.as_mut().and_then(Iterator::next);
             self.starts.push(FeatureAt {

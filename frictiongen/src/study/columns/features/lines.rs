@@ -1,7 +1,9 @@
 //! Collects the features of a response as lines, one for each feature.
 
+use crate::Regime;
 use crate::study::columns::column::Row;
 use crate::study::columns::setting::{Part, Setting};
+use crate::study::response::SystemResponse;
 use crate::study::{
     features::{Certainty, FeatureError, Features, Measured, RegimeEnd, Sensed},
     sensitivity::Parameter,
@@ -167,6 +169,7 @@ pub(super) fn lines(
 }
 
 fn resonances(features: &Features<'_>, lines: &mut Vec<FeatureLine>) {
+    let elastic = features.system().scene().stiffness.is_some();
     for (mode, resonance) in (1..).zip(features.resonances()) {
         let damped = 0.0 < resonance.damping_ratio;
         let of = format!("mode {mode}");
@@ -180,8 +183,12 @@ fn resonances(features: &Features<'_>, lines: &mut Vec<FeatureLine>) {
         match resonance.threshold {
             Some(threshold) if !damped => line = line.with_friction(threshold).saying(bounded),
             Some(threshold) => {
-                line = line.saying(bounded);
-                line.friction = Some(resonance.continuous_limit);
+                if elastic {
+                    line = line.saying("sticks after each reversal");
+                } else {
+                    line = line.saying(bounded);
+                    line.friction = Some(resonance.continuous_limit);
+                }
                 let mut without = FeatureLine::new("threshold without damping", of, Ground::Exact)
                     .with_friction(threshold);
                 without.r = Some(resonance.r);
@@ -215,10 +222,15 @@ fn ends(features: &Features<'_>, lines: &mut Vec<FeatureLine>) {
             .saying("slides up to"),
     );
     let infinity = features.limits_at_infinity();
+    let elastic = features.system().scene().stiffness.is_some();
     for (limit, detail) in [
         (infinity.continuous, "slides all the time up to"),
         (infinity.sliding, "slides up to"),
     ] {
+        // An elastic contact never slides all the time.
+        if elastic && detail == "slides all the time up to" {
+            continue;
+        }
         lines.push(
             FeatureLine::new("limit for r -> inf", "contact", Ground::Exact)
                 .with_friction(limit)
@@ -268,7 +280,25 @@ struct AtOneFriction<'f, 's> {
     range: [f64; 2],
 }
 
+/// Says for which fraction of the period an elastic contact sticks.
+fn sticks(share: f64) -> String {
+    format!("sticks {:.0} % of the period", 100.0 * share)
+}
+
 impl AtOneFriction<'_, '_> {
+    /// Returns the fraction of the period in which an elastic contact sticks and moves with its spring. `None` unless
+    /// the regime is stick-slip. Also `None` for a rigid contact.
+    fn sticking(&self, regime: Regime, r: f64) -> Option<f64> {
+        let system = self.features.system();
+        if system.scene().stiffness.is_none() || regime != Regime::StickSlip {
+            return None;
+        }
+        match system.at(r).ok()?.response(self.beta).ok()? {
+            SystemResponse::StickSlip(orbit) => Some(orbit.stuck_fraction()),
+            _ => None,
+        }
+    }
+
     /// Returns a line for a feature at this friction.
     fn line(&self, feature: &'static str, of: &str, ground: Ground) -> FeatureLine {
         let mut line = FeatureLine::new(feature, of, ground);
@@ -277,7 +307,8 @@ impl AtOneFriction<'_, '_> {
     }
 
     fn lines(&self, parts: &[Part], lines: &mut Vec<FeatureLine>) -> Result<(), FeatureError> {
-        let masses = &self.features.system().scene().masses;
+        let scene = self.features.system().scene();
+        let (masses, elastic) = (&scene.masses, scene.stiffness.is_some());
         match self.features.quasi_static_start(self.beta)? {
             Some(start) => {
                 for (mass, start) in masses.iter().zip(start) {
@@ -285,6 +316,7 @@ impl AtOneFriction<'_, '_> {
                     lines.push(line.with_amplitude(start));
                 }
             }
+            None if elastic => {}
             None => lines.push(
                 self.line("quasi-static start", "contact", Ground::Exact)
                     .saying("stuck"),
@@ -292,7 +324,10 @@ impl AtOneFriction<'_, '_> {
         }
         for found in self.features.sliding_ranges(self.beta, self.range)? {
             let mut line = self.line("slides", "contact", Ground::All);
-            line = line.saying("all the time or in turns");
+            line = line.saying(match elastic {
+                true => "in turns",
+                false => "all the time or in turns",
+            });
             (line.r, line.to) = (Some(found.from), Some(found.to));
             let ends = [
                 ("frequency", found.from_frequency),
@@ -310,7 +345,11 @@ impl AtOneFriction<'_, '_> {
         };
         for found in ranges {
             let mut line = self.line("regime", "contact", ground);
-            line = line.saying(words::regime(found.regime));
+            let middle = 0.5 * (found.from + found.to);
+            line = line.saying(match self.sticking(found.regime, middle) {
+                Some(share) => format!("stick-slip ({} in mid-range)", sticks(share)),
+                None => words::regime(found.regime).to_owned(),
+            });
             (line.r, line.to) = (Some(found.from), Some(found.to));
             if let RegimeEnd::Continuous(sensed) | RegimeEnd::Sliding(sensed) = found.end {
                 line.sensed.push(("to_frequency", sensed));
@@ -328,7 +367,11 @@ impl AtOneFriction<'_, '_> {
                     lines.push(line);
                 }
                 if let Some(found) = peak.peak {
-                    let regime = found.regime.map_or("unbounded", words::regime);
+                    let mut regime = found.regime.map_or("unbounded", words::regime).to_owned();
+                    let share = found.regime.and_then(|one| self.sticking(one, found.r));
+                    if let Some(share) = share {
+                        regime += &format!(" ({})", sticks(share));
+                    }
                     let line = self
                         .line("peak", &part.name, Ground::Sampled)
                         .with_amplitude(found.amplitude)
