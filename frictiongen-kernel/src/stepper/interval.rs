@@ -73,7 +73,8 @@ impl<S: Float, const D: usize, K: ContactChain<S>> StepInterval<'_, '_, S, D, K>
         self.status.dissipated = self.status.dissipated.plus(friction);
     }
 
-    /// Advances the progress by `tau`, and shifts the origin of the inputs' polynomials to the new instant.
+    /// Adds `tau` to the elapsed time of the sub-interval, and shifts the origin of the inputs' polynomials to the new
+    /// instant.
     pub(super) fn shift_inputs(&mut self, tau: S) {
         let one = S::constant(1.0);
         let end = one - self.progress <= tau;

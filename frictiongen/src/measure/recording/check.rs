@@ -19,9 +19,9 @@ const STEEP: f64 = 0.1;
 /// the slope over twice that distance. Before a stop of the contact the ratio is a half, because the motion is then a
 /// parabola. Before clipping the ratio is nearly 1. For a sinusoid clipped at 0.99 of its amplitude it is 0.75.
 const STRAIGHT: f64 = 0.7;
-/// Largest acceleration next to a flat interval that rounding of the samples can cause, as a multiple of ω²A. With the
-/// acceleration a, the slope of the parabola next to the interval is √(2ag/A), where g is the distance to the next
-/// rounded value.
+/// Largest acceleration next to a flat interval that rounding of the samples can cause, as a multiple of ω²A. The
+/// number follows from the parabola next to the interval. With the acceleration a, the slope of the parabola is
+/// √(2ag/A), where g is the distance to the next rounded value.
 const HARD: f64 = 10.0;
 
 /// Fails unless the channels are a usable recording: enough finite samples, no constant channel and no clipped channel.

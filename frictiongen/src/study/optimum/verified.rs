@@ -2,8 +2,8 @@
 //!
 //! With μ > 1 motion from rest may reach stick-slip states in narrow ranges of frequency. The first comparison of
 //! friction ratios can miss such a range, so that its amplitudes are lower bounds. The check takes the friction ratio
-//! with the lowest bound, first raises the bound by the peaks that earlier checks found, and then evaluates the band on
-//! the grid. It ends when no bound is below the lowest checked amplitude.
+//! with the lowest bound. It first raises this bound by the peaks that earlier checks found, and then evaluates the
+//! band on the grid. It ends when no bound is below the lowest checked amplitude.
 
 use super::amplitude::FrictionAmount;
 use super::candidates::{FrictionCandidate, between, valleys};
@@ -20,12 +20,12 @@ const BETTER: f64 = 0.999;
 const ABOUT: usize = 3;
 /// Number of bisections for the least friction ratio with an amplitude of 0.
 const HALVINGS: u32 = 12;
-/// Bound on the work of that search.
+/// Bound on the work of the bisections for an amplitude of 0.
 const WORK_OF_TRIVIAL: usize = 100_000;
 /// Number of equal pieces into which a round cuts the interval on each side of the best friction ratio.
 const PARTS: u32 = 4;
-/// Share of the largest amplitude at one friction ratio from which a peak is added to the evaluations at other friction
-/// ratios.
+/// Fraction of the largest amplitude at one friction ratio. The search adds a peak to the evaluations at other friction
+/// ratios if the amplitude of the peak is at least this fraction.
 const WORTH: f64 = 0.9;
 
 /// A friction ratio with a lower bound of its largest amplitude.
@@ -219,7 +219,7 @@ pub(super) fn verified(
     })
 }
 
-/// Returns the least friction ratio with an amplitude of 0, from one with that amplitude.
+/// Returns the smallest friction ratio with an amplitude of 0. The amplitude at `at` is 0.
 fn least_trivial(band: &AmplitudeBand<'_>, scan: &[Scanned], at: Scanned) -> Scanned {
     let moves = scan.iter().filter(|other| !(other.value == 0.0));
     let below = moves
