@@ -196,7 +196,8 @@ const _: () = {
             /// points of a friction law over the speed: speed, kinetic friction over F
             law: &[],
         };
-        /// Tables for a step of dt: constants for `STEP`, if the scene declares a step, otherwise computed here.
+        /// Tables for the step dt, s. If dt is the declared step `STEP`, the tables are constants. Otherwise this
+        /// function computes them.
         #[inline]
         fn step_tables(dt: f32) -> Result<FixedTables<f32, 1, 1, 0, 1>, OutOfDomain> {
             FixedTables::new(&Self::STEP_SCENE, dt)
