@@ -139,7 +139,7 @@ impl Frequencies {
         })
     }
 
-    /// Parses a range a:b or a:step:b. A range without a step has 200 frequencies at equal distances.
+    /// Parses a range a:b or a:step:b. A range without a step has 200 equally spaced frequencies.
     pub fn spread(arguments: &FrequencyArguments) -> Result<Self, Failure> {
         let (text, unit) = given(arguments)?;
         let quantity = quantity(unit, true);

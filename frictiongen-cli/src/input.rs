@@ -115,7 +115,7 @@ impl FileArgument {
         Ok((description, text))
     }
 
-    /// Fails unless the kinetic friction is constant.
+    /// Fails unless the kinetic friction is independent of the sliding speed.
     fn check_constant(&self, description: &Description) -> Result<(), Failure> {
         if description.scene.friction == FrictionLaw::Coulomb {
             return Ok(());

@@ -16,7 +16,7 @@ pub enum Layout {
     Masses,
     /// Text has one line for each moving contact or mass. JSON is the same as for [`Layout::Masses`].
     Lines,
-    /// Text is the same as for [`Layout::Lines`], and JSON the same as for [`Layout::Objects`].
+    /// Several contacts. Text output is as for [`Layout::Lines`], and JSON output is as for [`Layout::Objects`].
     Joints,
 }
 

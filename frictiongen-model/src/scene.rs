@@ -266,7 +266,8 @@ pub struct Scene {
     pub masses: Vec<Mass>,
     /// The springs of the chain. The first spring is k₁, the reference of all stiffness ratios.
     pub springs: Vec<Spring>,
-    /// The single Coulomb contact of the scene. For a scene with `contacts`, the sides of the first one.
+    /// The single Coulomb contact of the scene. In a scene with `contacts`, this field has the two sides of the first
+    /// contact.
     pub contact: Contact,
     /// The harmonic excitation of the scene.
     pub excitation: Excitation,

@@ -61,7 +61,7 @@ pub enum Command {
     /// Print the steady state that motion from rest reaches, in every regime
     #[command(after_help = format!("{ORBITS}{STATES}{UNITS}{GRIDS_IN_TIME}"))]
     Orbit(OrbitArguments),
-    /// Print the steady state under a periodic load that is no cosine: a table of one period, or harmonics
+    /// Print the steady state under any periodic load, given as a table of one period or as harmonics
     #[command(after_help = PERIODICS)]
     Periodic(PeriodicArguments),
     /// Draw or print responses over frequency in every regime, with more points where a curve bends

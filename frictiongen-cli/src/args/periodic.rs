@@ -10,19 +10,19 @@ pub struct PeriodicArguments {
     /// File with the description; standard input if it is -
     #[arg(value_name = "FILE")]
     pub scene: PathBuf,
-    /// Table of the load over one period, as CSV or columns of numbers
+    /// Table of the load over one period, as CSV or as columns of numbers
     #[arg(value_name = "TABLE", conflicts_with_all = ["harmonics"])]
     pub table: Option<PathBuf>,
-    /// The load as a sum of harmonics, ORDER:AMPLITUDE@DEGREES, for example 1:100@0,3:20@45
+    /// Load as a sum of harmonics ORDER:AMPLITUDE@DEGREES, instead of a table; for example 1:100@0,3:20@45
     #[arg(long, value_name = "LIST", allow_hyphen_values = true)]
     pub harmonics: Option<String>,
-    /// Frequency of the first order of --harmonics, in Hz
+    /// Frequency of order 1 of --harmonics, in Hz
     #[arg(long, value_name = "HZ", allow_hyphen_values = true)]
     pub hz: Option<String>,
-    /// Kinetic friction forces F in N, as a grid
+    /// Kinetic friction forces F in N: a number, a range a:step:b, or a list with commas
     #[arg(long, value_name = "F", allow_hyphen_values = true)]
     pub friction: String,
-    /// Hold each force of the table until the next sample, as in a square wave
+    /// Keep each force of the table constant until the next sample, as in a square wave
     #[arg(long)]
     pub hold: bool,
     /// Print only this motion: a mass, `contact`, `roof-base`, `roof-first`, `spring(a-b)`, `shear`; may be given more
@@ -32,13 +32,13 @@ pub struct PeriodicArguments {
     /// Print the motion over a period instead of its extremes
     #[arg(long)]
     pub motion: bool,
-    /// Column and unit of the load: base or force [default: by name]
+    /// Column and unit of the load, as base=COLUMN:UNIT or force=COLUMN:UNIT [default: the column with this name]
     #[arg(long, value_name = "NAME=COLUMN:UNIT")]
     pub channel: Vec<String>,
-    /// Samples per second, if no column has the time
+    /// Samples per second, for a table without a time column
     #[arg(long, value_name = "HZ", allow_hyphen_values = true)]
     pub rate: Option<String>,
-    /// The format.
+    /// Arguments for the format of the output.
     #[command(flatten)]
     pub format: FormatArguments,
     /// Write to this file; the file extension sets the format: .csv, .json

@@ -57,7 +57,7 @@ pub enum Also {
     Frequency,
     /// The ratio μ of static to kinetic friction. Only motions with stops depend on it.
     Stiction,
-    /// Stiffness of an elastic contact. The description has a first guess.
+    /// Stiffness of an elastic contact. The description contains a first guess.
     Stiffness,
 }
 

@@ -1,4 +1,5 @@
-//! Answers of the commands for a scene with several contacts, dashpots, or masses that no spring holds.
+//! Answers of the commands for a scene with several contacts, dashpots, or masses without a path of springs to a
+//! support.
 
 mod report;
 mod time;
@@ -21,7 +22,7 @@ use std::io::Write;
 
 pub use time::OfTime;
 
-/// Fails for the first option that is given, because it has no answer for several contacts.
+/// Fails if one of these options is given, because the option is not available for several contacts.
 pub fn refused(options: &[(bool, &str)]) -> Result<(), Failure> {
     match options.iter().find(|(given, _)| *given) {
         None => Ok(()),
@@ -31,7 +32,7 @@ pub fn refused(options: &[(bool, &str)]) -> Result<(), Failure> {
     }
 }
 
-/// Fails for a picture, which does not exist for several contacts.
+/// Fails for a picture, because pictures are not available for several contacts.
 pub fn without_picture(form: Form) -> Result<Form, Failure> {
     match form {
         Form::Svg | Form::Png => Err(Failure::new(
@@ -49,7 +50,7 @@ pub struct Asked<'a> {
     of: &'a [String],
 }
 
-/// The request in the units of the answers.
+/// Request in the units of the answers.
 struct Question<'s> {
     system: &'s System,
     joined: &'s Joined<'s>,
@@ -97,7 +98,7 @@ impl<'a> Asked<'a> {
         }
     }
 
-    /// Passes the request in the units of the answers to `answer`.
+    /// Converts the request to the units of the answers, and calls `answer` with it.
     fn question(
         self,
         scene: Scene,
@@ -123,8 +124,8 @@ impl<'a> Asked<'a> {
         answer(&question)
     }
 
-    /// Writes steady states over frequency and friction. If `states` is true, it writes every steady state that is
-    /// found.
+    /// Writes steady states over frequency and friction. If `states` is true, the output contains every steady state
+    /// that the search finds.
     pub fn write(
         self,
         scene: Scene,

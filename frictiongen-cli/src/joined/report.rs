@@ -1,4 +1,4 @@
-//! Writes steady states of a scene with several contacts. A table has a line for each contact and mass.
+//! Writes steady states of a scene with several contacts. The table has one line for each contact and each mass.
 
 use super::Question;
 use crate::failure::Failure;
@@ -6,9 +6,9 @@ use crate::layout::Layout;
 use crate::output::{Table, Visitor};
 use frictiongen::study::columns::{Column, JoinedRow};
 
-/// The steady states, with the settings that are needed to write them.
+/// Steady states, with the settings for their output.
 pub struct JoinedReport<'q> {
-    /// Grids, units and masses.
+    /// Frequencies, frictions, units and masses.
     pub(super) question: &'q Question<'q>,
     /// True if the user requested every steady state.
     pub states: bool,

@@ -11,13 +11,13 @@ use frictiongen::study::joined::JoinedHistory;
 use frictiongen::study::scene::Scene;
 use std::io::Write;
 
-/// Length, start and form of the motion.
+/// Length, initial state and form of the motion.
 pub struct OfTime<'a> {
-    /// Number of cycles and samples, and whether a steady state is written.
+    /// Numbers of cycles and samples, and whether the output is a steady state.
     pub asked: Length,
-    /// The state of `--from`.
+    /// Initial state, as the text of `--from`.
     pub from: Option<&'a str>,
-    /// True if events are written instead of samples.
+    /// True if the output contains the events instead of samples.
     pub events: bool,
 }
 
@@ -51,7 +51,7 @@ impl Asked<'_> {
     }
 }
 
-/// Computes the motion. Returns it with its angular frequency.
+/// Returns the motion and its angular frequency.
 fn history(question: &Question<'_>, time: &OfTime<'_>) -> Result<(JoinedHistory, f64), Failure> {
     let frequency = question.frequencies.only(question.system)?;
     let friction = question.frictions.only()?;

@@ -84,7 +84,8 @@ fn table(arguments: &PeriodicArguments, system: &System) -> Result<PeriodicLoad,
     load.map_err(|error| told(&error))
 }
 
-/// Reads harmonics `1:100@0, 3:20@45`: order, amplitude, and lag in degrees, which may be left out.
+/// Parses harmonics such as `1:100@0, 3:20@45`: order, amplitude, and lag in degrees. The lag is optional, with the
+/// default 0.
 fn parsed(text: &str) -> Result<Vec<Harmonic>, Failure> {
     let one = |text: &str| {
         let wrong = || {

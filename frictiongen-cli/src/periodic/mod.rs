@@ -71,7 +71,7 @@ pub fn run(arguments: &PeriodicArguments, out: &mut dyn Write) -> Result<(), Fai
     })
 }
 
-/// Reads the scene, whose input is held between samples if `--hold` asks for it.
+/// Reads the scene. With `--hold` the input is constant between samples.
 fn scene(arguments: &PeriodicArguments) -> Result<System, Failure> {
     let file = FileArgument {
         file: Some(arguments.scene.clone()),
@@ -87,7 +87,7 @@ fn scene(arguments: &PeriodicArguments) -> Result<System, Failure> {
     System::try_from(description.scene).map_err(Failure::new)
 }
 
-/// The question of the command.
+/// Arguments of the command, after parsing.
 struct Asked<'a> {
     table: PeriodicTable<'a>,
     request: PeriodicRequest,

@@ -46,7 +46,7 @@ pub fn found(asked: &Asked, r: f64, beta: f64, of: Of) -> Found {
     Ok((response.regime(), swing))
 }
 
-/// Returns the meaning of the styles of lines.
+/// Returns the meaning of the line styles.
 pub fn line_styles(elastic: bool) -> &'static str {
     if elastic {
         "A dash-dotted line is motion in which the contact slides, and sticks after each reversal. A dotted line is a contact that never slides."

@@ -11,7 +11,7 @@ pub struct Limits {
     pub tables: bool,
     /// Whether the code proves the tables.
     pub proof: ProofAt,
-    /// True if a scene may have `contacts` and `dampers`, for which no code is emitted.
+    /// True if a scene may have the fields `contacts` and `dampers`, for which the generator emits no code.
     pub joints: bool,
 }
 

@@ -25,7 +25,7 @@ pub use limits::{Limits, ProofAt};
 /// The error of `proof: whole` in a build without the feature `proof`.
 const WITHOUT_PROOF: &str = "`proof: whole` needs the feature `proof` of frictiongen, which is off; write `frictiongen = { version = \"0.1\", features = [\"proof\"] }` in Cargo.toml, or leave `proof` out, so that the table is checked but not proven";
 
-/// The error of a macro for several contacts or dashpots.
+/// Error message of the macro for several contacts or dashpots.
 const WITHOUT_JOINTS: &str = "the macro emits no code for `contacts` and `dampers`; solve this scene at run time with `frictiongen::System`, or write a single `contact` without `dampers`";
 
 /// A valid description, after parsing and checking.

@@ -110,16 +110,16 @@ impl<S: Scalar> Chain<S> {
         Self::scale(modes.iter().map(|mode| (mode, mode.size(inverse_r))))
     }
 
-    /// Multiplies the response and damping functions of a mode by the scale E of the chain. E is the smallest |x² − 1|
-    /// + 2ζx of the modes that the contact drives. A first pass over the modes computes E.
+    /// Multiplies the response and damping functions of a mode by the scale E of the chain. E is the smallest |x²
+    /// − 1| + 2ζx of the modes that the contact drives. A first pass over the modes computes E.
     #[inline]
     pub fn at_scale(&self, mode: &ModeResponse<S>, scale: S) -> ModeAt<S> {
         self.scaled(mode, scale, false, 0)
     }
 
-    /// Multiplies the response and damping functions of a mode by the scale E of the chain. E is the smallest |x² − 1|
-    /// + 2ζx of the modes that the contact drives. A first pass over the modes computes E. If `single` is true, E is
-    /// the |x² − 1| + 2ζx of this mode itself. The code then takes E/(|x² − 1| + 2ζx) as exactly 1.
+    /// Multiplies the response and damping functions of a mode by the scale E of the chain. E is the smallest |x²
+    /// − 1| + 2ζx of the modes that the contact drives. A first pass over the modes computes E. If `single` is true, E
+    /// is the |x² − 1| + 2ζx of this mode itself. The code then takes E/(|x² − 1| + 2ζx) as exactly 1.
     #[inline]
     pub fn scaled(
         &self,

@@ -123,7 +123,7 @@ pub enum Unsupported {
     FrictionLaw,
     /// A call that has no answer for a scene with an elastic contact.
     ElasticContact,
-    /// A call that has no answer for a scene with several contacts or dashpots.
+    /// The method does not support a scene with several contacts or dashpots.
     SeveralContacts,
 }
 

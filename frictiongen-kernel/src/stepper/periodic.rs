@@ -1,4 +1,5 @@
-//! What a search for periodic motions needs of a stepper: forces that follow cubics, and the numbers of its state.
+//! Functions for a search for periodic motions: steps with forces that are cubic in time, and access to the numbers of
+//! the state.
 
 use super::Input;
 use super::drive::{Sample, SubInterval, base_motion};
@@ -14,8 +15,8 @@ use crate::number::scalar::Float;
 impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepContact<S>>
     Stepper<'_, S, D, T, V, K>
 {
-    /// Takes one step as [`advance`](Self::advance) with linear input, but with forces that follow cubics. `slopes` has the
-    /// slopes of each force at the start and at the end of the step, per second.
+    /// Advances by one step as [`advance`](Self::advance) does with linear input, but with forces that are cubic in
+    /// time. `slopes` has the time derivative of each force at the start and at the end of the step, per second.
     ///
     /// # Errors
     /// Same errors as [`advance`](Self::advance).
@@ -80,9 +81,9 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepContact<S
         Ok(stepped)
     }
 
-    /// Calls `visit` with every number of the state that the motion to come depends on: displacement and scaled velocity of
-    /// each oscillator, and while the contact sticks its place, which for an elastic contact is that of the slider. Their
-    /// number differs between a contact that slides and one that sticks. All are displacements.
+    /// Calls `visit` with every number of the state that determines the later motion. These are the displacement and
+    /// the scaled velocity of each oscillator. If the contact sticks, its position is one more number. For an elastic
+    /// contact it is the position of the slider. All numbers are displacements.
     pub fn visit_state(&mut self, mut visit: impl FnMut(&mut S)) {
         let sticks = self.status.contact == Contact::Stuck && !self.status.unknown;
         let driven = self.scene.dynamics.in_contact();
@@ -100,7 +101,7 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepContact<S
         self.status.wedged = false;
     }
 
-    /// Sets the work since the start to 0.
+    /// Sets the work to 0. Later work counts from this instant.
     pub fn restart_work(&mut self) {
         self.status.load = crate::motion::Total::zero();
         self.status.dissipated = crate::motion::Total::zero();

@@ -2,7 +2,7 @@
 
 use super::{Contact, Node, Scene};
 
-/// The law of one of several contacts.
+/// Friction law of one of several contacts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[doc(hidden)]
@@ -12,12 +12,12 @@ pub struct JointLaw {
     pub stiffness: Option<f64>,
     /// μ, the ratio of static to kinetic friction force, at least 1.
     pub stiction: f64,
-    /// The kinetic friction force of this contact over the common friction force F.
+    /// The kinetic friction force of this contact, divided by the common friction force F.
     pub share: f64,
 }
 
 impl Default for JointLaw {
-    /// A rigid contact with μ = 1 and the whole friction force F.
+    /// Returns the law of a rigid contact with μ = 1 and the friction force F.
     fn default() -> Self {
         Self {
             stiffness: None,
@@ -49,7 +49,7 @@ pub struct Damper {
     pub from: Node,
     /// The end of the dashpot that the description writes second.
     pub to: Node,
-    /// Force over relative velocity, in the scene's own units (N·s/m in SI).
+    /// Force divided by relative velocity, in the scene's own units (N·s/m in SI).
     pub coefficient: f64,
 }
 
@@ -73,14 +73,14 @@ impl Joints {
 }
 
 impl Scene {
-    /// Returns true if the scene has the field `contacts` or `dampers`. Only a `System` at run time solves it.
+    /// Returns true if the scene has the field `contacts` or `dampers`. Only a run-time `System` solves such a scene.
     #[must_use]
     #[doc(hidden)]
     pub fn is_joined(&self) -> bool {
         !self.joints.is_empty()
     }
 
-    /// Returns every contact with its name. The contact of the field `contact` is called `contact`.
+    /// Returns every contact with its name. A contact from the field `contact` has the name `contact`.
     #[must_use]
     #[doc(hidden)]
     pub fn named_contacts(&self) -> Vec<NamedContact> {

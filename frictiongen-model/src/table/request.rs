@@ -56,7 +56,7 @@ pub enum TableError {
     DampedFromBase,
     /// The contact is elastic. Its response has no table.
     ElasticContact,
-    /// The scene has several contacts or dashpots. Its response has no table.
+    /// The scene has several contacts or dashpots. Tables do not support them.
     SeveralContacts,
     /// Even the coarsest accuracy does not fit into the allowed bytes.
     TooFewBytes {

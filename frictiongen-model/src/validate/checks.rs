@@ -50,7 +50,7 @@ impl Default for Checks {
 }
 
 impl Checks {
-    /// Returns true if the scene has several contacts or dashpots, or if its description tries to.
+    /// Returns true if the description contains `contacts` or `dampers`, even with errors.
     pub(super) fn joined(&self, scene: &Scene) -> bool {
         scene.is_joined() || !self.joints
     }

@@ -25,7 +25,7 @@ fn kept(precision: Precision) -> u32 {
     }
 }
 
-/// Reports a stiffness that is no positive number. Returns false if the contact has no finite stiffness.
+/// Reports a stiffness that is not a positive number. Returns false if the contact has no finite stiffness.
 pub(super) fn check_value(scene: &Scene, errors: &mut Vec<SceneError>) -> bool {
     let Some(value) = scene.stiffness else {
         return false;
@@ -47,7 +47,7 @@ pub(super) fn check_value(scene: &Scene, errors: &mut Vec<SceneError>) -> bool {
     true
 }
 
-/// Reports a stiffness that is no positive number, and fields that do not go with an elastic contact.
+/// Reports a stiffness that is not a positive number, and fields that are incompatible with an elastic contact.
 pub(super) fn check(scene: &Scene, errors: &mut Vec<SceneError>) {
     if !check_value(scene, errors) {
         return;

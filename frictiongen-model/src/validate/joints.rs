@@ -14,7 +14,7 @@ pub const MOST_CONTACTS: usize = 16;
 /// Largest number of masses of a scene with `contacts` or `dampers`.
 pub const MOST_JOINED: usize = 64;
 
-/// Reports errors in contacts and dashpots, and fields that do not go with them.
+/// Reports errors in contacts and dashpots, and fields that are incompatible with them.
 pub(super) fn check(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>) {
     check_sizes(scene, checks, errors);
     check_names(scene, errors);
@@ -70,7 +70,7 @@ fn check_names(scene: &Scene, errors: &mut Vec<SceneError>) {
     }
 }
 
-/// Reports errors in the sides of a contact. Returns true if there is none.
+/// Reports errors in the sides of a contact. Returns true if there are none.
 fn check_sides(
     scene: &Scene,
     contact: &NamedContact,
@@ -108,7 +108,7 @@ fn check_sides(
     errors.len() == before
 }
 
-/// Returns the words for a sum, or nothing if one of its terms could not be read.
+/// Returns `words` followed by the sum. Returns an empty text if a term of the sum could not be read.
 fn told(sum: f64, words: &str) -> String {
     if sum.is_finite() {
         format!("{words} {sum:?}")
@@ -158,7 +158,7 @@ fn check_law(contact: &NamedContact, index: usize, errors: &mut Vec<SceneError>)
     }
 }
 
-/// Reports errors in the dashpots. Returns true if their ends are sound.
+/// Reports errors in the dashpots. Returns true if the ends of all dashpots are valid.
 fn check_dampers(scene: &Scene, errors: &mut Vec<SceneError>) -> bool {
     let mut sums: HashMap<(usize, usize), f64> = HashMap::new();
     let mut sound = true;
@@ -205,7 +205,7 @@ fn check_dampers(scene: &Scene, errors: &mut Vec<SceneError>) -> bool {
     sound
 }
 
-/// Reports fields that do not go with several contacts or dashpots.
+/// Reports fields that are incompatible with several contacts or dashpots.
 fn check_fields(scene: &Scene, errors: &mut Vec<SceneError>) {
     if !scene.joints.contacts.is_empty() {
         let fields = [
@@ -241,7 +241,7 @@ fn check_fields(scene: &Scene, errors: &mut Vec<SceneError>) {
     }
 }
 
-/// Reports rigid contacts that close a loop. The base and the wall count as one node.
+/// Reports rigid contacts that form a loop. The base and the wall count as one node.
 fn check_loops(scene: &Scene, errors: &mut Vec<SceneError>) {
     let ground = scene.masses.len();
     let node = |node: Node| match node {
@@ -268,7 +268,7 @@ fn check_loops(scene: &Scene, errors: &mut Vec<SceneError>) {
     }
 }
 
-/// Returns the contacts on the way between two nodes of a forest.
+/// Returns the contacts on the path between two nodes of a forest.
 fn path(tree: &[(usize, usize, usize)], from: usize, to: usize) -> Option<Vec<usize>> {
     let mut reached: Vec<(usize, Vec<usize>)> = vec![(from, Vec::new())];
     let mut next = 0;
@@ -295,7 +295,7 @@ fn path(tree: &[(usize, usize, usize)], from: usize, to: usize) -> Option<Vec<us
     None
 }
 
-/// Reports masses that nothing touches, and a base that moves nothing.
+/// Reports masses without any spring, contact or dashpot, and a moving base that is connected to no mass.
 fn check_touched(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>) {
     if !checks.contact {
         return;

@@ -93,7 +93,7 @@ fn pair(spring: &Spring) -> (usize, usize) {
     pair_of(spring.from, spring.to)
 }
 
-/// Returns two nodes in a fixed order, so that `a - b` and `b - a` are the same pair.
+/// Returns two nodes in ascending order, so that `a - b` and `b - a` give the same pair.
 pub(super) fn pair_of(from: Node, to: Node) -> (usize, usize) {
     let key = |node| match node {
         Node::Mass(index) => index,

@@ -9,8 +9,8 @@ use frictiongen_model::interval::{Interval, TINY};
 /// The first `N` Taylor coefficients f⁽ᵏ⁾/k! of a function of one variable, at a point or over an interval.
 ///
 /// Taylor's formula gives the function at r₀ + t as its first N − 1 terms at r₀ plus a remainder. The remainder is
-/// t^{N−1} times a number. This number lies within the last coefficient over any interval that contains both r₀ and r₀
-/// + t. [`joined`](Self::joined) uses this property.
+/// t^{N−1} times a number. This number lies within the last coefficient over any interval that contains both r₀ and
+/// r₀ + t. [`joined`](Self::joined) uses this property.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct IntervalSeries<const N: usize> {
     /// The Taylor coefficients f⁽ᵏ⁾/k!. The first is the value of f.

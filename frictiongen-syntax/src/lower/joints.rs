@@ -1,4 +1,4 @@
-//! Turns several contacts and dashpots, as written, into those of the scene.
+//! Converts parsed contacts and dashpots to the contacts and dashpots of a scene.
 
 use frictiongen_model::scene::{Contact, Damper, JointLaw, Joints, NamedContact};
 use frictiongen_model::validate::Path;
@@ -6,7 +6,7 @@ use frictiongen_model::validate::Path;
 use super::resolve::Lowering;
 use crate::parse::syntax::{Fields, JointEntry, SpringEntry};
 
-/// Contacts and dashpots of a scene, each with its written entry.
+/// Contacts and dashpots of a scene, each with its entry in the description.
 pub(super) struct LoweredJoints<'s> {
     pub(super) joints: Joints,
     pub(super) contacts: Vec<&'s JointEntry>,

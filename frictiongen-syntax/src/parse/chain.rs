@@ -78,7 +78,8 @@ fn spring(reader: &mut Reader<'_>, problems: &mut Problems) -> Result<Read<Sprin
     )
 }
 
-/// Parses `node - node: number`, for `what`. `parts` names what the colon separates.
+/// Parses `node - node: number`. `what` names the entry in messages, and `parts` names the parts on both sides of the
+/// colon.
 pub(crate) fn link(
     reader: &mut Reader<'_>,
     problems: &mut Problems,

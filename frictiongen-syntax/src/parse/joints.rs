@@ -8,7 +8,7 @@ use super::syntax::{JointEntry, Placed, SpringEntry};
 use super::token::Delimiter;
 use crate::diagnostics::{Problems, Reported};
 
-/// The properties of one of several contacts.
+/// Names of the properties of one of several contacts.
 const PROPERTIES: [&str; 3] = ["stiffness", "stiction", "share"];
 
 /// Parses `{ name: node - node { stiffness: number, stiction: number, share: number }, … }`.
@@ -62,7 +62,7 @@ pub(crate) fn dampers(
     )
 }
 
-/// Reports a list without any entry.
+/// Reports an empty list.
 fn filled<T>(read: Read<Placed<T>>, problems: &mut Problems, message: &str) -> Read<Placed<T>> {
     match &read.value {
         Some(placed) if placed.list.entries.is_empty() && placed.list.complete => {

@@ -27,7 +27,7 @@ impl<T> Slot<T> {
         }
     }
 
-    /// Returns false if the field is present but unreadable.
+    /// Returns false if the field is present, but the parser could not read it.
     pub(crate) fn is_read(&self) -> bool {
         !matches!(self, Self::Broken)
     }
@@ -67,7 +67,7 @@ pub(crate) struct JointEntry {
     pub(crate) stiffness: Option<Number>,
     pub(crate) stiction: Option<Number>,
     pub(crate) share: Option<Number>,
-    /// True if everything in the braces of the contact could be read.
+    /// True if the parser could read all properties in the braces of the contact.
     pub(crate) complete: bool,
 }
 

@@ -101,8 +101,8 @@ impl Builder {
         self
     }
 
-    /// Adds one of several contacts, with its name, its two sides and its law. A scene has either `contact` or calls of
-    /// this method, and `System::joined` then gives its answers.
+    /// Adds one of several contacts, with its name, its two sides and its law. Use this method instead of `contact`.
+    /// `System::joined` then solves the scene.
     #[doc(hidden)]
     pub fn contact_named(mut self, name: &str, from: &str, to: &str, law: JointLaw) -> Self {
         let sides = (from.to_owned(), to.to_owned());
@@ -110,7 +110,7 @@ impl Builder {
         self
     }
 
-    /// Adds a dashpot between two nodes. The coefficient is its force over its relative velocity, in N·s/m.
+    /// Adds a dashpot between two nodes. The coefficient is force divided by relative velocity, in N·s/m.
     #[doc(hidden)]
     pub fn damper(mut self, from: &str, to: &str, coefficient: f64) -> Self {
         self.dampers

@@ -163,8 +163,8 @@ impl<S: Float> System<S> {
         matches!(of, Of::Relative(of, to) if self.simplest(Of::Relative(to, of)) == Of::Contact)
     }
 
-    /// Returns true if a motion is the contact's relative motion, with either sign: also that of a mass whose contact is at
-    /// rest on the other side.
+    /// Returns true if a motion equals the contact's relative motion up to its sign. This is also true for a mass whose
+    /// contact has its other side at rest.
     pub(super) fn moves_as_contact(&self, of: Of) -> bool {
         let ends = [self.scene.contact.from, self.scene.contact.to];
         let base_moves = self.scene.excitation == Excitation::Base;

@@ -72,7 +72,7 @@ pub enum LoadError {
     Amplitude,
     /// The units of force (P or k₁Y) or of length (P/k₁ or Y) are too small or too large for the number type.
     OutOfRange,
-    /// The request needs a single contact without dashpots, but the scene has `contacts` or `dampers`.
+    /// The method needs a single contact and no dashpots, but the scene has `contacts` or `dampers`.
     SeveralContacts,
     /// The request needs a load of constant amplitude, but the amplitude depends on frequency.
     Varies,

@@ -235,8 +235,8 @@ impl<S: Float> System<S> {
         }
     }
 
-    /// Returns the springs to which an equivalent damping ratio refers: all of them for `zeta_eq`, one for
-    /// `zeta_eq(a-b)`. `None` for another quantity.
+    /// Returns the springs to which an equivalent damping ratio refers: all springs for `zeta_eq`, or one spring for
+    /// `zeta_eq(a-b)`. Returns `None` for another quantity.
     fn damping_named(&self, name: &str) -> Result<Option<Of>, UnknownMotion> {
         let Some(inside) = name.strip_prefix("zeta_eq") else {
             return Ok(None);

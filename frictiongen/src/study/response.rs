@@ -84,9 +84,9 @@ pub enum Size {
     /// The energy that the contact dissipates in a cycle of the excitation, in units of P²/k₁ (of k₁Y² for base
     /// motion). Only the contact has this quantity.
     Energy,
-    /// The equivalent viscous damping ratio ζ_eq = E_d/(4πE_s) of the contact. E_d is the energy that the contact takes in
-    /// a cycle. E_s is the sum of ½kX² of all springs, or of one spring, where X is the centred amplitude of its
-    /// elongation. [`Of::Contact`] means all springs, [`Of::Spring`] one.
+    /// The equivalent viscous damping ratio ζ_eq = E_d/(4πE_s) of the contact. E_d is the energy that friction
+    /// dissipates in a cycle. E_s is the sum of ½kX² of all springs, or ½kX² of one spring, where X is the centred
+    /// amplitude of the elongation. [`Of::Contact`] selects all springs, and [`Of::Spring`] selects one spring.
     Damping,
 }
 
@@ -301,9 +301,9 @@ impl SystemResponse<'_> {
     }
 }
 
-/// Returns the equivalent viscous damping ratio of a contact that takes `energy` in a cycle, relative to the strain energy
-/// of all springs or of one spring. `None` for another motion, and where no spring moves. `centred` returns the centred
-/// amplitude of a motion.
+/// Returns the equivalent viscous damping ratio of a contact that dissipates `energy` in a cycle, relative to the
+/// strain energy of all springs or of one spring. Returns `None` for another motion, and if no spring is deformed.
+/// `centred` returns the centred amplitude of a motion.
 pub(super) fn equivalent_damping(
     system: &System,
     of: Of,

@@ -332,7 +332,7 @@ impl<S: Float> System<S> {
     }
 
     /// Fails if the kinetic friction force depends on the speed, or if the scene has several contacts or dashpots. The
-    /// closed forms and the motion from event to event need one contact with a constant force.
+    /// closed forms, and the motion from event to event, need one contact with a constant kinetic friction force.
     pub(super) fn constant_force(&self) -> Result<(), OutOfDomain> {
         self.single()?;
         match self.scene.friction {

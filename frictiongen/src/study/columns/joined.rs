@@ -9,18 +9,19 @@ use crate::study::joined::{Joined, JoinedAt, JoinedError, JoinedHistory, JoinedO
 use crate::study::joints::JointError;
 use crate::study::words;
 
-/// A row: the steady state of a scene with several contacts at one frequency and one friction.
+/// Row of the table of steady states: the state of a scene with several contacts at one frequency and one friction.
 #[derive(Clone, Debug)]
 pub struct JoinedRow {
     /// Frequency of the excitation, as ratio r, in Hz and in rad/s.
     pub frequency: Frequency,
     /// The common friction, as ratio β and, under a load, as force in N.
     pub friction: Friction,
-    /// Regime: continuous, stick-slip or stuck. Empty without a steady state.
+    /// Regime: continuous, stick-slip or stuck. The text is empty if there is no steady state.
     pub regime: &'static str,
-    /// Word for the state: stable or marginal. Without a steady state, the reason.
+    /// Stability of the state: stable or marginal. If there is no steady state, the text is the reason.
     pub state: &'static str,
-    /// The friction from which the stuck state exists, and the contact that slides first below it.
+    /// The friction above which the state exists in which no contact slides, and the contact that slides first below
+    /// this friction.
     stuck: Option<(f64, String)>,
     steady: Option<Steady>,
 }
@@ -90,7 +91,8 @@ impl JoinedRow {
 /// The tables of a scene with several contacts.
 #[derive(Clone, Copy)]
 pub struct JoinedTable<'a> {
-    /// System, units, and frequencies and frictions as the user gave them. Its list of motions is not used.
+    /// System, units, and frequencies and frictions as the user gave them. The table does not use the list of motions
+    /// in these settings.
     pub setting: Setting<'a>,
     /// The scene's contacts and masses.
     pub joined: &'a Joined<'a>,
@@ -99,8 +101,8 @@ pub struct JoinedTable<'a> {
 }
 
 impl<'a> JoinedTable<'a> {
-    /// Evaluates the scene at a frequency. Without a spring, the frequency must be in Hz or rad/s, and a load must be
-    /// given. The numbers then count with k₁ = 1.
+    /// Evaluates the scene at a frequency. A scene without springs needs a frequency in Hz or rad/s, and a load. The
+    /// frequency ratio r of such a scene uses k₁ = 1.
     ///
     /// # Errors
     /// Same errors as [`Joined::at`].
@@ -114,10 +116,11 @@ impl<'a> JoinedTable<'a> {
         }
     }
 
-    /// Computes the row of the steady state that motion from rest reaches.
+    /// Computes the row of the steady state that motion from rest reaches. If the motion does not settle, the row
+    /// states this reason.
     ///
     /// # Errors
-    /// [`JoinedError`] for a frequency or a friction outside the domain. A motion that does not settle is a row.
+    /// [`JoinedError`] for a frequency or a friction outside the domain.
     pub fn row(&self, frequency: Frequency, friction: Friction) -> Result<JoinedRow, JoinedError> {
         let at = self.at(frequency)?;
         let friction = friction.at(&self.setting.measure, frequency);
@@ -135,7 +138,7 @@ impl<'a> JoinedTable<'a> {
         }
     }
 
-    /// Computes one row for every steady state that is found.
+    /// Computes one row for every steady state that the search finds.
     ///
     /// # Errors
     /// Same errors as [`row`](Self::row).
@@ -196,7 +199,7 @@ impl<'a> JoinedTable<'a> {
         })
     }
 
-    /// Returns the names of the contacts and of the masses of the table.
+    /// Returns the names of the contacts and masses in the table.
     fn parts(&self) -> Vec<String> {
         let masses = self.joined.scene().masses.iter().enumerate();
         let masses = masses.filter(|(index, _)| self.masses.contains(index));
@@ -258,7 +261,8 @@ impl<'a> JoinedTable<'a> {
     }
 }
 
-/// Returns the friction from which the stuck state exists, and the contact that slides first. `None` on a resonance.
+/// Returns the friction above which the state exists in which no contact slides, and the contact that slides first
+/// below this friction. Returns `None` on a resonance.
 fn limit(at: &JoinedAt<'_>) -> Option<(f64, String)> {
     let stuck = at.stuck().ok()?;
     Some((stuck.limit(), stuck.first().to_owned()))
@@ -274,7 +278,7 @@ fn reason(error: &JointError) -> &'static str {
     }
 }
 
-/// A row of the table of samples: one instant.
+/// Row of the table of samples, with the motion at one instant.
 #[derive(Clone, Copy, Debug)]
 pub struct JoinedSample<'h> {
     /// The motion over time to which the row belongs.
@@ -291,7 +295,7 @@ impl Row for JoinedSample<'_> {
     }
 }
 
-/// A row of the table of events.
+/// Row of the table of events.
 #[derive(Clone, Copy, Debug)]
 pub struct JoinedEventRow<'h> {
     /// The motion over time to which the row belongs.

@@ -24,7 +24,7 @@ pub struct PartMotion<'r> {
     pub rates: Option<(f64, f64)>,
     /// Largest force in the contact over P, and energy that the contact dissipates in a cycle over P²/k₁.
     pub contact: Option<(f64, f64)>,
-    /// Equivalent viscous damping ratio of the contact, relative to all springs or to one.
+    /// Equivalent viscous damping ratio of the contact, relative to the strain energy of all springs or of one spring.
     pub damping: Option<f64>,
     /// Complex amplitudes of the requested harmonics, in the order of the request.
     pub harmonics: &'r [Complex<f64>],

@@ -7,7 +7,7 @@ use super::setting::{CONTACT, Part};
 use crate::study::System;
 use crate::study::periodic::PeriodicState;
 
-/// A row: the steady state at one friction force.
+/// Row of the table of steady states under a periodic load, at one friction force.
 #[derive(Clone, Debug)]
 pub struct PeriodicRow {
     /// The kinetic friction force, N.
@@ -16,7 +16,7 @@ pub struct PeriodicRow {
     pub state: PeriodicState,
 }
 
-/// A row: the motion at one step of a steady state.
+/// Row of the table of a motion, with one step of a steady state.
 #[derive(Clone, Copy, Debug)]
 pub struct PeriodicSample<'s> {
     row: &'s PeriodicRow,
@@ -26,9 +26,9 @@ pub struct PeriodicSample<'s> {
 /// The tables of steady states under a periodic load.
 #[derive(Clone, Copy)]
 pub struct PeriodicTable<'a> {
-    /// The system whose steady states are tabulated.
+    /// System whose steady states are in the table.
     pub system: &'a System,
-    /// The motions and forces of springs, in the order in which the question has them.
+    /// The motions and spring forces in the table, in the order of the request.
     pub parts: &'a [Part],
 }
 
@@ -36,7 +36,7 @@ impl Row for PeriodicRow {}
 impl Row for PeriodicSample<'_> {}
 
 impl PeriodicRow {
-    /// Returns the least and the largest value of a motion, with the sign of the description.
+    /// Returns the smallest and the largest value of a motion, with the sign of the description.
     fn extremes(&self, part: usize, turned: bool) -> Option<[f64; 2]> {
         let [least, most] = self.state.tracks().get(part)?.extremes();
         Some(if turned {

@@ -45,7 +45,8 @@ pub struct Movement {
     pub fundamental_phase: Option<f64>,
     /// The largest |dx̄/dτ| and the largest |d²x̄/dτ²|, if they were requested.
     pub rates: Option<(f64, f64)>,
-    /// Equivalent viscous damping ratio of the contact, for the contact and for forces of springs, if rates were requested.
+    /// Equivalent viscous damping ratio, for the motion of the contact and for spring forces. It is present only if the
+    /// request contains rates.
     pub damping: Option<f64>,
     /// The harmonics that were requested, in the order of the request.
     pub harmonics: Vec<Complex<f64>>,

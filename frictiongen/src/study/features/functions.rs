@@ -118,7 +118,8 @@ pub(super) struct ModalPole {
 /// y − p, which are finite.
 pub(super) struct Near<T> {
     gap: T,
-    /// For each mode with this pole: 1/d and tan(πx/2)/x, both times the distance y − p. `None` for other modes.
+    /// For each mode with this pole: 1/d and tan(πx/2)/x, both times the distance y − p. `None` for modes without this
+    /// pole.
     own: Vec<Option<[T; 2]>>,
 }
 

@@ -1,4 +1,4 @@
-//! Linear answers in closed form: the chain without friction, and the chain whose contacts stick.
+//! Linear responses in closed form: of the chain without friction, and of the chain with all contacts stuck.
 
 use super::at::Units;
 use super::error::UnknownContact;
@@ -7,7 +7,7 @@ use crate::Complex;
 use crate::study::error::UnknownMass;
 use crate::study::joints::StuckResponse;
 
-/// A linear response: the complex amplitude of each mass.
+/// Linear response, with the complex amplitude of each mass.
 #[derive(Clone, Debug)]
 pub struct LinearResponse<'a> {
     joined: Joined<'a>,
@@ -24,7 +24,7 @@ impl<'a> LinearResponse<'a> {
         }
     }
 
-    /// Returns X, the complex amplitude of the mass called `name`: x̄ = Re X exp(iτ).
+    /// Returns X, the complex amplitude of the mass `name`. Its motion is x̄ = Re X exp(iτ).
     ///
     /// # Errors
     /// [`UnknownMass`] if no mass has this name.
@@ -44,7 +44,7 @@ impl<'a> LinearResponse<'a> {
     }
 }
 
-/// The state in which no contact slides.
+/// State in which no contact slides.
 #[derive(Clone, Debug)]
 pub struct StuckState<'a> {
     linear: LinearResponse<'a>,
@@ -65,8 +65,9 @@ impl<'a> StuckState<'a> {
         }
     }
 
-    /// Returns β*_lim, the smallest common friction at which no contact needs to slide: the largest |f|/(μ·share) of
-    /// the contacts. It is F in N for a scene under a load in N or m.
+    /// Returns β*_lim, the smallest common friction at which no contact slides. It is the largest |f|/(μ·share) of the
+    /// contacts, where f is the amplitude of a contact's force. If the load is in N or m, the result is the force F in
+    /// N.
     #[must_use]
     pub fn limit(&self) -> f64 {
         self.limit

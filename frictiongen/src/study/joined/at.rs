@@ -11,7 +11,7 @@ use crate::{Given, OutOfDomain};
 /// Displacements and velocities of all masses, in the units of the answers.
 type Start<'s> = (&'s [f64], &'s [f64]);
 
-/// The units of the answers, in the units of the description.
+/// Units of the answers, expressed in the units of the description.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Units {
     /// The unit of forces and frictions.
@@ -34,7 +34,7 @@ impl Units {
 #[derive(Clone, Debug)]
 pub struct JoinedAt<'a> {
     joined: Joined<'a>,
-    /// The chain with its load. The level of each contact is its share.
+    /// The chain with its load. The friction level of each contact is its share.
     chain: Chain,
     omega: f64,
     units: Units,
@@ -78,8 +78,8 @@ impl<'a> JoinedAt<'a> {
         Ok(chain)
     }
 
-    /// Returns the steady state to which the motion from rest comes, at a common friction: β = F/P, or F in N. The
-    /// friction force of a contact is its share of F. The period is at most 64 cycles.
+    /// Returns the steady state that the motion from rest reaches. `friction` is the common friction, as β = F/P or as
+    /// F in N. The friction force of a contact is its share of F. The period is at most 64 cycles.
     ///
     /// # Errors
     /// [`OutOfDomain`] for a friction that is negative or not finite. [`JoinedError::Engine`] if the motion does not
@@ -90,7 +90,7 @@ impl<'a> JoinedAt<'a> {
         self.settled(motion, chain)
     }
 
-    /// Returns the steady state to which the motion from a given state comes. `state` has the displacement and the
+    /// Returns the steady state that the motion from a given state reaches. `state` has the displacement and the
     /// velocity of each mass.
     ///
     /// # Errors
@@ -116,7 +116,7 @@ impl<'a> JoinedAt<'a> {
         ))
     }
 
-    /// Returns a motion from a state, or from rest.
+    /// Creates a motion that starts from a state, or from rest.
     fn started(&self, chain: &Chain, state: Option<Start<'_>>) -> Result<Motion, JoinedError> {
         let Some((x, v)) = state else {
             return Ok(Motion::from_rest(chain)?);
@@ -133,7 +133,7 @@ impl<'a> JoinedAt<'a> {
         Ok(Motion::from(chain, &x, &v)?)
     }
 
-    /// Starts the exact motion in time from rest, with the load at its maximum.
+    /// Creates the exact motion in time from rest. At the start the load is at its maximum.
     ///
     /// # Errors
     /// [`OutOfDomain`] for a friction that is negative or not finite.
@@ -143,7 +143,7 @@ impl<'a> JoinedAt<'a> {
         Ok(self.running(motion))
     }
 
-    /// Starts the exact motion in time from a given state. `state` has the displacement and the velocity of each mass.
+    /// Creates the exact motion in time from a given state. `state` has the displacement and the velocity of each mass.
     ///
     /// # Errors
     /// Same errors as [`orbit_from`](Self::orbit_from).
@@ -162,7 +162,7 @@ impl<'a> JoinedAt<'a> {
     }
 
     /// Returns the state in which no contact slides, in closed form: the amplitudes, the force of each contact, and the
-    /// friction from which the state exists. The contacts have no force from an earlier motion.
+    /// friction from which the state exists. In this state no earlier motion has left a constant force in a contact.
     ///
     /// # Errors
     /// [`JoinedError::Resonance`] on an undamped resonance of the chain with its contacts stuck.
@@ -185,8 +185,8 @@ impl<'a> JoinedAt<'a> {
     }
 }
 
-/// Returns the error of a linear response. The loads of a scene have one valid frequency, so that only a resonance
-/// remains.
+/// Converts the error of a linear response. Only a resonance is possible, because all loads of a scene have one valid
+/// frequency.
 fn resonance(error: JointError) -> JoinedError {
     match error {
         JointError::Number(_) => JoinedError::Resonance,

@@ -27,29 +27,29 @@ impl fmt::Display for UnknownContact {
 
 impl std::error::Error for UnknownContact {}
 
-/// The reason why a scene with several contacts gives no answer.
+/// Reason why a method for several contacts returns no answer.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum JoinedError {
     /// The request is outside the domain, or the scene does not support it.
     OutOfDomain(OutOfDomain),
-    /// The scene has more masses than the engine takes.
+    /// The scene has more masses than the solver supports.
     TooManyMasses(usize),
-    /// The scene has no spring, so that r and β have no k₁.
+    /// The scene has no spring. The ratios r and β need the stiffness k₁.
     NoSpring,
-    /// The angular frequency is not above 0 and finite.
+    /// The angular frequency is not positive and finite.
     Frequency(Given),
-    /// The amplitude of the load is not above 0 and finite.
+    /// The amplitude of the load is not positive and finite.
     Amplitude(Given),
     /// The frequency is an undamped resonance of the linear chain.
     Resonance,
-    /// The scene has no contact of the requested name.
+    /// The scene has no contact with the requested name.
     UnknownContact(UnknownContact),
-    /// The scene has no mass of the requested name.
+    /// The scene has no mass with the requested name.
     UnknownMass(UnknownMass),
-    /// The stepper needs a force that drives the scene, but the base moves.
+    /// The stepper supports only forces on masses, but the base of the scene moves.
     BaseMoves,
-    /// The engine found no answer.
+    /// The solver found no answer.
     Engine(JointError),
 }
 

@@ -5,22 +5,22 @@ use super::orbit::JoinedOrbit;
 use super::simulation::{JoinedContactNow, JoinedEvent, JoinedSimulation};
 use std::f64::consts::TAU;
 
-/// Samples at equal distances, and the events between them.
+/// Equally spaced samples, and the events between them.
 #[derive(Clone, Debug, Default)]
 pub struct JoinedHistory {
-    /// Phase τ = ωt of each sample, from the first sample on.
+    /// Phase τ = ωt of each sample, measured from the first sample.
     pub taus: Vec<f64>,
-    /// Displacements and velocities of all masses, sample by sample.
+    /// Displacements and velocities of all masses, for each sample.
     pub states: Vec<(Vec<f64>, Vec<f64>)>,
-    /// All contacts, sample by sample.
+    /// States of all contacts, for each sample.
     pub contacts: Vec<Vec<JoinedContactNow>>,
-    /// The events, in the order of time. Their phase counts from the first sample.
+    /// The events in the order of time. Their phase is measured from the first sample.
     pub events: Vec<JoinedEvent>,
 }
 
 impl JoinedSimulation<'_> {
-    /// Skips whole cycles, and then samples some cycles. The first sample is the present instant after the skipped
-    /// cycles, the last one the end of the last cycle.
+    /// Advances by `skip` cycles, and then samples `cycles` cycles. The first sample is at the start of these cycles,
+    /// and the last sample is at their end.
     ///
     /// # Errors
     /// Same errors as [`advance`](Self::advance).

@@ -1,7 +1,8 @@
-//! Answers of scenes with several contacts, dashpots, or masses that no spring holds.
+//! Answers of scenes with several contacts, dashpots, or masses without a path of springs to a support.
 //!
-//! A description asks for them by the fields `contacts` and `dampers`. [`System::joined`] is the only door: every other
-//! call of a `System` refuses such a scene by name. The engine is [`joints`](super::joints).
+//! Such a scene has the fields `contacts` or `dampers` in its description. [`System::joined`] gives access to its
+//! answers. Every other method of a `System` returns an error that names these fields. The solver is in
+//! [`joints`](super::joints).
 //!
 //! ```
 //! use frictiongen::{Regime, System};

@@ -8,7 +8,7 @@ use crate::study::joints::{Chain, ContactCycle, Motion, Steady};
 use crate::{Complex, Regime};
 use std::f64::consts::TAU;
 
-/// Difference of two half periods, relative to their size, below which a motion is symmetric.
+/// Relative difference of two half periods below which a motion counts as symmetric.
 const SYMMETRIC: f64 = 1e-7;
 
 /// A steady state of a scene with several contacts.
@@ -31,13 +31,13 @@ pub struct ContactOrbit<'o> {
 }
 
 impl ContactOrbit<'_> {
-    /// Returns how often the contact stops in a period.
+    /// Returns the number of stops of the contact in a period.
     #[must_use]
     pub fn stops(&self) -> usize {
         self.cycle.stops
     }
 
-    /// Returns how often the contact changes its direction of sliding without a stop.
+    /// Returns the number of changes of the sliding direction without a stop, in a period.
     #[must_use]
     pub fn reversals(&self) -> usize {
         self.cycle.reversals
@@ -50,7 +50,7 @@ impl ContactOrbit<'_> {
         self.cycle.stuck_fraction
     }
 
-    /// Returns the distance that the slider travels in a period, in both directions together.
+    /// Returns the distance that the slider travels in a period, added over both directions.
     #[must_use]
     pub fn slip(&self) -> f64 {
         self.cycle.slip / self.units.length
@@ -74,7 +74,7 @@ impl ContactOrbit<'_> {
         self.cycle.energy / self.units.energy()
     }
 
-    /// Returns the regime of this contact: it slides all the time, stops at times, or never slides.
+    /// Returns the regime of this contact: continuous, stick-slip or stuck.
     #[must_use]
     pub fn regime(&self) -> Regime {
         let cycle = self.cycle;
@@ -110,28 +110,28 @@ impl<'a> JoinedOrbit<'a> {
         self.steady.period
     }
 
-    /// Returns the Floquet multipliers of a period, the largest first. The multipliers 1 of marginal directions are left
-    /// out.
+    /// Returns the Floquet multipliers of a period, in descending order of their modulus. The list omits the
+    /// multipliers 1 of marginal directions.
     #[must_use]
     pub fn multipliers(&self) -> &[Complex<f64>] {
         &self.steady.multipliers
     }
 
-    /// Returns true if every small change dies out, except for changes along marginal directions.
+    /// Returns true if every small deviation decays, except deviations along marginal directions.
     #[must_use]
     pub fn is_stable(&self) -> bool {
         self.steady.is_stable()
     }
 
-    /// Returns true if the steady state depends on the motion before: a contact never slides and keeps its place, or
-    /// nothing holds a part of the chain.
+    /// Returns true if the steady state depends on the initial state. This occurs if a contact never slides and keeps
+    /// its position, or if a part of the chain has no path of springs to a support.
     #[must_use]
     pub fn is_marginal(&self) -> bool {
         !self.steady.marginal.is_empty() || self.steady.neutral > 0
     }
 
-    /// Returns the names of the contacts that never slide. They keep the force or the place that the motion before has
-    /// left.
+    /// Returns the names of the contacts that never slide. Such a contact keeps the force or the position that the
+    /// earlier motion has left.
     #[must_use]
     pub fn marginal_contacts(&self) -> Vec<String> {
         let names = self.joined.contact_names().into_iter().enumerate();
@@ -139,20 +139,22 @@ impl<'a> JoinedOrbit<'a> {
         kept.map(|(_, name)| name).collect()
     }
 
-    /// Returns the number of places and velocities of parts that nothing holds.
+    /// Returns the number of marginal directions of parts without a path of springs to a support. They are
+    /// displacements and constant velocities of these parts.
     #[must_use]
     pub fn free_directions(&self) -> usize {
         self.steady.neutral
     }
 
-    /// Returns the largest difference of the state after a period, relative to its size.
+    /// Returns the largest difference between the state at the start and at the end of a period, relative to the size
+    /// of the state.
     #[must_use]
     pub fn residual(&self) -> f64 {
         self.steady.residual
     }
 
-    /// Returns the regime. *Stuck*: no contact slides. *Continuous*: all contacts slide all the time. Otherwise
-    /// *stick-slip*: some contacts stick, some of the time or all of it.
+    /// Returns the regime. It is *stuck* if no contact slides, and *continuous* if all contacts slide all the time.
+    /// Otherwise it is *stick-slip*.
     #[must_use]
     pub fn regime(&self) -> Regime {
         let all = self.contacts().map(|contact| contact.regime());
@@ -186,8 +188,8 @@ impl<'a> JoinedOrbit<'a> {
         })
     }
 
-    /// Returns the amplitude of the mass called `name`: the largest |x̄|. If nothing holds a part of the chain, it is
-    /// half the distance between the least and the largest displacement about the mean motion.
+    /// Returns the amplitude of the mass called `name`: the largest |x̄|. If a part of the chain has no path of springs
+    /// to a support, the result is the centred amplitude about the mean motion, (max − min)/2.
     ///
     /// # Errors
     /// [`UnknownMass`] if no mass has this name.
@@ -208,14 +210,14 @@ impl<'a> JoinedOrbit<'a> {
         amplitudes.map(|x| x / self.units.length).collect()
     }
 
-    /// Returns the largest |x̄| of every mass, also where nothing holds the chain.
+    /// Returns the largest |x̄| of every mass, including the displacement of the mean motion.
     #[must_use]
     pub fn largest_displacements(&self) -> Vec<f64> {
         let largest = self.steady.cycle.amplitudes.iter();
         largest.map(|x| x / self.units.length).collect()
     }
 
-    /// Returns half the distance between the least and the largest displacement of every mass.
+    /// Returns the centred amplitude of every mass, (max − min)/2.
     #[must_use]
     pub fn centred_amplitudes(&self) -> Vec<f64> {
         let centred = self.steady.cycle.centred.iter();
@@ -231,17 +233,17 @@ impl<'a> JoinedOrbit<'a> {
         (x.collect(), v.collect())
     }
 
-    /// Returns the motion over the period from here on, as the engine follows it.
+    /// Returns a motion that starts at the beginning of the period.
     ///
     /// # Errors
-    /// Those of the engine, for a chain that it does not take.
+    /// [`JoinedError::Engine`] if the solver does not support the chain.
     pub fn motion(&self) -> Result<Motion, JoinedError> {
         let mut motion = Motion::from_rest(&self.chain)?;
         motion.restart(self.steady.state.clone());
         Ok(motion)
     }
 
-    /// Returns true if the motion is the same with the opposite sign after half a period.
+    /// Returns true if the motion repeats with the opposite sign after half a period.
     ///
     /// # Errors
     /// Those of the engine.

@@ -11,10 +11,10 @@ use frictiongen_kernel::number::dd::Dd;
 use frictiongen_model::modal::Modal;
 use frictiongen_model::scene::{Damping, Excitation, FrictionLaw, Scene};
 
-/// Natural frequencies below this fraction of the largest belong to motions without deformation.
+/// Fraction of the largest natural frequency. A lower natural frequency belongs to a motion without deformation.
 const RIGID: f64 = 1e-13;
 
-/// Returns modal data in which the chain's motions without deformation have a natural frequency of exactly 0.
+/// Returns the modal data with natural frequencies of exactly 0 for motions of the chain without deformation.
 pub(in crate::study) fn at_rest(scene: &Scene, mut modal: Modal) -> Modal {
     let most = modal.resonances.iter().map(|root| root.to_f64());
     let most = most.fold(0.0, f64::max);
@@ -29,20 +29,19 @@ pub(in crate::study) fn at_rest(scene: &Scene, mut modal: Modal) -> Modal {
     modal
 }
 
-/// A scene with several contacts or dashpots, ready for questions.
+/// A scene with several contacts or dashpots, from which its answers are computed.
 #[derive(Clone, Debug)]
 pub struct Joined<'a> {
     scene: &'a Scene,
-    /// The chain without loads. The level of each contact is its share.
+    /// The chain without loads. The friction level of each contact is its share.
     chain: Chain,
     /// √(k₁/m₁) in rad per unit of time.
     reference: f64,
 }
 
 impl<S: Float> System<S> {
-    /// Returns the door to the answers of a scene with several contacts, dashpots, or masses that no spring holds. A
-    /// scene with a single `contact` has these answers too, and its contact is then called `contact`. They are
-    /// computed in `f64`.
+    /// Returns a solver for a scene with several contacts, dashpots, or masses without a path of springs to a support.
+    /// The solver also supports a scene with a single contact, which has the name `contact`. It computes in `f64`.
     ///
     /// # Errors
     /// [`JoinedError`] for `friction: stribeck`, and for more than 64 masses.
@@ -102,7 +101,7 @@ impl<'a> Joined<'a> {
         self.scene
     }
 
-    /// Returns the chain of the engine without loads, in which the level of each contact is its share.
+    /// Returns the chain without loads. The friction level of each contact is its share.
     #[must_use]
     pub fn chain(&self) -> &Chain {
         &self.chain
@@ -135,8 +134,8 @@ impl<'a> Joined<'a> {
         })
     }
 
-    /// Evaluates the scene at the frequency ratio r = ω√(m₁/k₁). Frictions are ratios β = F/P, for base motion F/(k₁Y).
-    /// Displacements are over P/k₁, for base motion over Y, forces over P or k₁Y.
+    /// Evaluates the scene at the frequency ratio r = ω√(m₁/k₁). Frictions are ratios β = F/P (F/(k₁Y) for base
+    /// motion). Displacements are over P/k₁ (over Y for base motion), and forces are over P (over k₁Y for base motion).
     ///
     /// # Errors
     /// [`OutOfDomain`] unless r is above 0 and finite. [`JoinedError::NoSpring`] for a scene without springs.
@@ -147,7 +146,7 @@ impl<'a> Joined<'a> {
         self.at_any(r)
     }
 
-    /// Evaluates the scene at a frequency ratio, as [`at`](Self::at) does, but counts with k₁ = 1 in the units of the
+    /// Evaluates the scene at a frequency ratio, as [`at`](Self::at) does, but with k₁ = 1 in the units of the
     /// description if the scene has no spring.
     ///
     /// # Errors
@@ -171,7 +170,7 @@ impl<'a> Joined<'a> {
     }
 
     /// Evaluates the scene under a load in the units of the description: the angular frequency ω in rad/s, and the
-    /// amplitude P in N, for base motion Y in m. Frictions are forces F in N, and all answers are in these units.
+    /// amplitude P in N (Y in m for base motion). Frictions are forces F in N, and all answers are in these units.
     ///
     /// # Errors
     /// [`JoinedError::Frequency`] unless ω is above 0 and finite, [`JoinedError::Amplitude`] unless the amplitude is.

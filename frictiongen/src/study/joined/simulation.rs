@@ -8,9 +8,9 @@ use crate::study::error::UnknownMass;
 use crate::study::joints::{Motion, Series, State, Transition};
 use crate::{Given, OutOfDomain};
 
-/// Phase of a contact that sticks, as the engine counts it.
+/// Number by which the solver marks a contact that sticks.
 const STUCK: i8 = 0;
-/// Phase of a contact without force, as the engine counts it.
+/// Number by which the solver marks a contact without force.
 const FREE: i8 = 2;
 
 /// An event of one contact.
@@ -26,7 +26,7 @@ pub struct JoinedEvent {
     pub event: Event,
 }
 
-/// A contact at an instant.
+/// State of a contact at one instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct JoinedContactNow {
     /// Relative displacement of the two sides.
@@ -35,7 +35,7 @@ pub struct JoinedContactNow {
     pub velocity: f64,
     /// Force of the contact.
     pub force: f64,
-    /// Distance that the slider has travelled since the start, in both directions together.
+    /// Distance that the slider has travelled since the start, added over both directions.
     pub slip: f64,
     /// True if the contact sticks.
     pub is_sticking: bool,
@@ -90,7 +90,7 @@ impl<'a> JoinedSimulation<'a> {
         Ok((of(&x), of(&v)))
     }
 
-    /// Returns every contact at the present instant, in the order of the description.
+    /// Returns the state of every contact at the present instant, in the order of the description.
     #[must_use]
     pub fn contacts(&self) -> Vec<JoinedContactNow> {
         let forces = self.motion.forces().into_iter().zip(&self.slips);

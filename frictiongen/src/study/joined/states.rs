@@ -1,18 +1,18 @@
-//! All steady states that are found at one frequency and one friction.
+//! Finds steady states at one frequency and one friction, from several initial states.
 
 use super::at::JoinedAt;
 use super::error::JoinedError;
 use super::orbit::JoinedOrbit;
 
-/// Factors by which the states of linear responses are multiplied for further starts.
+/// Factors on the states of linear responses. The products are further initial states.
 const FACTORS: [f64; 3] = [1.0, -1.0, 3.0];
-/// Relative difference of amplitudes below which two steady states are the same.
+/// Relative difference of amplitudes within which two steady states count as the same.
 const SAME: f64 = 1e-6;
 
 impl<'a> JoinedAt<'a> {
-    /// Returns every steady state that is found: from rest, from the state in which no contact slides, from the
-    /// response without friction, and from multiples of these two. The state from rest is the first. If none is found,
-    /// the list is empty.
+    /// Returns every steady state that the search finds. The initial states are rest, the state in which no contact
+    /// slides, the response without friction, and multiples of these two. The steady state from rest is the first in
+    /// the list. The list is empty if the search finds no steady state.
     ///
     /// # Errors
     /// [`OutOfDomain`](crate::OutOfDomain) for a friction that is negative or not finite.
@@ -42,7 +42,7 @@ impl<'a> JoinedAt<'a> {
     }
 }
 
-/// Returns true if two steady states are the same. A marginal state is one of a continuum, which counts as one.
+/// Returns true if two steady states are the same. Two marginal states of one continuum count as the same.
 fn same(one: &JoinedOrbit<'_>, other: &JoinedOrbit<'_>) -> bool {
     let (a, b) = (one.centred_amplitudes(), other.centred_amplitudes());
     let size = a

@@ -1,4 +1,4 @@
-//! Motion of scenes with several contacts under forces that are known sample by sample.
+//! Motion of scenes with several contacts under sampled forces.
 
 use super::error::JoinedError;
 use super::scene::Joined;
@@ -7,17 +7,18 @@ use crate::study::joints::{Chain, Motion, Wave};
 use crate::{Given, OutOfDomain};
 use frictiongen_model::scene::{Excitation, StepInput};
 
-/// The input of one step, in the units of the description.
+/// Input of one step, in the units of the description.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct JoinedInput<'i> {
-    /// Force on masses at the end of the step, each with the name of its mass. The other masses have no force.
+    /// Forces on masses at the end of the step, each with the name of its mass. Masses that are not listed have no
+    /// force.
     pub forces: &'i [(&'i str, f64)],
-    /// Kinetic friction force of contacts over the whole step, each with the name of its contact. A friction force of 0
-    /// is no contact. The other contacts keep their friction force.
+    /// Kinetic friction forces of contacts during the step, each with the name of its contact. A contact with the
+    /// friction force 0 has no effect. Contacts that are not listed keep their friction force.
     pub frictions: &'i [(&'i str, f64)],
 }
 
-/// Motion by steps of one length, in the units of the description.
+/// Stepper with a fixed time step, in the units of the description.
 #[derive(Clone, Debug)]
 pub struct JoinedStepper<'a> {
     joined: Joined<'a>,
@@ -30,9 +31,9 @@ pub struct JoinedStepper<'a> {
 }
 
 impl<'a> Joined<'a> {
-    /// Returns a stepper that starts from rest. Every mass can have a force, and every contact its own friction force,
-    /// which is 0 until an input gives another one. The input between two samples is that of the description: linear,
-    /// or `hold`.
+    /// Returns a stepper that starts from rest. A force can act on every mass. Every contact has a separate friction
+    /// force, which is 0 until an input sets it. The description determines the input between two samples: linear, or
+    /// constant (`hold`).
     ///
     /// # Errors
     /// [`OutOfDomain`] for a step that is not above 0 and finite. [`JoinedError::BaseMoves`] if the base drives the
@@ -62,12 +63,12 @@ impl<'a> Joined<'a> {
 }
 
 impl JoinedStepper<'_> {
-    /// Takes one step. Returns the number of events in the step.
+    /// Advances by one step. Returns the number of events in the step.
     ///
     /// # Errors
     /// [`OutOfDomain`] for a force that is not finite, and for a friction force that is negative or not finite.
-    /// [`JoinedError::UnknownMass`] and [`JoinedError::UnknownContact`] for a name that the scene does not have. The
-    /// stepper is unchanged after an error.
+    /// [`JoinedError::UnknownMass`] and [`JoinedError::UnknownContact`] for a name that the scene does not have. After
+    /// an error the stepper is unchanged.
     pub fn advance(&mut self, input: JoinedInput<'_>) -> Result<usize, JoinedError> {
         let mut forces = vec![0.0; self.forces.len()];
         for (name, force) in input.forces {
@@ -119,7 +120,8 @@ impl JoinedStepper<'_> {
         Ok((of(&state.x), of(&state.v)))
     }
 
-    /// Returns the contact called `name` at the end of the last step. Its slip is not followed, and is 0.
+    /// Returns the state of the contact `name` at the end of the last step. The stepper does not compute the slip,
+    /// which is 0.
     ///
     /// # Errors
     /// [`JoinedError::UnknownContact`] if no contact has this name.

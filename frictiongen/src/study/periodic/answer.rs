@@ -8,10 +8,10 @@ use crate::{Complex, Of};
 use frictiongen_kernel::motion::Contact;
 use frictiongen_kernel::stepper::Work;
 
-/// Distance of a multiplier from the unit circle that counts as rounding of the differences.
+/// Largest distance of a multiplier from the unit circle that can result from rounding in the differences.
 const ON_CIRCLE: f64 = 1e-7;
 
-/// A steady state under a periodic load, over one of its periods, in the units of the scene.
+/// Steady state under a periodic load, over one of its periods, in the units of the scene.
 #[derive(Clone, Debug)]
 pub struct PeriodicState {
     period: usize,
@@ -26,21 +26,23 @@ pub struct PeriodicState {
     forces: Vec<f64>,
 }
 
-/// A motion or the force of a spring over one period of a steady state.
+/// Motion, or force of a spring, over one period of a steady state.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PeriodicTrack {
     /// The motion or the spring.
     pub of: Of,
-    /// Value and derivative in time at each step, and at the end of the period.
+    /// Value and time derivative at each step, and at the end of the period.
     pub values: Vec<[f64; 2]>,
     step: f64,
-    /// For the contact's own motion, true in steps with an event. The acceleration then jumps where the velocity is 0.
+    /// For the contact's own motion: true for steps with an event. In such a step the acceleration jumps where the
+    /// velocity is 0.
     kinks: Vec<bool>,
 }
 
 impl PeriodicTrack {
-    /// Returns the least and the largest value of the period. Between two steps the value is taken from the cubic with the
-    /// values and derivatives at both. Where the contact's motion reverses, two parabolas meet at its largest displacement.
+    /// Returns the smallest and the largest value in the period. Between two steps the function uses the cubic through
+    /// the values and derivatives at both steps. If the contact's motion reverses within a step, two parabolas meet at
+    /// its largest displacement.
     #[must_use]
     pub fn extremes(&self) -> [f64; 2] {
         let mut extremes = [f64::INFINITY, f64::NEG_INFINITY];
@@ -75,7 +77,7 @@ impl PeriodicTrack {
 }
 
 impl PeriodicState {
-    /// Follows the period of a state that repeats.
+    /// Records one period of a state that repeats.
     pub(super) fn of(
         walk: &mut Walk<'_>,
         load: &Sampled,
@@ -130,14 +132,15 @@ impl PeriodicState {
         self.period
     }
 
-    /// Returns the Floquet multipliers of a period, the largest first. They come from central differences, whose error is
-    /// about 1e-9. A contact that never slides has a multiplier of 1 for its place.
+    /// Returns the Floquet multipliers of a period, in descending order of their modulus. They come from central
+    /// differences, with an error of about 1e-9. If the contact never slides, one multiplier is 1, because the contact
+    /// keeps its position.
     #[must_use]
     pub fn multipliers(&self) -> &[Complex<f64>] {
         &self.multipliers
     }
 
-    /// Returns true if every small change of the state dies out.
+    /// Returns true if every small deviation of the state decays.
     #[must_use]
     pub fn is_stable(&self) -> bool {
         self.multipliers
@@ -151,21 +154,22 @@ impl PeriodicState {
         self.events
     }
 
-    /// Returns the fraction of the steps at whose end the contact sticks.
+    /// Returns the fraction of steps at whose end the contact sticks.
     #[must_use]
     pub fn stuck_fraction(&self) -> f64 {
         let steps = self.forces.len().saturating_sub(1).max(1);
         self.stuck as f64 / steps as f64
     }
 
-    /// Returns the work of the load and the losses in a period of the motion. The damping takes what the load gives and
-    /// friction does not take.
+    /// Returns the work of the load and the energy losses in a period of the motion. The loss in damping is the work of
+    /// the load minus the loss in friction.
     #[must_use]
     pub fn work(&self) -> Work<f64> {
         self.work
     }
 
-    /// Returns the difference of the state after a period, relative to the size of the motion.
+    /// Returns the difference between the states at the start and at the end of a period, relative to the size of the
+    /// motion.
     #[must_use]
     pub fn residual(&self) -> f64 {
         self.residual
@@ -177,7 +181,7 @@ impl PeriodicState {
         self.step
     }
 
-    /// Returns the time at which the tracks begin, s after the start of the load's period.
+    /// Returns the time at which the tracks begin, in s after the start of the load's period.
     #[must_use]
     pub fn start(&self) -> f64 {
         self.start as f64 * self.step

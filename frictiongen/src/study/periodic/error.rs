@@ -10,29 +10,29 @@ use std::fmt;
 pub enum PeriodicError {
     /// The table has fewer than three samples.
     Short,
-    /// A sample, a step or an amplitude is not finite, or a step or a frequency is not above 0.
+    /// A sample, a time step or an amplitude is not finite, or a time step or a frequency is not positive.
     Number,
-    /// The last sample differs from the first one. The table must end with the sample with which the next period begins.
+    /// The last sample differs from the first sample. The last sample of a table must repeat the first one.
     Open(f64, f64),
-    /// The mean acceleration or velocity of the base is not 0, so that the base does not come back.
+    /// The mean acceleration or velocity of the base is not 0, so that the base does not return to its position.
     Drifts(&'static str, f64),
-    /// There are no harmonics.
+    /// The list of harmonics is empty.
     NoHarmonics,
     /// A harmonic has an order above 1000.
     Order(u32),
-    /// A force was given, but the base of the scene is excited.
+    /// The load is a force, but the base of the scene moves.
     BaseMoves,
-    /// A motion of the base was given, but a mass of the scene is excited.
+    /// The load is a base motion, but a force on a mass drives the scene.
     BaseAtRest,
-    /// The scene holds its input between samples, which a motion of the base cannot do.
+    /// The description has `input: hold`, which is not possible for a base motion.
     Held,
-    /// The period needs more steps than the search takes.
+    /// The period needs more steps than the search permits.
     Long,
     /// The scene has no such motion.
     NoSuchMotion(Of),
-    /// The stepper refuses a number.
+    /// The stepper returned an error for a number.
     Step(OutOfDomain),
-    /// The motion from rest settles on no period of up to 64 periods of the load.
+    /// The motion from rest does not settle to a period of at most 64 periods of the load.
     NotSteady,
 }
 

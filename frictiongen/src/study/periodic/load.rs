@@ -11,34 +11,36 @@ const IN_A_CYCLE: usize = 1024;
 const MOST_ORDER: u32 = 1000;
 /// Largest number of steps in a period of the load.
 const MOST_STEPS: usize = 65_536;
-/// Largest angle of the fastest mode in a step, in rad. Cubics between the steps give the largest displacements.
+/// Largest phase advance of the fastest mode in a step, in rad. It limits the error of the cubics that give the largest
+/// displacements between steps.
 const ANGLE: f64 = 0.1;
-/// Relative difference within which the last sample equals the first one.
+/// Relative difference within which the last sample of a table counts as equal to the first one.
 const SAME: f64 = 1e-9;
-/// Mean of the base's acceleration or velocity, relative to its largest value, that counts as rounding of a table.
+/// Ratio of the mean of the base's acceleration or velocity to the largest value. A smaller ratio counts as rounding in
+/// the table.
 const MEAN: f64 = 1e-6;
-/// Sweeps of the iteration for the spline through displacements. Each divides the error by more than 2.
+/// Number of iterations for the spline through displacements. Each iteration divides the error by more than 2.
 const SWEEPS: usize = 64;
 
 /// One harmonic of a load: a_n cos(nωt − φ).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Harmonic {
-    /// The order n; 0 is a constant.
+    /// The order n. Order 0 is a constant.
     pub order: u32,
     /// The amplitude a_n: a force, or a displacement of the base.
     pub amplitude: f64,
-    /// The lag φ behind a cosine, rad.
+    /// The lag φ, in rad.
     pub lag: f64,
 }
 
-/// The quantity of a table of the base's motion.
+/// Physical quantity in a table of the base's motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BaseTable {
-    /// Displacements, joined by a periodic cubic spline.
+    /// Displacements, interpolated by a periodic cubic spline.
     Displacement,
-    /// Velocities, joined by straight lines.
+    /// Velocities, interpolated by straight lines.
     Velocity,
-    /// Accelerations, joined by straight lines.
+    /// Accelerations, interpolated by straight lines.
     Acceleration,
 }
 
@@ -48,7 +50,7 @@ pub struct PeriodicLoad(Kind);
 
 #[derive(Clone, Debug, PartialEq)]
 enum Kind {
-    /// Time between samples, and the forces without the last sample, which repeats the first one.
+    /// Time between samples, and the forces. The list omits the last sample, which repeats the first one.
     Forces(f64, Vec<f64>),
     /// Time between samples, and displacement and velocity of the base.
     Base(f64, Vec<[f64; 2]>),
@@ -56,7 +58,7 @@ enum Kind {
     Harmonics(f64, Vec<Harmonic>),
 }
 
-/// The load at one step: displacement and velocity of the base, force, and slope of the force.
+/// Load at one step: displacement and velocity of the base, force, and time derivative of the force.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Point {
     pub base: [f64; 2],
@@ -64,19 +66,19 @@ pub(super) struct Point {
     pub slope: f64,
 }
 
-/// The load at all steps of one period.
+/// Load at all steps of one period.
 #[derive(Clone, Debug)]
 pub(super) struct Sampled {
     pub step: f64,
     pub points: Vec<Point>,
-    /// True if forces follow cubics between the steps.
+    /// True if forces are cubic in time between the steps.
     pub cubic: bool,
     /// True if the load is constant in each step.
     pub hold: bool,
 }
 
 impl Sampled {
-    /// Returns the load at a step, which may be beyond the period.
+    /// Returns the load at a step. The step may lie beyond the first period.
     pub fn at(&self, step: usize) -> Point {
         let place = step.checked_rem(self.points.len()).unwrap_or(0);
         self.points.get(place).copied().unwrap_or_default()
@@ -84,19 +86,22 @@ impl Sampled {
 }
 
 impl PeriodicLoad {
-    /// Returns a force on the excited mass, from samples `step` seconds apart. The last sample repeats the first one.
+    /// Creates a force on the excited mass from samples with the time step `step`, in s. The last sample repeats the
+    /// first one.
     ///
     /// # Errors
-    /// [`PeriodicError`] for fewer than three samples, for numbers that are not finite, and if the period does not close.
+    /// [`PeriodicError`] for fewer than three samples, for numbers that are not finite, and if the last sample differs
+    /// from the first one.
     pub fn forces(step: f64, samples: &[f64]) -> Result<Self, PeriodicError> {
         Ok(Self(Kind::Forces(step, closed(step, samples)?.to_vec())))
     }
 
-    /// Returns a motion of the base, from samples `step` seconds apart. The last sample repeats the first one. The mean
-    /// displacement of the base is 0.
+    /// Creates a motion of the base from samples with the time step `step`, in s. The last sample repeats the first
+    /// one. The mean displacement of the base is 0.
     ///
     /// # Errors
-    /// Same errors as [`forces`](Self::forces), and [`PeriodicError::Drifts`] if the base does not come back.
+    /// Same errors as [`forces`](Self::forces), and [`PeriodicError::Drifts`] if the base does not return to its
+    /// position.
     pub fn base(step: f64, samples: &[f64], quantity: BaseTable) -> Result<Self, PeriodicError> {
         let samples = closed(step, samples)?;
         let next = |values: &[f64], k: usize| at(values, (k + 1) % values.len().max(1));
@@ -133,11 +138,11 @@ impl PeriodicLoad {
         Ok(Self(Kind::Base(step, motion)))
     }
 
-    /// Returns a sum of harmonics of the frequency 1/`period`: of the force on the excited mass, or of the displacement of
-    /// the base.
+    /// Creates a load as a sum of harmonics of the frequency 1/`period`. The load is the force on the excited mass, or
+    /// the displacement of the base.
     ///
     /// # Errors
-    /// [`PeriodicError`] for no harmonic, for an order above 1000, and for numbers that are not finite.
+    /// [`PeriodicError`] for an empty list, for an order above 1000, and for numbers that are not finite.
     pub fn harmonics(period: f64, harmonics: &[Harmonic]) -> Result<Self, PeriodicError> {
         if harmonics.is_empty() {
             return Err(PeriodicError::NoHarmonics);
@@ -153,7 +158,7 @@ impl PeriodicLoad {
         Ok(Self(Kind::Harmonics(period, harmonics.to_vec())))
     }
 
-    /// Returns the load at the steps that the search takes, for this system.
+    /// Returns the load at the steps of the search, for this system.
     pub(super) fn sampled(&self, system: &System) -> Result<Sampled, PeriodicError> {
         let scene = system.scene();
         let moving = scene.excitation == Excitation::Base;
@@ -246,7 +251,8 @@ fn closed(step: f64, samples: &[f64]) -> Result<&[f64], PeriodicError> {
     Ok(samples.split_last().map_or(samples, |(_, before)| before))
 }
 
-/// Returns rates of the base without their mean, which must be rounding.
+/// Returns velocities or accelerations of the base without their mean value. Fails if the mean value is larger than
+/// rounding.
 fn settled(rates: &[f64], quantity: &'static str) -> Result<Vec<f64>, PeriodicError> {
     let most = rates
         .iter()
@@ -258,7 +264,7 @@ fn settled(rates: &[f64], quantity: &'static str) -> Result<Vec<f64>, PeriodicEr
     Ok(rates.iter().map(|rate| rate - mean).collect())
 }
 
-/// Returns displacement and velocity of a base whose acceleration changes linearly between samples.
+/// Returns displacement and velocity of the base, if its acceleration changes linearly between samples.
 fn integrated(step: f64, accelerations: &[f64]) -> Vec<[f64; 2]> {
     let next = |k: usize| at(accelerations, (k + 1) % accelerations.len().max(1));
     let (mut place, mut rate) = (0.0, 0.0);
@@ -295,7 +301,7 @@ fn spline(step: f64, places: &[f64]) -> Vec<f64> {
     bends
 }
 
-/// Returns the points of a table whose steps are divided into equal parts.
+/// Returns the load at the steps of a table in which every time step is divided into equal parts.
 fn divided(count: usize, parts: usize, point: impl Fn(usize, f64) -> Point) -> Vec<Point> {
     let steps = (0..count).flat_map(|k| (0..parts).map(move |part| (k, part)));
     steps

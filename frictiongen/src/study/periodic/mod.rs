@@ -25,9 +25,9 @@ use crate::study::System;
 pub struct PeriodicRequest {
     /// The load over one period.
     pub load: PeriodicLoad,
-    /// The kinetic friction force F, in the unit of force of the scene.
+    /// The kinetic friction force F, in the scene's unit of force.
     pub friction: f64,
-    /// The motions and forces of springs that the answer contains.
+    /// The requested motions and spring forces.
     pub of: Vec<Of>,
 }
 

@@ -1,4 +1,4 @@
-//! Finds the state that repeats: motion from rest, then Newton's method.
+//! Finds a periodic state by motion from rest and Newton's method.
 
 use super::PeriodicRequest;
 use super::answer::PeriodicState;
@@ -7,34 +7,38 @@ use super::walk::{Numbers, Place, Walk};
 use crate::study::System;
 use nalgebra::{Complex, DMatrix, DVector};
 
-/// Periods of the load from rest before the first attempt. Each further attempt follows twice as many.
+/// Number of periods of the load from rest before the first attempt. Each further attempt follows twice as many
+/// periods.
 const WARM: usize = 8;
 /// Number of attempts.
 const ATTEMPTS: usize = 9;
 /// Largest number of periods of the load after which the motion repeats.
 const MOST_PERIODS: usize = 64;
-/// A number of periods is tried if the motion comes as close to its earlier state, relative to the largest distance.
+/// Relative tolerance for a return of the motion, as a fraction of its largest distance. If the motion returns within
+/// this tolerance after a number of periods, the search tries this number.
 const NEARLY: f64 = 0.02;
 /// Largest number of Newton's steps in an attempt.
 const NEWTON: usize = 14;
-/// Difference after a period that counts as rounding, relative to the motion.
+/// Relative difference after a period that counts as rounding.
 const SAME: f64 = 1e-13;
-/// Largest such difference at which Newton's method may end if it no longer improves.
+/// Largest relative difference after a period at which Newton's method may end, if a step no longer reduces the
+/// difference.
 const ENOUGH: f64 = 1e-11;
-/// Step of the central differences, relative to the motion. Their error is about its square.
+/// Step of the central differences, relative to the size of the motion. Their relative error is about the square of
+/// this step.
 const STEP: f64 = 1e-5;
-/// Singular values below which a direction counts as neutral.
+/// Singular value below which a direction counts as neutral.
 const RANK: f64 = 1e-7;
-/// Distance of a multiplier from the unit circle that counts as rounding of the differences.
+/// Largest distance of a multiplier from the unit circle that can result from rounding in the differences.
 const ON_CIRCLE: f64 = 1e-7;
 /// Factor by which the distance from a steady state must fall before the motion counts as approaching it.
 const DECAY: f64 = 0.1;
-/// Largest number of periods of the load for that.
+/// Largest number of periods of the load in which the motion must approach the steady state.
 const MOST_CONFIRMED: usize = 512;
-/// Distance from the steady state that counts as reached, relative to the motion.
+/// Distance from a steady state within which the motion has reached the state, relative to the size of the motion.
 const REACHED: f64 = 1e-7;
-/// Distance from a state with a neutral direction that counts as reached. The past decides which of these states it is, so
-/// that the motion must have come to rest in it.
+/// Distance from a state with a neutral direction within which the motion has reached the state. Such states form a
+/// continuum, and the initial state determines the member. The motion must therefore have settled in this member.
 const SETTLED: f64 = 1e-10;
 
 /// A state that repeats, with the multipliers of its period.
@@ -43,7 +47,7 @@ pub(super) struct Fixed {
     pub numbers: Numbers,
     pub period: usize,
     pub multipliers: Vec<Complex<f64>>,
-    /// Difference after a period, relative to the motion.
+    /// Relative difference of the state after a period.
     pub residual: f64,
 }
 
@@ -89,13 +93,13 @@ pub(super) fn steady(
 
 struct Search<'a> {
     walk: Walk<'a>,
-    /// Size of the motion: its largest number at the start of a period.
+    /// Size of the motion, which is its largest number at the start of a period.
     size: f64,
 }
 
 impl Search<'_> {
-    /// Returns the numbers of periods after which the motion may repeat: 1, and the number after which it comes close to
-    /// its present state. The motion stays where it is.
+    /// Returns numbers of periods after which the motion may repeat: 1, and the number after which the motion is close
+    /// to its present state. The function restores the present state.
     fn periods(&mut self, most: usize) -> Result<Vec<usize>, PeriodicError> {
         let here = self.walk.place();
         let first = self.walk.numbers();
@@ -119,7 +123,8 @@ impl Search<'_> {
         Ok(std::iter::once(1).chain(several).collect())
     }
 
-    /// Seeks a state near the present one that repeats after `period` periods of the load. The motion stays where it is.
+    /// Searches near the present state for a state that repeats after `period` periods of the load. The function
+    /// restores the present state.
     fn newton(&mut self, period: usize) -> Result<Option<Fixed>, PeriodicError> {
         let here = self.walk.place();
         let found = self.newton_from(here.clone(), period);
@@ -178,8 +183,8 @@ impl Search<'_> {
         Ok(None)
     }
 
-    /// Returns the derivatives of the state after a period with respect to the state before, as central differences.
-    /// `None` if a change of the state changes the contact at the end.
+    /// Returns the derivatives of the state after a period with respect to the state before the period, by central
+    /// differences. Returns `None` if a change of the initial state changes the contact state at the end.
     fn differences(
         &mut self,
         start: &Place,
@@ -212,7 +217,8 @@ impl Search<'_> {
         Ok(Some(matrix))
     }
 
-    /// Returns true if the motion approaches a state as fast as its multipliers predict. The motion goes on meanwhile.
+    /// Returns true if the motion approaches a state as fast as its multipliers predict. The function advances the
+    /// motion.
     fn approaches(&mut self, fixed: &Fixed) -> Result<bool, PeriodicError> {
         let rate = fixed.largest();
         if 1.0 - ON_CIRCLE <= rate {

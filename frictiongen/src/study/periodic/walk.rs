@@ -1,4 +1,4 @@
-//! Follows the motion under a periodic load, step by step.
+//! Advances the motion under a periodic load, step by step.
 
 use super::error::PeriodicError;
 use super::load::Sampled;
@@ -13,21 +13,21 @@ pub(super) struct Walk<'a> {
     pub stepper: SystemStepper<'a>,
     load: &'a Sampled,
     friction: f64,
-    /// Number of the step in the period that comes next.
+    /// Index of the next step in the period.
     pub at: usize,
-    /// The force on each loaded mass, of which only the first one is not 0, and its slopes at both ends of a step.
+    /// Force on each loaded mass. Only the first force can be different from 0.
     forces: Vec<f64>,
     slopes: Vec<[f64; 2]>,
 }
 
-/// A state of the motion, and its place in the period.
+/// State of the motion, and its step in the period.
 #[derive(Clone)]
 pub(super) struct Place {
     saved: SystemStepSaved,
     at: usize,
 }
 
-/// The numbers of a state. Only states of the same contact have the same numbers.
+/// Numbers of a state. Two states have the same list of numbers only if the contact state is the same.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Numbers {
     pub contact: Contact,
@@ -35,8 +35,8 @@ pub(super) struct Numbers {
 }
 
 impl Numbers {
-    /// Returns the largest difference between two states. It is infinite between a contact that slides and one that
-    /// sticks.
+    /// Returns the largest difference between the numbers of two states. It is infinite if the contact slides in one
+    /// state and sticks in the other.
     pub fn away(&self, other: &Self) -> f64 {
         if self.contact != other.contact || self.values.len() != other.values.len() {
             return f64::INFINITY;
@@ -45,7 +45,7 @@ impl Numbers {
         pairs.fold(0.0, |most, (a, b)| most.max((a - b).abs()))
     }
 
-    /// Returns the largest number.
+    /// Returns the largest absolute number.
     pub fn size(&self) -> f64 {
         let values = self.values.iter();
         values.fold(0.0, |most, value| most.max(value.abs()))
@@ -53,7 +53,7 @@ impl Numbers {
 }
 
 impl<'a> Walk<'a> {
-    /// Starts from rest at the beginning of the period.
+    /// Creates the motion from rest at the beginning of the period.
     pub fn new(
         system: &'a System,
         load: &'a Sampled,
@@ -88,7 +88,7 @@ impl<'a> Walk<'a> {
         }
     }
 
-    /// Takes one step.
+    /// Advances by one step.
     pub fn step(&mut self) -> Result<Stepped<f64>, PeriodicError> {
         let (from, to) = (self.load.at(self.at), self.load.at(self.at + 1));
         let end = if self.load.hold { from } else { to };
@@ -109,7 +109,7 @@ impl<'a> Walk<'a> {
         Ok(stepped)
     }
 
-    /// Takes the steps of some periods of the load.
+    /// Advances by a number of periods of the load.
     pub fn periods(&mut self, count: usize) -> Result<(), PeriodicError> {
         for _ in 0..count * self.load.points.len() {
             self.step()?;
@@ -117,7 +117,7 @@ impl<'a> Walk<'a> {
         Ok(())
     }
 
-    /// Takes the steps of one period, and then those to the middle of the longest run of steps without an event.
+    /// Advances by one period, and then to the middle of the longest sequence of steps without an event.
     pub fn to_quiet(&mut self) -> Result<(), PeriodicError> {
         let count = self.load.points.len();
         let mut eventful = Vec::with_capacity(count);
@@ -148,7 +148,7 @@ impl<'a> Walk<'a> {
         }
     }
 
-    /// Goes back to a state.
+    /// Returns to an earlier state.
     pub fn go(&mut self, place: &Place) -> Result<(), PeriodicError> {
         self.at = place.at;
         Ok(self.stepper.restore(&place.saved)?)
@@ -164,7 +164,7 @@ impl<'a> Walk<'a> {
         }
     }
 
-    /// Adds to the numbers of the present state.
+    /// Adds `changes` to the numbers of the present state.
     pub fn add(&mut self, changes: &[f64]) {
         let mut changes = changes.iter();
         self.stepper

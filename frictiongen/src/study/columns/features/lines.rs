@@ -280,14 +280,14 @@ struct AtOneFriction<'f, 's> {
     range: [f64; 2],
 }
 
-/// Says for which fraction of the period an elastic contact sticks.
+/// Returns a text that states for which fraction of the period an elastic contact sticks.
 fn sticks(share: f64) -> String {
     format!("sticks {:.0} % of the period", 100.0 * share)
 }
 
 impl AtOneFriction<'_, '_> {
-    /// Returns the fraction of the period in which an elastic contact sticks and moves with its spring. `None` unless
-    /// the regime is stick-slip. Also `None` for a rigid contact.
+    /// Returns the fraction of the period in which an elastic contact sticks. Returns `None` for a rigid contact, and
+    /// for other regimes than stick-slip.
     fn sticking(&self, regime: Regime, r: f64) -> Option<f64> {
         let system = self.features.system();
         if system.scene().stiffness.is_none() || regime != Regime::StickSlip {
