@@ -52,22 +52,23 @@ Load:
   A table has the load at evenly spaced times over one period. The last line repeats the load of the
   first line, one period later:
     time_s,force_N
-  The column is force, on the excited mass, or base, the motion of the base, as in `drive`. Forces and
-  accelerations change linearly between samples. With --hold a force keeps its value until the next
-  sample. Displacements of the base are joined by a periodic cubic spline.
-  --harmonics is the sum of AMPLITUDE cos(ORDER omega t - DEGREES): a force in N, or a displacement of
-  the base in m. The order 0 is a constant.
-  The closed forms of `limits`, `response`, `optimum`, `map` and `sensitivity` need a cosine, so that such
-  a load has no friction ratio beta. `orbit` has the steady states of a cosine.
+  The column `force` is the force on the excited mass. The column `base` is the motion of the base, as in
+  `drive`. Forces and accelerations change linearly between samples. With --hold a force is constant until
+  the next sample. The command interpolates displacements of the base by a periodic cubic spline.
+  The load of --harmonics is the sum of AMPLITUDE cos(ORDER omega t - DEGREES). It is a force in N, or a
+  displacement of the base in m. The order 0 is a constant.
+  The closed forms of `limits`, `response`, `optimum`, `map` and `sensitivity` need a cosine load. For a
+  cosine load, `orbit` also gives the steady states. Other periodic loads have no friction ratio beta.
 
 Quantities:
-  state       stable: small changes die out; marginal: the place of the contact depends on the past
+  state       stable: small deviations die out; marginal: the position of the contact depends on the
+              earlier motion
   period      number of periods of the load after which the motion from rest repeats, at most 64
   events      number of stops, break-aways and reversals of the contact in a period of the motion
-  stuck       fraction of the period in which the contact sticks, to one step
-  multiplier  largest Floquet multiplier of a period; JSON has all of them
-  load, friction, damping  work of the load, and what friction and damping take of it, in a period, J
-  least, largest  smallest and largest value of the motion in a period, m or N
+  stuck       fraction of the period in which the contact sticks, with an error of about one step
+  multiplier  largest Floquet multiplier of a period; JSON has all multipliers
+  load, friction, damping  work of the load, and energies that friction and damping dissipate, in a period, in J
+  least, largest  smallest and largest value of the motion in a period, in m or N
 
 Exit status:
   0 without errors. Otherwise 2, with one line on standard error for each error.";
