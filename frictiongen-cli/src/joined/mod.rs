@@ -1,5 +1,6 @@
 //! Answers of the commands for a scene with several contacts, dashpots, or masses that no spring holds.
 
+mod optimum;
 mod report;
 mod time;
 
@@ -19,6 +20,7 @@ use frictiongen::study::scene::Scene;
 use report::JoinedReport;
 use std::io::Write;
 
+pub use optimum::optimum;
 pub use time::OfTime;
 
 /// Fails for the first option that is given, because it has no answer for several contacts.

@@ -1,8 +1,8 @@
 //! Linear answers in closed form: the chain without friction, and the chain whose contacts stick.
 
-use super::at::Units;
 use super::error::UnknownContact;
 use super::scene::Joined;
+use super::units::Units;
 use crate::Complex;
 use crate::study::error::UnknownMass;
 use crate::study::joints::StuckResponse;
