@@ -15,7 +15,7 @@ use std::ops::Range;
 pub fn run(arguments: &CheckArguments, out: &mut dyn Write) -> Result<(), Failure> {
     let name = arguments.file.name();
     let text = arguments.file.text()?;
-    // The command rejects every description that the macro rejects.
+    // The command rejects every description that the macro rejects, except for several contacts and dashpots.
     let description = parse_text(&text, &Limits::CHECK).map_err(|diagnostics| {
         let list = diagnostics.list.iter();
         Failure::Lines(

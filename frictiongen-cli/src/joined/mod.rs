@@ -1,6 +1,7 @@
 //! Answers of the commands for a scene with several contacts, dashpots, or masses without a path of springs to a
 //! support.
 
+mod optimum;
 mod report;
 mod time;
 
@@ -20,6 +21,7 @@ use frictiongen::study::scene::Scene;
 use report::JoinedReport;
 use std::io::Write;
 
+pub use optimum::optimum;
 pub use time::OfTime;
 
 /// Fails if one of these options is given, because the option is not available for several contacts.

@@ -4,6 +4,7 @@ use crate::args::OptimumArguments;
 use crate::asked;
 use crate::failure::Failure;
 use crate::frequency::Band;
+use crate::joined;
 use crate::measure;
 use crate::output::{self, Table, Visitor};
 use crate::summary::Summary;
@@ -17,7 +18,10 @@ use std::io::Write;
 
 /// Runs `frictiongen optimum`.
 pub fn run(arguments: &OptimumArguments, out: &mut dyn Write) -> Result<(), Failure> {
-    let description = arguments.file.constant_level(&Limits::RUN_TIME)?;
+    let description = arguments.file.any(&Limits::RUN_TIME)?;
+    if description.scene.is_joined() {
+        return joined::optimum(arguments, description.scene, out);
+    }
     let system = System::try_from(description.scene).map_err(Failure::new)?;
     let band = Band::parse(&arguments.frequency, &system)?;
     if band.widest.is_some() {

@@ -139,13 +139,39 @@ fn five_storeys() {
     assert!(output(STOREYS, &["check"]).contains("5 contacts, 0 dashpots"));
 }
 
+/// A frame with a friction absorber on it. Its best common friction is no worse than its neighbours.
+#[test]
+fn the_best_common_friction() {
+    let scene = "struct Absorbed { masses: { main: 1.0, absorber: 0.1 },
+        springs: { base - main: 100.0, main - absorber: 8.0 }, contacts: { pads: main - absorber },
+        dampers: { base - main: 0.4 }, excitation: main }";
+    let best = output(scene, &split("optimum --r 0.7:1.3 --of main --json"));
+    let best: serde_json::Value = serde_json::from_str(&best).expect("JSON");
+    let number = |name: &str| best[name].as_f64().expect("a number");
+    let (friction, amplitude) = (number("best_friction"), number("largest_amplitude"));
+    for factor in [0.0, 0.8, 1.25] {
+        let line = format!(
+            "curve --r 0.7:0.02:1.3 --beta {} --of main --csv",
+            factor * friction
+        );
+        let peak = column(&output(scene, &split(&line)), "main.amplitude");
+        let peak = peak.into_iter().fold(0.0, f64::max);
+        // The curve's grid misses a peak by less than two hundredths.
+        assert!(amplitude < 1.02 * peak, "{factor}: {amplitude} {peak}");
+    }
+    assert!(
+        best["points"][0]["pads"]["energy"]
+            .as_f64()
+            .is_some_and(|energy| energy > 0.0)
+    );
+}
+
 /// Commands and options without an answer name the fields and another command, in one line.
 #[test]
 fn the_rest_is_refused_by_name() {
     for line in [
         "limits --r 0.5",
         "features",
-        "optimum --r 0.5:1.2 --of upper",
         "sensitivity --r 0.5 --beta 0.3 --of lower",
         "compile --accuracy 1e-4 --r 0.2:2.5",
     ] {

@@ -14,6 +14,7 @@ mod swings;
 use super::identify::Estimate;
 use super::recording::Dimension;
 use super::{MeasureError, Recording};
+use crate::OutOfDomain;
 use crate::study::System;
 use crate::study::scene::Damping;
 use fit::DecayFit;
@@ -98,6 +99,7 @@ impl System {
         recording: &Recording,
         damping: Option<f64>,
     ) -> Result<FreeDecay, MeasureError> {
+        self.single().map_err(OutOfDomain::from)?;
         let scene = self.scene();
         if scene.stiffness.is_some() {
             return Err(MeasureError::Asked(

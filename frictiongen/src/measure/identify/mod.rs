@@ -10,6 +10,7 @@ mod request;
 mod several;
 
 use super::MeasureError;
+use crate::OutOfDomain;
 use crate::study::System;
 pub use answer::{Estimate, Explained, Identified, Verdict};
 pub use observation::{Datum, Observation, Using};
@@ -65,6 +66,7 @@ impl System {
         observations: &[Observation],
         request: &IdentifyRequest,
     ) -> Result<Identified, MeasureError> {
+        self.single().map_err(OutOfDomain::from)?;
         let problem = friction::IdentifyProblem::new(self, observations, request)?;
         let alone = problem.friction()?;
         if request.unknowns.is_empty() {

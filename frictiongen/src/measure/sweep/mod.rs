@@ -10,6 +10,7 @@ pub use answer::SweepFit;
 pub use points::SweepPoint;
 
 use super::MeasureError;
+use crate::OutOfDomain;
 use crate::study::System;
 use crate::study::scene::Excitation;
 use model::Sweep;
@@ -71,6 +72,7 @@ impl System {
         points: &[SweepPoint],
         damping: bool,
     ) -> Result<SweepFit, MeasureError> {
+        self.single().map_err(OutOfDomain::from)?;
         let scene = self.scene();
         if scene.excitation != Excitation::Base {
             return Err(MeasureError::Asked(

@@ -1,8 +1,8 @@
 //! Linear responses in closed form: of the chain without friction, and of the chain with all contacts stuck.
 
-use super::at::Units;
 use super::error::UnknownContact;
 use super::scene::Joined;
+use super::units::Units;
 use crate::Complex;
 use crate::study::error::UnknownMass;
 use crate::study::joints::StuckResponse;

@@ -5,30 +5,20 @@ use super::error::JoinedError;
 use super::orbit::JoinedOrbit;
 use super::scene::Joined;
 use super::simulation::JoinedSimulation;
-use crate::study::joints::{Chain, JointError, Motion, Wave, steady_state_of, stuck_response};
+use super::units::Units;
+use crate::study::joints::{
+    Chain, JointError, Motion, Watch, Wave, steady_state_of, stuck_response,
+};
 use crate::{Given, OutOfDomain};
+use frictiongen_model::scene::Excitation;
+
+/// Cycles of a motion that does not settle before those of which the amplitude counts.
+const SKIPPED: usize = 512;
+/// Cycles of which the amplitude counts.
+const KEPT: usize = 64;
 
 /// Displacements and velocities of all masses, in the units of the answers.
 type Start<'s> = (&'s [f64], &'s [f64]);
-
-/// Units of the answers, expressed in the units of the description.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Units {
-    /// The unit of forces and frictions.
-    pub force: f64,
-    /// The unit of displacements.
-    pub length: f64,
-    /// The unit of velocities.
-    pub speed: f64,
-}
-
-impl Units {
-    /// Returns the unit of energies.
-    #[must_use]
-    pub fn energy(&self) -> f64 {
-        self.force * self.length
-    }
-}
 
 /// A scene with several contacts at one frequency.
 #[derive(Clone, Debug)]
@@ -38,6 +28,73 @@ pub struct JoinedAt<'a> {
     chain: Chain,
     omega: f64,
     units: Units,
+}
+
+impl<'a> Joined<'a> {
+    /// Evaluates the scene at the frequency ratio r = ω√(m₁/k₁). Frictions are ratios β = F/P, for base motion F/(k₁Y).
+    /// Displacements are over P/k₁, for base motion over Y, forces over P or k₁Y.
+    ///
+    /// # Errors
+    /// [`OutOfDomain`] unless r is above 0 and finite. [`JoinedError::NoSpring`] for a scene without springs.
+    pub fn at(&self, r: f64) -> Result<JoinedAt<'a>, JoinedError> {
+        if self.scene().springs.is_empty() {
+            return Err(JoinedError::NoSpring);
+        }
+        self.at_any(r)
+    }
+
+    /// Evaluates the scene at a frequency ratio, as [`at`](Self::at) does, but counts with k₁ = 1 in the units of the
+    /// description if the scene has no spring.
+    ///
+    /// # Errors
+    /// [`OutOfDomain`] unless r is above 0 and finite.
+    pub fn at_any(&self, r: f64) -> Result<JoinedAt<'a>, JoinedError> {
+        if !(r > 0.0 && r.is_finite()) {
+            return Err(OutOfDomain::FrequencyRatioInTime(Given::of(r)).into());
+        }
+        let stiffness = self.scene().first_stiffness();
+        let omega = r * self.reference();
+        let amplitude = match self.scene().excitation {
+            Excitation::Force(_) => stiffness,
+            Excitation::Base => 1.0,
+        };
+        let units = Units {
+            force: stiffness,
+            length: 1.0,
+            speed: omega,
+        };
+        Ok(self.loaded(omega, amplitude, units))
+    }
+
+    /// Evaluates the scene under a load in the units of the description: the angular frequency ω in rad/s, and the
+    /// amplitude P in N, for base motion Y in m. Frictions are forces F in N, and all answers are in these units.
+    ///
+    /// # Errors
+    /// [`JoinedError::Frequency`] unless ω is above 0 and finite, [`JoinedError::Amplitude`] unless the amplitude is.
+    pub fn under(&self, omega: f64, amplitude: f64) -> Result<JoinedAt<'a>, JoinedError> {
+        if !(omega > 0.0 && omega.is_finite()) {
+            return Err(JoinedError::Frequency(Given::of(omega)));
+        }
+        if !(amplitude > 0.0 && amplitude.is_finite()) {
+            return Err(JoinedError::Amplitude(Given::of(amplitude)));
+        }
+        let units = Units {
+            force: 1.0,
+            length: 1.0,
+            speed: 1.0,
+        };
+        Ok(self.loaded(omega, amplitude, units))
+    }
+
+    fn loaded(&self, omega: f64, amplitude: f64, units: Units) -> JoinedAt<'a> {
+        let mut chain = self.chain().clone();
+        let wave = Wave::harmonic(amplitude, omega);
+        match self.scene().excitation {
+            Excitation::Force(mass) => chain.loads.push((mass, wave)),
+            Excitation::Base => chain.base = wave,
+        }
+        JoinedAt::new(self.clone(), chain, omega, units)
+    }
 }
 
 impl<'a> JoinedAt<'a> {
@@ -116,7 +173,33 @@ impl<'a> JoinedAt<'a> {
         ))
     }
 
-    /// Creates a motion that starts from a state, or from rest.
+    /// Returns the largest |x̄| of every mass over the last 64 of 576 cycles of the motion from rest, for a motion that does
+    /// not settle.
+    ///
+    /// # Errors
+    /// Same errors as [`simulation`](Self::simulation).
+    pub fn last_cycles(&self, friction: f64) -> Result<Vec<f64>, JoinedError> {
+        let mut motion = self.started(&self.chain(friction)?, None)?;
+        let cycle = std::f64::consts::TAU / self.omega;
+        for _ in 0..SKIPPED {
+            let state = motion.state().clone();
+            motion.restart(state);
+            motion.run(cycle, &mut |_, _, _| {})?;
+        }
+        let mut watch = Watch::new(motion.model());
+        for _ in 0..KEPT {
+            let state = motion.state().clone();
+            motion.restart(state);
+            motion.run(cycle, &mut |series, end, state| {
+                watch.see(series, end, state)
+            })?;
+        }
+        let amplitudes = watch.cycle(KEPT as f64 * cycle).amplitudes;
+        let amplitudes = amplitudes.into_iter().map(|x| x / self.units.length);
+        Ok(amplitudes.collect())
+    }
+
+    /// Returns a motion from a state, or from rest.
     fn started(&self, chain: &Chain, state: Option<Start<'_>>) -> Result<Motion, JoinedError> {
         let Some((x, v)) = state else {
             return Ok(Motion::from_rest(chain)?);

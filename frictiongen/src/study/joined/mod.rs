@@ -35,21 +35,25 @@ mod answers;
 mod at;
 mod error;
 mod history;
+mod optimum;
 mod orbit;
 mod scene;
 mod simulation;
 mod states;
 mod stepper;
+mod units;
 
 #[cfg(test)]
 mod tests;
 
 pub use answers::{LinearResponse, StuckState};
-pub use at::{JoinedAt, Units};
+pub use at::JoinedAt;
 pub use error::{JoinedError, UnknownContact};
 pub use history::JoinedHistory;
+pub use optimum::JoinedOptimum;
 pub use orbit::{ContactOrbit, JoinedOrbit};
 pub use scene::Joined;
 pub(super) use scene::at_rest;
 pub use simulation::{JoinedContactNow, JoinedEvent, JoinedSimulation};
 pub use stepper::{JoinedInput, JoinedStepper};
+pub use units::Units;

@@ -1,8 +1,8 @@
 //! Steady states of scenes with several contacts.
 
-use super::at::Units;
 use super::error::{JoinedError, UnknownContact};
 use super::scene::Joined;
+use super::units::Units;
 use crate::study::error::UnknownMass;
 use crate::study::joints::{Chain, ContactCycle, Motion, Steady};
 use crate::{Complex, Regime};

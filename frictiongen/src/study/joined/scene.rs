@@ -1,15 +1,14 @@
 //! The chain of a scene, in the units of its description.
 
-use super::at::{JoinedAt, Units};
 use super::error::{JoinedError, UnknownContact};
+use crate::Unsupported;
 use crate::study::error::UnknownMass;
 use crate::study::joints::{Chain, Joint, MAX_MASSES, Wave};
 use crate::study::system::System;
-use crate::{Given, OutOfDomain, Unsupported};
 use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_model::modal::Modal;
-use frictiongen_model::scene::{Damping, Excitation, FrictionLaw, Scene};
+use frictiongen_model::scene::{Damping, FrictionLaw, Scene};
 
 /// Fraction of the largest natural frequency. A lower natural frequency belongs to a motion without deformation.
 const RIGID: f64 = 1e-13;
@@ -134,68 +133,8 @@ impl<'a> Joined<'a> {
         })
     }
 
-    /// Evaluates the scene at the frequency ratio r = ω√(m₁/k₁). Frictions are ratios β = F/P (F/(k₁Y) for base
-    /// motion). Displacements are over P/k₁ (over Y for base motion), and forces are over P (over k₁Y for base motion).
-    ///
-    /// # Errors
-    /// [`OutOfDomain`] unless r is above 0 and finite. [`JoinedError::NoSpring`] for a scene without springs.
-    pub fn at(&self, r: f64) -> Result<JoinedAt<'a>, JoinedError> {
-        if self.scene.springs.is_empty() {
-            return Err(JoinedError::NoSpring);
-        }
-        self.at_any(r)
-    }
-
-    /// Evaluates the scene at a frequency ratio, as [`at`](Self::at) does, but with k₁ = 1 in the units of the
-    /// description if the scene has no spring.
-    ///
-    /// # Errors
-    /// [`OutOfDomain`] unless r is above 0 and finite.
-    pub fn at_any(&self, r: f64) -> Result<JoinedAt<'a>, JoinedError> {
-        if !(r > 0.0 && r.is_finite()) {
-            return Err(OutOfDomain::FrequencyRatioInTime(Given::of(r)).into());
-        }
-        let stiffness = self.scene.first_stiffness();
-        let omega = r * self.reference;
-        let amplitude = match self.scene.excitation {
-            Excitation::Force(_) => stiffness,
-            Excitation::Base => 1.0,
-        };
-        let units = Units {
-            force: stiffness,
-            length: 1.0,
-            speed: omega,
-        };
-        Ok(self.loaded(omega, amplitude, units))
-    }
-
-    /// Evaluates the scene under a load in the units of the description: the angular frequency ω in rad/s, and the
-    /// amplitude P in N (Y in m for base motion). Frictions are forces F in N, and all answers are in these units.
-    ///
-    /// # Errors
-    /// [`JoinedError::Frequency`] unless ω is above 0 and finite, [`JoinedError::Amplitude`] unless the amplitude is.
-    pub fn under(&self, omega: f64, amplitude: f64) -> Result<JoinedAt<'a>, JoinedError> {
-        if !(omega > 0.0 && omega.is_finite()) {
-            return Err(JoinedError::Frequency(Given::of(omega)));
-        }
-        if !(amplitude > 0.0 && amplitude.is_finite()) {
-            return Err(JoinedError::Amplitude(Given::of(amplitude)));
-        }
-        let units = Units {
-            force: 1.0,
-            length: 1.0,
-            speed: 1.0,
-        };
-        Ok(self.loaded(omega, amplitude, units))
-    }
-
-    fn loaded(&self, omega: f64, amplitude: f64, units: Units) -> JoinedAt<'a> {
-        let mut chain = self.chain.clone();
-        let wave = Wave::harmonic(amplitude, omega);
-        match self.scene.excitation {
-            Excitation::Force(mass) => chain.loads.push((mass, wave)),
-            Excitation::Base => chain.base = wave,
-        }
-        JoinedAt::new(self.clone(), chain, omega, units)
+    /// Returns √(k₁/m₁) in rad per unit of time.
+    pub(super) fn reference(&self) -> f64 {
+        self.reference
     }
 }

@@ -1,8 +1,8 @@
 //! Motions in time of scenes with several contacts.
 
-use super::at::Units;
 use super::error::{JoinedError, UnknownContact};
 use super::scene::Joined;
+use super::units::Units;
 use crate::answer::Event;
 use crate::study::error::UnknownMass;
 use crate::study::joints::{Motion, Series, State, Transition};

@@ -30,7 +30,7 @@ mod tree;
 #[cfg(test)]
 mod tests;
 
-pub use cycle::{ContactCycle, Cycle};
+pub use cycle::{ContactCycle, Cycle, Watch};
 pub use decide::{Decision, MAX_PATTERNS};
 pub use model::Model;
 pub use run::{MAX_EVENTS, MAX_STRETCHES, Motion, State, Transition};

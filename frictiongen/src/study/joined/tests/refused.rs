@@ -153,3 +153,26 @@ fn bad_numbers_are_refused() {
         friction: stribeck(0.1: 0.8), provide: [simulation] }";
     assert!(system(stribeck).joined().is_err());
 }
+
+/// Recordings need one contact, too.
+#[cfg(feature = "measure")]
+#[test]
+fn recordings_name_the_fields() {
+    use crate::measure::{Channel, IdentifyRequest, Recording, Unit};
+    let frame = system(FRAME);
+    let channel = Channel {
+        name: "lower".into(),
+        unit: Unit::METRE,
+        samples: (0..100).map(|i| f64::from(i).sin()).collect(),
+    };
+    let recording = Recording::new(100.0, vec![channel]).expect("a recording");
+    let told = [
+        frame.identify(&[], &IdentifyRequest::default()).map(|_| ()),
+        frame.fit_sweep(&[], false).map(|_| ()),
+        frame.free_decay(&recording, None).map(|_| ()),
+    ];
+    for told in told {
+        let told = told.expect_err("a refusal").to_string();
+        assert!(told.contains("`contacts` or `dampers`"), "{told}");
+    }
+}

@@ -1,0 +1,199 @@
+//! The common friction with which the largest amplitude of a mass over a band of frequencies is smallest.
+
+use super::error::JoinedError;
+use super::scene::Joined;
+use crate::study::joints::JointError;
+use crate::{Given, OutOfDomain};
+
+/// Frequencies of the first grid over the band.
+const FREQUENCIES: usize = 25;
+/// Frictions of the first grid.
+const FRICTIONS: usize = 11;
+/// Steps of each refinement by golden sections.
+const STEPS: usize = 8;
+/// Larger of the two fractions into which a golden section divides an interval.
+const GOLDEN: f64 = 0.618_033_988_749_894_8;
+/// The frictions of the first grid extend from this fraction of the largest limit of the stuck state up to that limit.
+const LEAST: f64 = 0.01;
+
+/// The best common friction.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct JoinedOptimum {
+    /// The best common friction β.
+    pub friction: f64,
+    /// The largest amplitude over the band with this friction.
+    pub amplitude: f64,
+    /// Frequency ratio r at which this amplitude occurs.
+    pub r: f64,
+    /// Number of steady states that were computed.
+    pub evaluations: usize,
+}
+
+impl Joined<'_> {
+    /// Finds the common friction with which the largest amplitude of a mass over a band of frequency ratios is smallest.
+    ///
+    /// The search compares 11 frictions, each on 13 frequencies at equal distances. On 25 frequencies it refines the best friction, and
+    /// then the largest peak, by golden sections. It can miss a minimum or a peak that is narrower than its grids. A
+    /// friction above the largest limit of the stuck state within the band leaves a linear chain, so that no larger one is
+    /// tried.
+    ///
+    /// # Errors
+    /// [`JoinedError::UnknownMass`] if no mass has this name. [`OutOfDomain::Range`] for a band whose ends do not ascend.
+    /// [`JoinedError::Engine`] if a motion has too many events. Where the motion from rest does not settle, the largest
+    /// amplitude of its last 64 of 576 cycles counts.
+    pub fn optimum(
+        &self,
+        mass: &str,
+        (from, to): (f64, f64),
+    ) -> Result<JoinedOptimum, JoinedError> {
+        let index = self.mass_index(mass)?;
+        for end in [from, to] {
+            if !(end > 0.0 && end.is_finite()) {
+                return Err(OutOfDomain::FrequencyRatioInTime(Given::of(end)).into());
+            }
+        }
+        if !(from < to) {
+            return Err(OutOfDomain::Range.into());
+        }
+        let place = |part: usize| from + (to - from) * part as f64 / (FREQUENCIES - 1) as f64;
+        let grid: Vec<f64> = (0..FREQUENCIES).map(place).collect();
+        let mut search = Search {
+            joined: self,
+            mass: index,
+            grid,
+            evaluations: 0,
+        };
+        let most = search.most()?;
+        let ratio = LEAST.powf(1.0 / (FRICTIONS - 1) as f64);
+        let tried = (0..FRICTIONS).map(|part| most * ratio.powi(part as i32));
+        let tried: Vec<f64> = tried.collect();
+        let mut best = (f64::INFINITY, 0);
+        for (place, friction) in tried.iter().enumerate() {
+            let (amplitude, _) = search.peak(*friction, Closely::Roughly)?;
+            if amplitude < best.0 {
+                best = (amplitude, place);
+            }
+        }
+        let near = |place: usize| tried.get(place).copied().unwrap_or(most);
+        let ends = (near(best.1 + 1), near(best.1.saturating_sub(1)));
+        let low = if best.1 + 1 == FRICTIONS {
+            LEAST * most
+        } else {
+            ends.0
+        };
+        let (friction, _) = smallest((low, ends.1), |friction| {
+            Ok(search.peak(friction, Closely::OnGrid)?.0)
+        })?;
+        let (amplitude, r) = search.peak(friction, Closely::Refined)?;
+        Ok(JoinedOptimum {
+            friction,
+            amplitude,
+            r,
+            evaluations: search.evaluations,
+        })
+    }
+}
+
+/// How closely the largest amplitude over the band is found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Closely {
+    /// On every second frequency of the grid.
+    Roughly,
+    /// On the grid.
+    OnGrid,
+    /// Between the frequencies of the grid, too.
+    Refined,
+}
+
+/// The search for the best friction.
+struct Search<'j, 'a> {
+    joined: &'j Joined<'a>,
+    mass: usize,
+    /// Frequency ratios of the first grid.
+    grid: Vec<f64>,
+    evaluations: usize,
+}
+
+impl Search<'_, '_> {
+    /// Returns the largest limit of the stuck state over the grid.
+    fn most(&self) -> Result<f64, JoinedError> {
+        let mut most = 0.0_f64;
+        for r in &self.grid {
+            match self.joined.at_any(*r)?.stuck() {
+                Ok(stuck) => most = most.max(stuck.limit()),
+                // On an undamped resonance no friction is enough.
+                Err(JoinedError::Resonance) => {}
+                Err(error) => return Err(error),
+            }
+        }
+        Ok(most)
+    }
+
+    /// Returns the amplitude of the mass at one frequency.
+    fn amplitude(&mut self, r: f64, friction: f64) -> Result<f64, JoinedError> {
+        self.evaluations += 1;
+        let at = self.joined.at_any(r)?;
+        let amplitudes = match at.orbit(friction) {
+            Ok(orbit) => orbit.amplitudes(),
+            // A friction just below the limit of the stuck state moves the contacts less in each cycle, for ever.
+            Err(JoinedError::Engine(JointError::NotSteady)) => at.last_cycles(friction)?,
+            Err(error) => return Err(error),
+        };
+        Ok(amplitudes.get(self.mass).copied().unwrap_or_default())
+    }
+
+    /// Returns the largest amplitude over the band, and its frequency.
+    fn peak(&mut self, friction: f64, closely: Closely) -> Result<(f64, f64), JoinedError> {
+        let mut best = (0.0, 0);
+        let grid = self.grid.clone();
+        let stride = if closely == Closely::Roughly { 2 } else { 1 };
+        for (place, r) in grid.iter().enumerate().step_by(stride) {
+            let amplitude = self.amplitude(*r, friction)?;
+            if amplitude > best.0 {
+                best = (amplitude, place);
+            }
+        }
+        let near = |place: usize| grid.get(place.min(FREQUENCIES - 1)).copied();
+        let around = (near(best.1.saturating_sub(1)), near(best.1 + 1));
+        let (Some(low), Some(high), Some(r)) = (around.0, around.1, near(best.1)) else {
+            return Ok((best.0, f64::NAN));
+        };
+        if closely != Closely::Refined {
+            return Ok((best.0, r));
+        }
+        let (place, value) = smallest((low, high), |r| Ok(-self.amplitude(r, friction)?))?;
+        Ok(if -value > best.0 {
+            (-value, place)
+        } else {
+            (best.0, r)
+        })
+    }
+}
+
+/// Returns the place of the smallest value in an interval, and the value, by golden sections.
+fn smallest(
+    (mut low, mut high): (f64, f64),
+    mut of: impl FnMut(f64) -> Result<f64, JoinedError>,
+) -> Result<(f64, f64), JoinedError> {
+    let inner = |low: f64, high: f64| (high - GOLDEN * (high - low), low + GOLDEN * (high - low));
+    let (mut left, mut right) = inner(low, high);
+    let (mut at_left, mut at_right) = (of(left)?, of(right)?);
+    for _ in 0..STEPS {
+        if at_left < at_right {
+            high = right;
+            (right, at_right) = (left, at_left);
+            left = inner(low, high).0;
+            at_left = of(left)?;
+        } else {
+            low = left;
+            (left, at_left) = (right, at_right);
+            right = inner(low, high).1;
+            at_right = of(right)?;
+        }
+    }
+    Ok(if at_left < at_right {
+        (left, at_left)
+    } else {
+        (right, at_right)
+    })
+}

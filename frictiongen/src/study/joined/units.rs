@@ -1,0 +1,20 @@
+//! Units of the answers of scenes with several contacts.
+
+/// The units of the answers, in the units of the description.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Units {
+    /// The unit of forces and frictions.
+    pub force: f64,
+    /// The unit of displacements.
+    pub length: f64,
+    /// The unit of velocities.
+    pub speed: f64,
+}
+
+impl Units {
+    /// Returns the unit of energies.
+    #[must_use]
+    pub fn energy(&self) -> f64 {
+        self.force * self.length
+    }
+}
