@@ -256,8 +256,9 @@ pub(super) fn stuck<S: Float, K: ContactChain<S>>(
     // `zip` takes an item of its first argument before it finds the second one empty. The array comes first, so that no
     // multiplier is lost.
     let lost = cycle_map.setting.dynamics.chain.stuck_multipliers();
-    for (re, out) in lost.iter().zip(out.by_ref()) {
-        *out = Complex::new(S::constant(*re), zero);
+    for (is_one, out) in lost.iter().zip(out.by_ref()) {
+        let re = if *is_one { S::constant(1.0) } else { zero };
+        *out = Complex::new(re, zero);
     }
     for part in cycle_map.stuck_modes.iter() {
         for multiplier in part.multipliers(two_pi) {

@@ -47,7 +47,7 @@ impl<S: Float> ContactChain<S> for AnyContact<S> {
         of_law!(self, remembered())
     }
 
-    fn stuck_multipliers(&self) -> &'static [f64] {
+    fn stuck_multipliers(&self) -> &'static [bool] {
         of_law!(self, stuck_multipliers())
     }
 

@@ -89,7 +89,10 @@ pub trait ContactChain<S: Float>: Copy + Debug {
 
     /// Returns Floquet multipliers of a contact that never slides: two for each mode that the stuck chain lacks, and
     /// one for each stored scalar.
-    fn stuck_multipliers(&self) -> &'static [f64];
+    ///
+    /// `true` stands for 1 and `false` for 0. Numbers in `f64` would bring double-precision arithmetic into the image
+    /// of an `f32` scene.
+    fn stuck_multipliers(&self) -> &'static [bool];
 
     /// Returns the compliance of a spring in series with the contact: its displacement per unit of contact force.
     #[inline]

@@ -114,8 +114,7 @@ pub(super) struct ModalPole {
     pub members: Vec<(usize, f64)>,
 }
 
-/// Data for an interval of y that contains a pole p: the distance y − p, and the singular functions of each mode times
-/// y − p, which are finite.
+/// For an interval of y with a pole p: the distance y − p, and the singular functions of each mode times y − p.
 pub(super) struct Near<T> {
     gap: T,
     /// For each mode with this pole: 1/d and tan(πx/2)/x, both times the distance y − p. `None` for modes without this
@@ -196,7 +195,6 @@ impl<T: Number> ChainNumbers<T> {
             sum[0] = sum[0] + at_rest / (y * y) * gap;
         }
         if let Some(compliance) = self.compliance {
-            // H + ρ, over the factor 1/r² of the sums.
             let own = compliance / (y * y) * near.map_or(one, |near| near.gap);
             match which {
                 ModalSum::Against(level) => sum[0] = sum[0] - level * own,

@@ -27,8 +27,8 @@ impl<S: Float> ContactChain<S> for ElasticChain<S> {
     }
 
     /// Returns the Floquet multiplier 1. A deviation of the slider's displacement neither grows nor decays.
-    fn stuck_multipliers(&self) -> &'static [f64] {
-        &[1.0]
+    fn stuck_multipliers(&self) -> &'static [bool] {
+        &[true]
     }
 
     #[inline]

@@ -20,8 +20,8 @@ impl<S: Float> ContactChain<S> for Chain<S> {
 
     /// Returns the Floquet multipliers of a contact that never slides. A deviation of the contact's displacement stays
     /// constant, and a deviation of its velocity vanishes at once.
-    fn stuck_multipliers(&self) -> &'static [f64] {
-        &[1.0, 0.0]
+    fn stuck_multipliers(&self) -> &'static [bool] {
+        &[true, false]
     }
 
     #[inline]
