@@ -2,7 +2,7 @@
 
 use super::naming::UnknownMotion;
 use super::words;
-use crate::{Error, NoOrbit, NotContinuous, Of, OutOfDomain, StuckResonance, Unsupported};
+use crate::{Error, NoOrbit, NotContinuous, Of, OutOfDomain, StuckResonance};
 use frictiongen_kernel::orbit::NoDerivative;
 use frictiongen_model::validate::SceneError;
 use frictiongen_syntax::Diagnostics;
