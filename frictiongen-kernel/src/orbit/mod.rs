@@ -317,14 +317,14 @@ where
     }
 
     /// Returns the mode shapes of all masses, mass after mass, and the number of modes. The modes are those of the
-    /// [`Dynamics`](crate::motion::dynamics::Dynamics) data.
+    /// [`Dynamics`](crate::motion::Dynamics) data.
     pub fn shapes(&self) -> (&'a [S], usize) {
         let dynamics = &self.setting.dynamics;
         (dynamics.shapes, dynamics.modes.len())
     }
 
     /// Returns the motion of a linear combination of masses and base. `combination` has the components in the modes of
-    /// the [`Dynamics`](crate::motion::dynamics::Dynamics) data.
+    /// the [`Dynamics`](crate::motion::Dynamics) data.
     pub fn combination<'o>(
         &'o self,
         combination: Combination<'o, S>,

@@ -12,9 +12,9 @@ use crate::study::joints::{
 use crate::{Given, OutOfDomain};
 use frictiongen_model::scene::Excitation;
 
-/// Cycles of a motion that does not settle before those of which the amplitude counts.
+/// Number of cycles that are skipped in a motion that does not settle.
 const SKIPPED: usize = 512;
-/// Cycles of which the amplitude counts.
+/// Number of cycles after the skipped ones, from which the amplitude is taken.
 const KEPT: usize = 64;
 
 /// Displacements and velocities of all masses, in the units of the answers.
@@ -31,8 +31,8 @@ pub struct JoinedAt<'a> {
 }
 
 impl<'a> Joined<'a> {
-    /// Evaluates the scene at the frequency ratio r = ω√(m₁/k₁). Frictions are ratios β = F/P, for base motion F/(k₁Y).
-    /// Displacements are over P/k₁, for base motion over Y, forces over P or k₁Y.
+    /// Evaluates the scene at the frequency ratio r = ω√(m₁/k₁). Frictions are ratios β = F/P (F/(k₁Y) for base
+    /// motion). Displacements are over P/k₁ (over Y for base motion), and forces are over P (over k₁Y for base motion).
     ///
     /// # Errors
     /// [`OutOfDomain`] unless r is above 0 and finite. [`JoinedError::NoSpring`] for a scene without springs.
@@ -43,7 +43,7 @@ impl<'a> Joined<'a> {
         self.at_any(r)
     }
 
-    /// Evaluates the scene at a frequency ratio, as [`at`](Self::at) does, but counts with k₁ = 1 in the units of the
+    /// Evaluates the scene at a frequency ratio, as [`at`](Self::at) does, but with k₁ = 1 in the units of the
     /// description if the scene has no spring.
     ///
     /// # Errors
@@ -67,7 +67,7 @@ impl<'a> Joined<'a> {
     }
 
     /// Evaluates the scene under a load in the units of the description: the angular frequency ω in rad/s, and the
-    /// amplitude P in N, for base motion Y in m. Frictions are forces F in N, and all answers are in these units.
+    /// amplitude P in N (Y in m for base motion). Frictions are forces F in N, and all answers are in these units.
     ///
     /// # Errors
     /// [`JoinedError::Frequency`] unless ω is above 0 and finite, [`JoinedError::Amplitude`] unless the amplitude is.
@@ -173,8 +173,8 @@ impl<'a> JoinedAt<'a> {
         ))
     }
 
-    /// Returns the largest |x̄| of every mass over the last 64 of 576 cycles of the motion from rest, for a motion that does
-    /// not settle.
+    /// Returns the largest |x̄| of every mass over the last 64 of 576 cycles of the motion from rest. Use this
+    /// amplitude if the motion does not settle.
     ///
     /// # Errors
     /// Same errors as [`simulation`](Self::simulation).

@@ -1,8 +1,8 @@
 //! Answers of scenes with several contacts, dashpots, or masses without a path of springs to a support.
 //!
-//! Such a scene has the fields `contacts` or `dampers` in its description. [`System::joined`] gives access to its
-//! answers. Every other method of a `System` returns an error that names these fields. The solver is in
-//! [`joints`](super::joints).
+//! Such a scene has the fields `contacts` or `dampers` in its description.
+//! [`System::joined`](crate::study::System::joined) gives access to its answers. Every other method of a `System` returns
+//! an error that names these fields. The solver is in [`joints`](super::joints).
 //!
 //! ```
 //! use frictiongen::{Regime, System};

@@ -1,19 +1,20 @@
-//! The common friction with which the largest amplitude of a mass over a band of frequencies is smallest.
+//! Finds the best common friction: the largest amplitude of a mass over a band of frequencies is then smallest.
 
 use super::error::JoinedError;
 use super::scene::Joined;
 use crate::study::joints::JointError;
 use crate::{Given, OutOfDomain};
 
-/// Frequencies of the first grid over the band.
+/// Number of frequencies of the first grid over the band.
 const FREQUENCIES: usize = 25;
-/// Frictions of the first grid.
+/// Number of frictions of the first grid.
 const FRICTIONS: usize = 11;
-/// Steps of each refinement by golden sections.
+/// Number of steps of each refinement by golden sections.
 const STEPS: usize = 8;
 /// Larger of the two fractions into which a golden section divides an interval.
 const GOLDEN: f64 = 0.618_033_988_749_894_8;
-/// The frictions of the first grid extend from this fraction of the largest limit of the stuck state up to that limit.
+/// Smallest friction of the first grid, as a fraction of the largest limit of the stuck state. The largest friction of
+/// the grid is this limit.
 const LEAST: f64 = 0.01;
 
 /// The best common friction.
@@ -25,22 +26,23 @@ pub struct JoinedOptimum {
     pub amplitude: f64,
     /// Frequency ratio r at which this amplitude occurs.
     pub r: f64,
-    /// Number of steady states that were computed.
+    /// Number of steady states that the search computed.
     pub evaluations: usize,
 }
 
 impl Joined<'_> {
-    /// Finds the common friction with which the largest amplitude of a mass over a band of frequency ratios is smallest.
+    /// Finds the common friction with which the largest amplitude of a mass over a band of frequency ratios is
+    /// smallest.
     ///
-    /// The search compares 11 frictions, each on 13 frequencies at equal distances. On 25 frequencies it refines the best friction, and
-    /// then the largest peak, by golden sections. It can miss a minimum or a peak that is narrower than its grids. A
-    /// friction above the largest limit of the stuck state within the band leaves a linear chain, so that no larger one is
-    /// tried.
+    /// The search first compares 11 frictions at 13 equally spaced frequencies. It then refines the best friction at 25
+    /// frequencies by golden sections, and finally the frequency of the largest peak. It can miss a minimum or a peak
+    /// that is narrower than its grids. Above the largest limit of the stuck state within the band, all contacts are
+    /// stuck at every frequency. The search tries no such friction.
     ///
     /// # Errors
-    /// [`JoinedError::UnknownMass`] if no mass has this name. [`OutOfDomain::Range`] for a band whose ends do not ascend.
-    /// [`JoinedError::Engine`] if a motion has too many events. Where the motion from rest does not settle, the largest
-    /// amplitude of its last 64 of 576 cycles counts.
+    /// [`JoinedError::UnknownMass`] if no mass has this name. [`OutOfDomain::Range`] for a band whose ends do not
+    /// ascend. [`JoinedError::Engine`] if a motion has too many events. Where the motion from rest does not settle, the
+    /// largest amplitude of its last 64 of 576 cycles counts.
     pub fn optimum(
         &self,
         mass: &str,
@@ -94,14 +96,14 @@ impl Joined<'_> {
     }
 }
 
-/// How closely the largest amplitude over the band is found.
+/// Accuracy with which the search finds the largest amplitude over the band.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Closely {
-    /// On every second frequency of the grid.
+    /// At every second frequency of the grid.
     Roughly,
-    /// On the grid.
+    /// At every frequency of the grid.
     OnGrid,
-    /// Between the frequencies of the grid, too.
+    /// Also between the frequencies of the grid.
     Refined,
 }
 
@@ -170,7 +172,7 @@ impl Search<'_, '_> {
     }
 }
 
-/// Returns the place of the smallest value in an interval, and the value, by golden sections.
+/// Returns the position and the value of the smallest value in an interval, by golden sections.
 fn smallest(
     (mut low, mut high): (f64, f64),
     mut of: impl FnMut(f64) -> Result<f64, JoinedError>,

@@ -1,6 +1,6 @@
 //! Units of the answers of scenes with several contacts.
 
-/// The units of the answers, in the units of the description.
+/// Units of the answers, expressed in the units of the description.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Units {
     /// The unit of forces and frictions.
