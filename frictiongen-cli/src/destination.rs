@@ -3,6 +3,7 @@
 use crate::args::FormatArguments;
 use crate::failure::Failure;
 use crate::file;
+use crate::fit::Fit;
 use std::io::Write;
 use std::path::Path;
 
@@ -18,8 +19,8 @@ pub struct Extras {
 /// The format of an output.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Form {
-    /// A table for people.
-    Table,
+    /// A table for people, in this room.
+    Table(Fit),
     /// Comma-separated values.
     Csv(Extras),
     /// One JSON object.
@@ -35,6 +36,21 @@ impl FormatArguments {
         Extras {
             unit_row: self.unit_row,
             comments: self.comments,
+        }
+    }
+
+    /// Returns the room of a printed table.
+    fn fit(&self) -> Fit {
+        match self.width {
+            None => Fit::of_output(self.groups),
+            Some(0) => Fit {
+                width: None,
+                groups: self.groups,
+            },
+            Some(width) => Fit {
+                width: Some(usize::from(width)),
+                groups: self.groups,
+            },
         }
     }
 
@@ -59,7 +75,7 @@ impl FormatArguments {
         match (self.json, self.csv) {
             (true, _) => Form::Json,
             (_, true) => Form::Csv(self.extras()),
-            _ => Form::Table,
+            _ => Form::Table(self.fit()),
         }
     }
 }
@@ -117,7 +133,7 @@ impl<'a> Destination<'a> {
                 )));
             }
         };
-        if asked != Form::Table && asked != form {
+        if !matches!(asked, Form::Table(_)) && asked != form {
             let option = if matches!(asked, Form::Csv(_)) {
                 "--csv"
             } else {

@@ -18,6 +18,7 @@ mod expand;
 mod failure;
 mod features;
 mod file;
+mod fit;
 mod frequency;
 mod friction;
 mod grid;

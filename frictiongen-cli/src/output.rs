@@ -2,6 +2,7 @@
 
 use crate::destination::Form;
 use crate::failure::Failure;
+use crate::fit::Fit;
 use crate::layout::Layout;
 use crate::number::{Cell, Exact as _};
 use crate::progress::Progress;
@@ -94,7 +95,14 @@ pub fn write<T: Table>(
             Ok(csv::line(&mut out, cells.iter().map(Cell::exact))?)
         })?;
     } else {
-        summary.write(&mut out, &report.preamble())?;
+        let fit = match form {
+            Form::Table(fit) => fit,
+            _ => Fit::of_output(false),
+        };
+        let mut head = Vec::new();
+        summary.write(&mut head, &report.preamble())?;
+        fit.wrapped(&String::from_utf8_lossy(&head), &mut out)?;
+        let (columns, left) = fit.chosen(columns, layout);
         let titles = layout.titles(&columns);
         table::header(&mut out, &titles)?;
         report.each(&mut |row| {
@@ -104,6 +112,7 @@ pub fn write<T: Table>(
             }
             Ok(())
         })?;
+        fit.note(&left, &mut out)?;
     }
     drop(progress);
     Ok(out.flush()?)

@@ -43,7 +43,7 @@ pub fn run(arguments: &SensitivityArguments, out: &mut dyn Write) -> Result<(), 
             measure,
             parts: vec![part],
         },
-        with_answers: form == Form::Table,
+        with_answers: matches!(form, Form::Table(_)),
     };
     output::write(&report, &summary, form, out)
 }

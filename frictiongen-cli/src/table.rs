@@ -73,6 +73,11 @@ impl Column {
         }
     }
 
+    /// Returns the width of the column in characters.
+    pub fn width(&self) -> usize {
+        self.width
+    }
+
     fn text(&self, value: &Cell<'_>) -> String {
         match (value, self.style) {
             (Cell::Number(value), Style::Given(decimals)) => given(*value, decimals),

@@ -94,6 +94,9 @@ pub struct CheckArguments {
     /// Argument for the scene description.
     #[command(flatten)]
     pub file: FileArgument,
+    /// Print JSON: errors and warnings with line and column, and the numbers of a valid description
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// Arguments of `frictiongen new`.

@@ -25,6 +25,12 @@ pub struct FormatArguments {
     /// In CSV, print comment lines (#) first: the scene, its natural frequencies, the load
     #[arg(long, conflicts_with = "json")]
     pub comments: bool,
+    /// Print also r and beta, beside Hz and N, where a table has to fit the width
+    #[arg(long)]
+    pub groups: bool,
+    /// Widest line of a printed table in characters; 0 for any width [default: 100 on a terminal, otherwise 0]
+    #[arg(long, value_name = "N")]
+    pub width: Option<u16>,
 }
 
 /// The frequency of the excitation, as a ratio, in Hz or in rad/s.

@@ -8,6 +8,7 @@ use crate::failure::Failure;
 use crate::progress;
 use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
 use frictiongen_codegen::{Diagnostic, Limits, parse_text, warnings};
+use serde_json::{Value as Json, json};
 use std::io::Write;
 use std::ops::Range;
 
@@ -17,13 +18,32 @@ pub fn run(arguments: &CheckArguments, out: &mut dyn Write) -> Result<(), Failur
     let text = arguments.file.text()?;
     // The command rejects every description that the macro rejects, except for several contacts and dashpots.
     let description = parse_text(&text, &Limits::CHECK).map_err(|diagnostics| {
+        if arguments.json {
+            let answer =
+                json!({ "file": name, "errors": listed(&diagnostics.list), "warnings": [] });
+            // The errors go to standard error too, so that a failed write hides none.
+            let _ = writeln!(out, "{answer:#}");
+            let _ = out.flush();
+        }
         let list = diagnostics.list.iter();
         Failure::Lines(
             list.map(|error| shown(&name, &text, error, Level::ERROR))
                 .collect(),
         )
     })?;
-    for warning in warnings(&text).iter().flat_map(|found| &found.list) {
+    let warned = warnings(&text);
+    if arguments.json {
+        let warned: Vec<Diagnostic> = warned.into_iter().flat_map(|found| found.list).collect();
+        let mut answer = json!({ "file": name, "errors": [], "warnings": listed(&warned) });
+        if let (Some(fields), Some(numbers)) =
+            (answer.as_object_mut(), numbers::json(&description.scene))
+        {
+            fields.extend(numbers);
+        }
+        writeln!(out, "{answer:#}")?;
+        return Ok(out.flush()?);
+    }
+    for warning in warned.iter().flat_map(|found| &found.list) {
         progress::say(&format!(
             "{}\n",
             shown(&name, &text, warning, Level::WARNING)
@@ -50,6 +70,13 @@ pub fn run(arguments: &CheckArguments, out: &mut dyn Write) -> Result<(), Failur
     }
     numbers::write(scene, out)?;
     Ok(out.flush()?)
+}
+
+/// Returns errors or warnings as JSON, each with its line and column, counted from 1.
+fn listed(list: &[Diagnostic]) -> Json {
+    let one =
+        |of: &Diagnostic| json!({ "line": of.line, "column": of.column, "message": of.message });
+    list.iter().map(one).collect()
 }
 
 /// Returns an error or a warning as text, with the affected line of the description.

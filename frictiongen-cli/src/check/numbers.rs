@@ -5,6 +5,7 @@ use crate::summary::row;
 use frictiongen::System;
 use frictiongen::study::scene::{Excitation, Scene};
 use frictiongen::study::units::{Load, hertz};
+use serde_json::{Map, Value as Json, json};
 use std::io::{self, Write};
 
 /// Base motion for the printed static displacement, in m.
@@ -57,6 +58,51 @@ pub fn write(scene: &Scene, out: &mut dyn Write) -> io::Result<()> {
         )?;
     }
     Ok(())
+}
+
+/// Returns the same numbers as JSON, and those of every mass.
+pub fn json(scene: &Scene) -> Option<Map<String, Json>> {
+    let system = System::try_from(scene.clone()).ok()?;
+    let frequencies: Vec<f64> = system
+        .natural_frequencies()
+        .into_iter()
+        .map(hertz)
+        .collect();
+    let ratios: Vec<f64> = system
+        .modal()
+        .damping_ratios
+        .iter()
+        .map(|zeta| zeta.hi)
+        .collect();
+    let mass: f64 = scene.masses.iter().map(|mass| mass.value).sum();
+    let load = match scene.excitation {
+        Excitation::Base => Load::Base(BASE),
+        Excitation::Force(_) => Load::Force(FORCE),
+    };
+    let scale = system.load_scale(load).ok()?;
+    let placed = statics(&system).into_iter().map(|x| scale.displacement(x));
+    let placed: Map<String, Json> = scene
+        .masses
+        .iter()
+        .zip(placed)
+        .map(|(mass, x)| (mass.name.clone(), x.into()))
+        .collect();
+    let under = match scene.excitation {
+        Excitation::Base => "a base motion of 1 mm",
+        Excitation::Force(_) => "a force of 1 N",
+    };
+    let fields = json!({
+        "natural_frequencies_Hz": frequencies,
+        "damping_ratios": ratios,
+        "damping": scene.damping_acts_on(),
+        "total_mass_kg": mass,
+        "static_displacements_m": placed,
+        "static_displacements_under": under,
+    });
+    match fields {
+        Json::Object(fields) => Some(fields),
+        _ => None,
+    }
 }
 
 /// Largest number of masses for which the command prints every static displacement.

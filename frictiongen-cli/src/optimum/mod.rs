@@ -1,5 +1,7 @@
 //! `frictiongen optimum`: finds the friction for which the largest amplitude over a band is smallest.
 
+mod keep;
+
 use crate::args::OptimumArguments;
 use crate::asked;
 use crate::failure::Failure;
@@ -50,7 +52,9 @@ pub fn run(arguments: &OptimumArguments, out: &mut dyn Write) -> Result<(), Fail
             parts: &parts,
         },
     };
+    let kept = keep::parsed(&system, &arguments.keep, &measure)?;
     let lines = match &arguments.vary {
+        None if !kept.is_empty() => keep::lines(&table, &request, &kept)?,
         None => table.lines(&system.optimum(&request).map_err(Failure::new)?, None),
         Some(text) => {
             let (of, found) = tuned(&system, &request, text)?;

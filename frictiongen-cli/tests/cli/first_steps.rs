@@ -1,7 +1,7 @@
 //! Tests `frictiongen new`, `check`, `completions` and `man`, the first commands that a user types.
 #![allow(clippy::unwrap_used, reason = "a test fails by it")]
 
-use crate::common::{failure, output};
+use crate::common::{failure, json, output, run_with};
 use std::{fs, process};
 
 /// Returns the path of a file for this test.
@@ -27,6 +27,35 @@ fn what_new_writes_has_no_errors() {
     let undamped = at_rest.replace("modal[0.010, 0.012]", "none");
     assert!(!output(&undamped, &["check"]).contains("damping acts"));
     assert!(output(&scene, &["limits", "--r", "0.9"]).contains("0.9"));
+}
+
+/// `check --json` has the same numbers with all their digits. Errors have their line and column.
+#[test]
+fn check_in_json() {
+    let scene = "struct Two { masses: { low: 2000, high: 2000 },
+        springs: { base - low: 1.5e6, low - high: 1.5e6 },
+        contact: high - wall, excitation: high, damping: modal[0.01, 0.02] }";
+    let found = json(&output(scene, &["check", "--json"]));
+    let number = |value: &serde_json::Value| value.as_f64().unwrap();
+    let golden: f64 = 0.5 * (3.0 - 5.0_f64.sqrt());
+    let first = (1.5e6_f64 / 2000.0).sqrt() / std::f64::consts::TAU * golden.sqrt();
+    assert!((number(&found["natural_frequencies_Hz"][0]) / first - 1.0).abs() < 1e-14);
+    assert_eq!(number(&found["damping_ratios"][1]), 0.02);
+    assert_eq!(number(&found["total_mass_kg"]), 4000.0);
+    let placed = number(&found["static_displacements_m"]["high"]);
+    assert!((placed * 1.5e6 / 2.0 - 1.0).abs() < 1e-14, "{placed}");
+    assert_eq!(found["errors"], serde_json::json!([]));
+    let wrong = scene.replace("modal[0.01, 0.02]", "modal[0.01]");
+    let run = run_with(&wrong, &["check", "--json"]);
+    assert_eq!(run.status, Some(2));
+    let found = json(&run.out);
+    assert_eq!(found["errors"][0]["line"], 3);
+    assert!(
+        found["errors"][0]["message"]
+            .as_str()
+            .unwrap()
+            .contains("damping")
+    );
 }
 
 /// Two equal masses and springs have the natural frequencies √((3 ∓ √5)/2) √(k/m). A force on the outer mass displaces

@@ -32,3 +32,4 @@ mod time_refused;
 mod time_stribeck;
 mod units;
 mod units_refused;
+mod width;

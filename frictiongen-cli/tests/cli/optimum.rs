@@ -2,11 +2,13 @@
 
 #![allow(
     clippy::expect_used,
+    clippy::unwrap_used,
+    clippy::panic,
     clippy::indexing_slicing,
     reason = "a test may fail"
 )]
 
-use crate::common::{cells, failure, json, output};
+use crate::common::{FRAME, cells, failure, json, output};
 
 /// Description of one mass on a moving base, on which it rubs.
 const BLOCK: &str = "struct Block { masses: { block: 2 }, springs: { base - block: 50 },
@@ -209,4 +211,68 @@ fn what_is_wrong_is_named() {
         "frictiongen: no friction bounds the motion: the load drives mode 2, which has no damping and on which the \
          contact does not act"
     );
+}
+
+/// `--keep` bounds another quantity. The answer has its largest value, and a bound that cannot hold is one line with the
+/// least value.
+#[test]
+fn bounds_on_other_quantities() {
+    // With μ = 1 a search takes a second.
+    let frame = std::fs::read_to_string(FRAME).unwrap();
+    let frame = frame.replace("stiction: 1.2,", "");
+    let band = [
+        "optimum", "--of", "lower", "--hz", "1.5:2.5", "--base", "0.001",
+    ];
+    let value = |text: &str, label: &str| {
+        let line = text.lines().find(|line| line.contains(label));
+        let line = line.unwrap_or_else(|| panic!("{label}: {text}"));
+        let mut words = line[line.find(label).unwrap() + label.len()..].split_whitespace();
+        words.next().unwrap().parse::<f64>().unwrap()
+    };
+    let alone = output(
+        &frame,
+        &[&band[..], &["--keep", "force(contact) <= 90 N"]].concat(),
+    );
+    let friction = value(&alone, "friction");
+    let bound = format!("force(contact) <= {} N", 0.5 * friction);
+    let kept = output(&frame, &[&band[..], &["--keep", &bound]].concat());
+    let (force, most) = (
+        value(&kept, "largest value of force(contact)"),
+        value(&kept, "which is at most"),
+    );
+    assert!(force <= most && 0.999 * most < force, "{kept}");
+    assert!(kept.contains("a bound on another quantity"), "{kept}");
+    assert!(
+        value(&kept, "largest amplitude of lower") > value(&alone, "largest amplitude of lower")
+    );
+    for (bound, message) in [
+        (
+            "upper-lower <= 0.001mm",
+            "--keep `upper-lower <= 0.001mm`: no friction holds this bound; the least value is ",
+        ),
+        (
+            "upper-lower",
+            "a quantity and its bound are needed, as in roof-base <= 5mm",
+        ),
+        ("roof <= 5mm", "there is no mass `roof`"),
+        (
+            "upper <= 5 N",
+            "the unit `N` does not fit this quantity, whose units are m, cm, mm",
+        ),
+        ("upper <= -1", "a bound that is not negative is needed"),
+    ] {
+        let found = failure(&frame, &[&band[..], &["--keep", bound]].concat());
+        assert_eq!(found.len(), 1, "{found:?}");
+        assert!(found[0].contains(message), "{bound}: {found:?}");
+    }
+    let groups = [
+        "optimum",
+        "--of",
+        "lower",
+        "--r",
+        "0.5:0.8",
+        "--keep",
+        "upper <= 5mm",
+    ];
+    assert!(failure(&frame, &groups)[0].contains("a bound with a unit needs the load"));
 }

@@ -210,6 +210,7 @@ pub fn kind(kind: OptimumKind) -> &'static str {
         OptimumKind::SinglePeak => "one peak at its least",
         OptimumKind::NoFriction => "friction only does harm",
         OptimumKind::Stuck => "stuck: more friction changes nothing",
+        OptimumKind::Bounded => "a bound on another quantity",
         OptimumKind::Trivial => "trivial: nothing that is asked for moves or acts",
     }
 }

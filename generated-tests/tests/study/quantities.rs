@@ -4,7 +4,9 @@
 use frictiongen::Of;
 use frictiongen::study::{
     System,
-    optimum::{FrequencyBand, Optimum, OptimumEnd, OptimumError, OptimumKind, OptimumRequest},
+    optimum::{
+        FrequencyBand, Kept, Optimum, OptimumEnd, OptimumError, OptimumKind, OptimumRequest,
+    },
     response::Size,
     units::Load,
 };
@@ -198,5 +200,115 @@ fn trivial_answers_are_named() {
     assert_eq!(
         system.optimum(&wrong).map(|best| best.beta),
         Err(OptimumError::Size)
+    );
+}
+
+/// The best acceleration of the roof while its drift stays within a bound: the bound holds on the map, and no friction of
+/// the map that holds it is better. Bounds that cannot hold are named with the least value, which is the best drift.
+/// `bounds_on_other_quantities` of the command's tests is the short form.
+#[test]
+#[ignore = "takes half a minute"]
+fn bounds_hold_on_a_map() {
+    let system = frame(FRAME);
+    let load = Load::Base(0.002);
+    let best = |of: &str| {
+        let request = request(&system, of, load, BAND);
+        let optimum = system.optimum(&request).expect("an optimum");
+        (request, optimum)
+    };
+    let (own, free) = best("accel(f2)");
+    let (drift, least) = best("f2-f1");
+    let at = |request: &OptimumRequest, beta: f64| {
+        let scale = system.load_scale(load).expect("a scale");
+        let one = |hertz| {
+            quantity(
+                &system,
+                (request.of, request.size),
+                load,
+                hertz,
+                scale.friction(beta),
+            )
+        };
+        largest(one, BAND)
+    };
+    let scale = system.load_scale(load).expect("a scale").length();
+    let free_drift = at(&drift, free.beta) / scale;
+    // A bound between the best drift and the drift of the best acceleration.
+    let most = 0.5 * (free_drift + least.amplitude);
+    assert!(
+        least.amplitude * 1.001 < most,
+        "{free_drift} {}",
+        least.amplitude
+    );
+    let kept = [Kept {
+        of: drift.of,
+        size: drift.size,
+        most,
+    }];
+    let found = system.kept_optimum(&own, &kept).expect("an optimum");
+    let beta = found.optimum.beta;
+    assert_eq!(found.optimum.kind, OptimumKind::Bounded);
+    assert!(found.largest[0] <= most);
+    let there = at(&drift, beta) / scale;
+    assert!(there <= most * (1.0 + 1e-6), "{there} {most}");
+    assert!(
+        (there / found.largest[0] - 1.0).abs() < 1e-5,
+        "{there} {}",
+        found.largest[0]
+    );
+    // The bound decides: a hair beyond it the drift is larger, and towards the best drift the acceleration is.
+    assert!(most * (1.0 - 1e-5) < there, "{there} {most}");
+    let value = at(&own, beta);
+    for share in [0.5, 0.8, 0.95, 1.05, 1.25, 2.0] {
+        let other = share * beta;
+        let holds = at(&drift, other) / scale <= most;
+        assert!(!holds || value <= at(&own, other) * (1.0 + 1e-5), "{share}");
+    }
+    // A bound that holds already changes nothing.
+    let wide = [Kept {
+        most: 1.01 * free_drift,
+        ..kept[0]
+    }];
+    let same = system.kept_optimum(&own, &wide).expect("an optimum");
+    assert_eq!(
+        (same.optimum.beta, same.optimum.kind),
+        (free.beta, free.kind)
+    );
+    // Below the best drift no friction holds the bound.
+    let narrow = [Kept {
+        most: 0.99 * least.amplitude,
+        ..kept[0]
+    }];
+    let error = system
+        .kept_optimum(&own, &narrow)
+        .map(|found| found.optimum.beta);
+    let Err(OptimumError::Unreachable {
+        index: 0,
+        least: value,
+        beta,
+    }) = error
+    else {
+        panic!("{error:?}");
+    };
+    assert!((value / least.amplitude - 1.0).abs() < 1e-9, "{value}");
+    assert!((beta / least.beta - 1.0).abs() < 1e-6, "{beta}");
+    // Each of two bounds may hold alone, but not both.
+    let two = [
+        Kept {
+            most: 1.0001 * least.amplitude,
+            ..kept[0]
+        },
+        Kept {
+            of: own.of,
+            size: own.size,
+            most: 1.0001 * free.amplitude,
+        },
+    ];
+    let error = system
+        .kept_optimum(&own, &two)
+        .map(|found| found.optimum.beta);
+    assert!(
+        matches!(error, Err(OptimumError::Unreachable { index: 1, .. })),
+        "{error:?}"
     );
 }

@@ -78,7 +78,7 @@ pub use measure::{Dimension, Measure};
 pub use motion::{Extent, Moving, PartMotion, motions};
 pub use optimum::{OptimumLine, OptimumSensitivityRow, OptimumTable, PeakRow, Tuned};
 pub use periodic::{PeriodicRow, PeriodicSample, PeriodicTable};
-pub use quantity::{base_load, unbalance};
+pub use quantity::{base_load, bound, unbalance};
 pub use sensitivity::{SensitivityRow, SensitivityTable};
 pub use setting::{
     AtFrequency, AtFriction, CONTACT, Frequency, FrequencyUnit, Friction, Part, Setting,

@@ -24,6 +24,15 @@ const UNITS: [(&str, Dimension, f64); 14] = [
     ("mg", Dimension::Acceleration, 1e-3 * GRAVITY),
 ];
 
+/// Units of forces and energies, with their size in SI units.
+const OTHERS: [(&str, Dimension, f64); 5] = [
+    ("N", Dimension::Force, 1.0),
+    ("kN", Dimension::Force, 1e3),
+    ("MN", Dimension::Force, 1e6),
+    ("J", Dimension::Energy, 1.0),
+    ("kJ", Dimension::Energy, 1e3),
+];
+
 /// Splits a text into a number and its unit. The number is `None` if the text does not begin with a number.
 fn number_and_unit(text: &str) -> (Option<f64>, &str) {
     let text = text.trim();
@@ -69,6 +78,35 @@ pub fn base_load(text: &str) -> Result<Load, String> {
     }
 }
 
+/// Returns the bound that a text sets on a quantity, in SI units: `5mm`, `2 m/s2`, `12 kN`. A number without a unit is in
+/// the SI unit.
+///
+/// # Errors
+/// The reason in words, to follow the text.
+pub fn bound(text: &str, dimension: Dimension) -> Result<f64, String> {
+    let (number, unit) = number_and_unit(text);
+    let number = number.filter(|number| 0.0 <= *number && number.is_finite());
+    let number = number.ok_or_else(|| "a bound that is not negative is needed".to_owned())?;
+    if unit.is_empty() {
+        return Ok(number);
+    }
+    let mut units = UNITS.iter().chain(&OTHERS);
+    match units.find(|(name, of, _)| *name == unit && *of == dimension) {
+        Some((_, _, factor)) => Ok(number * factor),
+        None => {
+            let units = UNITS.iter().chain(&OTHERS);
+            let known: Vec<&str> = units
+                .filter(|(_, of, _)| *of == dimension)
+                .map(|(name, ..)| *name)
+                .collect();
+            Err(format!(
+                "the unit `{unit}` does not fit this quantity, whose units are {}",
+                known.join(", ")
+            ))
+        }
+    }
+}
+
 /// Parses a text about the unbalance of a rotor, mass times eccentricity: `0.02` or `0.02 kg m`.
 ///
 /// # Errors
@@ -86,8 +124,25 @@ pub fn unbalance(text: &str) -> Result<Load, String> {
 
 #[cfg(test)]
 mod tests {
-    use super::{base_load, number_and_unit};
+    use super::{base_load, bound, number_and_unit};
+    use crate::study::columns::Dimension;
     use crate::study::units::Load;
+
+    #[test]
+    fn texts_of_bounds() {
+        assert_eq!(bound("5mm", Dimension::Length), Ok(0.005));
+        assert_eq!(bound("0.2 g", Dimension::Acceleration), Ok(1.96133));
+        assert_eq!(bound("12 kN", Dimension::Force), Ok(12e3));
+        assert_eq!(bound("3", Dimension::Energy), Ok(3.0));
+        assert!(
+            bound("5 mm", Dimension::Force)
+                .unwrap_err()
+                .contains("N, kN, MN")
+        );
+        for wrong in ["", "-1 mm", "inf"] {
+            assert!(bound(wrong, Dimension::Length).is_err(), "{wrong}");
+        }
+    }
 
     #[test]
     fn texts_of_loads() {

@@ -8,6 +8,7 @@ mod candidates;
 mod creep;
 mod flat;
 mod grid;
+mod kept;
 mod line;
 mod look;
 mod objective;
@@ -23,6 +24,8 @@ mod verified;
 use super::system::System;
 pub(in crate::study) use amplitude::FrictionAmount;
 pub use answer::{Optimum, OptimumEnd, OptimumKind, OptimumPeak, Tolerance};
+#[doc(hidden)]
+pub use kept::{Kept, KeptOptimum};
 pub(in crate::study) use objective::Objective;
 use problem::OptimumProblem;
 pub use request::{FrequencyBand, OptimumError, OptimumRequest};

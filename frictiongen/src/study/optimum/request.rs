@@ -60,6 +60,16 @@ pub enum OptimumError {
     /// has neither a velocity nor an acceleration.
     /// An equivalent damping ratio has no least value to search for.
     Size,
+    /// A bound on another quantity cannot hold together with the bounds before it.
+    Unreachable {
+        /// The bound, by its place in the request.
+        index: usize,
+        /// The least largest value over the band that this quantity reaches while the bounds before it hold, in the unit
+        /// of the bound.
+        least: f64,
+        /// The friction ratio at which it reaches this value.
+        beta: f64,
+    },
 }
 
 impl std::fmt::Display for OptimumError {
@@ -86,6 +96,13 @@ impl std::fmt::Display for OptimumError {
             }
             Self::Interval => "both bounds of an interval must be finite, the second above the first",
             Self::Scene(error) => return error.fmt(f),
+            Self::Unreachable { index, least, beta } => {
+                return write!(
+                    f,
+                    "bound {} cannot hold together with those before it: the least value is {least}, with the friction ratio {beta}",
+                    index + 1
+                );
+            }
             Self::Size => {
                 "the search minimises displacements, velocities, accelerations and forces, and of the contact also force and energy; a force has neither a velocity nor an acceleration, and `zeta_eq` is best where it is large"
             }

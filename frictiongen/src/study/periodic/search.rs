@@ -76,7 +76,7 @@ pub(super) fn steady(
     let mut periods = WARM;
     for _ in 0..ATTEMPTS {
         search.walk.periods(periods)?;
-        search.walk.to_quiet()?;
+        search.walk.reach_quiet()?;
         for period in search.periods(periods)? {
             if let Some(fixed) = search.newton(period)?
                 && fixed.largest() < 1.0 + ON_CIRCLE

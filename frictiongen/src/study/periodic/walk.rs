@@ -118,7 +118,7 @@ impl<'a> Walk<'a> {
     }
 
     /// Advances by one period, and then to the middle of the longest sequence of steps without an event.
-    pub fn to_quiet(&mut self) -> Result<(), PeriodicError> {
+    pub fn reach_quiet(&mut self) -> Result<(), PeriodicError> {
         let count = self.load.points.len();
         let mut eventful = Vec::with_capacity(count);
         for _ in 0..count {

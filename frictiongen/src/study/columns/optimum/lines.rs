@@ -5,6 +5,7 @@ use crate::study::columns::builder::Columns;
 use crate::study::columns::cell::Cell;
 use crate::study::columns::column::{Column, Head, Kind, Row, Shown};
 use crate::study::columns::measure::Dimension;
+use crate::study::columns::setting::Part;
 use crate::study::optimum::{Optimum, Tunable, TunedOptimum, TunedPoint};
 
 /// A row: one value of the answer, with its label and its key.
@@ -77,6 +78,17 @@ impl<'a> OptimumTable<'a> {
     /// Returns the answer as lines: the best friction, its peaks, tolerances and sensitivities.
     #[must_use]
     pub fn lines(&self, optimum: &Optimum, tuned: Option<&Tuned<'_>>) -> Vec<OptimumLine> {
+        self.lines_with(optimum, tuned, &[])
+    }
+
+    /// Returns the answer as lines, with the largest value of each kept quantity. Each has its part, its bound and the value.
+    #[must_use]
+    pub fn lines_with(
+        &self,
+        optimum: &Optimum,
+        tuned: Option<&Tuned<'_>>,
+        kept: &[(Part, f64, f64)],
+    ) -> Vec<OptimumLine> {
         let mut lines = Vec::new();
         if let Some(tuned) = tuned {
             self.tuned(tuned, &mut lines);
@@ -94,6 +106,7 @@ impl<'a> OptimumTable<'a> {
             .lines(&columns, optimum);
         };
         once(&mut lines, self.best());
+        self.kept_lines(kept, optimum.reference, &mut lines);
         self.peak_lines(optimum, &mut lines);
         self.tolerance_lines(optimum, &mut lines);
         once(&mut lines, self.bounds());
@@ -103,6 +116,36 @@ impl<'a> OptimumTable<'a> {
         }
         once(&mut lines, self.effort());
         lines
+    }
+
+    /// Adds two lines for each kept quantity: its largest value, and its bound.
+    fn kept_lines(&self, kept: &[(Part, f64, f64)], reference: f64, lines: &mut Vec<OptimumLine>) {
+        let measure = &self.setting.measure;
+        for (row, (part, most, largest)) in (1..).zip(kept) {
+            let dimension = part.dimension();
+            let mut entry = LineEntry {
+                lines: &mut *lines,
+                list: Some("kept"),
+                row: Some(row),
+                excess: None,
+                name: "",
+            };
+            let unit = match measure.unit(dimension) {
+                "" => measure.reference(dimension),
+                unit => unit,
+            };
+            for (key, label, value) in [
+                (
+                    "largest",
+                    format!("largest value of {}", part.name),
+                    largest,
+                ),
+                ("bound", "  which is at most".to_owned(), most),
+            ] {
+                let value = measure.convert(dimension, *value, reference);
+                entry.line(key, label, value.into(), unit);
+            }
+        }
     }
 
     /// Adds a line for the number that was optimised.

@@ -1,0 +1,231 @@
+//! Fits printed tables into the width of a terminal: the asked quantities first, and r and β only on request.
+
+use crate::layout::Layout;
+use crate::table;
+use frictiongen::study::columns::{Axis, Column};
+use std::io::{self, IsTerminal as _, Write};
+
+/// Width of a table on a terminal, in characters.
+const WIDTH: usize = 100;
+/// Indentation of the second and later lines of a wrapped text.
+const INDENT: usize = 29;
+/// Width of the gap between two columns.
+const GAP: usize = 2;
+
+/// The room of a printed table.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Fit {
+    /// Largest width in characters. `None` for a table of any width.
+    pub width: Option<usize>,
+    /// True if the table has r and β beside Hz and N.
+    pub groups: bool,
+}
+
+impl Fit {
+    /// Returns the room on standard output: 100 characters on a terminal, otherwise any width.
+    pub fn of_output(groups: bool) -> Self {
+        let width = io::stdout().is_terminal().then_some(WIDTH);
+        Self { width, groups }
+    }
+
+    /// Returns the columns that fit, and the names of the others.
+    pub fn chosen<'a, R>(
+        self,
+        columns: Vec<Column<'a, R>>,
+        layout: Layout,
+    ) -> (Vec<Column<'a, R>>, Vec<String>) {
+        let Some(width) = self.width else {
+            return (columns, Vec::new());
+        };
+        let ranks: Vec<Option<usize>> = self.ranks(&columns);
+        let mut kept: Vec<bool> = columns.iter().map(|column| !column.is_in_text()).collect();
+        let mut places: Vec<usize> = (0..columns.len()).collect();
+        places.sort_by_key(|place| ranks.get(*place).copied().flatten().unwrap_or(usize::MAX));
+        let mut used = 0;
+        for place in places {
+            let (Some(column), Some(Some(rank))) = (columns.get(place), ranks.get(place)) else {
+                continue;
+            };
+            let wide = if layout == Layout::Lines && column.part.is_some() {
+                own_width(&columns, column)
+            } else {
+                let title = heading(column, layout);
+                let title: Vec<&str> = title.iter().map(String::as_str).collect();
+                table::Column::of(column, &title).width() + GAP
+            };
+            if (used + wide <= width || *rank == 0)
+                && let Some(kept) = kept.get_mut(place)
+            {
+                *kept = true;
+                used += wide;
+            }
+        }
+        if layout == Layout::Lines {
+            follow_first(&columns, &mut kept);
+        }
+        let (mut shown, mut left) = (Vec::new(), Vec::new());
+        for (column, kept) in columns.into_iter().zip(kept) {
+            if kept {
+                shown.push(column);
+            } else {
+                let name = match layout {
+                    Layout::Lines => column.name_in_part(),
+                    _ => column.key(),
+                };
+                if !left.contains(&name) {
+                    left.push(name);
+                }
+            }
+        }
+        (shown, left)
+    }
+
+    /// Returns the order in which columns get room, 0 for those that every table has. `None` for columns without room.
+    fn ranks<R>(self, columns: &[Column<'_, R>]) -> Vec<Option<usize>> {
+        let mut part: Option<&str> = None;
+        let mut place = 0;
+        let mut ranks = Vec::with_capacity(columns.len());
+        for column in columns {
+            let own = column.part.as_deref();
+            place = if own.is_some() && own == part {
+                place + 1
+            } else {
+                0
+            };
+            part = own;
+            ranks.push(match own {
+                _ if !column.is_in_text() => None,
+                None if is_group(columns, column) => self.groups.then_some(1),
+                None if column.axis != Axis::Row => Some(0),
+                None if is_answer(column.name()) => Some(2),
+                None => Some(4),
+                // The amplitude of each motion comes before all other numbers, and its phase before most.
+                Some(_) if place == 0 || column.name().starts_with("largest") => Some(1),
+                Some(_) if column.name().starts_with("phase") => Some(3),
+                Some(_) => Some(4 + place),
+            });
+        }
+        ranks
+    }
+
+    /// Writes a text with the lines wrapped at blanks.
+    pub fn wrapped(self, text: &str, out: &mut dyn Write) -> io::Result<()> {
+        let Some(width) = self.width else {
+            return out.write_all(text.as_bytes());
+        };
+        for line in text.lines() {
+            let mut rest = line;
+            let mut indent = "";
+            while width < indent.len() + rest.chars().count() {
+                let room = width.saturating_sub(indent.len());
+                let end = rest
+                    .char_indices()
+                    .nth(room)
+                    .map_or(rest.len(), |(end, _)| end);
+                let head = rest.get(..end).unwrap_or(rest);
+                let Some(cut) = head.trim_end().rfind(' ').filter(|cut| *cut > room / 3) else {
+                    break;
+                };
+                writeln!(
+                    out,
+                    "{indent}{}",
+                    head.get(..cut).unwrap_or(head).trim_end()
+                )?;
+                rest = rest.get(cut..).unwrap_or_default().trim_start();
+                indent = BLANKS.get(..INDENT).unwrap_or_default();
+            }
+            writeln!(out, "{indent}{rest}")?;
+        }
+        Ok(())
+    }
+
+    /// Writes which columns a table leaves out.
+    pub fn note(self, left: &[String], out: &mut dyn Write) -> io::Result<()> {
+        if left.is_empty() {
+            return Ok(());
+        }
+        let groups = left.iter().any(|name| name == "r" || name == "beta");
+        let more = if groups {
+            "--groups has r and beta; "
+        } else {
+            ""
+        };
+        let names = left.join(", ");
+        let width = self.width.unwrap_or(WIDTH);
+        let text = format!(
+            "\nleft out to fit {width} columns: {names}\n{more}--width 0, --csv and --json have every column\n"
+        );
+        self.wrapped(&text, out)
+    }
+}
+
+/// Blanks for the indentation.
+const BLANKS: &str = "                                        ";
+
+/// Returns true if a column has a frequency ratio or a friction ratio, beside a column with the same in Hz or N.
+fn is_group<R>(columns: &[Column<'_, R>], column: &Column<'_, R>) -> bool {
+    let physical = match column.name() {
+        "r" => "frequency_Hz".to_owned(),
+        "beta" => "friction_N".to_owned(),
+        name => format!("{name}_N"),
+    };
+    let rad = "omega_rad_s";
+    let mut others = columns.iter();
+    others.any(|other| other.name() == physical || (column.name() == "r" && other.name() == rad))
+}
+
+/// Returns true for the columns of a row without which its numbers cannot be read.
+fn is_answer(name: &str) -> bool {
+    let starts = [
+        "regime",
+        "state",
+        "friction",
+        "amplitude",
+        "feature",
+        "what",
+    ];
+    name == "of" || starts.iter().any(|start| name.starts_with(start))
+}
+
+/// Returns the lines of a column's heading.
+fn heading<R>(column: &Column<'_, R>, layout: Layout) -> Vec<String> {
+    let part = column.part.iter().filter(|_| layout != Layout::Lines);
+    part.chain(&column.title).cloned().collect()
+}
+
+/// Keeps the columns of every motion that are kept of the first one, because all motions have the same columns.
+fn follow_first<R>(columns: &[Column<'_, R>], kept: &mut [bool]) {
+    let first = columns.iter().find_map(|column| column.part.as_ref());
+    let of_first: Vec<(String, bool)> = columns
+        .iter()
+        .zip(&*kept)
+        .filter(|(column, _)| column.part.is_some() && column.part.as_ref() == first)
+        .map(|(column, kept)| (column.name_in_part(), *kept))
+        .collect();
+    let others = columns.iter().zip(kept.iter_mut());
+    for (column, kept) in others.filter(|(column, _)| column.part.is_some()) {
+        let name = column.name_in_part();
+        if let Some((_, own)) = of_first.iter().find(|(other, _)| *other == name) {
+            *kept = *own;
+        }
+    }
+}
+
+/// Returns the width that a column of a motion adds to a table with one line for each motion. Only the first motion's
+/// columns add one, and the first of these adds the column of names too.
+fn own_width<R>(columns: &[Column<'_, R>], column: &Column<'_, R>) -> usize {
+    let first = columns.iter().find_map(|other| other.part.as_ref());
+    if column.part.as_ref() != first {
+        return 0;
+    }
+    let title: Vec<&str> = column.title.iter().map(String::as_str).collect();
+    let names = columns.iter().filter_map(|other| other.part.as_deref());
+    let own = columns.iter().find(|other| other.part.as_ref() == first);
+    let is_first = own.is_some_and(|own| own.key() == column.key());
+    let name = if is_first {
+        table::Column::words(&["motion"], names).width() + GAP
+    } else {
+        0
+    };
+    table::Column::of(column, &title).width() + GAP + name
+}

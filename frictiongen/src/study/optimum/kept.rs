@@ -1,0 +1,288 @@
+//! Finds the best friction among those that keep other quantities within bounds.
+//!
+//! Every bound is checked over the whole band at the friction that is returned. The search knows from its scan over friction
+//! where all bounds hold. A friction that violates one is moved towards a friction that holds all, by bisection.
+
+use super::amplitude::FrictionAmount;
+use super::answer::{Optimum, OptimumEnd, OptimumKind};
+use super::look::Closely;
+use super::peaks::AmplitudeBand;
+use super::problem::OptimumProblem;
+use super::request::{OptimumError, OptimumRequest};
+use super::scan::{Scanned, scanned_at, slope, with_slope};
+use super::search::{Least, narrowed};
+use crate::Of;
+use crate::study::response::Size;
+use crate::study::system::System;
+
+/// Halvings between a friction that holds all bounds and one that does not.
+const HALVINGS: usize = 36;
+/// Relative width at which the halvings end.
+const NARROW: f64 = 1e-9;
+/// Largest number of frictions at which the search continues after a check of the whole band shows a violated bound.
+const CHECKS: usize = 12;
+/// A point of the scan is examined if its value is within this factor of the best point that holds all bounds.
+const NEARLY: f64 = 1.5;
+/// Share of the largest value from which a peak is added to the evaluations at other frictions.
+const WORTH: f64 = 0.9;
+/// Largest number of such points.
+const MOST_POINTS: usize = 6;
+
+/// A quantity whose largest value over the band must not exceed a bound.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Kept {
+    /// The motion.
+    pub of: Of,
+    /// The quantity of the motion.
+    pub size: Size,
+    /// The bound, in the unit in which [`Optimum::amplitude`] is for this quantity.
+    pub most: f64,
+}
+
+/// The best friction within bounds.
+#[derive(Clone, Debug)]
+pub struct KeptOptimum {
+    /// The best friction.
+    pub optimum: Optimum,
+    /// The largest value over the band of each kept quantity with this friction, in the order of the bounds.
+    pub largest: Vec<f64>,
+}
+
+impl System {
+    /// Returns the friction with which the largest value of a quantity over a band is smallest, among the frictions with
+    /// which other quantities stay within their bounds over the whole band.
+    ///
+    /// # Errors
+    /// Same errors as [`optimum`](System::optimum), and [`OptimumError::Unreachable`] if the bounds cannot hold together.
+    pub fn kept_optimum(
+        &self,
+        request: &OptimumRequest,
+        kept: &[Kept],
+    ) -> Result<KeptOptimum, OptimumError> {
+        let own = OptimumProblem::new(self, request)?;
+        let others = kept.iter().map(|kept| {
+            let (of, size) = (kept.of, kept.size);
+            let request = OptimumRequest {
+                of,
+                size,
+                ..request.clone()
+            };
+            OptimumProblem::new(self, &request)
+        });
+        let others = others.collect::<Result<Vec<_>, _>>()?;
+        let search = KeptSearch {
+            band: own.band(),
+            others: others.iter().map(OptimumProblem::band).collect(),
+            most: kept.iter().map(|kept| kept.most).collect(),
+        };
+        let least = OptimumProblem::least(&search.band, super::WORK)?;
+        let (at, bounded) = search.best(&others, &least)?;
+        let largest = search.largest(at.beta);
+        if !bounded {
+            let optimum = own.told(&search.band, &least)?;
+            return Ok(KeptOptimum { optimum, largest });
+        }
+        let beta = at.beta;
+        let least = Least {
+            bracket: [beta; 2],
+            at,
+            ..least
+        };
+        let optimum = Optimum {
+            kind: OptimumKind::Bounded,
+            end: OptimumEnd::Converged,
+            beyond_jump: None,
+            // Neither describes a friction that a bound holds.
+            tolerances: Vec::new(),
+            sensitivities: Vec::new(),
+            ..own.told(&search.band, &least)?
+        };
+        Ok(KeptOptimum { optimum, largest })
+    }
+}
+
+/// A search with the bands of all quantities.
+struct KeptSearch<'s> {
+    band: AmplitudeBand<'s>,
+    others: Vec<AmplitudeBand<'s>>,
+    most: Vec<f64>,
+}
+
+impl<'s> KeptSearch<'s> {
+    /// Returns the best friction, and true if a bound moved it.
+    fn best(
+        &self,
+        others: &[OptimumProblem<'s>],
+        least: &Least,
+    ) -> Result<(Scanned, bool), OptimumError> {
+        if self.holds(least.at.beta) {
+            return Ok((least.at.clone(), false));
+        }
+        let mut points: Vec<f64> = least.scan.iter().map(|point| point.beta).collect();
+        points.push(least.at.beta);
+        if !points.iter().any(|beta| self.seems_to_hold(*beta)) {
+            points.extend(self.reachable(others)?);
+        }
+        points.sort_by(f64::total_cmp);
+        points.dedup();
+        let mut known: Vec<(f64, bool)> = points
+            .iter()
+            .map(|beta| (*beta, self.seems_to_hold(*beta)))
+            .collect();
+        self.band.amplitude.allow(super::WORK);
+        for _ in 0..CHECKS {
+            let Some(found) = self.refined(&known) else {
+                break;
+            };
+            if self.holds(found.beta) {
+                return Ok((self.whole(&self.band, found.beta), true));
+            }
+            // The first look had missed a peak, which further looks know.
+            for (beta, holds) in &mut known {
+                *holds = *holds && self.seems_to_hold(*beta);
+            }
+            let beta = found.beta;
+            known.retain(|(other, _)| *other != beta);
+            known.push((beta, false));
+            known.sort_by(|a, b| a.0.total_cmp(&b.0));
+        }
+        let fallback = self.reachable(others)?;
+        let holds = fallback.into_iter().find(|beta| self.holds(*beta));
+        let beta = holds.ok_or(OptimumError::TooLong)?;
+        Ok((self.whole(&self.band, beta), true))
+    }
+
+    /// Returns the best friction between the points of which it is known whether they hold all bounds.
+    fn refined(&self, known: &[(f64, bool)]) -> Option<Scanned> {
+        let value = |beta: f64| scanned_at(&self.band, beta, f64::INFINITY);
+        let mut all: Vec<(usize, Scanned)> = known
+            .iter()
+            .enumerate()
+            .filter(|(_, (_, holds))| *holds)
+            .map(|(place, (beta, _))| (place, value(*beta)))
+            .collect();
+        all.sort_by(|a, b| a.1.value.total_cmp(&b.1.value));
+        let top = all.first()?.1.value;
+        let mut best: Option<Scanned> = None;
+        let mut note = |found: Scanned| {
+            if best.as_ref().is_none_or(|best| found.value < best.value) {
+                best = Some(found);
+            }
+        };
+        for (place, here) in all
+            .into_iter()
+            .filter(|(_, here)| here.value <= NEARLY * top)
+            .take(MOST_POINTS)
+        {
+            let sides = [place.checked_sub(1), Some(place + 1)];
+            let ends = sides.map(|side| {
+                let (beta, holds) = side.and_then(|side| known.get(side)).copied()?;
+                let end = if holds {
+                    beta
+                } else {
+                    self.edge(here.beta, beta)
+                };
+                Some(value(end))
+            });
+            for end in ends.iter().flatten() {
+                if self.seems_to_hold(end.beta) {
+                    note(end.clone());
+                }
+            }
+            let [below, above] = ends.map(|end| end.unwrap_or_else(|| here.clone()));
+            if below.beta < above.beta {
+                let found = narrowed(&self.band, (&below, &above), Some(here.clone())).at;
+                if self.seems_to_hold(found.beta) {
+                    note(found);
+                }
+            }
+            note(here);
+        }
+        best
+    }
+
+    /// Returns the last friction that holds all bounds on the way from one that does to one that does not.
+    fn edge(&self, mut holds: f64, mut violates: f64) -> f64 {
+        for _ in 0..HALVINGS {
+            if (holds - violates).abs() <= NARROW * holds.max(violates) {
+                break;
+            }
+            let middle = 0.5 * (holds + violates);
+            if self.seems_to_hold(middle) {
+                holds = middle;
+            } else {
+                violates = middle;
+            }
+        }
+        holds
+    }
+
+    /// Returns frictions that hold the bounds, if the scan has none.
+    ///
+    /// # Errors
+    /// [`OptimumError::Unreachable`] names the first bound that cannot hold together with those before it.
+    fn reachable(&self, others: &[OptimumProblem<'s>]) -> Result<Vec<f64>, OptimumError> {
+        let mut found = Vec::new();
+        for (index, problem) in others.iter().enumerate() {
+            let before = others.get(..index).unwrap_or_default();
+            let search = KeptSearch {
+                band: problem.band(),
+                others: before.iter().map(OptimumProblem::band).collect(),
+                most: self.most.iter().take(index).copied().collect(),
+            };
+            let least = OptimumProblem::least(&search.band, super::WORK)?;
+            let (at, _) = search.best(before, &least)?;
+            let value = search.whole(&search.band, at.beta).value;
+            let most = self.most.get(index).copied().unwrap_or(f64::INFINITY);
+            if !(value <= most) {
+                let (least, beta) = (value, at.beta);
+                return Err(OptimumError::Unreachable { index, least, beta });
+            }
+            found.push(at.beta);
+        }
+        // The last of them holds all bounds.
+        Ok(found.split_off(found.len().saturating_sub(1)))
+    }
+
+    /// Returns true if all bounds hold at the frequencies that decide about most frictions.
+    fn seems_to_hold(&self, beta: f64) -> bool {
+        self.others.iter().zip(&self.most).all(|(band, most)| {
+            let found = scanned_at(band, beta, *most);
+            found.complete && found.value <= *most
+        })
+    }
+
+    /// Returns true if all bounds hold over the whole band.
+    fn holds(&self, beta: f64) -> bool {
+        let largest = self.largest(beta);
+        largest
+            .iter()
+            .zip(&self.most)
+            .all(|(value, most)| value <= most)
+    }
+
+    /// Returns the largest value over the band of each kept quantity.
+    fn largest(&self, beta: f64) -> Vec<f64> {
+        let bands = self.others.iter();
+        bands.map(|band| self.whole(band, beta).value).collect()
+    }
+
+    /// Evaluates the whole band, whose largest peaks further looks then know.
+    fn whole(&self, band: &AmplitudeBand<'_>, beta: f64) -> Scanned {
+        let friction = FrictionAmount::Ratio(beta);
+        let several = 1.0 < band.amplitude.system.scene().stiction;
+        band.amplitude.allow(usize::MAX);
+        if several {
+            band.amplitude.follow_from_rest();
+        }
+        let mut look = band.look(band.open(friction), f64::INFINITY, Closely::Whole);
+        if several {
+            band.add_grid(&mut look, friction, f64::INFINITY);
+        }
+        let most = look.peaks.first().map_or(0.0, |peak| peak.value);
+        for peak in look.peaks.iter().filter(|peak| WORTH * most <= peak.value) {
+            band.learn_around(peak.r);
+        }
+        with_slope(beta, look, |peak| slope(band, beta, peak))
+    }
+}
