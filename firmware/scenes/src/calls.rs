@@ -104,7 +104,7 @@ const NOTHING: Complex<f32> = Complex { re: 0.0, im: 0.0 };
 /// Factor on the friction of the continuous motions that makes the contact stop.
 const STOPPING: f32 = 10.0;
 
-calls! { f32 SINGLE 35:
+calls! { f32 SINGLE 38:
     sdof_without_search "SDOF f32" "limits without search" |at| {
         let limits = Sdof::limits_without_search(at.r)?;
         [limits.continuous, limits.sliding]
@@ -274,6 +274,20 @@ calls! { f32 SINGLE 35:
         let found = transmissibility(sums.0, sums.1).unwrap_or(NOTHING);
         let beta = friction_ratio(found, fundamental(0.0)?, fundamental(0.01)?, 0.01);
         [beta.unwrap_or(-1.0), at_r.continuous_limit_without_search()]
+    };
+    elastic_sdof "SDOF f32, elastic contact, [orbit]" "steady state: amplitude of the contact, stuck fraction" |at| {
+        let at_r = stopping::SdofElastic::at(at.r)?;
+        let orbit = at_r.orbit(at.beta * STOPPING)?;
+        [orbit.contact().amplitude(), orbit.stuck_fraction()]
+    };
+    elastic_five "5DOF damped f32, elastic contact, [orbit]" "steady state: amplitude of the contact, stuck fraction" |at| {
+        let at_r = stopping::FiveElastic::at(at.r)?;
+        let orbit = at_r.orbit(at.beta * STOPPING)?;
+        [orbit.contact().amplitude(), orbit.stuck_fraction()]
+    };
+    elastic_stuck "SDOF f32, elastic contact, [stuck]" "stuck response" |at| {
+        let stuck = stopping::SdofElastic::at(at.r)?.stuck()?.mass_1();
+        [stuck.re, stuck.im]
     };
 }
 

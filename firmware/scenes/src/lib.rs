@@ -65,6 +65,33 @@ pub mod stopping {
             provide: [orbit],
         }
     }
+
+    frictiongen::friction_system! {
+        /// One mass with an elastic contact.
+        pub struct SdofElastic {
+            masses: { mass_1: 1.0 },
+            springs: { base - mass_1: 1.0 },
+            contact: mass_1 - wall,
+            stiffness: 5.0,
+            excitation: mass_1,
+            scalar: f32,
+            provide: [stuck, orbit],
+        }
+    }
+
+    frictiongen::friction_system! {
+        /// Five damped masses with an elastic contact between the third one and the moving base.
+        pub struct FiveElastic {
+            masses: { m1: 1.0, m2: 1.0, m3: 1.0, m4: 1.0, upper: 0.5 },
+            springs: { base - m1: 1.0, m1 - m2: 1.0, m2 - m3: 1.0, m3 - m4: 1.0, m4 - upper: 1.0 },
+            contact: m3 - base,
+            stiffness: 5.0,
+            excitation: base,
+            damping: modal(0.02),
+            scalar: f32,
+            provide: [orbit],
+        }
+    }
 }
 
 frictiongen::friction_system! {

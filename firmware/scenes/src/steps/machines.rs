@@ -155,6 +155,38 @@ machine! {
 }
 
 machine! {
+    one_elastic "1 mass f32, undamped, elastic contact, force held" f32 false m1 |load, friction| { force: load[0], friction: friction }
+    masses: { m1: 3.25 },
+    springs: { base - m1: 1323.0 },
+    contact: m1 - wall,
+    stiffness: 1.0e4,
+    excitation: m1,
+    input: hold,
+}
+
+machine! {
+    two_elastic "2 masses f32, damped, elastic contact, on a moving base, linear" f32 true m2 |load, friction| { displacement: load[0], velocity: load[1], friction: friction }
+    masses: { m1: 3.25, m2: 3.25 },
+    springs: { base - m1: 1323.0, m1 - m2: 1323.0 },
+    contact: m2 - wall,
+    stiffness: 1.0e4,
+    excitation: base,
+    damping: modal(0.02),
+    input: linear,
+}
+
+machine! {
+    five_elastic "5 masses f32, damped, elastic contact, on a moving base, linear" f32 true m5 |load, friction| { displacement: load[0], velocity: load[1], friction: friction }
+    masses: { m1: 3.25, m2: 3.25, m3: 3.25, m4: 3.25, m5: 3.25 },
+    springs: { base - m1: 1323.0, m1 - m2: 1323.0, m2 - m3: 1323.0, m3 - m4: 1323.0, m4 - m5: 1323.0 },
+    contact: m5 - wall,
+    stiffness: 1.0e4,
+    excitation: base,
+    damping: modal(0.02),
+    input: linear,
+}
+
+machine! {
     one_force_double "1 mass f64, undamped, force held" f64 false m1 |load, friction| { force: load[0], friction: friction }
     masses: { m1: 3.25 },
     springs: { base - m1: 1323.0 },
@@ -210,6 +242,9 @@ pub fn visit(visitor: &mut impl Visitor) {
     visitor.visit::<five_base::Run>();
     visitor.visit::<ten_force::Run>();
     visitor.visit::<ten_base::Run>();
+    visitor.visit::<one_elastic::Run>();
+    visitor.visit::<two_elastic::Run>();
+    visitor.visit::<five_elastic::Run>();
     visitor.visit::<one_force_double::Run>();
     visitor.visit::<one_base_double::Run>();
     visitor.visit::<two_force_double::Run>();
