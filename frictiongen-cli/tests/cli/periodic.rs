@@ -32,10 +32,9 @@ fn a_table_of_one_period() {
     let text = output("", &[&asked[..], &["--csv"]].concat());
     assert_eq!(texts(&text, "state"), ["stable", "stable", "marginal"]);
     assert_eq!(column(&text, "period"), [1.0; 3]);
-    let works =
+    let [loads, frictions, dampings] =
         ["load", "friction", "damping"].map(|name| column(&text, &format!("{name}_work_J")));
-    for row in 0..2 {
-        let [load, friction, damping] = [0, 1, 2].map(|which| works[which][row]);
+    for ((load, friction), damping) in loads.iter().zip(frictions).zip(dampings).take(2) {
         assert!(0.0 < friction && 0.0 < damping);
         assert!((load - friction - damping).abs() < 1e-10 * load);
     }

@@ -88,7 +88,7 @@ impl std::fmt::Display for LoadError {
                 f,
                 "with the stiffness of the first spring, this load makes a length or a force too small or too large to compute with"
             ),
-            Self::SeveralContacts => Unsupported::SeveralContacts.fmt(f),
+            Self::SeveralContacts => crate::Unsupported::SeveralContacts.fmt(f),
             Self::Varies => write!(
                 f,
                 "the amplitude of this load depends on frequency, which `limits`, `response`, `orbit`, `curve`, `optimum` and `sensitivity` take into account; give a base motion in m, or a force"
