@@ -506,7 +506,8 @@ const _: () = {
             /// points of a friction law over the speed: speed, kinetic friction over F
             law: &[],
         };
-        /// Tables for a step of dt: constants for `STEP`, if the scene declares a step, otherwise computed here.
+        /// Tables for the step dt, s. If dt is the declared step `STEP`, the tables are constants. Otherwise this
+        /// function computes them.
         #[inline]
         fn step_tables(dt: f64) -> Result<FixedTables<f64, 4, 2, 2, 1>, OutOfDomain> {
             if dt.to_bits() == Self::STEP.to_bits() {

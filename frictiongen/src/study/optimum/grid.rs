@@ -4,7 +4,7 @@
 //! between these frequencies. Only a computation of the motion reveals these jumps.
 
 use super::amplitude::FrictionAmount;
-use super::look::{BandPeak, Look, sorted};
+use super::look::{BandPeak, Look, PLACE, sorted};
 use super::peaks::AmplitudeBand;
 
 /// Relative distance of neighbouring frequencies of the grid. It is a third of the narrowest known range of stick-slip
@@ -16,8 +16,8 @@ const MOST_INTERVALS: f64 = 1500.0;
 const WORTH: f64 = 0.98;
 /// Number of passes over the grid. Each pass takes every ninth frequency.
 const PASSES: usize = 9;
-/// Relative tolerance in r of the position of a peak that a grid point has found.
-const NEAR: f64 = 1e-5;
+/// Relative difference of two amplitudes from which they belong to two peaks.
+const ANOTHER: f64 = 1e-6;
 /// Number of frequencies on each side of the largest peak that are evaluated in addition to the grid.
 const DENSE: i32 = 24;
 /// Relative distance of the farthest of these frequencies from the peak, in grid widths.
@@ -81,14 +81,25 @@ impl AmplitudeBand<'_> {
             .collect();
         found.sort_by(|a, b| b.value.total_cmp(&a.value));
         found.truncate(MOST);
-        if look.complete
-            && let Some(top) = found.first_mut()
+        // Near a peak that is already known exactly, a lower point of the grid adds nothing.
+        found.retain(|peak| {
+            let covers = |known: &BandPeak| {
+                (known.r - peak.r).abs() <= FINE * peak.r && peak.value <= known.value
+            };
+            !look.peaks.iter().any(covers)
+        });
+        look.peaks = sorted(look.peaks.iter().copied().chain(found).collect());
+        if let Some(top) = look.peaks.first().copied()
+            && look.complete
         {
-            *top = self.densely(*top, friction);
+            let denser = self.densely(top, friction);
+            if top.value * (1.0 + ANOTHER) < denser.value {
+                look.peaks.insert(0, denser);
+            }
             look.complete = !self.amplitude.is_spent();
         }
-        look.peaks = sorted(look.peaks.iter().copied().chain(found).collect());
     }
+
     /// Returns the largest amplitude at frequencies close together around a peak. Between frequencies of the grid the
     /// motion may end in a state with a larger amplitude.
     fn densely(&self, peak: BandPeak, friction: FrictionAmount) -> BandPeak {
@@ -110,6 +121,6 @@ impl AmplitudeBand<'_> {
             let share = side * FINE * SPREAD / f64::from(DENSE);
             (top.r * (1.0 + share)).clamp(from, to)
         });
-        self.climbed(ends, (top.r, top.value), friction, NEAR)
+        self.climbed(ends, (top.r, top.value), friction, PLACE)
     }
 }

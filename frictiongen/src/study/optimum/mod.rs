@@ -32,7 +32,7 @@ pub use request::{FrequencyBand, OptimumError, OptimumRequest};
 pub use tuned::{Tunable, TunedOptimum, TunedPoint, Tuning, UnknownTunable};
 
 /// Default bound on the work of a search, in units of about 10 µs.
-const WORK: usize = 2_500_000;
+const WORK: usize = 2_000_000;
 
 impl System {
     /// Returns the friction for which the largest amplitude of a motion over a band of frequencies is smallest. If the
@@ -51,8 +51,8 @@ impl System {
     ///
     /// With μ > 1 the first comparison of friction ratios uses the closed form if β is below both limits. The search
     /// then computes motion from rest over a fine grid of the band, at the friction ratios that seem best. The
-    /// amplitude of the result is the largest on that grid. A peak between two grid points, which are 0.25 % apart, may
-    /// be higher.
+    /// amplitude of the result is the largest on that grid. Grid points are 0.25 % apart, and 0.01 % around the largest
+    /// peak. A peak between two grid points may be higher.
     ///
     /// ```
     /// use frictiongen::study::{System, optimum::{FrequencyBand, OptimumKind, OptimumRequest}, response::Size, units::Load};

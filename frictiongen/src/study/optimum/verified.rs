@@ -14,7 +14,8 @@ use super::search::{minimum, narrowed};
 
 /// Largest number of friction ratios that are evaluated on the grid in one round.
 const MOST: usize = 24;
-/// A friction ratio is checked only if its lower bound is below this fraction of the lowest checked amplitude.
+/// Fraction of the lowest checked amplitude. A friction ratio of the scan is checked only if its lower bound is below
+/// this value. The minima between such friction ratios are checked even if they improve the amplitude by less.
 const BETTER: f64 = 0.999;
 /// Number of rounds in which friction ratios are added around the best one.
 const ABOUT: usize = 3;
@@ -33,6 +34,8 @@ struct Bounded {
     at: Scanned,
     /// Number of peaks that were known when the bound was computed.
     known: usize,
+    /// Interval that contains the minimum of a search between two friction ratios.
+    bracket: Option<[f64; 2]>,
 }
 
 /// The friction ratios that a search compares, and the lowest amplitude that was checked on the grid.
@@ -40,14 +43,16 @@ struct Checks<'b, 's> {
     band: &'b AmplitudeBand<'s>,
     open: Vec<Bounded>,
     best: Option<Scanned>,
+    /// A friction ratio is checked only if its lower bound is below this fraction of the lowest checked amplitude.
+    better: f64,
     /// Number of peaks that the checks have added to all further evaluations.
     known: usize,
 }
 
 impl Checks<'_, '_> {
-    fn add(&mut self, at: Scanned) {
+    fn add(&mut self, at: Scanned, bracket: Option<[f64; 2]>) {
         let known = self.known;
-        self.open.push(Bounded { at, known });
+        self.open.push(Bounded { at, known, bracket });
     }
 
     /// Returns the lowest checked amplitude, or infinity before the first check.
@@ -57,7 +62,7 @@ impl Checks<'_, '_> {
 
     /// Returns the index of the lowest bound that is below the lowest checked amplitude.
     fn next(&self) -> Option<usize> {
-        let below = BETTER * self.level();
+        let below = self.better * self.level();
         let open = self.open.iter().enumerate();
         let open = open.filter(|(_, of)| !of.at.whole && of.at.complete && of.at.value < below);
         let least = open.min_by(|(_, a), (_, b)| a.at.value.total_cmp(&b.at.value));
@@ -90,7 +95,8 @@ impl Checks<'_, '_> {
             }
             let known = self.known;
             if let Some(of) = self.open.get_mut(index) {
-                *of = Bounded { at, known };
+                of.at = at;
+                of.known = known;
             }
         }
     }
@@ -147,7 +153,7 @@ impl Checks<'_, '_> {
             for part in 1..PARTS {
                 let between = beta + (end - beta) * f64::from(part) / f64::from(PARTS);
                 if between != beta && !self.band.amplitude.is_spent() {
-                    self.add(scanned_at(self.band, between, level));
+                    self.add(scanned_at(self.band, between, level), None);
                 }
             }
         }
@@ -170,10 +176,11 @@ impl Checks<'_, '_> {
         }
         for of in found {
             if of.at.beta != self.best.as_ref().map_or(f64::NAN, |best| best.beta) {
-                self.add(Scanned {
+                let at = Scanned {
                     whole: false,
                     ..of.at
-                });
+                };
+                self.add(at, Some(of.bracket));
             }
         }
     }
@@ -189,10 +196,11 @@ pub(super) fn verified(
         band,
         open: Vec::new(),
         best: None,
+        better: BETTER,
         known: 0,
     };
     for at in scan.drain(..) {
-        checks.add(Scanned { whole: false, ..at });
+        checks.add(Scanned { whole: false, ..at }, None);
     }
     checks.run();
     for _ in 0..ABOUT {
@@ -200,6 +208,7 @@ pub(super) fn verified(
         checks.run();
     }
     if 0.0 < checks.level() {
+        checks.better = 1.0;
         checks.add_minima();
         checks.run();
     }
@@ -211,7 +220,9 @@ pub(super) fn verified(
         band.amplitude.allow(WORK_OF_TRIVIAL);
         at = least_trivial(band, scan, at);
     }
-    let bracket = checks.neighbours(at.beta);
+    let found = checks.open.iter().find(|of| of.at.beta == at.beta);
+    let bracket = found.and_then(|of| of.bracket);
+    let bracket = bracket.unwrap_or_else(|| checks.neighbours(at.beta));
     Some(FrictionCandidate {
         at,
         bracket,

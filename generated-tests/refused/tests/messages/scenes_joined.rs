@@ -1,6 +1,19 @@
 // From the cases in generated-tests/tests/messages; see generated-tests/tests/messages.rs.
 #![allow(uncommon_codepoints)]
 
+mod case_780_stiffness_of_the_contact_is_negative {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contact: upper - wall,
+    excitation: base,
+    stiffness: -5.0e4,
+    provide: [orbit, simulation],
+}
+}
+}
+
 mod case_780_too_many_contacts {
 frictiongen::friction_system! {
 struct Frame {
@@ -23,6 +36,34 @@ struct Frame {
 }
 }
 
+mod case_781_self_check_of_an_elastic_contact {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contact: upper - wall,
+    excitation: base,
+    stiffness: 5.0e4,
+    provide: [orbit, self_check],
+}
+}
+}
+
+mod case_782_budget_with_an_elastic_contact {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contact: upper - wall,
+    excitation: base,
+    stiffness: 5.0e4,
+    provide: [orbit],
+    budget: 4096,
+    range: { r: 0.2..2.0 },
+}
+}
+}
+
 mod case_782_reserved_word_for_a_contact {
 frictiongen::friction_system! {
 struct Frame {
@@ -41,6 +82,33 @@ struct Frame {
     springs: { base - lower: 1190.0, lower - upper: 1323.0 },
     contacts: { r#loop: upper - wall },
     excitation: base,
+}
+}
+}
+
+mod case_783_stiffness_of_the_contact_out_of_scale {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contact: upper - wall,
+    excitation: base,
+    stiffness: 1e61,
+    provide: [orbit],
+}
+}
+}
+
+mod case_784_stiffness_of_the_contact_in_single_precision {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contact: upper - wall,
+    excitation: base,
+    stiffness: 1e12,
+    scalar: f32,
+    provide: [orbit],
 }
 }
 }
