@@ -1,4 +1,4 @@
-//! Reads emitted code as text, and lists the functions with a number of operations.
+//! Reads emitted code as text, and lists the functions whose documentation states a number of operations.
 
 /// An emitted function.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -68,7 +68,7 @@ impl FileArgument {
         Ok(description)
     }
 
-    /// Fails for a description with several contacts or dashpots.
+    /// Returns the description unchanged. Fails if it has the field `contacts` or the field `dampers`.
     pub fn single(&self, description: Description) -> Result<Description, Failure> {
         if !description.scene.is_joined() {
             return Ok(description);

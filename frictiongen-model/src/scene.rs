@@ -373,8 +373,8 @@ impl Scene {
 }
 
 impl Scene {
-    /// Returns true if masses beyond the contact can act as an absorber. While the contact is stuck, it is the only
-    /// connection of these masses to the load, so that they can resonate on their own.
+    /// Returns true if masses beyond the contact can act as an absorber. The load reaches these masses only through a
+    /// mass of the contact. While the contact is stuck, they can resonate on their own.
     #[must_use]
     pub fn has_absorber(&self) -> bool {
         let sides = [self.contact.from, self.contact.to];

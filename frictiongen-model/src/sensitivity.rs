@@ -375,9 +375,9 @@ impl Change {
     }
 }
 
-/// Sets the derivative of the product of a mode shape and a vector. An unrotated mode keeps its value from the
-/// analysis, which has set rounding noise to zero. A rotated mode is a different mode, so that the function also sets
-/// its value.
+/// Sets the derivative of `projection`, the product of a mode shape and a vector. `turned` is true if the
+/// differentiation has rotated the shapes of modes with equal frequency. The function then also sets the value.
+/// Otherwise the value from the modal analysis stays, because the analysis has set rounding noise to zero.
 fn set(projection: &mut Dual<Dd>, shape: &[Dual<Dd>], on: &[Dual<Dd>], turned: bool) {
     let products = shape.iter().zip(on);
     let product = products.fold(Dual::constant(0.0), |sum, (a, b)| sum + *a * *b);

@@ -35,7 +35,8 @@ pub(crate) struct ComparedLimit {
     pub gap: Option<(f64, f64)>,
     /// The proven interval of r, relative to the centre of the series.
     pub away: Interval,
-    /// The quotient of the polynomial and β_lim of the witness, squared: at the centre, and over the interval.
+    /// Square of the quotient p/β_lim. p is the polynomial of the table, and β_lim is computed independently of the table.
+    /// The first series is at the centre of the interval, and the second one contains the whole interval.
     pub square: [IntervalSeries<SHORT>; 2],
     /// Largest relative rounding error of the polynomial's evaluation.
     pub rounding: f64,

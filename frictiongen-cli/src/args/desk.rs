@@ -9,7 +9,7 @@ use std::path::PathBuf;
 /// Initial state of the motion at each point of a curve.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum StartFrom {
-    /// Rest, at every point.
+    /// Every point starts from rest.
     Rest,
     /// The state at the previous point, while the frequency increases.
     Up,

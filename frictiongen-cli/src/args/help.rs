@@ -275,9 +275,10 @@ With --beta or --friction, for each friction:
   quasi-static start        the limit of the amplitude for r -> 0
   slides                    ranges in which the contact slides at this friction and at every smaller one
   regime                    the regimes along frequency
-  peak by estimate; peak    at each resonance, the estimate (7.60), and the largest amplitude itself, over all regimes
+  peak by estimate          at each resonance, the amplitude by the estimate (7.60)
+  peak                      at each resonance, the largest amplitude over all regimes
 With two frictions or more:
-  same amplitude            frequencies at which neighbouring frictions have the same exact amplitude
+  same amplitude            frequencies at which two neighbouring frictions have exactly the same amplitude
 
 Found:
   exact    from a closed form
@@ -318,8 +319,8 @@ Answers:
   other words there is no steady state; `orbit` gives the same reason
 
 Quantities:
-  X, d/dp     the first line has the answer X; the other lines have its derivative by the parameter p
-  (p/X) d/dp  change of X in per cent for one per cent of p; for a phase, p d/dp
+  X, d/dp     first line: the value X of the answer; other lines: its derivative dX/dp by the parameter p
+  (p/X) d/dp  relative sensitivity (p/X) dX/dp: per cent of X for one per cent of p; for a phase, p dX/dp
   limits      beta_lim and beta*_lim at this frequency; with a load, in N
 
 ";

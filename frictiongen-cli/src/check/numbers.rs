@@ -60,7 +60,8 @@ pub fn write(scene: &Scene, out: &mut dyn Write) -> io::Result<()> {
     Ok(())
 }
 
-/// Returns the same numbers as JSON, and those of every mass.
+/// Returns the numbers of the scene as JSON, including the mass and the static displacement of every mass. Returns
+/// `None` if the scene is not valid.
 pub fn json(scene: &Scene) -> Option<Map<String, Json>> {
     let system = System::try_from(scene.clone()).ok()?;
     let frequencies: Vec<f64> = system

@@ -16,7 +16,7 @@ use crate::number::scalar::Float;
 
 /// Rounding error of a member of the continuum over half a cycle, in rounding units of the state.
 const ROUNDINGS: f64 = 256.0;
-/// Number of bisections in the search for the end of a continuum.
+/// Number of bisections in the search for the end of a continuum of steady states.
 const BISECTIONS: u32 = 60;
 /// Largest number of times that the search for the end of a continuum doubles the amplitude of the free vibration.
 const DOUBLINGS: u32 = 20;

@@ -267,7 +267,7 @@ where
         self.orbit.symmetric
     }
 
-    /// Returns a value with the sign of this motion: unchanged, or negated for the reversed relative motion.
+    /// Returns `value` unchanged, or −`value` if this motion is the relative motion with the opposite sign.
     fn signed(&self, value: S) -> S {
         if self.reversed { -value } else { value }
     }

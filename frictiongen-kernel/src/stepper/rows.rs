@@ -81,8 +81,9 @@ pub(super) fn next<S: Float>(
     [rise, turn]
 }
 
-/// Computes the moments ∫ sʲ y′ ds and ∫ sʲ u′ ds of an oscillator from 0 to `place`, from the state at 0 and the
-/// drive.
+/// Computes the moments ∫ sʲ y′ ds and ∫ sʲ u′ ds from 0 to `place`, for j < D. y is the displacement of an
+/// oscillator, and u is its scaled velocity. `state` is their value at 0. `drive` gives the terms of the power series
+/// of the load.
 pub(super) fn moments<S: Float, const D: usize>(
     of: (S, S),
     mut state: [S; 2],

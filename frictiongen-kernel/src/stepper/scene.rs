@@ -105,8 +105,8 @@ impl<S: Float, K: ContactChain<S>> StepScene<'_, S, K> {
         }
     }
 
-    /// Returns the number of terms of a power series that the stepper uses. `enough` is the number of terms of an
-    /// oscillator's series that exceed rounding over a sub-interval.
+    /// Returns the number of terms that the stepper takes of a power series. `enough` is the number that one oscillator
+    /// needs: its later terms are below rounding over a sub-interval.
     pub(super) fn terms(&self, enough: u32) -> usize {
         let terms = if self.law.is_empty() {
             usize::try_from(enough).unwrap_or(TERMS)

@@ -9,8 +9,9 @@ use frictiongen_kernel::table::{Factor, Root};
 
 const RANGE: (f64, f64) = (0.2, 2.5);
 
-/// Checks that chains with every kind of contact and damping have responses as products. The products must meet an
-/// accuracy of 1e-12, and in single precision 1e-5. They have up to sixty factors with a few roundings each.
+/// Checks the stuck responses of chains with every kind of contact and damping, as products over zeros and poles. The
+/// products must have the accuracy `finest`: 1e-12, and 1e-5 in single precision. A product has up to sixty factors with
+/// a few roundings each.
 fn of_chains<S: Float>(finest: f64) {
     for kind in ["Wall", "Base", "Pair"] {
         for count in 1..=16 {

@@ -146,7 +146,7 @@ fn size<S: Float>(product: &Product<S>, r: Interval) -> Interval {
     if value.high < 0.0 { -value } else { value }
 }
 
-/// Returns an interval that contains a factor of the product over an interval of r, with rounding errors.
+/// Returns an interval that contains the values of `factor` for every r of the interval `r`, rounding errors included.
 fn value<S: Float>(factor: &Factor<S>, r: Interval) -> Interval {
     let point = |value: S| Interval::point(value.to_f64());
     let beside = |at: S, rest: S| {

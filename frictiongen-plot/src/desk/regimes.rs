@@ -107,8 +107,9 @@ impl AreaEdge {
     }
 }
 
-/// Returns the position with the most space for an area's name. It is in the middle of the highest interval in which
-/// the area stays high. Returns `None` if no position has enough space.
+/// Returns the position with the most space for an area's name, or `None` if no position has enough space. `places` has
+/// the abscissa, the lower edge and the upper edge of the area. The position is in the middle of the abscissae around
+/// which the area, cut off at `top`, is tallest.
 fn roomiest(places: &[(f64, f64, f64)], top: f64) -> Option<(f64, f64)> {
     let first = places.first()?.0;
     let width = places.last()?.0 - first;

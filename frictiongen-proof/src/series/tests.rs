@@ -50,7 +50,8 @@ fn series_hold_what_they_should() {
     assert!(widest < 1e-2, "{widest:e}");
 }
 
-/// Every coefficient over an interval must contain the divided differences of the function.
+/// Each coefficient of a series over an interval is an interval. It must contain the divided differences of that order
+/// between points of the interval.
 #[test]
 fn coefficients() {
     let mut numbers = Numbers(9);

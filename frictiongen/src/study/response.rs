@@ -56,8 +56,8 @@ pub enum SystemResponse<'a> {
 pub struct Swing {
     /// The largest |x̄| of the period, over P/k₁ (over Y for base motion).
     pub amplitude: f64,
-    /// Lag of this largest |x̄| behind the maximum of the excitation, in rad, in (−π, π]. `None` if the contact or mass
-    /// does not move.
+    /// Lag of the instant at which |x̄| reaches `amplitude` behind the maximum of the excitation, in rad, in (−π, π].
+    /// `None` if the contact or mass does not move.
     pub phase: Option<f64>,
 }
 

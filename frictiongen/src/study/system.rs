@@ -48,8 +48,8 @@ pub struct System<S = f64> {
     pub(super) range: (S, S),
     /// True if the load acts on the mass in the contact and μ = 1. β*_lim is then 1 at every frequency.
     pub(super) sliding_limit_is_one: bool,
-    /// Modal data of an undamped chain for limits without search. `None` for a damped chain and for a chain with many
-    /// modes.
+    /// Modal data of an undamped chain, from which closed forms give the limits without a search over the cycle. `None`
+    /// for a damped chain and for a chain with many modes.
     pub(super) driven: Option<DrivenModes<S>>,
     transient: OnceLock<Transient<S>>,
     steps: OnceLock<Steps<S>>,

@@ -174,10 +174,10 @@ pub fn seconds<S: Float>(tau: S, omega: S) -> S {
     tau / omega
 }
 
-/// Returns the lag of a motion with the opposite sign: half a turn from `lag`, in (−π, π].
+/// Returns the lag of the negated motion: half a turn from `lag`, in (−π, π].
 ///
-/// For a contact that stops at its largest displacement the result is not exact, because the displacement stays the
-/// same during the whole stop. For such a contact, use
+/// A lag refers to the instant of the largest displacement. A contact that stops there keeps this displacement during
+/// the whole stop, so that half a turn is not exact. For such a contact, use
 /// [`SystemOrbit::reversed_contact_phase`](super::orbit::SystemOrbit::reversed_contact_phase).
 #[doc(hidden)]
 #[must_use]

@@ -34,7 +34,8 @@ struct Table {
 }
 
 impl Features {
-    /// Finds the features at the given frictions, or at the best friction. For a long chain the result is empty.
+    /// Finds the features at the frictions `levels`, or at the best friction if the user has given no friction. For a
+    /// chain of more than [`MOST_MASSES`] masses the page refers to the command instead.
     pub fn of(asked: &Asked, levels: &[f64], best: Option<f64>) -> Self {
         let masses = asked.system.scene().masses.len();
         if MOST_MASSES < masses {

@@ -304,7 +304,8 @@ fn amplitude(words: &Words, line: &FeatureLine) -> String {
     }
 }
 
-/// Returns words for the quantity that is constant or grows.
+/// Returns words for the quantity that does not change with friction, or that grows without bound, from the text
+/// `detail` of a feature.
 fn measured(detail: &str) -> &'static str {
     if detail.starts_with("fundamental") {
         "fundamental component"

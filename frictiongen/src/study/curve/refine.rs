@@ -15,7 +15,8 @@ use crate::study::work::work;
 use crate::{Error, OutOfDomain, Regime};
 use rayon::prelude::*;
 
-/// Relative distance of two points at which a remaining difference counts as a jump.
+/// Relative distance of neighbouring points at which the refinement stops. If their values still differ, the difference
+/// counts as a jump.
 pub(super) const NARROW: f64 = 1e-7;
 /// Relative distance that replaces `NARROW` in intervals with scattered amplitudes. Amplitudes scatter if motions do
 /// not settle, or if motion from rest ends in different steady states at neighbouring points.
@@ -54,8 +55,8 @@ pub(super) struct Refine<'a> {
     pub straight: Straight,
 }
 
-/// Returns true if the offset of a stuck contact depends on every earlier slip. This is so with μ > 1 or without
-/// damping.
+/// Returns true if the offset of a stuck contact can jump between neighbouring frequencies, because it depends on every
+/// earlier slip. This is so if static friction exceeds kinetic friction (μ > 1), and for a chain without damping.
 fn offsets_jump(system: &System) -> bool {
     let scene = system.scene();
     1.0 < scene.stiction || scene.damping == Damping::None

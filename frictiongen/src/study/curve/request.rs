@@ -28,7 +28,8 @@ pub struct CurveRequest {
     pub to: f64,
     /// The motions that each point contains.
     pub of: Vec<Of>,
-    /// The largest deviation of the curve from a straight line between two neighbouring points, relative to the curve.
+    /// Tolerance: the largest permitted deviation of the curve from the straight line between two neighbouring points,
+    /// relative to the value of the curve.
     pub accuracy: f64,
     /// The largest distance between neighbouring points, in r. `None` sets no bound.
     pub widest: Option<f64>,

@@ -80,6 +80,11 @@ impl<'s> Amplitude<'s> {
         self.most.set(self.work.get().saturating_add(work));
     }
 
+    /// Returns the work of all evaluations so far, in units of about 10 µs.
+    pub(super) fn spent(&self) -> usize {
+        self.work.get()
+    }
+
     fn spend(&self, r: f64, found: Result<&SystemResponse<'_>, Error>) {
         self.spend_work(work(self.system, r, found));
     }

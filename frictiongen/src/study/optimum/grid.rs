@@ -18,10 +18,11 @@ const WORTH: f64 = 0.98;
 const PASSES: usize = 9;
 /// Relative difference of two amplitudes from which they belong to two peaks.
 const ANOTHER: f64 = 1e-6;
-/// Number of frequencies on each side of the largest peak that are evaluated in addition to the grid.
-const DENSE: i32 = 24;
-/// Relative distance of the farthest of these frequencies from the peak, in grid widths.
-const SPREAD: f64 = 1.0;
+/// Number of frequencies within one grid width on each side of the largest peak that are evaluated in addition to the
+/// grid.
+const DENSE: i32 = 100;
+/// Bound on the work of these evaluations. Motions that do not settle reach it after a few frequencies.
+const WORK_BESIDE: usize = 60_000;
 /// Largest number of peaks that one search adds.
 const MOST: usize = 3;
 /// Number of grid points on each side of a peak that the search adds to all later evaluations. They are necessary
@@ -104,23 +105,23 @@ impl AmplitudeBand<'_> {
     /// motion may end in a state with a larger amplitude.
     fn densely(&self, peak: BandPeak, friction: FrictionAmount) -> BandPeak {
         let [from, to] = self.ends();
-        let places = -DENSE..=DENSE;
-        let places = places.map(|index| {
-            let share = FINE * SPREAD * f64::from(index) / f64::from(DENSE);
-            (peak.r * (1.0 + share)).clamp(from, to)
-        });
-        let sampled = places.map(|r| self.peak(r, self.amplitude.followed(r, friction)));
-        let bounded = sampled.filter(|peak| peak.value.is_finite());
-        let top = bounded.fold(
-            peak,
-            |top, other| {
-                if top.value < other.value { other } else { top }
-            },
-        );
-        let ends = [-1.0, 1.0].map(|side| {
-            let share = side * FINE * SPREAD / f64::from(DENSE);
-            (top.r * (1.0 + share)).clamp(from, to)
-        });
+        let most = self.amplitude.spent() + WORK_BESIDE;
+        let beside = |r: f64, index: i32| {
+            let share = FINE * f64::from(index) / f64::from(DENSE);
+            (r * (1.0 + share)).clamp(from, to)
+        };
+        let mut top = peak;
+        for index in (0..PASSES).flat_map(|first| (-DENSE..=DENSE).skip(first).step_by(PASSES)) {
+            if most < self.amplitude.spent() {
+                break;
+            }
+            let r = beside(peak.r, index);
+            let value = self.amplitude.followed(r, friction);
+            if value.is_finite() && top.value < value {
+                top = self.peak(r, value);
+            }
+        }
+        let ends = [-1, 1].map(|side| beside(top.r, side));
         self.climbed(ends, (top.r, top.value), friction, PLACE)
     }
 }

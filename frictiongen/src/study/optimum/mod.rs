@@ -51,8 +51,8 @@ impl System {
     ///
     /// With μ > 1 the first comparison of friction ratios uses the closed form if β is below both limits. The search
     /// then computes motion from rest over a fine grid of the band, at the friction ratios that seem best. The
-    /// amplitude of the result is the largest on that grid. Grid points are 0.25 % apart, and 0.01 % around the largest
-    /// peak. A peak between two grid points may be higher.
+    /// amplitude of the result is the largest on that grid. Grid points are 0.25 % apart, and 0.0025 % around the
+    /// largest peak. A peak between two grid points may be higher.
     ///
     /// ```
     /// use frictiongen::study::{System, optimum::{FrequencyBand, OptimumKind, OptimumRequest}, response::Size, units::Load};

@@ -40,9 +40,9 @@ pub struct PeriodicTrack {
 }
 
 impl PeriodicTrack {
-    /// Returns the smallest and the largest value in the period. Between two steps the function uses the cubic through
-    /// the values and derivatives at both steps. If the contact's motion reverses within a step, two parabolas meet at
-    /// its largest displacement.
+    /// Returns the smallest and the largest value of this track in the period. Between two steps the value follows the
+    /// cubic through the values and derivatives at both steps. In a step in which the contact's motion reverses, two
+    /// parabolas replace the cubic. They meet at the contact's largest displacement.
     #[must_use]
     pub fn extremes(&self) -> [f64; 2] {
         let mut extremes = [f64::INFINITY, f64::NEG_INFINITY];

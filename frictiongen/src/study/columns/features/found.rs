@@ -64,7 +64,7 @@ pub(super) struct NumberedResonance {
 
 impl Row for NumberedResonance {}
 
-/// The limits of friction for r → 0 or for r → ∞.
+/// The values that the friction limits β_lim and β*_lim approach for r → 0 or for r → ∞.
 pub(super) struct EndRow {
     pub(super) r: f64,
     pub(super) limits: LimitsAtEnd,

@@ -9,9 +9,9 @@ use crate::study::system::System;
 pub struct Tuning {
     /// The varied number of the description.
     pub of: Tunable,
-    /// Lower bound of the interval, in the unit of the number.
+    /// Lower bound of the interval, in the unit of the varied number.
     pub from: f64,
-    /// Upper bound of the interval, in the unit of the number.
+    /// Upper bound of the interval, in the unit of the varied number.
     pub to: f64,
 }
 

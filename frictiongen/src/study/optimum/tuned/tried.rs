@@ -36,7 +36,8 @@ pub(super) struct TunedSearch<'s> {
 pub(super) struct Tried {
     pub value: f64,
     pub amplitude: f64,
-    /// Derivative of the smallest amplitude with respect to the number. NaN if the derivative is not known.
+    /// Derivative of the smallest amplitude with respect to the varied number of the description. NaN if the derivative
+    /// is not known.
     pub slope: f64,
     /// Best friction ratio β, with m₁ and k₁ of the description.
     pub beta: f64,
