@@ -34,15 +34,15 @@ pub struct PeriodicTrack {
     /// Value and time derivative at each step, and at the end of the period.
     pub values: Vec<[f64; 2]>,
     step: f64,
-    /// For the contact's own motion: true for steps with an event. In such a step the acceleration jumps where the
-    /// velocity is 0.
+    /// For the motion of a rigid contact: true for steps with an event. In such a step the acceleration jumps where the
+    /// velocity is 0. The force of an elastic contact, and therefore the acceleration, is continuous.
     kinks: Vec<bool>,
 }
 
 impl PeriodicTrack {
     /// Returns the smallest and the largest value of this track in the period. Between two steps the value follows the
-    /// cubic through the values and derivatives at both steps. In a step in which the contact's motion reverses, two
-    /// parabolas replace the cubic. They meet at the contact's largest displacement.
+    /// cubic through the values and derivatives at both steps. In a step in which the motion of a rigid contact
+    /// reverses, two parabolas replace the cubic. They meet at the contact's largest displacement.
     #[must_use]
     pub fn extremes(&self) -> [f64; 2] {
         let mut extremes = [f64::INFINITY, f64::NEG_INFINITY];
@@ -110,7 +110,8 @@ impl PeriodicState {
             state.stuck += usize::from(stepped.contact == Contact::Stuck);
             state.note(walk);
             for track in &mut state.tracks {
-                let own = walk.stepper.system.moves_as_contact(track.of);
+                let system = walk.stepper.system;
+                let own = system.moves_as_contact(track.of) && system.scene().stiffness.is_none();
                 track.kinks.push(own && stepped.events > 0);
             }
         }
