@@ -9,13 +9,13 @@ pub struct Limits {
     pub masses: usize,
     /// True if the tables of a declared accuracy are built.
     pub tables: bool,
-    /// Whether the code proves the tables.
+    /// Selects whether the generator proves the tables.
     pub proof: ProofAt,
     /// True if a scene may have the fields `contacts` and `dampers`, for which the generator emits no code.
     pub joints: bool,
 }
 
-/// Selects whether the code proves the tables.
+/// Selects whether the generator proves the tables.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum ProofAt {

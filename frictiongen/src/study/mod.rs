@@ -13,6 +13,7 @@ pub mod curve;
 mod error;
 pub mod features;
 mod few;
+mod golden;
 mod held;
 #[cfg(feature = "desk")]
 pub mod history;

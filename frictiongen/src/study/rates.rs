@@ -4,9 +4,11 @@
 //! can miss a maximum only within one sampling step of another one. Two such maxima differ by less than a thousandth of
 //! their value.
 
+use super::golden::smallest;
 use super::motion::SystemMotion;
 use super::response::Size;
 use crate::Of;
+use std::convert::Infallible;
 use std::f64::consts::PI;
 
 /// Number of samples in a half-turn of the fastest mode.
@@ -15,8 +17,9 @@ const PLACES: f64 = 16.0;
 const MOST: f64 = 4096.0;
 /// Largest number of steps of a refinement. A golden section keeps at most 0.62 of the interval.
 const STEPS: usize = 40;
-/// Larger of the two fractions into which a golden section divides an interval.
-const GOLDEN: f64 = 0.618_033_988_749_894_8;
+/// Length of the interval at which a refinement ends. The value is flat at its maximum, so that this distance already
+/// gives all its digits.
+const WIDTH: f64 = 1e-8;
 /// Last instant of the half period before the contact reverses, in units of π.
 const LAST: f64 = 1.0 - f64::EPSILON;
 
@@ -52,23 +55,9 @@ pub(super) fn largest_rate(motion: &SystemMotion<'_>, of: Of, size: Size) -> Opt
 }
 
 /// Returns the largest value between two instants, by golden sections.
-fn summit(mut low: f64, mut high: f64, size: &impl Fn(f64) -> f64) -> f64 {
-    let (mut a, mut b) = (high - (high - low) * GOLDEN, low + (high - low) * GOLDEN);
-    let (mut at_a, mut at_b) = (size(a), size(b));
-    for _ in 0..STEPS {
-        // The value is flat at its maximum, so a distance of 10⁻⁸ already gives all its digits.
-        if high - low < 1e-8 {
-            break;
-        }
-        if at_a < at_b {
-            (low, a, at_a) = (a, b, at_b);
-            b = low + (high - low) * GOLDEN;
-            at_b = size(b);
-        } else {
-            (high, b, at_b) = (b, a, at_a);
-            a = high - (high - low) * GOLDEN;
-            at_a = size(a);
-        }
-    }
-    at_a.max(at_b)
+fn summit(low: f64, high: f64, size: &impl Fn(f64) -> f64) -> f64 {
+    let Ok((_, least)) = smallest((low, high), (STEPS, WIDTH), |tau| {
+        Ok::<f64, Infallible>(-size(tau))
+    });
+    -least
 }

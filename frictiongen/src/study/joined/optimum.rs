@@ -2,6 +2,7 @@
 
 use super::error::JoinedError;
 use super::scene::Joined;
+use crate::study::golden::smallest;
 use crate::study::joints::JointError;
 use crate::{Given, OutOfDomain};
 
@@ -11,8 +12,6 @@ const FREQUENCIES: usize = 25;
 const FRICTIONS: usize = 11;
 /// Number of steps of each refinement by golden sections.
 const STEPS: usize = 8;
-/// Larger of the two fractions into which a golden section divides an interval.
-const GOLDEN: f64 = 0.618_033_988_749_894_8;
 /// Smallest friction of the first grid, as a fraction of the largest limit of the stuck state. The largest friction of
 /// the grid is this limit.
 const LEAST: f64 = 0.01;
@@ -76,15 +75,13 @@ impl Joined<'_> {
                 best = (amplitude, place);
             }
         }
-        let near = |place: usize| tried.get(place).copied().unwrap_or(most);
-        let ends = (near(best.1 + 1), near(best.1.saturating_sub(1)));
-        let low = if best.1 + 1 == FRICTIONS {
-            LEAST * most
-        } else {
-            ends.0
-        };
-        let (friction, _) = smallest((low, ends.1), |friction| {
-            Ok(search.peak(friction, Closely::OnGrid)?.0)
+        // The tried frictions descend.
+        let high = tried.get(best.1.saturating_sub(1)).copied();
+        let low = tried.get(best.1 + 1).copied();
+        let ends = (low.unwrap_or(LEAST * most), high.unwrap_or(most));
+        let (friction, _) = smallest(ends, (STEPS, 0.0), |friction| {
+            let peak = search.peak(friction, Closely::OnGrid);
+            peak.map(|(amplitude, _)| amplitude)
         })?;
         let (amplitude, r) = search.peak(friction, Closely::Refined)?;
         Ok(JoinedOptimum {
@@ -163,39 +160,13 @@ impl Search<'_, '_> {
         if closely != Closely::Refined {
             return Ok((best.0, r));
         }
-        let (place, value) = smallest((low, high), |r| Ok(-self.amplitude(r, friction)?))?;
+        let (place, value) = smallest((low, high), (STEPS, 0.0), |r| {
+            self.amplitude(r, friction).map(|amplitude| -amplitude)
+        })?;
         Ok(if -value > best.0 {
             (-value, place)
         } else {
             (best.0, r)
         })
     }
-}
-
-/// Returns the position and the value of the smallest value in an interval, by golden sections.
-fn smallest(
-    (mut low, mut high): (f64, f64),
-    mut of: impl FnMut(f64) -> Result<f64, JoinedError>,
-) -> Result<(f64, f64), JoinedError> {
-    let inner = |low: f64, high: f64| (high - GOLDEN * (high - low), low + GOLDEN * (high - low));
-    let (mut left, mut right) = inner(low, high);
-    let (mut at_left, mut at_right) = (of(left)?, of(right)?);
-    for _ in 0..STEPS {
-        if at_left < at_right {
-            high = right;
-            (right, at_right) = (left, at_left);
-            left = inner(low, high).0;
-            at_left = of(left)?;
-        } else {
-            low = left;
-            (left, at_left) = (right, at_right);
-            right = inner(low, high).1;
-            at_right = of(right)?;
-        }
-    }
-    Ok(if at_left < at_right {
-        (left, at_left)
-    } else {
-        (right, at_right)
-    })
 }

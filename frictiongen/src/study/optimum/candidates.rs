@@ -21,8 +21,6 @@ pub(super) const HOLDS: f64 = 1e-9;
 pub(super) struct FrictionCandidate {
     pub at: Scanned,
     pub bracket: [f64; 2],
-    /// True for a point of the scan that the search has not refined.
-    pub of_scan: bool,
 }
 
 pub(super) fn of_scan(scan: &[Scanned]) -> Vec<FrictionCandidate> {
@@ -33,7 +31,6 @@ pub(super) fn of_scan(scan: &[Scanned]) -> Vec<FrictionCandidate> {
         at: at.clone(),
         bracket: [index.checked_sub(1), Some(index + 1)]
             .map(|place| beside(place).map_or(at.beta, |beside| beside.beta)),
-        of_scan: true,
     };
     complete.map(candidate).collect()
 }

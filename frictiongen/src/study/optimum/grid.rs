@@ -25,13 +25,28 @@ const DENSE: i32 = 100;
 const WORK_BESIDE: usize = 60_000;
 /// Largest number of peaks that one search adds.
 const MOST: usize = 3;
+/// Fraction of the largest amplitude at one friction ratio. A peak is added to the evaluations at other friction ratios
+/// if its amplitude is at least this fraction.
+const LEARNED: f64 = 0.9;
 /// Number of grid points on each side of a peak that the search adds to all later evaluations. They are necessary
 /// because the peak moves with friction.
 const SIDE: i32 = 4;
 
 impl AmplitudeBand<'_> {
+    /// Adds the largest peaks of an evaluation to all later first evaluations of the band.
+    pub(super) fn learn_largest(&self, look: &Look) {
+        let most = look.peaks.first().map_or(0.0, |peak| peak.value);
+        for peak in look
+            .peaks
+            .iter()
+            .filter(|peak| LEARNED * most <= peak.value)
+        {
+            self.learn_around(peak.r);
+        }
+    }
+
     /// Adds the frequency ratio of a peak and its neighbours on the grid to all later first evaluations of the band.
-    pub(super) fn learn_around(&self, r: f64) {
+    fn learn_around(&self, r: f64) {
         let [from, to] = self.ends();
         for index in -SIDE..=SIDE {
             self.learn((r * (1.0 + FINE * f64::from(index))).clamp(from, to));

@@ -23,8 +23,6 @@ const NARROW: f64 = 1e-9;
 const CHECKS: usize = 12;
 /// A point of the scan is examined if its value is within this factor of the best point that holds all bounds.
 const NEARLY: f64 = 1.5;
-/// Share of the largest value from which a peak is added to the evaluations at other frictions.
-const WORTH: f64 = 0.9;
 /// Largest number of such points.
 const MOST_POINTS: usize = 6;
 
@@ -279,10 +277,7 @@ impl<'s> KeptSearch<'s> {
         if several {
             band.add_grid(&mut look, friction, f64::INFINITY);
         }
-        let most = look.peaks.first().map_or(0.0, |peak| peak.value);
-        for peak in look.peaks.iter().filter(|peak| WORTH * most <= peak.value) {
-            band.learn_around(peak.r);
-        }
+        band.learn_largest(&look);
         with_slope(beta, look, |peak| slope(band, beta, peak))
     }
 }

@@ -92,6 +92,11 @@ impl<'s> AmplitudeBand<'s> {
         self.learned.borrow_mut().push(r);
     }
 
+    /// Returns the number of frequency ratios that were added so far.
+    pub(super) fn learned(&self) -> usize {
+        self.learned.borrow().len()
+    }
+
     /// Returns the local maxima of the amplitude over the band, in descending order.
     pub(in crate::study) fn peaks(&self, friction: FrictionAmount) -> Vec<BandPeak> {
         let open = self.open(friction);

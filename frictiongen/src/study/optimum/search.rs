@@ -90,7 +90,8 @@ pub(super) fn least(band: &AmplitudeBand<'_>, work: usize) -> Option<Least> {
         raise(band, &mut scan, HIGHEST_TOLERANCE * best.at.value);
         best
     } else {
-        let candidates = minima(band, &scan);
+        let mut candidates = of_scan(&scan);
+        candidates.extend(minima(band, &scan, best(&scan)));
         let spent = band.amplitude.is_spent();
         band.amplitude.allow(work / OF_A_CHECK);
         checked(band, &mut scan, candidates, spent)?
@@ -112,30 +113,35 @@ pub(super) fn least(band: &AmplitudeBand<'_>, work: usize) -> Option<Least> {
     })
 }
 
-/// Returns the points of the scan and the minima between them that may be the best friction ratio.
-fn minima(band: &AmplitudeBand<'_>, scan: &[Scanned]) -> Vec<FrictionCandidate> {
-    let mut candidates = of_scan(scan);
-    let mut top = best(scan);
+/// Returns the minima between points of the scan that may be below `top`, the best amplitude so far.
+pub(super) fn minima(
+    band: &AmplitudeBand<'_>,
+    scan: &[Scanned],
+    mut top: f64,
+) -> Vec<FrictionCandidate> {
+    // With μ > 1 the amplitude of an unchecked minimum is a lower bound, which must not exclude others.
+    let exact = band.amplitude.system.scene().stiction <= 1.0;
+    let mut minima: Vec<FrictionCandidate> = Vec::new();
     // An amplitude of 0 cannot be improved. Just below the friction that stops the contact, motions too small to settle
     // have amplitudes close to 0.
     if top <= 0.0 {
-        return candidates;
+        return minima;
     }
-    let first = candidates.len();
     for (below, above) in between(scan, top) {
         let found = minimum(band, below, above, top);
-        top = found.iter().fold(top, |top, found| top.min(found.at.value));
-        candidates.extend(found);
+        if exact {
+            top = found.iter().fold(top, |top, found| top.min(found.at.value));
+        }
+        minima.extend(found);
     }
     for (below, at, above) in valleys(scan, top) {
-        let inside = |found: &FrictionCandidate| {
-            below.beta < found.at.beta && found.at.beta < above.beta && !found.of_scan
-        };
-        if !candidates.iter().skip(first).any(inside) {
-            candidates.push(narrowed(band, (&below, &above), Some(at)));
+        let inside =
+            |found: &FrictionCandidate| below.beta < found.at.beta && found.at.beta < above.beta;
+        if !minima.iter().any(inside) {
+            minima.push(narrowed(band, (&below, &above), Some(at)));
         }
     }
-    candidates
+    minima
 }
 
 /// Finds the friction between two nearby friction ratios for which the largest amplitude is smallest. Returns `None`
@@ -216,7 +222,7 @@ fn checked(
 
 /// Returns the minimum between two friction ratios, after another evaluation of the whole band. Returns `None` if its
 /// amplitude is not below `best`.
-pub(super) fn minimum(
+fn minimum(
     band: &AmplitudeBand<'_>,
     mut below: Scanned,
     mut above: Scanned,
@@ -245,7 +251,6 @@ pub(super) fn minimum(
                 return Some(FrictionCandidate {
                     at: found.best,
                     bracket,
-                    of_scan: false,
                 });
             }
             let seen = look.complete.then_some(found.best);
@@ -261,7 +266,6 @@ pub(super) fn minimum(
             let candidate = FrictionCandidate {
                 at: here.clone(),
                 bracket: [below.beta, above.beta],
-                of_scan: false,
             };
             let better = |least: &FrictionCandidate| candidate.at.value < least.at.value;
             if least.as_ref().is_none_or(better) {
@@ -328,7 +332,6 @@ pub(super) fn narrowed(
     FrictionCandidate {
         at: best,
         bracket: [a, b],
-        of_scan: false,
     }
 }
 

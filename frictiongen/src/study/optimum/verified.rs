@@ -6,11 +6,11 @@
 //! band on the grid. It ends when no bound is below the lowest checked amplitude.
 
 use super::amplitude::FrictionAmount;
-use super::candidates::{FrictionCandidate, between, valleys};
+use super::candidates::FrictionCandidate;
 use super::look::Closely;
 use super::peaks::AmplitudeBand;
 use super::scan::{Scanned, scanned_at, slope, with_slope};
-use super::search::{minimum, narrowed};
+use super::search::minima;
 
 /// Largest number of friction ratios that are evaluated on the grid in one round.
 const MOST: usize = 24;
@@ -25,14 +25,11 @@ const HALVINGS: u32 = 12;
 const WORK_OF_TRIVIAL: usize = 100_000;
 /// Number of equal pieces into which a round cuts the interval on each side of the best friction ratio.
 const PARTS: u32 = 4;
-/// Fraction of the largest amplitude at one friction ratio. The search adds a peak to the evaluations at other friction
-/// ratios if the amplitude of the peak is at least this fraction.
-const WORTH: f64 = 0.9;
 
 /// A friction ratio with a lower bound of its largest amplitude.
 struct Bounded {
     at: Scanned,
-    /// Number of peaks that were known when the bound was computed.
+    /// Number of frequencies from earlier checks that the bound takes into account.
     known: usize,
     /// Interval that contains the minimum of a search between two friction ratios.
     bracket: Option<[f64; 2]>,
@@ -45,13 +42,11 @@ struct Checks<'b, 's> {
     best: Option<Scanned>,
     /// A friction ratio is checked only if its lower bound is below this fraction of the lowest checked amplitude.
     better: f64,
-    /// Number of peaks that the checks have added to all further evaluations.
-    known: usize,
 }
 
 impl Checks<'_, '_> {
     fn add(&mut self, at: Scanned, bracket: Option<[f64; 2]>) {
-        let known = self.known;
+        let known = self.band.learned();
         self.open.push(Bounded { at, known, bracket });
     }
 
@@ -80,7 +75,10 @@ impl Checks<'_, '_> {
                 break;
             };
             let level = self.level();
-            let again = self.open.get(index).is_some_and(|of| of.known < self.known);
+            let again = self
+                .open
+                .get(index)
+                .is_some_and(|of| of.known < self.band.learned());
             let at = if again && self.best.is_some() {
                 scanned_at(self.band, beta, level)
             } else {
@@ -93,7 +91,7 @@ impl Checks<'_, '_> {
             if at.whole && at.value < level {
                 self.best = Some(at.clone());
             }
-            let known = self.known;
+            let known = self.band.learned();
             if let Some(of) = self.open.get_mut(index) {
                 of.at = at;
                 of.known = known;
@@ -103,18 +101,14 @@ impl Checks<'_, '_> {
 
     /// Evaluates the whole band on the grid at one friction ratio, until an amplitude exceeds the cutoff. The largest
     /// peaks are added to all further evaluations of the band.
-    fn evaluated(&mut self, beta: f64, cutoff: f64) -> Scanned {
+    fn evaluated(&self, beta: f64, cutoff: f64) -> Scanned {
         let friction = FrictionAmount::Ratio(beta);
         let band = self.band;
         let mut look = band.look(band.open(friction), cutoff, Closely::Whole);
         if look.complete {
             band.add_grid(&mut look, friction, cutoff);
         }
-        let most = look.peaks.first().map_or(0.0, |peak| peak.value);
-        for peak in look.peaks.iter().filter(|peak| WORTH * most <= peak.value) {
-            band.learn_around(peak.r);
-            self.known += 1;
-        }
+        band.learn_largest(&look);
         let complete = look.complete;
         Scanned {
             whole: complete,
@@ -161,21 +155,9 @@ impl Checks<'_, '_> {
 
     /// Adds the minima between friction ratios at which the amplitude is smooth.
     fn add_minima(&mut self) {
-        let (scan, level) = (self.scan(), self.level());
-        let mut found = Vec::new();
-        for (below, above) in between(&scan, level) {
-            found.extend(minimum(self.band, below, above, level));
-        }
-        for (below, at, above) in valleys(&scan, level) {
-            let inside = |found: &FrictionCandidate| {
-                below.beta < found.at.beta && found.at.beta < above.beta
-            };
-            if !found.iter().any(inside) {
-                found.push(narrowed(self.band, (&below, &above), Some(at)));
-            }
-        }
-        for of in found {
-            if of.at.beta != self.best.as_ref().map_or(f64::NAN, |best| best.beta) {
+        let best = self.best.as_ref().map(|best| best.beta);
+        for of in minima(self.band, &self.scan(), self.level()) {
+            if best != Some(of.at.beta) {
                 let at = Scanned {
                     whole: false,
                     ..of.at
@@ -197,7 +179,6 @@ pub(super) fn verified(
         open: Vec::new(),
         best: None,
         better: BETTER,
-        known: 0,
     };
     for at in scan.drain(..) {
         checks.add(Scanned { whole: false, ..at }, None);
@@ -223,11 +204,7 @@ pub(super) fn verified(
     let found = checks.open.iter().find(|of| of.at.beta == at.beta);
     let bracket = found.and_then(|of| of.bracket);
     let bracket = bracket.unwrap_or_else(|| checks.neighbours(at.beta));
-    Some(FrictionCandidate {
-        at,
-        bracket,
-        of_scan: false,
-    })
+    Some(FrictionCandidate { at, bracket })
 }
 
 /// Returns the smallest friction ratio with an amplitude of 0. The amplitude at `at` is 0.

@@ -190,7 +190,7 @@ fn block(side: &str, driven: &str, mu: &str, zeta: &str) -> String {
     text.replace("MU", mu).replace("ZETA", zeta)
 }
 
-/// What was seen, so that no regime is missing.
+/// Counts of the compared states by kind. The test checks with them that no regime is missing.
 #[derive(Debug, Default)]
 struct Seen {
     regimes: Vec<(Regime, usize)>,

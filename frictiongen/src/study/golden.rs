@@ -1,0 +1,37 @@
+//! Finds the smallest value of a function in an interval by golden sections, without derivatives.
+
+/// Larger of the two fractions into which a golden section divides an interval.
+const GOLDEN: f64 = 0.618_033_988_749_894_8;
+
+/// Returns the position and the value of the smallest value between `low` and `high`. The search makes at most `steps`
+/// sections, and ends earlier if the interval is shorter than `width`.
+///
+/// # Errors
+/// The first error of `of`.
+pub(super) fn smallest<E>(
+    (mut low, mut high): (f64, f64),
+    (steps, width): (usize, f64),
+    mut of: impl FnMut(f64) -> Result<f64, E>,
+) -> Result<(f64, f64), E> {
+    let (mut left, mut right) = (high - (high - low) * GOLDEN, low + (high - low) * GOLDEN);
+    let (mut at_left, mut at_right) = (of(left)?, of(right)?);
+    for _ in 0..steps {
+        if high - low < width {
+            break;
+        }
+        if at_right < at_left {
+            (low, left, at_left) = (left, right, at_right);
+            right = low + (high - low) * GOLDEN;
+            at_right = of(right)?;
+        } else {
+            (high, right, at_right) = (right, left, at_left);
+            left = high - (high - low) * GOLDEN;
+            at_left = of(left)?;
+        }
+    }
+    Ok(if at_right < at_left {
+        (right, at_right)
+    } else {
+        (left, at_left)
+    })
+}
