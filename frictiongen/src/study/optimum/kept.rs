@@ -1,7 +1,7 @@
 //! Finds the best friction among those that keep other quantities within bounds.
 //!
-//! Every bound is checked over the whole band at the friction that is returned. The search knows from its scan over friction
-//! where all bounds hold. A friction that violates one is moved towards a friction that holds all, by bisection.
+//! The scan over friction shows which friction ratios satisfy all bounds. Bisection finds the limit between a ratio that
+//! satisfies them and one that violates a bound. The result satisfies every bound over the whole band.
 
 use super::amplitude::FrictionAmount;
 use super::answer::{Optimum, OptimumEnd, OptimumKind};
@@ -15,15 +15,16 @@ use crate::Of;
 use crate::study::response::Size;
 use crate::study::system::System;
 
-/// Halvings between a friction that holds all bounds and one that does not.
+/// Largest number of bisections between a friction ratio that satisfies all bounds and one that does not.
 const HALVINGS: usize = 36;
-/// Relative width at which the halvings end.
+/// Relative width of the interval at which the bisections end.
 const NARROW: f64 = 1e-9;
-/// Largest number of frictions at which the search continues after a check of the whole band shows a violated bound.
+/// Largest number of friction ratios that are checked over the whole band. If a check finds a violated bound, the search
+/// continues.
 const CHECKS: usize = 12;
-/// A point of the scan is examined if its value is within this factor of the best point that holds all bounds.
+/// Factor on the smallest value of the points that satisfy all bounds. The search examines points up to this value.
 const NEARLY: f64 = 1.5;
-/// Largest number of such points.
+/// Largest number of points that the search examines.
 const MOST_POINTS: usize = 6;
 
 /// A quantity whose largest value over the band must not exceed a bound.
@@ -90,7 +91,7 @@ impl System {
             kind: OptimumKind::Bounded,
             end: OptimumEnd::Converged,
             beyond_jump: None,
-            // Neither describes a friction that a bound holds.
+            // Both describe a minimum. At a bound the friction ratio is not one.
             tolerances: Vec::new(),
             sensitivities: Vec::new(),
             ..own.told(&search.band, &least)?
@@ -135,7 +136,7 @@ impl<'s> KeptSearch<'s> {
             if self.holds(found.beta) {
                 return Ok((self.whole(&self.band, found.beta), true));
             }
-            // The first look had missed a peak, which further looks know.
+            // The check of the whole band has found a peak that further evaluations take into account.
             for (beta, holds) in &mut known {
                 *holds = *holds && self.seems_to_hold(*beta);
             }
@@ -145,12 +146,12 @@ impl<'s> KeptSearch<'s> {
             known.sort_by(|a, b| a.0.total_cmp(&b.0));
         }
         let fallback = self.reachable(others)?;
-        let holds = fallback.into_iter().find(|beta| self.holds(*beta));
+        let holds = fallback.filter(|beta| self.holds(*beta));
         let beta = holds.ok_or(OptimumError::TooLong)?;
         Ok((self.whole(&self.band, beta), true))
     }
 
-    /// Returns the best friction between the points of which it is known whether they hold all bounds.
+    /// Returns the best friction ratio between known points. The flag of a point is true if it satisfies all bounds.
     fn refined(&self, known: &[(f64, bool)]) -> Option<Scanned> {
         let value = |beta: f64| scanned_at(&self.band, beta, f64::INFINITY);
         let mut all: Vec<(usize, Scanned)> = known
@@ -199,7 +200,8 @@ impl<'s> KeptSearch<'s> {
         best
     }
 
-    /// Returns the last friction that holds all bounds on the way from one that does to one that does not.
+    /// Returns a friction ratio that satisfies all bounds, next to one that does not. `holds` satisfies all bounds, and
+    /// `violates` does not.
     fn edge(&self, mut holds: f64, mut violates: f64) -> f64 {
         for _ in 0..HALVINGS {
             if (holds - violates).abs() <= NARROW * holds.max(violates) {
@@ -215,12 +217,12 @@ impl<'s> KeptSearch<'s> {
         holds
     }
 
-    /// Returns frictions that hold the bounds, if the scan has none.
+    /// Returns a friction ratio that satisfies all bounds. The search is for scans without such a ratio.
     ///
     /// # Errors
     /// [`OptimumError::Unreachable`] names the first bound that cannot hold together with those before it.
-    fn reachable(&self, others: &[OptimumProblem<'s>]) -> Result<Vec<f64>, OptimumError> {
-        let mut found = Vec::new();
+    fn reachable(&self, others: &[OptimumProblem<'s>]) -> Result<Option<f64>, OptimumError> {
+        let mut found = None;
         for (index, problem) in others.iter().enumerate() {
             let before = others.get(..index).unwrap_or_default();
             let search = KeptSearch {
@@ -236,13 +238,13 @@ impl<'s> KeptSearch<'s> {
                 let (least, beta) = (value, at.beta);
                 return Err(OptimumError::Unreachable { index, least, beta });
             }
-            found.push(at.beta);
+            found = Some(at.beta);
         }
-        // The last of them holds all bounds.
-        Ok(found.split_off(found.len().saturating_sub(1)))
+        // The last ratio satisfies all bounds.
+        Ok(found)
     }
 
-    /// Returns true if all bounds hold at the frequencies that decide about most frictions.
+    /// Returns true if all bounds hold at the frequencies of a first evaluation.
     fn seems_to_hold(&self, beta: f64) -> bool {
         self.others.iter().zip(&self.most).all(|(band, most)| {
             let found = scanned_at(band, beta, *most);
@@ -265,7 +267,7 @@ impl<'s> KeptSearch<'s> {
         bands.map(|band| self.whole(band, beta).value).collect()
     }
 
-    /// Evaluates the whole band, whose largest peaks further looks then know.
+    /// Evaluates the whole band. Later evaluations take its largest peaks into account.
     fn whole(&self, band: &AmplitudeBand<'_>, beta: f64) -> Scanned {
         let friction = FrictionAmount::Ratio(beta);
         let several = 1.0 < band.amplitude.system.scene().stiction;
