@@ -1,4 +1,5 @@
-//! Reads scene descriptions: from text to tokens, from tokens to a syntax tree, and from the tree to a scene.
+//! Reads scene descriptions: from text to tokens, from tokens to a syntax tree, and from the tree to a scene. `write`
+//! writes a scene as a description.
 //!
 //! `parse` converts tokens to a syntax tree with positions. `lower` resolves the names in that tree and checks the
 //! scene. A macro passes its own tokens to [`parse_tokens`].
@@ -7,6 +8,7 @@ mod diagnostics;
 mod lower;
 mod parse;
 mod warnings;
+mod write;
 
 use frictiongen_model::scene::Scene;
 use frictiongen_model::validate::MOST_MASSES;
@@ -19,6 +21,7 @@ pub use parse::syntax::{RustPath, Syntax};
 pub use parse::token::{DEEPEST, Delimiter, Kind, TOO_DEEP, Token};
 pub use parse::{parse_faulty, parse_tokens};
 pub use warnings::warnings;
+pub use write::written;
 
 /// Reads a scene of at most [`MOST_MASSES`] masses from a text.
 ///

@@ -1,0 +1,52 @@
+//! A description that is written from a scene has the same scene.
+
+use super::written;
+use crate::read_scene;
+
+/// Descriptions that together have every field, and every form of a field.
+const EVERY_FIELD: [&str; 7] = [
+    "pub struct Plain { masses: { a: 3.27 }, springs: { base - a: 1190.0 }, contact: a - wall, excitation: a,
+        provide: [orbit, limits] }",
+    "struct Frame { masses: { lower: 0.1 + 0.2, upper: 1e-7 }, springs: { base - lower: 1e9, lower - upper: 1323 / 7 },
+        contact: upper - lower, excitation: base, damping: modal[0.010, 0.012], damping_from: base, stiction: 1.2,
+        provide: [motion(upper), stuck, simulation, stepper, self_check, limits], scalar: f32, step: 1e-3,
+        input: hold, force: { upper } }",
+    "struct Tabled { masses: { a: 2 }, springs: { base - a: 50 }, contact: a - base, excitation: a, damping: modal(0.01),
+        accuracy: 1e-4, range: { r: 0.2..2.5 }, side: safe, beyond: exact, proof: whole }",
+    "struct Fitting { masses: { a: 2 }, springs: { base - a: 50 }, contact: a - base, excitation: a,
+        budget: 2048, range: { r: 0.2..2.5, beta: 0..0.7 } }",
+    "struct Elastic { masses: { a: 2 }, springs: { base - a: 50, a - wall: 3 }, contact: a - wall, stiffness: 1e5 / 3,
+        excitation: a, damping: rayleigh(0.4, 1e-5), provide: [orbit] }",
+    "struct Bowed { masses: { string: 0.01 }, springs: { base - string: 1e5 }, contact: string - base,
+        excitation: base, friction: stribeck(0.02: 0.5, 0.2: 0.3), provide: [stepper] }",
+    "struct Storeys { masses: { f1: 2, f2: 3 }, springs: { base - f1: 5, f1 - f2: 6 },
+        contacts: { brace: base - f1 { stiffness: 5e6 }, pads: f1 - f2 { share: 0.6, stiction: 1.2 }, wall_pad: f2 - wall },
+        dampers: { f1 - f2: 12.5, base - f1: 1 }, excitation: base, provide: [orbit] }",
+];
+
+#[test]
+fn reading_what_is_written_returns_the_same_scene() {
+    for text in EVERY_FIELD {
+        let scene = read_scene(text).unwrap_or_else(|errors| panic!("{errors}\n{text}"));
+        let again = written(&scene);
+        let read = read_scene(&again).unwrap_or_else(|errors| panic!("{errors}\n{again}"));
+        assert_eq!(read, scene, "{again}");
+    }
+}
+
+#[test]
+fn a_description_has_a_line_for_each_field_that_differs_from_its_default() {
+    let scene = read_scene(EVERY_FIELD[6]).unwrap();
+    assert_eq!(
+        written(&scene),
+        "struct Storeys {
+    masses: { f1: 2.0, f2: 3.0 },
+    springs: { base - f1: 5.0, f1 - f2: 6.0 },
+    contacts: { brace: base - f1 { stiffness: 5000000.0 }, pads: f1 - f2 { stiction: 1.2, share: 0.6 }, wall_pad: f2 - wall },
+    dampers: { f1 - f2: 12.5, base - f1: 1.0 },
+    excitation: base,
+    provide: [orbit],
+}
+"
+    );
+}
