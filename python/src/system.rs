@@ -1,6 +1,6 @@
 //! Creates a system from a scene description, and returns the data of the system.
 
-use crate::errors::scene;
+use crate::errors::{domain, scene};
 use frictiongen::System;
 use frictiongen::scalar::Dd;
 use numpy::{PyArray1, PyArray2};
@@ -23,6 +23,29 @@ impl NativeSystem {
             Ok(system) => Ok(Self { system }),
             Err(diagnostics) => Err(scene(py, &diagnostics)),
         }
+    }
+
+    /// Returns a description of the system.
+    fn description(&self) -> String {
+        self.system.description()
+    }
+
+    /// Returns true if both systems have equal scenes.
+    fn equals(&self, other: &Self) -> bool {
+        self.system.scene() == other.system.scene()
+    }
+
+    /// Returns the system with other values of some numbers. Each number has its symbol, as in lists of derivatives.
+    fn with_values(&self, py: Python<'_>, values: Vec<(String, f64)>) -> PyResult<Self> {
+        py.detach(|| {
+            let mut system = self.system.clone();
+            for (symbol, value) in values {
+                let tunable = system.tunable_named(&symbol).map_err(domain)?;
+                let changed = system.with_value(tunable, value);
+                system = changed.map_err(|error| domain(format_args!("{symbol}: {error}")))?;
+            }
+            Ok(Self { system })
+        })
     }
 
     /// Returns the names of the masses, in the order of the scene description.

@@ -60,7 +60,7 @@ def hold(ours, theirs, but=()):
             assert [str(value).lower() for value in left[told]] == [str(value).lower() for value in right[told]], name
         elif left.dtype.kind in "fi":
             # Missing values are NaN on both sides.  0 == -0, but neither side has -0.
-            np.testing.assert_array_equal(left.to_numpy(float), right.to_numpy(float), err_msg=name)
+            np.testing.assert_array_equal(left.to_numpy(float, na_value=np.nan), right.to_numpy(float), err_msg=name)
         else:
             assert left.fillna("").tolist() == right.fillna("").tolist(), name
         compared += len(left)

@@ -2,7 +2,6 @@
 
 import builtins
 import math
-import pickle
 import sys
 
 import numpy as np
@@ -94,7 +93,7 @@ def test_where_there_is_no_answer_the_answer_says_why():
     assert orbit.multipliers.shape == (0,) and orbit.sticking_intervals.shape == (0, 2)
     found = wall.map(r=[1.0], beta=[0.1])
     assert found.region[0, 0] == "unbounded" and found.stops[0, 0] == -1 and found.regime[0, 0] == ""
-    assert math.isnan(found.to_frame().stops[0])
+    assert found.to_frame().stops.isna()[0]
     assert wall.limits(r=1.0).continuous_limit > 0
 
 
@@ -214,6 +213,29 @@ def test_pictures_do_not_reach_below_zero(frame):
     plt.close("all")
 
 
-def test_a_system_is_not_pickled_silently(frame):
-    with pytest.raises(TypeError):
-        pickle.dumps(frame)
+def test_an_elastic_contact_answers():
+    """The stuck chain is linear with the spring of the contact, k1 + k: amplitude P/(k1 + k - m w^2), and it slides
+    once its force k x exceeds F."""
+    k1, k, m, force = 50.0, 150.0, 2.0, 10.0
+    block = frictiongen.System.of({"block": m}, {"base - block": k1}, "block - wall", "block", stiffness=k)
+    hz = np.array([0.3, 0.8])
+    stuck = force / (k1 + k - m * (2 * math.pi * hz) ** 2)
+    limits = block.limits(hz=hz, force=force)
+    assert (limits.continuous_limit_N == 0).all()
+    np.testing.assert_allclose(limits.sliding_limit_N, k * stuck, rtol=1e-13)
+    response = block.response(hz=hz, friction=[1.0, 1.01 * k * stuck.max()], force=force)
+    assert response.regime[:, 1].tolist() == ["stuck", "stuck"] and (response.regime[:, 0] == "stick-slip").all()
+    # The first cycles from rest have moved the slider, so that the motion is off centre.
+    np.testing.assert_allclose(response["block"].centred_m[:, 1], stuck, rtol=1e-13)
+    # The slider takes 4 F (X - F/k) in a cycle in which it slides once each way (joint of a full-slip loop).
+    curve = block.curve(hz=(0.3, 0.31), friction=1.0, force=force)
+    swing = curve["block"].centred_m[0]
+    period = 1 / 0.3
+    np.testing.assert_allclose(curve.friction_power_W[0] * period, 4 * (swing - 1.0 / k), rtol=1e-9)
+    steps = block.step(1e-2, force=np.full(2000, 1.0), friction=3.0)
+    assert set(steps["contact"].state) == {"stuck"}
+    damped = frictiongen.System.of({"block": m}, {"base - block": k1}, "block - wall", "block", damping=0.05, stiffness=k)
+    best = damped.optimum("block", hz=(0.5, 1.5), force=force)
+    around = damped.response(hz=(0.5, 1.5), friction=best.friction_N * np.array([0.9, 1.0, 1.1]), force=force)
+    highest = around["block"].amplitude_m.max(axis=0)
+    assert highest[1] <= best.amplitude_m * (1 + 1e-9) < min(highest[0], highest[2])

@@ -105,7 +105,7 @@ def test_files_that_are_no_recording(plate, tmp_path):
         assert not str(raised.value).startswith(str(path))
 
     wrong("", "the file is empty", 1)
-    wrong("0,1,2\n", "the first line must name the columns", 1)
+    wrong("0,1,2\n", 'the columns have no names; write names in the first line, or give the column and the unit of each channel', 1)
     wrong("time_s,base_mm\n0,1\n0.1,x\n", "line 3: `x` of `base_mm` is not a finite number", 3)
     wrong("time_s,base_mm\n0,1\n0.1,inf\n", "line 3: `inf` of `base_mm`", 3)
     wrong("time_s,base_mm\n0,1\n0.1\n", "line 3: it has 1 cells, but there are 2 names", 3)

@@ -12,9 +12,7 @@ use crate::failure::Failure;
 use crate::measure::Measure;
 use crate::output;
 use crate::summary::Summary;
-use frictiongen::Of;
 use frictiongen::measure::Inputs;
-use frictiongen::study::scene::Excitation;
 use std::io::Write;
 
 /// Runs `frictiongen drive`.
@@ -49,14 +47,10 @@ pub fn run(arguments: &DriveArguments, out: &mut dyn Write) -> Result<(), Failur
     }
     let mut parts = parts(&system, &arguments.of)?;
     without_rates(&parts)?;
-    if arguments.of.is_empty() && system.scene().excitation == Excitation::Base {
+    if arguments.of.is_empty() {
         // Under a recorded acceleration the base drifts by metres, which hides all relative motion.
-        for part in &mut parts {
-            if let Of::Mass(index) = part.of {
-                part.of = Of::FromBase(index);
-                part.name = system.name_of_motion(part.of);
-            }
-        }
+        let all = parts.into_iter().map(|part| part.from_base(&system));
+        parts = all.collect();
     }
     let recording = files.inputs()?;
     let path = files.recordings.first();

@@ -226,7 +226,7 @@ fn says_which_formats_are_read_and_where_reading_stopped() {
             "unnamed",
             "0 1\n0.01 2\n",
             &[],
-            "the columns have no names; name them, or give --channel NAME=COLUMN:UNIT".to_owned(),
+            "the columns have no names; write names in the first line, or give the column".to_owned(),
         ),
         (
             "ragged",

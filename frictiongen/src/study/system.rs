@@ -183,6 +183,28 @@ impl<S: Float> System<S> {
             .get_or_init(|| Steps::of(&self.scene, &self.modal, masses, rounded::<S>))
     }
 
+    /// Returns a description of the scene, also of a scene that was made in code, fitted or changed. The description has
+    /// no comments. Reading it returns an equal scene, with the same numbers to the last bit.
+    ///
+    /// ```
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// let block: frictiongen::System = "struct Block {
+    ///     masses: { block: 2.0 },
+    ///     springs: { base - block: 50.0 },
+    ///     contact: block - wall,
+    ///     excitation: block,
+    /// }"
+    /// .parse()?;
+    /// let softer = block.with_value(block.tunable_named("k base - block")?, 20.0)?;
+    /// assert!(softer.description().contains("springs: { base - block: 20.0 },"));
+    /// # Ok(())
+    /// # }
+    /// ```
+    #[must_use]
+    pub fn description(&self) -> String {
+        frictiongen_syntax::written(&self.scene)
+    }
+
     /// Returns the scene as described in text or in code.
     #[must_use]
     pub fn scene(&self) -> &Scene {

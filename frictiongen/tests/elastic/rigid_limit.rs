@@ -1,6 +1,8 @@
 //! The rigid contact as the limit of a stiff one.
 
 use frictiongen::System;
+use frictiongen::answer::Event;
+use std::f64::consts::TAU;
 
 const FRAME: &str = "struct Frame { masses: { lower: 3.27, upper: 3.25 },
     springs: { base - lower: 1190.0, lower - upper: 1323.0 }, contact: upper - wall,
@@ -95,5 +97,50 @@ fn stuck_responses_differ_by_the_compliance() {
         println!("k = 1e{decade} k1: {difference}");
         assert!(last.is_none_or(|last| (9.9..10.1).contains(&(last / difference))));
         last = Some(difference);
+    }
+}
+
+/// Returns the times of all stops and of all break-aways of a motion from rest, in radians of the excitation.
+fn events(system: &System, cycles: f64) -> [Vec<f64>; 2] {
+    let mut run = system.simulation(0.9, 0.6).expect("a run");
+    let (mut passed, mut times) = (0.0, [Vec::new(), Vec::new()]);
+    while passed < TAU * cycles {
+        let segment = run.advance(TAU * cycles - passed).expect("finite");
+        passed += segment.length;
+        match segment.event {
+            Some(Event::Stop) => times[0].push(passed),
+            Some(Event::Slip) => times[1].push(passed),
+            _ => {}
+        }
+    }
+    times
+}
+
+/// A stiff contact rings while it sticks, and may slip several times before it stays.  The stops and break-aways nearest
+/// to those of a rigid contact are compared.  Stops differ by multiples of 1/k: at a stop the velocity is a straight line
+/// through 0.  Break-aways differ by multiples of 1/√k, the period of the ringing.
+#[test]
+fn event_times_tend_to_those_of_a_rigid_contact() {
+    let rigid = events(&FRAME.parse().expect("a scene"), 3.0);
+    assert_eq!(rigid.each_ref().map(Vec::len), [6, 7]);
+    for decade in 2..=8 {
+        let ratio = 10_f64.powi(decade);
+        let elastic = events(&with(1190.0 * ratio), 3.0);
+        let latest = [0, 1].map(|kind| {
+            let nearest = |time: &f64| {
+                let differences = elastic[kind].iter().map(|other| (other - time).abs());
+                differences.fold(f64::INFINITY, f64::min)
+            };
+            rigid[kind].iter().map(nearest).fold(0.0, f64::max)
+        });
+        println!(
+            "k = 1e{decade} k1: stops differ by {:.1e}, break-aways by {:.1e}",
+            latest[0], latest[1]
+        );
+        let scaled = [latest[0] * ratio, latest[1] * ratio.sqrt()];
+        assert!(
+            (3.0..12.0).contains(&scaled[0]) && (1.0..4.0).contains(&scaled[1]),
+            "{scaled:?}"
+        );
     }
 }

@@ -170,9 +170,9 @@ fn wrong_column() {
     );
     let error = Recording::from_csv("0,1,2\n", &CsvRequest::default()).unwrap_err();
     assert!(
-        error
-            .to_string()
-            .contains("the columns have no names; name them, or give --channel"),
+        error.to_string().contains(
+            "the columns have no names; write names in the first line, or give the column"
+        ),
         "{error}"
     );
     let error = Recording::from_csv("base_mm,plate_mm\n1,2\n", &CsvRequest::default()).unwrap_err();

@@ -16,6 +16,8 @@ Give frequencies as `r`, `hz` or `omega`, friction as `beta` or as `friction` in
 (over Y), phases in rad.
 """
 
+from importlib.metadata import version as _version
+
 from ._answers import (
     Curve,
     Estimate,
@@ -42,6 +44,9 @@ from ._native import DomainError, MeasureError, SceneError
 from ._observation import Observation
 from ._recording import Recording
 from ._system import FRAME, Mistake, System
+
+#: Version of the package.
+__version__: str = _version("frictiongen")
 
 __all__ = [
     "FRAME",

@@ -30,13 +30,19 @@ pub fn drive<'py>(
             "friction is {force:?}: friction must be a finite number, 0 or above"
         )));
     }
+    let mut parts = parts(of_system, "of", of.as_ref())?;
+    if of.is_none() {
+        // Under a recorded acceleration the base drifts by metres, which hides all relative motion.
+        let all = parts.into_iter().map(|part| part.from_base(of_system));
+        parts = all.collect();
+    }
     let recording = recording.get();
     let inputs = Inputs::of(&recording.recording, of_system, friction);
     let inputs = inputs.map_err(|error| measurement(py, recording.source.as_deref(), &error))?;
     let course = Course {
         dt: inputs.dt(),
         samples: inputs.len(),
-        parts: parts(of_system, "of", of.as_ref())?,
+        parts,
         start: Start::of(start.as_ref())?,
         stiction: stiction.map(|mu| one("stiction", &mu)).transpose()?,
     };

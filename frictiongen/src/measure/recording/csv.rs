@@ -220,7 +220,8 @@ fn read(text: &str, request: &CsvRequest) -> Result<(f64, Vec<Channel>), Measure
         Some(_) if request.columns.is_empty() => {
             return Err(MeasureError::Format {
                 line: 1,
-                what: "the columns have no names; name them, or give --channel NAME=COLUMN:UNIT, as in --channel base=2:g"
+                what: "the columns have no names; write names in the first line, or give the column and the unit of each \
+                       channel: --channel base=2:g, in Python channels={\"base\": (2, \"g\")}"
                     .to_owned(),
             });
         }

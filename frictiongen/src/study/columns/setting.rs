@@ -7,6 +7,7 @@ use crate::Of;
 use crate::study::{
     System, UnknownMotion,
     response::Size,
+    scene::Excitation,
     units::{self, LoadScale},
 };
 
@@ -33,6 +34,19 @@ impl Part {
         let (of, size) = system.quantity_named(name)?;
         let name = name.trim().to_owned();
         Ok(Self { of, size, name })
+    }
+
+    /// Returns the motion of a mass relative to the base, where the base moves. Other parts stay as they are.
+    #[must_use]
+    pub fn from_base(self, system: &System) -> Self {
+        match (self.of, system.scene().excitation) {
+            (Of::Mass(index), Excitation::Base) => {
+                let of = Of::FromBase(index);
+                let name = system.name_of_motion(of);
+                Self { of, name, ..self }
+            }
+            _ => self,
+        }
     }
 
     /// Returns true if the requested quantity is not a displacement. It is then a velocity, an acceleration, or the

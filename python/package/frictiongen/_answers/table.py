@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from html import escape
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -10,6 +11,7 @@ from numpy.typing import NDArray
 
 if TYPE_CHECKING:
     from pandas import DataFrame
+    from xarray import Dataset
 
 Floats = NDArray[np.float64]
 Counts = NDArray[np.int64]
@@ -18,6 +20,21 @@ Words = NDArray[np.str_]
 
 #: Columns that depend on the frequency alone.
 _FREQUENCY = ("frequency_Hz", "omega_rad_s", "r")
+#: Columns that depend on the friction alone.
+_FRICTION = ("friction_N", "beta")
+#: Units at the end of the names of columns, as xarray has them.  The first that fits holds.
+_UNITS = {
+    "_rad_s": "rad/s",
+    "_m_s2": "m/s2",
+    "_m_s": "m/s",
+    "_Hz": "Hz",
+    "_N": "N",
+    "_m": "m",
+    "_deg": "degree",
+    "_W": "W",
+    "_J": "J",
+    "_s": "s",
+}
 
 
 def frame(columns: dict[str, Any]) -> DataFrame:
@@ -41,10 +58,12 @@ def joined(tables: dict[str, dict[str, Any]], title: str) -> DataFrame:
 
 
 def _cells(values: Any) -> Any:
-    """Returns values with missing counts, -1, as NaN."""
+    """Returns values as a frame holds them: counts as nullable integers, in which a missing count, -1, is `NA`."""
     values = np.ravel(values)
-    if values.dtype.kind == "i" and (values < 0).any():
-        return np.where(values < 0, np.nan, values)
+    if values.dtype.kind == "i":
+        import pandas
+
+        return pandas.arrays.IntegerArray(values.astype(np.int64), values < 0)
     return values
 
 
@@ -115,10 +134,15 @@ def _missing(answer: object, name: str, columns: dict[str, Any]) -> str:
 def item(answer: object, name: str, columns: dict[str, Any]) -> Any:
     if name in columns:
         return columns[name]
-    inner = {known[len(name) + 1 :]: value for known, value in columns.items() if known.startswith(f"{name}.")}
+    inner = _inner(columns, name)
     if not inner:
         raise KeyError(_missing(answer, name, columns))
     return Motion(name, inner)
+
+
+def _inner(columns: dict[str, Any], name: str) -> dict[str, Any]:
+    """Returns the columns of one motion, by their names without the motion's."""
+    return {known[len(name) + 1 :]: value for known, value in columns.items() if known.startswith(f"{name}.")}
 
 
 class Table(Columns):
@@ -138,6 +162,25 @@ class Table(Columns):
     def motions(self) -> list[str]:
         """Names of the contact and of masses that `answer[name]` takes."""
         return list(dict.fromkeys(name.split(".")[0] for name in self._columns if "." in name))
+
+    @property
+    def masses(self) -> dict[str, Motion]:
+        """Motions of the masses by name, as in `answer.masses["lower"].amplitude_m`."""
+        return {name: Motion(name, _inner(self._columns, name)) for name in self.motions if name != "contact"}
+
+    @property
+    def contact(self) -> Motion:
+        """Motion of the contact."""
+        found: Motion = self["contact"]
+        return found
+
+    def _repr_html_(self) -> str:
+        """Returns what a notebook shows: the first lines of the frame, or its names where pandas is missing."""
+        try:
+            whole = self.to_frame()
+        except ImportError:
+            return f"<pre>{escape(repr(self))}</pre>"
+        return str(whole.to_html(max_rows=10, index=False))
 
     def _repr_size(self) -> str:
         first = next(iter(self._columns.values()), np.empty(0))
@@ -180,6 +223,38 @@ class Grid(Table):
                 values = np.reshape(values, frequency) if name in _FREQUENCY else values
                 columns[name] = np.broadcast_to(values, self.shape)
         return frame(columns)
+
+    def to_xarray(self) -> Dataset:
+        """Returns an xarray dataset with the dimensions frequency and friction, as far as these are arrays.
+
+        The coordinates are the frequency and the friction that were given, with their units as attributes.
+
+        :raises ImportError: if xarray is not installed.
+
+        >>> import frictiongen
+        >>> frame = frictiongen.System(frictiongen.FRAME)
+        >>> answer = frame.response(hz=[1.0, 2.5], friction=[0.4, 0.6, 1.0], base=0.001).to_xarray()
+        >>> dict(answer.sizes), answer["lower.amplitude_m"].dims
+        ({'frequency': 2, 'friction': 3}, ('frequency', 'friction'))
+        """
+        try:
+            import xarray
+        except ImportError as error:
+            raise ImportError("to_xarray() needs xarray, which is not installed: pip install xarray") from error
+        both = ("frequency",) * np.ndim(self.r) + ("friction",) * np.ndim(self.beta)
+        variables = {}
+        for name, values in self._columns.items():
+            if name in _FREQUENCY or name in self._beside:
+                dimensions = both[: np.ndim(self.r)]
+            elif name in _FRICTION:
+                dimensions = both[np.ndim(self.r) :]
+            else:
+                dimensions = both
+            unit = next((unit for tail, unit in _UNITS.items() if name.endswith(tail)), None)
+            variables[name] = (dimensions, np.asarray(values), {} if unit is None else {"units": unit})
+        given = [*_FREQUENCY, *_FRICTION]
+        coordinates = {name: variables.pop(name) for name in given if name in variables}
+        return xarray.Dataset(variables, coordinates)
 
     def _repr_size(self) -> str:
         return f"shape {self.shape}"
