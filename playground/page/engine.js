@@ -1,0 +1,60 @@
+// A worker with the solver.  A question that takes too long ends the worker, and the next question starts another.
+class Engine {
+  constructor(module, patience) {
+    this.module = module;
+    this.patience = patience;
+    this.last = 0;
+    this.asked = new Map();
+    this.queue = Promise.resolve();
+    this.start();
+  }
+
+  start() {
+    const url = URL.createObjectURL(new Blob([document.getElementById("worker").textContent], { type: "text/javascript" }));
+    this.worker = new Worker(url);
+    this.ready = new Promise((done) => this.asked.set(0, { done }));
+    this.worker.onmessage = ({ data }) => this.told(data);
+    this.worker.postMessage({ module: this.module });
+    this.ready.then(() => URL.revokeObjectURL(url));
+  }
+
+  told({ id, answer, broken }) {
+    const asked = this.asked.get(id);
+    if (!asked) return;
+    this.asked.delete(id);
+    clearTimeout(asked.timer);
+    if (broken) this.stop();
+    asked.done(broken ? { error: `the solver stopped at this scene: ${broken}` } : answer);
+  }
+
+  // Ends the worker; every open question gets an answer.
+  stop(reason = "a newer question took the place of this one") {
+    this.worker.terminate();
+    const open = [...this.asked.values()];
+    this.asked.clear();
+    this.start();
+    for (const asked of open) {
+      clearTimeout(asked.timer);
+      asked.done({ error: reason, stopped: true });
+    }
+  }
+
+  // Asks after the questions before.
+  ask(question) {
+    const turn = this.queue.then(() => this.now(question));
+    this.queue = turn.catch(() => {});
+    return turn;
+  }
+
+  async now(question) {
+    // A worker that was ended before it was ready has a follower.
+    for (let ready = null; ready !== this.ready; await ready) ready = this.ready;
+    const id = ++this.last;
+    return new Promise((done) => {
+      const seconds = this.patience / 1000;
+      const timer = setTimeout(() => this.stop(`this takes more than ${seconds} s in a page; the command frictiongen has no such limit`), this.patience);
+      this.asked.set(id, { done, timer });
+      this.worker.postMessage({ id, question });
+    });
+  }
+}

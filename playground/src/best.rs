@@ -1,0 +1,37 @@
+//! The friction for which the largest amplitude over the range of frequencies is smallest.
+
+use crate::question::Question;
+use frictiongen::study::optimum::{FrequencyBand, OptimumEnd, OptimumKind, OptimumRequest};
+use frictiongen::study::response::Size;
+use serde_json::{Value, json};
+
+/// Returns the best friction and the largest amplitude with it.
+pub fn answer(question: &Question) -> Result<Value, String> {
+    let system = question.system()?;
+    let request = OptimumRequest {
+        of: question.motion(),
+        size: Size::Displacement,
+        band: FrequencyBand::Ratio(question.from, question.to),
+        load: None,
+    };
+    let best = system
+        .optimum_within(&request, question.work)
+        .map_err(|error| error.to_string())?;
+    let why = match best.kind {
+        OptimumKind::EqualPeaks => "two peaks have the same height",
+        OptimumKind::SinglePeak => "one peak is at its minimum",
+        OptimumKind::NoFriction => "any friction increases the largest amplitude",
+        OptimumKind::Stuck => "the contact is stuck, and more friction changes nothing",
+        OptimumKind::Trivial => "the contact is stuck over the whole range, and this motion rests",
+        OptimumKind::Bounded => "a bound keeps the friction from a smaller amplitude",
+    };
+    Ok(json!({
+        "beta": best.beta,
+        "amplitude": best.amplitude,
+        "why": why,
+        "finished": best.end != OptimumEnd::WorkSpent,
+        "r": best.peaks.first().map(|peak| peak.r),
+        "without_friction": best.without_friction,
+        "stuck": best.with_contact_locked,
+    }))
+}

@@ -1,0 +1,38 @@
+//! The calls of the browser: memory for a question, and its answer.
+//!
+//! This file alone contains unsafe code.  The page has one thread for each instance, so that the calls never overlap.
+#![cfg_attr(not(target_arch = "wasm32"), allow(dead_code))]
+
+use std::cell::RefCell;
+
+thread_local! {
+    /// The text of the question, then the text of its answer.
+    static TEXT: RefCell<Vec<u8>> = const { RefCell::new(Vec::new()) };
+}
+
+/// Makes room for a question of `length` bytes and returns its address.  The page writes the question there.
+#[unsafe(no_mangle)]
+pub extern "C" fn room(length: usize) -> *mut u8 {
+    TEXT.with_borrow_mut(|text| {
+        text.clear();
+        text.resize(length, 0);
+        text.as_mut_ptr()
+    })
+}
+
+/// Answers the question and returns the length of the answer in bytes.
+#[unsafe(no_mangle)]
+pub extern "C" fn ask() -> usize {
+    let question = TEXT.with_borrow_mut(std::mem::take);
+    let answer = crate::answer(&String::from_utf8_lossy(&question));
+    TEXT.with_borrow_mut(|text| {
+        *text = answer.into_bytes();
+        text.len()
+    })
+}
+
+/// Returns the address of the answer.  It is valid until the next call of [`room`] or [`ask`].
+#[unsafe(no_mangle)]
+pub extern "C" fn told() -> *const u8 {
+    TEXT.with_borrow(|text| text.as_ptr())
+}
