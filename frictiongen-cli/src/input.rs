@@ -115,6 +115,13 @@ impl FileArgument {
         Ok((description, text))
     }
 
+    /// Reads and parses the description of a scene for which the macro emits code. Also returns its text.
+    pub fn exported(&self, limits: &Limits) -> Result<(Description, String), Failure> {
+        let text = self.text()?;
+        let description = self.single(self.parsed(&text, limits)?)?;
+        Ok((description, text))
+    }
+
     /// Fails unless the kinetic friction is independent of the sliding speed.
     fn check_constant(&self, description: &Description) -> Result<(), Failure> {
         if description.scene.friction == FrictionLaw::Coulomb {

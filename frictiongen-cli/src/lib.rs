@@ -15,6 +15,7 @@ mod destination;
 mod diff;
 mod emitted;
 mod expand;
+mod export;
 mod failure;
 mod features;
 mod file;
@@ -105,6 +106,7 @@ pub fn run(
         Command::Report(arguments) => report::run(arguments, out),
         Command::Compile(arguments) => compile::run(arguments, out),
         Command::Expand(arguments) => expand::run(arguments, out),
+        Command::Export(arguments) => export::run(arguments, out),
         Command::Diff(arguments) => diff::run(arguments, out),
         Command::Check(arguments) => check::run(arguments, out),
         Command::New(arguments) => new::run(arguments, out),

@@ -76,6 +76,33 @@ pub struct ExpandArguments {
     pub output: Option<PathBuf>,
 }
 
+/// Language or format of `frictiongen export`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum ExportTarget {
+    /// A static library with a header of C99.
+    C,
+}
+
+/// Arguments of `frictiongen export`.
+#[derive(Debug, Args)]
+pub struct ExportArguments {
+    /// Argument for the scene description.
+    #[command(flatten)]
+    pub file: FileArgument,
+    /// Write for this language
+    #[arg(long, value_enum)]
+    pub to: ExportTarget,
+    /// Write the files into this folder, which the command creates if necessary
+    #[arg(short, long, value_name = "DIR")]
+    pub output: PathBuf,
+    /// Prefix of all names in C, and name of the header [default: the scene's name]
+    #[arg(long, value_name = "NAME")]
+    pub name: Option<String>,
+    /// Folder of the crate `frictiongen` that the library needs [default: this version from the registry]
+    #[arg(long, value_name = "PATH")]
+    pub library: Option<PathBuf>,
+}
+
 /// Arguments of `frictiongen diff`.
 #[derive(Debug, Args)]
 pub struct DiffArguments {

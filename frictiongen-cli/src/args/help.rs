@@ -341,3 +341,16 @@ ends with an error.
 
 Exit status:
   0 without errors. Otherwise 2, with one line on standard error for each error.";
+
+pub const EXPORTS: &str = "\
+The folder is a crate of Rust without std, which cargo builds to a static library:
+  NAME.h          the functions, for C99 and C++, with the description, units and statuses
+  src/lib.rs      the solver, and the functions of the header
+  NAME.friction   the description
+  Cargo.toml      the crate, with the library `frictiongen` of this version, or that of --library
+  main.c          an example, which a later export does not overwrite
+  Makefile, CMakeLists.txt
+The functions are those of `provide`: limits, motion, stuck, orbit, stepper, self_check.
+
+Exit status:
+  0 without errors. Otherwise 2, with one line on standard error for each error.";

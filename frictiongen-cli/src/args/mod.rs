@@ -13,7 +13,7 @@ mod shared;
 use clap::{Parser, Subcommand};
 pub use code::{
     CheckArguments, CompileArguments, CompletionsArguments, DiffArguments, ExpandArguments,
-    ManArguments, NewArguments, TableFormat,
+    ExportArguments, ExportTarget, ManArguments, NewArguments, TableFormat,
 };
 pub use desk::{
     CurveArguments, FeaturesArguments, MapArguments, OptimumArguments, SensitivityArguments,
@@ -22,8 +22,8 @@ pub use desk::{
 #[cfg(feature = "pictures")]
 pub use desk::{LogAxes, Shade};
 use help::{
-    CURVES, DIFFERENCES, FEATURES, GRIDS, GRIDS_IN_TIME, LIMITS, MAPS, ONE_POINT, OPTIMA, ORBITS,
-    RANGES, RESPONSES, SENSITIVITIES, STATES, TABLES, TIMES, UNITS,
+    CURVES, DIFFERENCES, EXPORTS, FEATURES, GRIDS, GRIDS_IN_TIME, LIMITS, MAPS, ONE_POINT, OPTIMA,
+    ORBITS, RANGES, RESPONSES, SENSITIVITIES, STATES, TABLES, TIMES, UNITS,
 };
 use periodic::PERIODICS;
 pub use periodic::PeriodicArguments;
@@ -103,6 +103,9 @@ pub enum Command {
     Compile(CompileArguments),
     /// Print the Rust code that the macro with the feature `proof` emits for a description
     Expand(ExpandArguments),
+    /// Write a library with a C header, which contains everything that the description provides
+    #[command(after_help = EXPORTS)]
+    Export(ExportArguments),
     /// List the differences between two descriptions: parameters, natural frequencies, answers and emitted code
     #[command(after_help = DIFFERENCES)]
     Diff(DiffArguments),

@@ -9,6 +9,7 @@ mod diff;
 mod drive;
 mod elastic;
 mod expand;
+mod export;
 mod features;
 mod first_hour;
 mod first_steps;

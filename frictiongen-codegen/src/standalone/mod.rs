@@ -12,14 +12,16 @@ mod known;
 mod origin;
 mod products;
 mod rust;
+mod stepping;
 mod stuck;
 mod units;
 
 pub use c::{c_header, c_name, c_source, c_tables, c_tables_name};
 pub use known::known_answers;
 pub(crate) use origin::rust_text;
-pub use origin::{NOTICE, Origin, scene_hash};
+pub use origin::{NOTICE, Origin, c_text, scene_hash};
 pub use rust::rust_source;
+pub use stepping::StepperShape;
 pub use units::UnitConstants;
 
 use constants::{Constants, Form};

@@ -58,7 +58,7 @@ impl Origin<'_> {
     }
 
     /// Returns the origin as a block comment in C, in ASCII.
-    pub(super) fn c_comment(&self, scene: &Scene) -> String {
+    pub fn c_comment(&self, scene: &Scene) -> String {
         let lines = self.lines(scene);
         let lines = lines.iter().map(|line| c_text(line));
         let lines: Vec<String> = lines
@@ -79,7 +79,7 @@ impl Origin<'_> {
 /// Returns a text that is safe in a comment of C. The text is in ASCII, without trigraphs and without the marks that
 /// begin or end a comment. The function adds a full stop to a backslash at the end of a line, because the compiler
 /// would join two lines.
-pub(super) fn c_text(text: &str) -> String {
+pub fn c_text(text: &str) -> String {
     let mut out = String::new();
     for letter in text.chars() {
         let last = out.chars().next_back();

@@ -1,0 +1,49 @@
+//! Names of a scene in C.
+
+use crate::failure::Failure;
+use frictiongen::study::scene::Scene;
+use frictiongen_codegen::standalone::c_name;
+
+/// Headers of the C library.  A header of the same name would hide one of them.
+const TAKEN: [&str; 24] = [
+    "assert", "complex", "ctype", "errno", "fenv", "float", "inttypes", "iso646", "limits",
+    "locale", "math", "setjmp", "signal", "stdarg", "stdbool", "stddef", "stdint", "stdio",
+    "stdlib", "string", "tgmath", "time", "wchar", "wctype",
+];
+
+/// Returns the prefix of the names in C: --name, or the scene's name in snake case.
+pub fn prefix(scene: &Scene, given: Option<&str>) -> Result<String, Failure> {
+    let name = given.map_or_else(|| c_name(scene), str::to_owned);
+    let is_letter = |letter: char| letter.is_ascii_alphabetic();
+    let rest = |letter: char| is_letter(letter) || letter.is_ascii_digit() || letter == '_';
+    if !(name.starts_with(is_letter) && name.chars().all(rest)) {
+        let origin = if given.is_some() {
+            "--name is"
+        } else {
+            "the scene's name gives"
+        };
+        return Err(Failure::new(format_args!(
+            "{origin} `{name}`, which cannot begin a name in C; write --name with letters, digits and underscores, for example --name frame"
+        )));
+    }
+    if TAKEN.contains(&name.as_str()) {
+        return Err(Failure::new(format_args!(
+            "{name}.h is a header of the C library; give the files another name, for example --name my_{name}"
+        )));
+    }
+    Ok(name)
+}
+
+/// Returns the name of a mass as the field of a struct.  A name with letters outside ASCII is replaced by the number of
+/// the mass.
+pub fn field(scene: &Scene, index: usize, start: &str) -> String {
+    match scene.masses.get(index) {
+        Some(mass) if mass.name.is_ascii() => format!("{start}_{}", mass.name),
+        _ => format!("{start}_{}", index + 1),
+    }
+}
+
+/// Returns the name of a mass in the description.
+pub fn mass(scene: &Scene, index: usize) -> &str {
+    scene.masses.get(index).map_or("", |mass| &mass.name)
+}

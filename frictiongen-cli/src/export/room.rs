@@ -1,0 +1,82 @@
+//! Sizes of a stepper and of its saved state in bytes, so that C can allocate them.
+
+use frictiongen::kernel::motion::ElasticChain;
+use frictiongen::kernel::stepper::{FixedStepper, FixedStore, Saved};
+use frictiongen::study::scene::Precision;
+use frictiongen_codegen::standalone::StepperShape;
+
+/// Bytes that padding may add to an extrapolated size.
+const PADDING: i64 = 16;
+
+/// Sizes of a stepper and of its saved state, with one or two modes, modes of the stuck chain, and inputs.
+type Corner = [usize; 2];
+
+/// Returns the sizes in words of 64 bits, including the mark in front: of the stepper and of its saved state.
+///
+/// The size of a stepper is linear in each of its numbers of modes, of modes of the stuck chain and of inputs.  Eight
+/// sizes therefore determine all others.  The exported crate asserts that the result suffices on its target.
+pub fn words(shape: &StepperShape, precision: Precision) -> [usize; 2] {
+    let corners = match precision {
+        Precision::F64 => corners::<f64>(shape),
+        Precision::F32 => corners::<f32>(shape),
+    };
+    let weights = [shape.modes, shape.held, shape.inputs].map(|size| {
+        let size = i64::try_from(size).unwrap_or(i64::MAX);
+        [2 - size, size - 1]
+    });
+    [0, 1].map(|of| {
+        let corners = corners.iter().enumerate();
+        let sum = corners.fold(0_i64, |sum, (index, corner)| {
+            let size = corner.get(of).copied().unwrap_or(0);
+            let size = i64::try_from(size).unwrap_or(i64::MAX);
+            let places = [index >> 2, (index >> 1) & 1, index & 1];
+            let weight = weights
+                .iter()
+                .zip(places)
+                .fold(1, |product, (pair, place)| {
+                    product * pair.get(place).copied().unwrap_or(0)
+                });
+            sum + weight * size
+        });
+        // The mark in front is one more word.
+        usize::try_from((sum + PADDING + 7) / 8).unwrap_or(0) + 1
+    })
+}
+
+fn corners<S: frictiongen::scalar::Float>(shape: &StepperShape) -> [Corner; 8] {
+    match shape.coefficients {
+        1 => of_inputs::<S, 1>(shape.elastic),
+        2 => of_inputs::<S, 2>(shape.elastic),
+        _ => of_inputs::<S, 4>(shape.elastic),
+    }
+}
+
+fn of_inputs<S: frictiongen::scalar::Float, const D: usize>(elastic: bool) -> [Corner; 8] {
+    [
+        sizes::<S, D, 1, 1, 1>(elastic),
+        sizes::<S, D, 1, 1, 2>(elastic),
+        sizes::<S, D, 1, 2, 1>(elastic),
+        sizes::<S, D, 1, 2, 2>(elastic),
+        sizes::<S, D, 2, 1, 1>(elastic),
+        sizes::<S, D, 2, 1, 2>(elastic),
+        sizes::<S, D, 2, 2, 1>(elastic),
+        sizes::<S, D, 2, 2, 2>(elastic),
+    ]
+}
+
+fn sizes<
+    S: frictiongen::scalar::Float,
+    const D: usize,
+    const M: usize,
+    const H: usize,
+    const I: usize,
+>(
+    elastic: bool,
+) -> Corner {
+    let stepper = if elastic {
+        size_of::<FixedStepper<S, D, M, H, I, ElasticChain<S>>>()
+    } else {
+        size_of::<FixedStepper<S, D, M, H, I>>()
+    };
+    [stepper, size_of::<Saved<S, FixedStore<S, D, M, H, I>>>()]
+}

@@ -1,0 +1,322 @@
+//! Functions that take a frequency ratio: limits, regimes, continuous motions, stuck responses and steady states.
+
+use super::face::{Face, Field, Function, Kind, Passed, Record};
+use super::names::{field, mass};
+use frictiongen::study::scene::{Excitation, Provide, Scene};
+
+const R: (&str, Passed) = ("r", Passed::Value(Kind::Real));
+const BETA: (&str, Passed) = ("beta", Passed::Value(Kind::Real));
+
+/// Adds the functions of the items of `provide` that depend on the frequency ratio.
+pub fn add(face: &mut Face, scene: &Scene) {
+    if scene.needs_frequency() {
+        face.records.push(Record {
+            name: "oscillation",
+            about: format!("A steady motion, over {}.", unit(scene)),
+            fields: vec![
+                Field::new("amplitude", Kind::Real, "exact maximum of the displacement"),
+                Field::new(
+                    "phase",
+                    Kind::Real,
+                    "lag of the maximum behind the excitation's, rad",
+                ),
+            ],
+        });
+        face.records.push(Record {
+            name: "complex",
+            about: format!(
+                "A complex amplitude X over {}: x = Re(X e^(i omega t)).",
+                unit(scene)
+            ),
+            fields: vec![
+                Field::new("re", Kind::Real, "real component"),
+                Field::new("im", Kind::Real, "imaginary component"),
+            ],
+        });
+        face.records.push(Record {
+            name: "instant",
+            about: format!(
+                "Displacement and velocity at an instant, over {}.",
+                unit(scene)
+            ),
+            fields: vec![
+                Field::new("displacement", Kind::Real, "displacement"),
+                Field::new(
+                    "velocity",
+                    Kind::Real,
+                    "derivative with respect to tau = omega t",
+                ),
+            ],
+        });
+    }
+    if scene.provides(&Provide::Limits) {
+        limits(face);
+    }
+    let motion = scene.provide.iter().find_map(|item| match item {
+        Provide::Motion(masses) => Some(masses.clone()),
+        _ => None,
+    });
+    if let Some(masses) = motion {
+        let masses = masses.unwrap_or_else(|| (0..scene.masses.len()).collect());
+        let motion = Motions {
+            name: "motion",
+            prepare: "let motion = Scene::at(r).map_err(domain)?.motion(beta).map_err(not_continuous)?;",
+            about: "The motion in which the contact slides all the time",
+            masses,
+        };
+        motion.add(face, scene);
+    }
+    if scene.provides(&Provide::Stuck) {
+        stuck(face, scene);
+    }
+    if scene.provides(&Provide::Orbit) {
+        orbit(face, scene);
+        let motion = Motions {
+            name: "orbit",
+            prepare: "let motion = Scene::at(r).map_err(domain)?.orbit(beta).map_err(no_orbit)?;",
+            about: "The steady state that motion from rest reaches, in any regime",
+            masses: (0..scene.masses.len()).collect(),
+        };
+        motion.add(face, scene);
+    }
+    if scene.provides(&Provide::SelfCheck) {
+        face.functions.push(Function {
+            name: "self_check",
+            about: "Compares all constants with their checksums, and answers with known answers."
+                .to_owned(),
+            parameters: Vec::new(),
+            body: "Scene::self_check().map_err(|_| SELF_CHECK)".to_owned(),
+        });
+    }
+}
+
+fn unit(scene: &Scene) -> &'static str {
+    match scene.excitation {
+        Excitation::Base => "the amplitude Y of the base",
+        Excitation::Force(_) => "P/k1",
+    }
+}
+
+fn limits(face: &mut Face) {
+    face.records.push(Record {
+        name: "limits",
+        about: "Both limits of the friction ratio beta.".to_owned(),
+        fields: vec![
+            Field::new(
+                "continuous",
+                Kind::Real,
+                "beta_lim: below it a motion slides all the time",
+            ),
+            Field::new(
+                "sliding",
+                Kind::Real,
+                "beta*_lim: from it on a stuck state exists",
+            ),
+        ],
+    });
+    let at = "let at = Scene::at(r).map_err(domain)?;\n";
+    let question = |name, about: &str, kind, parameters: &[(&'static str, Passed)], rest: &str| {
+        let mut parameters = parameters.to_vec();
+        parameters.push((name, Passed::Output(kind)));
+        Function {
+            name,
+            about: about.to_owned(),
+            parameters,
+            body: format!("{at}{rest}"),
+        }
+    };
+    face.functions.push(question(
+        "limits",
+        "Returns both limits at the frequency ratio r = omega sqrt(m1/k1).",
+        Kind::Record("limits"),
+        &[R],
+        "let found = at.limits();\nlimits.write(Limits { continuous: found.continuous, sliding: found.sliding });\nOk(())",
+    ));
+    face.functions.push(question(
+        "regime",
+        "Returns the regime at r and at the friction ratio beta: 0 continuous, 1 stick-slip, 2 stuck, 3 bistable.",
+        Kind::Int,
+        &[R, BETA],
+        "let number = match at.regime(beta).map_err(domain)? {\n    Regime::Continuous => 0,\n    Regime::StickSlip => 1,\n    Regime::Stuck => 2,\n    Regime::Bistable => 3,\n    _ => return Err(OTHER),\n};\nregime.write(number);\nOk(())",
+    ));
+    face.functions.push(question(
+        "margin",
+        "Returns beta over the smaller limit, minus 1. Below 0 the contact slides all the time.",
+        Kind::Real,
+        &[R, BETA],
+        "margin.write(at.margin(beta).map_err(domain)?);\nOk(())",
+    ));
+}
+
+/// Motions of the contact and of masses, as fields of one struct.
+struct Motions {
+    name: &'static str,
+    prepare: &'static str,
+    about: &'static str,
+    masses: Vec<usize>,
+}
+
+impl Motions {
+    /// Returns the fields of a struct with one entry for the contact and for each mass.
+    fn fields(&self, scene: &Scene, record: &'static str) -> Vec<Field> {
+        let contact = Field::new(
+            "contact",
+            Kind::Record(record),
+            "relative motion in the contact",
+        );
+        let masses = self.masses.iter().map(|index| {
+            let about = format!("mass {}", mass(scene, *index));
+            Field::new(field(scene, *index, "mass"), Kind::Record(record), about)
+        });
+        std::iter::once(contact).chain(masses).collect()
+    }
+
+    /// Returns the fields in Rust, each with an expression of its motion.
+    fn written(&self, scene: &Scene, function: &str) -> String {
+        let contact = format!("contact: {function}!(motion.contact()), ");
+        let masses = self.masses.iter().map(|index| {
+            let (name, method) = (field(scene, *index, "mass"), mass(scene, *index));
+            format!("{name}: {function}!(motion.{method}()), ")
+        });
+        std::iter::once(contact).chain(masses).collect()
+    }
+
+    fn add(&self, face: &mut Face, scene: &Scene) {
+        let questions = [
+            (
+                "",
+                "oscillation",
+                "oscillation",
+                "amplitudes and phases",
+                None,
+            ),
+            (
+                "_harmonic",
+                "complex",
+                "harmonic",
+                "harmonics of order n, with t from a maximum of the excitation",
+                Some(("n", Passed::Value(Kind::Count))),
+            ),
+            (
+                "_at",
+                "instant",
+                "instant",
+                "displacements and velocities at tau after a maximum of the contact's motion",
+                Some(("tau", Passed::Value(Kind::Real))),
+            ),
+        ];
+        for (ending, record, function, what, more) in questions {
+            let whole: &'static str = match (self.name, ending) {
+                ("motion", "") => "motion",
+                ("motion", "_harmonic") => "motion_harmonic",
+                ("motion", _) => "motion_at",
+                (_, "") => "orbit_motion",
+                (_, "_harmonic") => "orbit_harmonic",
+                _ => "orbit_at",
+            };
+            face.records.push(Record {
+                name: whole,
+                about: format!("{}: {what}.", self.about),
+                fields: self.fields(scene, record),
+            });
+            let written = self.written(scene, function);
+            let mut parameters = vec![R, BETA];
+            parameters.extend(more);
+            parameters.push(("result", Passed::Output(Kind::Record(whole))));
+            let given = match ending {
+                "_harmonic" => {
+                    "macro_rules! harmonic {\n    ($of:expr) => { complex($of.harmonic(n)) };\n}\n"
+                }
+                "_at" => {
+                    "macro_rules! instant {\n    ($of:expr) => { Instant { displacement: $of.displacement(tau), velocity: $of.velocity(tau) } };\n}\n"
+                }
+                _ if self.name == "motion" => {
+                    "macro_rules! oscillation {\n    ($of:expr) => {{ let largest = $of.largest(); Oscillation { amplitude: largest.amplitude, phase: largest.phase } }};\n}\n"
+                }
+                _ => {
+                    "macro_rules! oscillation {\n    ($of:expr) => {{ let (amplitude, phase) = ($of.amplitude(), $of.phase()); Oscillation { amplitude, phase } }};\n}\n"
+                }
+            };
+            face.functions.push(Function {
+                name: whole,
+                about: format!("Returns {what}. {}.", self.about),
+                parameters,
+                body: format!(
+                    "{given}{}\nresult.write({} {{ {written}}});\nOk(())",
+                    self.prepare,
+                    super::face::type_name(whole)
+                ),
+            });
+        }
+    }
+}
+
+fn stuck(face: &mut Face, scene: &Scene) {
+    let masses = 0..scene.masses.len();
+    let fields = masses.clone().map(|index| {
+        let about = format!("mass {}", mass(scene, index));
+        Field::new(field(scene, index, "mass"), Kind::Record("complex"), about)
+    });
+    face.records.push(Record {
+        name: "stuck",
+        about: "Complex amplitudes while the contact is stuck.".to_owned(),
+        fields: fields.collect(),
+    });
+    let written = masses.map(|index| {
+        format!(
+            "{}: complex(found.{}()), ",
+            field(scene, index, "mass"),
+            mass(scene, index)
+        )
+    });
+    let written: String = written.collect();
+    face.functions.push(Function {
+        name: "stuck",
+        about: "Returns the response while the contact is stuck.".to_owned(),
+        parameters: vec![R, ("stuck", Passed::Output(Kind::Record("stuck")))],
+        body: format!(
+            "let found = Scene::at(r).map_err(domain)?.stuck().map_err(|_| STUCK_RESONANCE)?;\nstuck.write(Stuck {{ {written}}});\nOk(())"
+        ),
+    });
+}
+
+fn orbit(face: &mut Face, _scene: &Scene) {
+    let flag = |name: &str, about: &str| Field::new(name, Kind::Int, about);
+    face.records.push(Record {
+        name: "orbit",
+        about: "A steady state in any regime.".to_owned(),
+        fields: vec![
+            Field::new(
+                "period",
+                Kind::Count,
+                "in cycles of the excitation; all counts are for one period",
+            ),
+            Field::new("stops", Kind::Count, "number of stops"),
+            Field::new(
+                "reversals",
+                Kind::Count,
+                "number of reversals without a stop",
+            ),
+            flag(
+                "is_symmetric",
+                "1 if the second half of a period is minus the first",
+            ),
+            flag("is_stable", "1 if small changes of the state decay"),
+            flag(
+                "is_marginal",
+                "1 if the state is one of a continuum, or is approached only algebraically",
+            ),
+            Field::new(
+                "stuck_fraction",
+                Kind::Real,
+                "fraction of the period in which the contact sticks",
+            ),
+        ],
+    });
+    face.functions.push(Function {
+        name: "orbit",
+        about: "Returns the steady state that motion from rest reaches, in any regime.".to_owned(),
+        parameters: vec![R, BETA, ("orbit", Passed::Output(Kind::Record("orbit")))],
+        body: "let found = Scene::at(r).map_err(domain)?.orbit(beta).map_err(no_orbit)?;\nlet count = |count: usize| u32::try_from(count).unwrap_or(u32::MAX);\norbit.write(Orbit {\n    period: found.period(),\n    stops: count(found.stops()),\n    reversals: count(found.reversals()),\n    is_symmetric: i32::from(found.is_symmetric()),\n    is_stable: i32::from(found.is_stable()),\n    is_marginal: i32::from(found.is_marginal()),\n    stuck_fraction: found.stuck_fraction(),\n});\nOk(())".to_owned(),
+    });
+}

@@ -1,0 +1,308 @@
+//! Functions of the stepper.
+
+use super::face::{Face, Field, Function, Kind, Opaque, Passed, Record};
+use super::names::{field, mass};
+use super::room;
+use frictiongen::study::scene::{Precision, Scene};
+use frictiongen_codegen::standalone::StepperShape;
+
+const STATE: &str = "stepper";
+const SAVED: &str = "stepper_saved";
+const CHANGED: (&str, Passed) = ("stepper", Passed::Changed(STATE));
+const READ: (&str, Passed) = ("stepper", Passed::Read(STATE));
+
+/// Adds the stepper with its structs.  `name` is the scene's type in Rust.
+pub fn add(face: &mut Face, scene: &Scene, name: &str) {
+    let shape = StepperShape::of(scene);
+    let [words, saved] = room::words(&shape, scene.precision);
+    let scalar = match scene.precision {
+        Precision::F64 => "f64",
+        Precision::F32 => "f32",
+    };
+    face.opaque.push(Opaque {
+        name: STATE,
+        about: "A stepper: the motion in steps of one length dt. A static variable or any other memory of this type will do. An assignment copies a stepper.",
+        contents: format!("super::{name}Stepper"),
+        words,
+    });
+    let sizes = shape.arguments();
+    face.opaque.push(Opaque {
+        name: SAVED,
+        about: "State of a stepper without its tables, for stepper_save and stepper_restore.",
+        contents: format!("Saved<{scalar}, FixedStore<{scalar}, {sizes}>>"),
+        words: saved,
+    });
+    records(face, scene, &shape);
+    control(face, scene, &shape, name);
+    read_outs(face, scene);
+    storage(face);
+}
+
+/// Returns the fields of an input in C, with the fields of the Rust type.
+fn inputs(scene: &Scene, shape: &StepperShape) -> Vec<(Field, String)> {
+    let mut fields = Vec::new();
+    let mut add = |name: String, inner: &str, about: String| {
+        fields.push((Field::new(name, Kind::Real, about), inner.to_owned()));
+    };
+    if shape.on_base {
+        add(
+            "displacement".to_owned(),
+            "displacement",
+            "displacement of the base, m".to_owned(),
+        );
+        add(
+            "velocity".to_owned(),
+            "velocity",
+            "velocity of the base, m/s".to_owned(),
+        );
+    }
+    for (place, index) in shape.forces.iter().enumerate() {
+        let about = format!("force on mass {}, N", mass(scene, *index));
+        if place == 0 && !shape.on_base {
+            add("force".to_owned(), "force", about);
+        } else {
+            add(field(scene, *index, "force"), mass(scene, *index), about);
+        }
+    }
+    add(
+        "friction".to_owned(),
+        "friction",
+        "kinetic friction force F, N, not negative".to_owned(),
+    );
+    fields
+}
+
+fn records(face: &mut Face, scene: &Scene, shape: &StepperShape) {
+    let inputs = inputs(scene, shape).into_iter();
+    face.records.push(Record {
+        name: "input",
+        about: "Input at the end of a step (`input: linear`) or during the step (`input: hold`)."
+            .to_owned(),
+        fields: inputs.map(|(field, _)| field).collect(),
+    });
+    let sliding = || {
+        Field::new(
+            "sliding",
+            Kind::Int,
+            "0 while the contact sticks, otherwise the sign of its velocity",
+        )
+    };
+    face.records.push(Record {
+        name: "stepped",
+        about: "Result of a step.".to_owned(),
+        fields: vec![
+            Field::new(
+                "force",
+                Kind::Real,
+                "force in the contact at the end of the step, N",
+            ),
+            sliding(),
+            Field::new(
+                "events",
+                Kind::Count,
+                "number of stops, break-aways and reversals",
+            ),
+            Field::new(
+                "exceeded",
+                Kind::Int,
+                "1 if the step reached the bound on events",
+            ),
+        ],
+    });
+    face.records.push(Record {
+        name: "mass_now",
+        about: "Motion of a mass at the end of the last step.".to_owned(),
+        fields: vec![
+            Field::new("displacement", Kind::Real, "m"),
+            Field::new("velocity", Kind::Real, "m/s"),
+        ],
+    });
+    let masses = (0..scene.masses.len()).map(|index| {
+        Field::new(
+            field(scene, index, "mass"),
+            Kind::Record("mass_now"),
+            format!("mass {}", mass(scene, index)),
+        )
+    });
+    face.records.push(Record {
+        name: "masses",
+        about: "Motions of all masses.".to_owned(),
+        fields: masses.collect(),
+    });
+    face.records.push(Record {
+        name: "contact",
+        about: "The contact at the end of the last step.".to_owned(),
+        fields: vec![
+            Field::new("displacement", Kind::Real, "relative displacement, m"),
+            Field::new("velocity", Kind::Real, "relative velocity, m/s"),
+            Field::new(
+                "force",
+                Kind::Real,
+                "friction force, or the force that holds a stuck contact, N",
+            ),
+            sliding(),
+        ],
+    });
+    face.records.push(Record {
+        name: "work",
+        about: "Energy balance since the start, J.".to_owned(),
+        fields: ["load", "friction", "damping", "stored"]
+            .into_iter()
+            .map(|name| {
+                Field::new(
+                    name,
+                    Kind::Real,
+                    match name {
+                        "load" => "work of the forces and of the base",
+                        "friction" => "dissipated by friction",
+                        "damping" => "dissipated by damping",
+                        _ => "increase of kinetic and elastic energy",
+                    },
+                )
+            })
+            .collect(),
+    });
+    face.records.push(Record {
+        name: "progress",
+        about: "Steps and time since the start.".to_owned(),
+        fields: vec![
+            Field::new("steps", Kind::Long, "number of steps"),
+            Field::new(
+                "exceeded",
+                Kind::Long,
+                "number of steps that reached the bound on events",
+            ),
+            Field::new("time", Kind::Real, "time since the start, s"),
+            Field::new("dt", Kind::Real, "length of a step, s"),
+            Field::new(
+                "stiction",
+                Kind::Real,
+                "mu, static over kinetic friction force",
+            ),
+        ],
+    });
+}
+
+fn function(
+    name: &'static str,
+    about: &str,
+    parameters: Vec<(&'static str, Passed)>,
+    body: String,
+) -> Function {
+    Function {
+        name,
+        about: about.to_owned(),
+        parameters,
+        body,
+    }
+}
+
+fn control(face: &mut Face, scene: &Scene, shape: &StepperShape, name: &str) {
+    let dt = ("dt", Passed::Value(Kind::Real));
+    let fresh = ("stepper", Passed::Fresh(STATE));
+    face.functions.push(function(
+        "stepper_start",
+        "Starts a stepper with the step dt, s, from rest without load.",
+        vec![fresh.clone(), dt.clone()],
+        "stepper.write(StepperMemory::new(Scene::stepper(dt).map_err(domain)?));\nOk(())"
+            .to_owned(),
+    ));
+    let list = |of: &str| {
+        let values = (0..scene.masses.len())
+            .map(|index| format!("masses.{}.{of}", field(scene, index, "mass")));
+        format!("[{}]", values.collect::<Vec<_>>().join(", "))
+    };
+    face.functions.push(function(
+        "stepper_start_from",
+        "Starts a stepper from the displacement and velocity of every mass.",
+        vec![fresh, dt, ("masses", Passed::Input("masses"))],
+        format!(
+            "let displacements = {};\nlet velocities = {};\nlet state = (&displacements, &velocities);\nstepper.write(StepperMemory::new(Scene::stepper_from(dt, state).map_err(domain)?));\nOk(())",
+            list("displacement"),
+            list("velocity")
+        ),
+    ));
+    let fields = inputs(scene, shape).into_iter();
+    let fields: String = fields
+        .map(|(field, inner)| format!("{inner}: input.{}, ", field.name))
+        .collect();
+    let input = format!("let input = super::{name}Input {{ {fields}}};\n");
+    face.functions.push(function(
+        "stepper_begin",
+        "Sets the input at the start of the first step.  Without this call that input is 0.",
+        vec![CHANGED, ("input", Passed::Input("input"))],
+        format!("{input}stepper.change()?.begin(input).map_err(domain)"),
+    ));
+    face.functions.push(function(
+        "stepper_advance",
+        "Takes a step.  After an error the stepper keeps its state.",
+        vec![CHANGED, ("input", Passed::Input("input")), ("stepped", Passed::Output(Kind::Record("stepped")))],
+        format!(
+            "{input}let found = stepper.change()?.advance(input).map_err(domain)?;\nstepped.write(Stepped {{\n    force: found.force,\n    sliding: sliding(found.contact),\n    events: found.events,\n    exceeded: i32::from(found.exceeded),\n}});\nOk(())"
+        ),
+    ));
+    face.functions.push(function(
+        "stepper_set_stiction",
+        "Sets mu, the ratio of static to kinetic friction force, from the next step on.",
+        vec![CHANGED, ("mu", Passed::Value(Kind::Real))],
+        "stepper.change()?.set_stiction(mu).map_err(domain)".to_owned(),
+    ));
+}
+
+fn read_outs(face: &mut Face, scene: &Scene) {
+    let masses = (0..scene.masses.len()).map(|index| {
+        format!(
+            "{}: mass_now(&found.{}()), ",
+            field(scene, index, "mass"),
+            mass(scene, index)
+        )
+    });
+    let masses: String = masses.collect();
+    let found = "let found = stepper.read()?;\n";
+    let output = |name, record| (name, Passed::Output(Kind::Record(record)));
+    face.functions.push(function(
+        "stepper_masses",
+        "Returns the motions of all masses.",
+        vec![READ, output("masses", "masses")],
+        format!("{found}masses.write(Masses {{ {masses}}});\nOk(())"),
+    ));
+    face.functions.push(function(
+        "stepper_contact",
+        "Returns motion, force and state of the contact.",
+        vec![READ, output("contact", "contact")],
+        format!(
+            "{found}let now = found.contact();\ncontact.write(Contact {{\n    displacement: now.displacement(),\n    velocity: now.velocity(),\n    force: now.force(),\n    sliding: sliding(now.contact()),\n}});\nOk(())"
+        ),
+    ));
+    face.functions.push(function(
+        "stepper_work",
+        "Returns the energy balance.",
+        vec![READ, output("work", "work")],
+        format!(
+            "{found}let now = found.work();\nwork.write(Work {{ load: now.load, friction: now.friction, damping: now.damping, stored: now.stored }});\nOk(())"
+        ),
+    ));
+    face.functions.push(function(
+        "stepper_progress",
+        "Returns the numbers of steps, and the time.",
+        vec![READ, output("progress", "progress")],
+        format!(
+            "{found}progress.write(Progress {{\n    steps: found.steps(),\n    exceeded: found.exceeded(),\n    time: found.time(),\n    dt: found.dt(),\n    stiction: found.stiction(),\n}});\nOk(())"
+        ),
+    ));
+}
+
+fn storage(face: &mut Face) {
+    face.functions.push(function(
+        "stepper_save",
+        "Saves the state of a stepper.",
+        vec![READ, ("saved", Passed::Fresh(SAVED))],
+        "saved.write(StepperSavedMemory::new(stepper.read()?.save()));\nOk(())".to_owned(),
+    ));
+    face.functions.push(function(
+        "stepper_restore",
+        "Restores a saved state, with which the stepper continues to the last bit.",
+        vec![CHANGED, ("saved", Passed::Read(SAVED))],
+        "let saved = saved.read()?;\nstepper.change()?.restore(saved).map_err(domain)".to_owned(),
+    ));
+}

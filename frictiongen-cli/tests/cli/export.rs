@@ -1,0 +1,280 @@
+//! Tests `frictiongen export`.
+#![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test may fail")]
+
+use crate::common::{BLOCK, FRAME, failure, run_with};
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::{fs, process};
+
+/// A folder that is removed at the end of a test.
+struct Folder(PathBuf);
+
+impl Folder {
+    fn new(name: &str) -> Self {
+        let path = std::env::temp_dir();
+        Self(path.join(format!("frictiongen-export-{}-{name}", process::id())))
+    }
+
+    fn text(&self, name: &str) -> String {
+        fs::read_to_string(self.0.join(name)).unwrap()
+    }
+
+    /// Exports a description into the folder. Returns standard error.
+    fn export(&self, description: &str, more: &[&str]) -> String {
+        let folder = self.0.to_str().unwrap();
+        let asked = ["export", "--to", "c", "-o", folder];
+        let run = run_with(description, &[&asked, more].concat());
+        assert_eq!((run.status, run.out.as_str()), (Some(0), ""), "{}", run.err);
+        run.err
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        let _ = fs::remove_dir_all(&self.0);
+    }
+}
+
+/// Everything, on a shaking base.
+fn whole() -> String {
+    let frame = fs::read_to_string(FRAME).unwrap();
+    let provide =
+        "stiction: 1.2,\n    provide: [limits, motion(lower), stuck, orbit, stepper, self_check],";
+    frame.replace("stiction: 1.2,", provide)
+}
+
+/// Names that C reserves, letters outside ASCII, single precision, an elastic contact and a friction law.
+const ODD: [&str; 2] = [
+    "struct Odd {
+        masses: { int: 1, double: 0.5, größe: 0.25 },
+        springs: { wall - int: 10, int - double: 10, double - größe: 10 },
+        contact: int - größe, excitation: int, damping: modal(0.02), stiffness: 200,
+        scalar: f32, provide: [orbit, stepper], force: { double, größe }, input: hold,
+    }",
+    "struct Law {
+        masses: { block: 1 }, springs: { base - block: 1 }, contact: block - wall, excitation: block,
+        damping: modal(0.02), friction: stribeck(0.1: 0.8), provide: [stepper],
+    }",
+];
+
+/// Checks a folder's C by a compiler, if there is one: the header as C99 and C++, and the example.
+fn compiles(folder: &Path, header: &str) {
+    let strict = [
+        "-Wall",
+        "-Wextra",
+        "-Wpedantic",
+        "-Wconversion",
+        "-Werror",
+        "-fsyntax-only",
+    ];
+    let runs: [(&str, &[&str]); 3] = [
+        ("gcc", &["-std=c99", "main.c"]),
+        ("gcc", &["-std=c99", "-x", "c", header]),
+        ("g++", &["-x", "c++", header]),
+    ];
+    for (compiler, more) in runs {
+        let found = Command::new(compiler)
+            .arg("--version")
+            .stdout(Stdio::null())
+            .status();
+        if found.is_err() {
+            eprintln!("SKIPPED: {compiler} is missing");
+            continue;
+        }
+        let run = Command::new(compiler)
+            .args(strict)
+            .args(more)
+            .current_dir(folder)
+            .output()
+            .unwrap();
+        let told = String::from_utf8_lossy(&run.stderr);
+        assert!(
+            run.status.success() && told.is_empty(),
+            "{compiler} {more:?}: {told}"
+        );
+    }
+}
+
+/// Returns the names of the functions in a header.
+fn functions<'a>(header: &'a str, prefix: &str) -> Vec<&'a str> {
+    let lines = header
+        .lines()
+        .filter_map(|line| line.strip_prefix("int32_t "));
+    lines
+        .filter_map(|line| {
+            line.strip_prefix(prefix)?
+                .split_once('(')
+                .map(|(name, _)| name)
+        })
+        .collect()
+}
+
+#[test]
+fn the_files() {
+    let folder = Folder::new("whole");
+    assert_eq!(folder.export(&whole(), &[]), "");
+    let header = folder.text("frame.h");
+    assert!(header.contains(" *     pub struct Frame {\n"), "{header}");
+    let expected = [
+        "limits",
+        "regime",
+        "margin",
+        "motion",
+        "motion_harmonic",
+        "motion_at",
+        "stuck",
+        "orbit",
+        "orbit_motion",
+        "orbit_harmonic",
+        "orbit_at",
+        "self_check",
+        "stepper_start",
+        "stepper_start_from",
+        "stepper_begin",
+        "stepper_advance",
+        "stepper_set_stiction",
+        "stepper_masses",
+        "stepper_contact",
+        "stepper_work",
+        "stepper_progress",
+        "stepper_save",
+        "stepper_restore",
+    ];
+    let found = functions(&header, "frame_");
+    for name in expected {
+        assert!(found.contains(&name), "{name}: {found:?}");
+    }
+    // The header and the Rust file declare the same functions.
+    let rust = folder.text("src/lib.rs");
+    let declared = rust.matches("pub extern \"C\" fn frame_").count();
+    assert_eq!(
+        declared,
+        found.len() + 1,
+        "the functions, and frame_status_text"
+    );
+    // `motion(lower)` gives no motion of the upper floor.
+    let motion = header.split_once("struct frame_motion {").unwrap().1;
+    let motion = motion.split_once('}').unwrap().0;
+    assert!(
+        motion.contains("mass_lower") && !motion.contains("mass_upper"),
+        "{motion}"
+    );
+    let manifest = folder.text("Cargo.toml");
+    let version = format!(
+        "frictiongen = {{ version = \"={}\", default-features = false }}",
+        env!("CARGO_PKG_VERSION")
+    );
+    assert!(manifest.contains(&version), "{manifest}");
+    assert!(folder.text("Makefile").contains("libframe_solver.a"));
+    assert!(
+        folder
+            .text("CMakeLists.txt")
+            .contains("add_library(frame STATIC IMPORTED GLOBAL)")
+    );
+    assert_eq!(folder.text("frame.friction"), whole());
+    compiles(&folder.0, "frame.h");
+}
+
+#[test]
+fn odd_names_and_other_scenes() {
+    for (scene, name) in ODD.iter().zip(["odd", "law"]) {
+        let folder = Folder::new(name);
+        folder.export(scene, &[]);
+        compiles(&folder.0, &format!("{name}.h"));
+    }
+    let folder = Folder::new("odd-fields");
+    folder.export(ODD[0], &["--name", "other"]);
+    let header = folder.text("other.h");
+    for field in [
+        "float force;",
+        "float force_double;",
+        "float force_3;",
+        "struct other_mass_now mass_int;",
+    ] {
+        assert!(header.contains(field), "{field}: {header}");
+    }
+}
+
+#[test]
+fn keeps_a_changed_example_and_its_own_description() {
+    let folder = Folder::new("again");
+    folder.export(&whole(), &[]);
+    fs::write(folder.0.join("main.c"), "/* mine */\n").unwrap();
+    let own = folder.0.join("frame.friction");
+    folder.export("", &[own.to_str().unwrap()]);
+    assert_eq!(folder.text("main.c"), "/* mine */\n");
+    assert_eq!(folder.text("frame.friction"), whole());
+}
+
+#[test]
+fn says_what_is_missing() {
+    let folder = Folder::new("missing");
+    let told = folder.export(BLOCK, &[]);
+    let stepper = "frictiongen: the library has no stepper, because the description does not provide it; add `stepper` to `provide` for the motion under any force\n";
+    assert_eq!(told, stepper);
+    let simulation = "frictiongen: `export` leaves out `simulation` of `provide`; use `stepper` for a motion in time\n";
+    let told = folder.export(
+        &BLOCK.replace("excitation", "provide: [limits, simulation], excitation"),
+        &[],
+    );
+    assert_eq!(told, format!("{simulation}{stepper}"));
+}
+
+#[test]
+fn refuses_what_has_no_library() {
+    let folder = Folder::new("refused");
+    let path = folder.0.to_str().unwrap();
+    let with = |scene: &str, more: &[&str]| {
+        let lines = failure(
+            scene,
+            &[&["export", "--to", "c", "-o", path], more].concat(),
+        );
+        assert!(!folder.0.exists(), "{lines:?}");
+        lines.join("\n")
+    };
+    let several = "struct Two { masses: { a: 1 }, springs: { base - a: 1 }, contacts: { p: a - wall, q: a - base { stiffness: 1 } }, excitation: a }";
+    assert!(with(several, &[]).contains("the macro emits no code for `contacts` and `dampers`"));
+    let only = BLOCK.replace("excitation", "provide: [simulation], excitation");
+    let nothing = "frictiongen: the description provides nothing that `export` writes; add limits, motion, stuck, orbit, stepper or self_check to its `provide`, for example `provide: [stepper]`";
+    assert_eq!(with(&only, &[]), nothing);
+    let renamed = BLOCK.replace("excitation", "crate: ::other, excitation");
+    let facade = "frictiongen: the field `crate` names the library `::other`, but an exported crate names it `::frictiongen`; leave `crate` out";
+    assert_eq!(with(&renamed, &[]), facade);
+    let name = "frictiongen: --name is `a-b`, which cannot begin a name in C; write --name with letters, digits and underscores, for example --name frame";
+    assert_eq!(with(BLOCK, &["--name", "a-b"]), name);
+    let foreign = BLOCK.replace("Block", "Größe");
+    let name = "frictiongen: the scene's name gives `größe`, which cannot begin a name in C; write --name with letters, digits and underscores, for example --name frame";
+    assert_eq!(with(&foreign, &[]), name);
+    let math = "frictiongen: math.h is a header of the C library; give the files another name, for example --name my_math";
+    assert_eq!(with(&BLOCK.replace("Block", "Math"), &[]), math);
+    let here = env!("CARGO_MANIFEST_DIR");
+    let other = format!(
+        "frictiongen: --library is {here}: the folder contains another crate; give the folder `frictiongen` of a clone, which contains its Cargo.toml"
+    );
+    assert_eq!(with(BLOCK, &["--library", here]), other);
+    let none = "frictiongen: --library is no-such-folder: there is no such file or folder; give the folder `frictiongen` of a clone, which contains its Cargo.toml";
+    assert_eq!(with(BLOCK, &["--library", "no-such-folder"]), none);
+}
+
+/// Builds two exported libraries, and compares 10,000 random steps with Rust, bit for bit. The script without a number
+/// takes a million steps.
+#[test]
+#[ignore = "builds two crates with all their dependencies: minutes"]
+fn steps_as_rust_does() {
+    let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scripts/export");
+    let run = Command::new(script)
+        .arg("10000")
+        .env("FRICTIONGEN", env!("CARGO_BIN_EXE_frictiongen"))
+        .output()
+        .unwrap();
+    let told = String::from_utf8_lossy(&run.stdout).into_owned();
+    assert!(
+        run.status.success(),
+        "{told}{}",
+        String::from_utf8_lossy(&run.stderr)
+    );
+    assert!(
+        told.is_empty() || told.contains("the same bits as Rust"),
+        "{told}"
+    );
+}

@@ -1,0 +1,152 @@
+/* Runs an exported stepper under random inputs, and prints a hash of all bits of its results.  peers/export/src/main.rs
+ * makes the same run in Rust.  Every 100 steps the program also saves the state, takes three steps under another input,
+ * gives bad arguments, and restores the state: the hash does not change.
+ *
+ * Compile with -DSHAKEN or without. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#ifdef SHAKEN
+#include "shaken.h"
+#define OF(name) shaken_##name
+#define STATUS(name) SHAKEN_##name
+#define MASSES SHAKEN_MASSES
+#define DT 1e-3
+typedef double real;
+#else
+#include "pushed.h"
+#define OF(name) pushed_##name
+#define STATUS(name) PUSHED_##name
+#define MASSES PUSHED_MASSES
+#define DT (1.0f / 512.0f)
+typedef float real;
+#endif
+
+static uint64_t hash = UINT64_C(0xcbf29ce484222325);
+
+static void add(const void *data, size_t size)
+{
+    const unsigned char *const bytes = (const unsigned char *)data;
+    size_t k;
+    for (k = 0; k < size; k++) {
+        hash = (hash ^ bytes[k]) * UINT64_C(0x100000001b3);
+    }
+}
+
+static uint64_t state = UINT64_C(88172645463325252);
+
+static double random_number(void)
+{
+    state ^= state << 13;
+    state ^= state >> 7;
+    state ^= state << 17;
+    return (double)(state >> 40) / 8388608.0 - 1.0;
+}
+
+static void expect(int is_right, const char *what)
+{
+    if (!is_right) {
+        fprintf(stderr, "wrong: %s\n", what);
+        exit(1);
+    }
+}
+
+static struct OF(input) draw(void)
+{
+    struct OF(input) input;
+    const double first = random_number();
+    const double second = random_number();
+    const double third = random_number();
+#ifdef SHAKEN
+    input.displacement = first * 2e-6;
+    input.velocity = second * 2e-3;
+    input.friction = 4.0 + 4.0 * third;
+#else
+    input.force = (real)first * 16.0f;
+    input.force_double = (real)second * 16.0f;
+    input.friction = 4.0f + 4.0f * (real)third;
+#endif
+    return input;
+}
+
+/* Takes steps that a saved state undoes, and gives bad arguments. */
+static void disturb(struct OF(stepper) *stepper, struct OF(input) input)
+{
+    struct OF(stepper_saved) saved;
+    struct OF(stepped) stepped;
+    struct OF(stepped) before;
+    struct OF(stepper) copy;
+    struct OF(masses) masses;
+    int k;
+    memset(&saved, 0, sizeof saved);
+    memset(&copy, 0, sizeof copy);
+    expect(OF(stepper_restore)(stepper, &saved) == STATUS(NOT_STARTED), "a saved state that is empty");
+    expect(OF(stepper_masses)(&copy, &masses) == STATUS(NOT_STARTED), "a stepper that is empty");
+    expect(OF(stepper_save)(stepper, &saved) == STATUS(OK), "save");
+    for (k = 0; k < 3; k++) {
+        expect(OF(stepper_advance)(stepper, &input, &stepped) == STATUS(OK), "advance");
+    }
+    before = stepped;
+    expect(OF(stepper_advance)(stepper, NULL, &stepped) == STATUS(NULL_POINTER), "no input");
+    expect(OF(stepper_advance)(NULL, &input, &stepped) == STATUS(NULL_POINTER), "no stepper");
+    expect(OF(stepper_advance)(stepper, &input, NULL) == STATUS(NULL_POINTER), "no result");
+    expect(OF(stepper_begin)(stepper, &input) == STATUS(BEGUN), "begin after a step");
+    expect(OF(stepper_set_stiction)(stepper, (real)0.5) == STATUS(STICTION), "mu below 1");
+    input.friction = (real)-1.0;
+    expect(OF(stepper_advance)(stepper, &input, &stepped) == STATUS(FRICTION), "negative friction");
+    input.friction = (real)NAN;
+    expect(OF(stepper_advance)(stepper, &input, &stepped) == STATUS(FRICTION), "friction NaN");
+    expect(memcmp(&before, &stepped, sizeof stepped) == 0, "an error changed the result");
+    expect(OF(stepper_start)(&copy, (real)0.0) == STATUS(STEP), "a step of 0 s");
+    expect(OF(stepper_start)(&copy, (real)(2.0 * DT)) == STATUS(OK), "another step");
+    expect(OF(stepper_restore)(&copy, &saved) == STATUS(SAVED), "a saved state of another step");
+    expect(OF(stepper_restore)(stepper, &saved) == STATUS(OK), "restore");
+}
+
+int main(int count, char **arguments)
+{
+    static struct OF(stepper) stepper;
+    const long steps = count > 1 ? strtol(arguments[1], NULL, 10) : 10000;
+    unsigned long long events = 0;
+    unsigned long long stuck = 0;
+    long k;
+    struct OF(progress) progress;
+    int32_t status = OF(stepper_start)(&stepper, DT);
+    for (k = 0; (k < steps) && (status == 0); k++) {
+        const struct OF(input) input = draw();
+        struct OF(stepped) stepped;
+        struct OF(masses) masses;
+        struct OF(contact) contact;
+        real values[2 * MASSES];
+        if (k % 100 == 99) {
+            disturb(&stepper, input);
+        }
+        status = OF(stepper_advance)(&stepper, &input, &stepped);
+        if (status == 0) {
+            status = OF(stepper_masses)(&stepper, &masses);
+        }
+        if (status == 0) {
+            status = OF(stepper_contact)(&stepper, &contact);
+        }
+        if (status != 0) {
+            break;
+        }
+        memcpy(values, &masses, sizeof values);
+        add(&stepped.force, sizeof stepped.force);
+        add(values, sizeof values);
+        events += stepped.events;
+        stuck += contact.sliding == 0 ? 1u : 0u;
+    }
+    if (status == 0) {
+        status = OF(stepper_progress)(&stepper, &progress);
+    }
+    if (status != 0) {
+        fprintf(stderr, "%s\n", OF(status_text)(status));
+        return 1;
+    }
+    expect(progress.steps == (uint64_t)steps, "the number of steps");
+    printf("%016llx %llu %llu %llu\n", (unsigned long long)hash, events, stuck, (unsigned long long)progress.exceeded);
+    return 0;
+}
