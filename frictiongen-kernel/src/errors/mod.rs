@@ -1,8 +1,10 @@
 //! Regimes of the contact's motion, and the errors of solvers.
 
 mod domain;
+mod halt;
 
 pub use domain::{Given, OutOfDomain, Ratio, Slice, Unsupported};
+pub use halt::Halt;
 
 use core::fmt;
 

@@ -190,9 +190,7 @@ impl<'a> JoinedAt<'a> {
         for _ in 0..KEPT {
             let state = motion.state().clone();
             motion.restart(state);
-            motion.run(cycle, &mut |series, end, state| {
-                watch.see(series, end, state)
-            })?;
+            motion.run_with(cycle, &mut watch)?;
         }
         let amplitudes = watch.cycle(KEPT as f64 * cycle).amplitudes;
         let amplitudes = amplitudes.into_iter().map(|x| x / self.units.length);

@@ -1,7 +1,7 @@
 //! The damping matrix of a chain from damping ratios, or from Rayleigh's two factors.
 
-use super::model::{add, at};
-use super::{Chain, JointError, Model};
+use super::{Chain, JointError};
+use frictiongen_kernel::joints::{add, at};
 use nalgebra::{DMatrix, SymmetricEigen};
 
 /// Squared natural frequencies below this share of the largest belong to motions without deformation.
@@ -13,7 +13,7 @@ impl Chain {
     ///
     /// # Errors
     ///
-    /// Those of [`Model::new`], and [`JointError::Number`] if there is not one ratio for each mode.
+    /// Those of [`Chain::model`], and [`JointError::Number`] if there is not one ratio for each mode.
     pub fn damp_modes(&mut self, ratios: &[f64]) -> Result<(), JointError> {
         let stiffness = self.stiffness()?;
         let count = self.masses.len();
@@ -52,7 +52,7 @@ impl Chain {
     ///
     /// # Errors
     ///
-    /// Those of [`Model::new`].
+    /// Those of [`Chain::model`].
     pub fn damp_by_rayleigh(&mut self, mass: f64, stiffness: f64) -> Result<(), JointError> {
         let mut damping = self.stiffness()?;
         for (index, (row, own)) in damping.iter_mut().zip(&self.masses).enumerate() {
@@ -72,13 +72,13 @@ impl Chain {
             springs: self.springs.clone(),
             ..Chain::default()
         };
-        let model = Model::new(&springs)?;
+        let model = springs.model()?;
         let nodes = self.masses.len() + 2;
         let rest = vec![0.0; nodes];
         let columns = (0..self.masses.len()).map(|column| {
             let mut unit = rest.clone();
             add(&mut unit, column, -1.0);
-            let mut forces = model.forces(&unit, &rest, &[], None);
+            let mut forces = model.forces(&unit, &rest, |_| 0.0, None);
             forces.truncate(self.masses.len());
             forces
         });

@@ -2,110 +2,49 @@
 //!
 //! All quantities are in the units of the description. A contact of the nodes `later - earlier` has the relative
 //! displacement z, which is that of the later mass minus that of the earlier one, or that of the mass minus that of
-//! the base or the wall. Its force f acts against z on the later mass.
-//!
-//! * A rigid contact with ż = 0 sticks while |f| is at most μF. Otherwise f = F sgn ż.
-//! * An elastic contact (Jenkins element) is a spring in series with a slider: f follows the spring until |f| is μF.
-//!   Then f is F, until ż = 0.
-//! * A contact of level 0 has no force.
-//!
-//! Between two events the equations are linear. A power series solves them over stretches of at most one radian of a
-//! bound on the fastest frequency. Events are roots of polynomials. Contacts that stick are not constraints with a
-//! residual: the masses that they join have one acceleration, so that the relative velocity of a contact that sticks is
-//! exactly 0 and its relative displacement one number.
+//! the base or the wall. Its force f acts against z on the later mass. [`frictiongen_kernel::joints`] has the motion
+//! from event to event, which emitted code shares. This module has the check of a chain, its damping matrix, the closed
+//! form of the stuck state, and the steady states.
 
-mod cycle;
 mod damping;
-mod decide;
-mod events;
 mod model;
 mod neutral;
-mod roots;
 mod run;
-mod series;
 mod steady;
 mod stuck;
-mod tree;
 
 #[cfg(test)]
 mod tests;
 
-pub use cycle::{ContactCycle, Cycle, Watch};
-pub use decide::{Decision, MAX_PATTERNS};
-pub use model::Model;
-pub use run::{MAX_EVENTS, MAX_STRETCHES, Motion, State, Transition};
-pub use series::Series;
+pub use run::{Heap, MAX_EVENTS, MAX_STRETCHES, Motion, Transition};
 pub use steady::{MAX_PERIOD, Steady, steady_state, steady_state_of};
 pub use stuck::{StuckResponse, stuck_response};
 
+use frictiongen_kernel::joints::{self, Halt, MAX_PATTERNS};
 use frictiongen_model::scene::Node;
 use std::fmt;
+
+/// A chain that has been checked, with its nodes numbered.
+pub type Model = joints::Model<f64, Heap>;
+/// The state of a chain.
+pub type State = joints::State<f64, Heap>;
+/// The motion over one stretch.
+pub type Series = joints::Series<f64, Heap>;
+/// Collects the results of a period, stretch by stretch.
+pub type Watch = joints::Watch<f64, Heap>;
+/// Amplitudes of the masses, and results of each contact, over a period.
+pub type Cycle = joints::Cycle<f64, Heap>;
+/// Events, slip, force and energy of one contact over a period.
+pub type ContactCycle = joints::ContactCycle<f64>;
+/// A straight line plus one harmonic: c + bt + a cos(ωt + φ).
+pub type Wave = joints::Wave<f64>;
+/// The trees of one pattern of sticking contacts.
+type Tree = joints::Tree<f64, Heap>;
 
 /// Largest number of contacts.
 pub const MAX_CONTACTS: usize = 16;
 /// Largest number of masses.
 pub const MAX_MASSES: usize = 64;
-
-/// A straight line plus one harmonic: c + bt + a cos(ωt + φ).
-#[derive(Clone, Copy, Debug, PartialEq, Default)]
-pub struct Wave {
-    /// The constant c.
-    pub constant: f64,
-    /// The slope b, per unit of time.
-    pub slope: f64,
-    /// The amplitude a.
-    pub amplitude: f64,
-    /// The frequency ω in rad per unit of time.
-    pub omega: f64,
-    /// The phase φ in rad.
-    pub phase: f64,
-}
-
-impl Wave {
-    /// Returns a value that does not change.
-    pub fn constant(constant: f64) -> Self {
-        Self {
-            constant,
-            ..Self::default()
-        }
-    }
-
-    /// Returns a cos ωt.
-    pub fn harmonic(amplitude: f64, omega: f64) -> Self {
-        Self {
-            amplitude,
-            omega,
-            ..Self::default()
-        }
-    }
-
-    /// Returns the straight line through two samples (time, value).
-    pub fn line((start, first): (f64, f64), (end, last): (f64, f64)) -> Self {
-        let slope = (last - first) / (end - start);
-        Self {
-            constant: first - slope * start,
-            slope,
-            ..Self::default()
-        }
-    }
-
-    /// Returns true if the value is 0 at every instant.
-    pub fn is_zero(&self) -> bool {
-        self.constant == 0.0 && self.slope == 0.0 && self.amplitude == 0.0
-    }
-
-    /// Returns true if all numbers of the function are finite.
-    fn is_finite(&self) -> bool {
-        let numbers = [
-            self.constant,
-            self.slope,
-            self.amplitude,
-            self.omega,
-            self.phase,
-        ];
-        numbers.iter().all(|number| number.is_finite())
-    }
-}
 
 /// A contact of a chain.
 #[derive(Clone, Debug, PartialEq)]
@@ -197,3 +136,17 @@ impl fmt::Display for JointError {
 }
 
 impl std::error::Error for JointError {}
+
+impl From<Halt> for JointError {
+    fn from(halt: Halt) -> Self {
+        match halt {
+            Halt::Level => Self::Number("the level of a contact"),
+            Halt::Load => Self::Number("a load"),
+            Halt::Patterns => Self::Patterns,
+            Halt::Events => Self::Events,
+            Halt::Stretches => Self::Stretches,
+            Halt::Stalled => Self::Stalled,
+            Halt::NotFinite => Self::NotFinite,
+        }
+    }
+}

@@ -1,52 +1,51 @@
 //! Motions of a chain as a whole that nothing resists.
 
-use super::model::{Model, at};
+use super::Model;
+use frictiongen_kernel::joints::at;
 
-impl Model {
-    /// Returns in how many ways the chain may be moved as a whole without any change of forces: places of parts that
-    /// neither a spring nor a contact that keeps its place holds, and velocities of parts that nothing holds.
-    pub fn neutral(&self, keeps: impl Fn(usize) -> bool) -> usize {
-        let springs = self.springs.iter().map(|&(plus, minus, _)| (plus, minus));
-        let contacts = |keeps: &dyn Fn(usize) -> bool| -> Vec<(usize, usize)> {
-            let contacts = self.contacts.iter().enumerate();
-            let kept = contacts.filter(|(j, contact)| !contact.is_free() && keeps(*j));
-            kept.map(|(_, contact)| (contact.plus, contact.minus))
-                .collect()
-        };
-        let held: Vec<_> = springs.chain(contacts(&keeps)).collect();
-        let dashpots = self.dashpots.iter().map(|&(plus, minus, _)| (plus, minus));
-        let all = held.iter().copied().chain(dashpots);
-        let all: Vec<_> = all.chain(contacts(&|_| true)).collect();
-        let damped = |part: &Vec<usize>| {
-            let rows = self.damping.iter().enumerate();
-            let mut rows = rows.filter(|(row, _)| part.contains(row));
-            rows.any(|(_, row)| {
-                let sum: f64 = part.iter().map(|&node| at(row, node)).sum();
-                let size: f64 = row.iter().map(|c| c.abs()).sum();
-                sum.abs() > 1e-9 * size
-            })
-        };
-        let moving = self.floating(&all);
-        self.floating(&held).len() + moving.iter().filter(|part| !damped(part)).count()
-    }
+/// Returns in how many ways the chain may be moved as a whole without any change of forces: places of parts that
+/// neither a spring nor a contact that keeps its place holds, and velocities of parts that nothing holds.
+pub fn neutral(model: &Model, keeps: impl Fn(usize) -> bool) -> usize {
+    let springs = model.springs.iter().map(|&(plus, minus, _)| (plus, minus));
+    let contacts = |keeps: &dyn Fn(usize) -> bool| -> Vec<(usize, usize)> {
+        let contacts = model.contacts.iter().enumerate();
+        let kept = contacts.filter(|(j, contact)| !contact.is_free() && keeps(*j));
+        kept.map(|(_, contact)| (contact.plus, contact.minus))
+            .collect()
+    };
+    let held: Vec<_> = springs.chain(contacts(&keeps)).collect();
+    let dashpots = model.dashpots.iter().map(|&(plus, minus, _)| (plus, minus));
+    let all = held.iter().copied().chain(dashpots);
+    let all: Vec<_> = all.chain(contacts(&|_| true)).collect();
+    let damped = |part: &Vec<usize>| {
+        let rows = model.damping_rows().enumerate();
+        let mut rows = rows.filter(|(row, _)| part.contains(row));
+        rows.any(|(_, row)| {
+            let sum: f64 = part.iter().map(|&node| at(row, node)).sum();
+            let size: f64 = row.iter().map(|c| c.abs()).sum();
+            sum.abs() > 1e-9 * size
+        })
+    };
+    let moving = floating(model, &all);
+    floating(model, &held).len() + moving.iter().filter(|part| !damped(part)).count()
+}
 
-    /// Returns the masses of each part of a graph that no support belongs to.
-    fn floating(&self, links: &[(usize, usize)]) -> Vec<Vec<usize>> {
-        let mut part: Vec<usize> = (0..self.masses.len() + 2).collect();
-        for &(plus, minus) in links {
-            let of = |node: usize| part.get(node).copied().unwrap_or(node);
-            let (one, other) = (of(plus), of(minus));
-            // The supports have the largest numbers.
-            let (from, to) = (one.min(other), one.max(other));
-            for part in part.iter_mut().filter(|part| **part == from) {
-                *part = to;
-            }
+/// Returns the masses of each part of a graph that no support belongs to.
+fn floating(model: &Model, links: &[(usize, usize)]) -> Vec<Vec<usize>> {
+    let mut part: Vec<usize> = (0..model.masses.len() + 2).collect();
+    for &(plus, minus) in links {
+        let of = |node: usize| part.get(node).copied().unwrap_or(node);
+        let (one, other) = (of(plus), of(minus));
+        // The supports have the largest numbers.
+        let (from, to) = (one.min(other), one.max(other));
+        for part in part.iter_mut().filter(|part| **part == from) {
+            *part = to;
         }
-        let parts = (0..self.masses.len()).map(|root| {
-            let nodes = part.iter().enumerate();
-            let nodes = nodes.filter(|(_, of)| **of == root).map(|(node, _)| node);
-            nodes.collect::<Vec<usize>>()
-        });
-        parts.filter(|part| !part.is_empty()).collect()
     }
+    let parts = (0..model.masses.len()).map(|root| {
+        let nodes = part.iter().enumerate();
+        let nodes = nodes.filter(|(_, of)| **of == root).map(|(node, _)| node);
+        nodes.collect::<Vec<usize>>()
+    });
+    parts.filter(|part| !part.is_empty()).collect()
 }

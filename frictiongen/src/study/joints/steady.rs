@@ -4,11 +4,10 @@
 //! place of each rigid contact that sticks there. A contact that does not slide in the period keeps its slider or its
 //! place. These are then no unknowns: the steady state is *marginal*, it depends on what the motion before has left.
 
-use super::cycle::{Cycle, Watch};
-use super::model::at;
-use super::run::{FREE, Motion, STUCK, State};
-use super::tree::set;
-use super::{Chain, JointError};
+use super::neutral::neutral;
+use super::run::Motion;
+use super::{Chain, Cycle, Heap, JointError, State, Watch};
+use frictiongen_kernel::joints::{FREE, Observe, STUCK, at, set};
 use nalgebra::{Complex, DMatrix, DVector};
 use std::f64::consts::TAU;
 
@@ -173,15 +172,12 @@ impl Shooting {
         &self,
         motion: &mut Motion,
         cycles: usize,
-        watch: &mut Watch,
+        watch: &mut impl Observe<f64, Heap>,
     ) -> Result<(), JointError> {
         for _ in 0..cycles {
             let state = motion.state().clone();
             motion.restart(state);
-            let events = motion.run(self.cycle, &mut |series, end, state| {
-                watch.see(series, end, state)
-            })?;
-            watch.events(&events);
+            motion.run_with(self.cycle, watch)?;
         }
         Ok(())
     }
@@ -196,7 +192,7 @@ impl Shooting {
         motion.restart(steady.state.clone());
         let start = motion.state().x.clone();
         let mut end = motion.clone();
-        self.advance(&mut end, steady.period, &mut Watch::new(motion.model()))?;
+        self.advance(&mut end, steady.period, &mut ())?;
         let ends = end.state().x.iter().zip(&start);
         let drifts = ends.map(|(end, start)| (end - start) / length).collect();
         let mut watch = Watch::drifting(motion.model(), drifts);
@@ -316,7 +312,7 @@ impl Shooting {
             let mut watch = Watch::new(motion.model());
             let mut end = start.clone();
             self.advance(&mut end, period, &mut watch)?;
-            self.moving = watch.slides();
+            self.moving.clone_from(watch.slides());
             if end.state().phases != start.state().phases {
                 start = end;
                 continue;
@@ -356,7 +352,7 @@ impl Shooting {
                 *value += STEP;
             }
             let mut end = self.with(start, &moved);
-            self.advance(&mut end, period, &mut Watch::default())?;
+            self.advance(&mut end, period, &mut ())?;
             matrix.set_column(column, &((self.unknowns(&end) - to) / STEP));
         }
         Ok(matrix)
@@ -373,7 +369,7 @@ impl Shooting {
         let mut multipliers: Vec<Complex<f64>> =
             matrix.complex_eigenvalues().iter().copied().collect();
         let keeps = |j: usize| self.moving.get(j) == Some(&false);
-        let neutral = start.model().neutral(keeps);
+        let neutral = neutral(start.model(), keeps);
         // Place and velocity of a free part are a double root, which the differences split.
         multipliers.sort_by(|a, b| (a - 1.0).norm().total_cmp(&(b - 1.0).norm()));
         let ones = multipliers.iter().take(neutral);

@@ -1,8 +1,7 @@
 //! The chain while no contact slides: a linear chain, in closed form.
 
-use super::model::{Model, add, at};
-use super::tree::Tree;
-use super::{Chain, JointError};
+use super::{Chain, JointError, Model, Tree};
+use frictiongen_kernel::joints::{add, at};
 use nalgebra::{Complex, DMatrix, DVector};
 
 /// The response while no contact slides, under loads of one frequency.
@@ -33,7 +32,7 @@ struct Shape {
 ///
 /// [`JointError::Number`] if the loads have several frequencies, or if the frequency is a resonance.
 pub fn stuck_response(chain: &Chain) -> Result<StuckResponse, JointError> {
-    let model = Model::new(chain)?;
+    let model = chain.model()?;
     let omega = frequency(chain)?;
     let tree = Tree::new(&model, |j| {
         model
@@ -134,8 +133,8 @@ fn turn(shape: &mut Shape, amplitude: f64, phase: f64) {
 /// Returns the forces of springs, dampers and elastic contacts on a shape that vibrates.
 fn pulls(model: &Model, shape: &Shape, omega: f64) -> Shape {
     let speed = |values: &[f64], factor: f64| values.iter().map(|x| factor * x).collect::<Vec<_>>();
-    let mut re = model.forces(&shape.re, &speed(&shape.im, -omega), &[], None);
-    let mut im = model.forces(&shape.im, &speed(&shape.re, omega), &[], None);
+    let mut re = model.forces(&shape.re, &speed(&shape.im, -omega), |_| 0.0, None);
+    let mut im = model.forces(&shape.im, &speed(&shape.re, omega), |_| 0.0, None);
     for contact in &model.contacts {
         if let Some(stiffness) = contact.stiffness.filter(|_| !contact.is_free()) {
             contact.pull(&mut re, stiffness * contact.across(&shape.re));

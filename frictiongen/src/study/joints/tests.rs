@@ -1,5 +1,6 @@
 mod creep;
 mod energy;
+mod fixed;
 mod known;
 mod patterns;
 mod records;

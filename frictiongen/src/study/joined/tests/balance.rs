@@ -49,7 +49,7 @@ fn energies_of_contacts_are_the_work_of_the_load_without_damping() {
                 for (place, weight) in &gauss {
                     let fraction = place * end;
                     let share = weight * end * series.length;
-                    let (x, v) = series.motion(fraction);
+                    let (x, v) = series.motion(&model, fraction);
                     let (y, w) = series.base(fraction);
                     let of = |node: Node, values: &[f64], base: f64| match node {
                         Node::Mass(mass) => values[mass],

@@ -51,7 +51,7 @@ fn energy(chain: &Chain, motion: &Motion, forces: &[f64]) -> f64 {
 
 /// Work in and dissipation over a stretch.
 fn powers(chain: &Chain, motion: &super::super::Model, series: &Series, at: f64) -> (f64, f64) {
-    let (x, v) = series.motion(at);
+    let (x, v) = series.motion(motion, at);
     let (y, dy) = series.base(at);
     let time = series.start + at * series.length;
     let quantity = |node, masses: &[f64], base| match node {
@@ -95,7 +95,7 @@ fn balance(chain: &Chain, omega: f64, cycles: f64) -> Result<(f64, usize), Joint
             moved += weight * input.abs();
             lost += weight * loss;
             for (j, contact) in model.contacts.iter().enumerate() {
-                let speed = super::super::roots::value(
+                let speed = frictiongen_kernel::joints::value(
                     &series.speed_terms(contact.plus, contact.minus),
                     at,
                 );

@@ -1,6 +1,6 @@
 //! Cases whose answers are published or follow from a formula.
 
-use super::super::{JointError, Model, Motion, Series, State};
+use super::super::{JointError, Motion, Series, State};
 use super::energy::gauss;
 use super::{Chain, Joint, Wave, rigid};
 use frictiongen_model::scene::Node::{self, Base, Mass, Wall};
@@ -229,11 +229,11 @@ fn what_cannot_be_is_refused_by_name() {
         rigid((Mass(1), Mass(0)), 1.0, 1.0),
         rigid((Mass(1), Base), 1.0, 1.0),
     ]);
-    let error = Model::new(&redundant).expect_err("redundant");
+    let error = redundant.model().expect_err("redundant");
     assert_eq!(error, JointError::Redundant(vec![0, 2, 3]));
     let mut with_stiffness = redundant.clone();
     with_stiffness.contacts[3].stiffness = Some(5.0);
-    assert!(Model::new(&with_stiffness).is_ok());
+    assert!(with_stiffness.model().is_ok());
     let cases = [
         (
             chain(vec![rigid((Mass(0), Mass(2)), 1.0, 1.0)]),
@@ -259,7 +259,7 @@ fn what_cannot_be_is_refused_by_name() {
         (Chain::default(), JointError::Size),
     ];
     for (chain, error) in cases {
-        assert_eq!(Model::new(&chain).map(|_| ()), Err(error));
+        assert_eq!(chain.model().map(|_| ()), Err(error));
     }
     let mut motion = Motion::from_rest(&chain(vec![elastic((Mass(0), Wall))])).expect("a chain");
     for level in [

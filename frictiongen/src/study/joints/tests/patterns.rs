@@ -1,9 +1,11 @@
 //! Which contacts stick: against all 3^m patterns, and with μ = 1 against the minimum of a convex function.
 
-use super::super::decide::Decision;
-use super::super::model::Model;
+use super::super::{Heap, Model};
 use super::{Chain, Random, rigid};
+use frictiongen_kernel::joints;
 use frictiongen_model::scene::Node::{self, Mass, Wall};
+
+type Decision<'a> = joints::Decision<'a, f64, Heap>;
 
 /// A random question of m contacts on a random tree of m + 0..2 masses.
 fn question(random: &mut Random, count: usize, kinetic: bool) -> (Chain, Vec<f64>) {
@@ -138,27 +140,25 @@ fn decision<'a>(
     model: &'a Model,
     chain: &Chain,
     forces: &[f64],
-    broke: Vec<(usize, i8)>,
+    broke: &[(usize, i8)],
 ) -> Decision<'a> {
     let mut nodes = forces.to_vec();
     nodes.extend([0.0, 0.0]);
+    let contacts = chain.contacts.len();
+    let broke = |j| broke.iter().find(|(broke, _)| *broke == j).map(|b| b.1);
     Decision {
         model,
         size: forces.iter().map(|f| f.abs()).sum(),
         forces: nodes,
         base: 0.0,
         levels: chain.contacts.iter().map(|c| c.level.constant).collect(),
-        asked: (0..chain.contacts.len()).collect(),
-        broke,
+        asked: vec![true; contacts],
+        broke: (0..contacts).map(|j| broke(j).unwrap_or(0)).collect(),
     }
 }
 
 fn decide(decision: &Decision) -> Vec<i8> {
-    let mut pattern = vec![0; decision.asked.len()];
-    for (j, phase) in decision.decide().expect("a pattern") {
-        pattern[j] = phase;
-    }
-    pattern
+    decision.decide().expect("a pattern")
 }
 
 /// Decides random questions, with and without contacts that broke away.
@@ -168,7 +168,7 @@ fn against_all(count: usize) {
     for index in 0..count {
         let contacts = 1 + random.below(6);
         let (chain, forces) = question(&mut random, contacts, index % 3 == 0);
-        let model = Model::new(&chain).expect("a chain");
+        let model = chain.model().expect("a chain");
         let all = all(contacts);
         // Half the questions: what exceeds its grip if all stick has broken away.
         let (_, holds) = dense(&chain, &model, &forces, &vec![0; contacts]);
@@ -196,7 +196,7 @@ fn against_all(count: usize) {
             assert_eq!(fit.len(), 1, "{chain:?}");
         }
         several += usize::from(fit.len() > 1);
-        let got = decide(&decision(&model, &chain, &forces, broke.clone()));
+        let got = decide(&decision(&model, &chain, &forces, &broke));
         assert_eq!(expected, &got, "{index}: broke {broke:?} of {fit:?}");
     }
     println!(
@@ -224,8 +224,8 @@ fn accelerations_are_those_of_the_convex_minimum() {
     for _ in 0..300 {
         let contacts = 1 + random.below(6);
         let (chain, forces) = question(&mut random, contacts, true);
-        let model = Model::new(&chain).expect("a chain");
-        let question = decision(&model, &chain, &forces, vec![]);
+        let model = chain.model().expect("a chain");
+        let question = decision(&model, &chain, &forces, &[]);
         let pattern = decide(&question);
         let (a, _) = question.accelerations(&question.asked, &pattern);
         let cost = |a: &[f64]| {
@@ -262,11 +262,11 @@ fn what_breaks_away_goes_where_its_force_points() {
                 contacts: vec![rigid((Mass(0), Wall), 0.7, 1.0)],
                 ..Chain::default()
             };
-            let model = Model::new(&chain).expect("a chain");
+            let model = chain.model().expect("a chain");
             let forces = [side * (0.7 + noise)];
-            let broke = vec![(0, side as i8)];
+            let broke = [(0, side as i8)];
             assert_eq!(
-                decide(&decision(&model, &chain, &forces, broke)),
+                decide(&decision(&model, &chain, &forces, &broke)),
                 [side as i8]
             );
         }
@@ -288,8 +288,8 @@ fn sixteen_contacts_are_decided() {
             ..Chain::default()
         };
         let forces: Vec<f64> = (0..16).map(|_| random.between(-5.0, 5.0)).collect();
-        let model = Model::new(&chain).expect("a chain");
-        let pattern = decide(&decision(&model, &chain, &forces, vec![]));
+        let model = chain.model().expect("a chain");
+        let pattern = decide(&decision(&model, &chain, &forces, &[]));
         assert!(fits(&chain, &model, &forces, &pattern), "{pattern:?}");
     }
 }

@@ -1,9 +1,9 @@
 //! Compares events, states and steady states with `joints.json`.  A plain program made that file, with matrix exponentials
 //! and bisection.  It shares nothing with this project.
 
-use super::super::roots::{first_negative, value};
 use super::super::{Motion, Series};
 use super::{Chain, Joint, Wave, modal, stiffness};
+use frictiongen_kernel::joints::{first_negative, value};
 use frictiongen_model::scene::Node;
 use serde_json::Value;
 use std::f64::consts::TAU;

@@ -4,6 +4,7 @@ use super::super::{Motion, stuck_response};
 use super::super::{Steady, steady_state};
 use super::reference::{chain, list, number, numbers, read};
 use super::{Chain, Random, Wave, random_chain, rigid};
+use frictiongen_kernel::joints;
 use frictiongen_model::scene::Node::{Base, Mass, Wall};
 use serde_json::Value;
 use std::f64::consts::TAU;
@@ -248,7 +249,7 @@ fn energies_of_contacts_are_what_the_load_puts_in() {
             motion
                 .run(TAU / omega, &mut |series, end, _| {
                     for (node, weight) in super::energy::gauss() {
-                        let speed = series.motion(node * end).1[0];
+                        let speed = joints::value(&series.velocity_terms(0), node * end);
                         let load =
                             20.0 * (omega * (series.start + node * end * series.length)).cos();
                         work += weight * end * series.length * load * speed;

@@ -1,0 +1,222 @@
+//! Amplitudes of the masses, and stops, slip, force and energy of the contacts, over one period of a motion.
+
+use super::model::Model;
+use super::roots::{first_negative, value};
+use super::run::Observe;
+use super::series::{Poly, Series, TERMS};
+use super::size::{Size, add, at, set};
+use super::state::{STUCK, State};
+use crate::{Float, Scalar};
+
+/// Events, slip, force and energy of one contact over a period.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct ContactCycle<S> {
+    /// Number of transitions from sliding to sticking.
+    pub stops: usize,
+    /// Number of transitions from sliding in one direction to sliding in the other.
+    pub reversals: usize,
+    /// Fraction of the period in which the contact sticks.
+    pub stuck_fraction: S,
+    /// Distance that the slider travels, in both directions together.
+    pub slip: S,
+    /// Largest absolute relative displacement.
+    pub displacement: S,
+    /// Largest absolute force.
+    pub force: S,
+    /// Energy that friction dissipates in the contact.
+    pub energy: S,
+}
+
+/// Amplitudes of the masses, and results of each contact, over a period.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Cycle<S: Float, Z: Size> {
+    /// Largest |x| of each mass.
+    pub amplitudes: Z::Masses<S>,
+    /// Half the distance between the least and the largest displacement of each mass. A constant velocity is taken out
+    /// beforehand where nothing holds the mass.
+    pub centred: Z::Masses<S>,
+    /// Result of each contact, in the order of the chain.
+    pub contacts: Z::Contacts<ContactCycle<S>>,
+    /// Number of instants with an event.
+    pub events: usize,
+}
+
+/// Collects the results of a period, stretch by stretch.
+#[derive(Clone, Debug)]
+pub struct Watch<S: Float, Z: Size> {
+    ends: Z::Contacts<(usize, usize)>,
+    cycle: Cycle<S, Z>,
+    slides: Z::Contacts<bool>,
+    /// The least and the largest displacement of each mass.
+    spans: Z::Masses<Option<(S, S)>>,
+    /// A velocity of each mass that is taken out of its displacement.
+    drifts: Z::Masses<S>,
+    /// The time that was seen.
+    passed: S,
+}
+
+impl<S: Float, Z: Size> Watch<S, Z> {
+    /// Starts a period.
+    pub fn new(model: &Model<S, Z>) -> Self {
+        let zero = S::constant(0.0);
+        let size = &model.size;
+        let mut ends = size.contacts((0, 0));
+        for (ends, contact) in ends.as_mut().iter_mut().zip(model.contacts()) {
+            *ends = (contact.plus, contact.minus);
+        }
+        let nothing = ContactCycle {
+            stops: 0,
+            reversals: 0,
+            stuck_fraction: zero,
+            slip: zero,
+            displacement: zero,
+            force: zero,
+            energy: zero,
+        };
+        Self {
+            ends,
+            cycle: Cycle {
+                amplitudes: size.masses(zero),
+                centred: size.masses(zero),
+                contacts: size.contacts(nothing),
+                events: 0,
+            },
+            slides: size.contacts(false),
+            spans: size.masses(None),
+            drifts: size.masses(zero),
+            passed: zero,
+        }
+    }
+
+    /// Starts a period in which each mass has a constant velocity besides its vibration.
+    pub fn drifting(model: &Model<S, Z>, drifts: Z::Masses<S>) -> Self {
+        Self {
+            drifts,
+            ..Self::new(model)
+        }
+    }
+
+    /// Returns for each contact whether it has slid.
+    pub fn slides(&self) -> &Z::Contacts<bool> {
+        &self.slides
+    }
+
+    fn see_masses(&mut self, series: &Series<S, Z>, end: S) {
+        for (mass, amplitude) in self.cycle.amplitudes.as_mut().iter_mut().enumerate() {
+            let (x, v) = (series.displacement_terms(mass), series.velocity_terms(mass));
+            *amplitude = Scalar::max(*amplitude, largest(&x, &v, end));
+        }
+        for (mass, span) in self.spans.as_mut().iter_mut().enumerate() {
+            let drift = at(self.drifts.as_ref(), mass);
+            let mut x = series.displacement_terms(mass);
+            let mut v = series.velocity_terms(mass).map(|term| series.length * term);
+            add(&mut x, 0, -drift * self.passed);
+            add(&mut x, 1, -drift * series.length);
+            add(&mut v, 0, -drift * series.length);
+            for value in extremes(&x, &v, end) {
+                let (least, most) = span.unwrap_or((value, value));
+                *span = Some((Scalar::min(least, value), Scalar::max(most, value)));
+            }
+        }
+        self.passed = self.passed + end * series.length;
+    }
+
+    fn see_contact(&mut self, series: &Series<S, Z>, end: S, j: usize, sticks: bool) {
+        let ends = self.ends.as_ref().get(j).copied();
+        let contact = self.cycle.contacts.as_mut().get_mut(j);
+        let (Some((plus, minus)), Some(contact)) = (ends, contact) else {
+            return;
+        };
+        let force = series.force_terms(j);
+        let speed = series.speed_terms(plus, minus);
+        contact.force = Scalar::max(contact.force, largest(&force, &slope(&force), end));
+        let most = largest(&series.place_terms(plus, minus), &speed, end);
+        contact.displacement = Scalar::max(contact.displacement, most);
+        if sticks {
+            contact.stuck_fraction = contact.stuck_fraction + end * series.length;
+            return;
+        }
+        contact.slip = contact.slip + series.length * integral(&speed, end).abs();
+        let work = integral(&product(&force, &speed), end);
+        contact.energy = contact.energy + series.length * work;
+        if end > S::constant(0.0) {
+            set(self.slides.as_mut(), j, true);
+        }
+    }
+
+    /// Returns the results after a period of this length.
+    #[must_use]
+    pub fn cycle(mut self, length: S) -> Cycle<S, Z> {
+        for contact in self.cycle.contacts.as_mut() {
+            contact.stuck_fraction = contact.stuck_fraction / length;
+        }
+        let spans = self.spans.as_ref().iter();
+        for (centred, span) in self.cycle.centred.as_mut().iter_mut().zip(spans) {
+            let width = span.map(|(least, most)| most - least);
+            *centred = S::constant(0.5) * width.unwrap_or(S::constant(0.0));
+        }
+        self.cycle
+    }
+}
+
+impl<S: Float, Z: Size> Observe<S, Z> for Watch<S, Z> {
+    fn stretch(&mut self, series: &Series<S, Z>, end: S, state: &State<S, Z>) {
+        self.see_masses(series, end);
+        for (j, &phase) in state.phases.as_ref().iter().enumerate() {
+            self.see_contact(series, end, j, phase == STUCK);
+        }
+    }
+
+    fn event(&mut self, _: S, before: &Z::Contacts<i8>, after: &Z::Contacts<i8>) {
+        self.cycle.events += 1;
+        let phases = before.as_ref().iter().zip(after.as_ref());
+        for (contact, (&before, &after)) in self.cycle.contacts.as_mut().iter_mut().zip(phases) {
+            contact.stops += usize::from(before != STUCK && after == STUCK);
+            contact.reversals += usize::from(before * after == -1);
+        }
+    }
+}
+
+/// Returns the largest absolute value of a quantity, whose slope is known up to a factor, from 0 to `end`.
+fn largest<S: Float>(terms: &Poly<S>, slope: &Poly<S>, end: S) -> S {
+    let values = extremes(terms, slope, end).into_iter().map(Scalar::abs);
+    values.fold(S::constant(0.0), Scalar::max)
+}
+
+/// Returns the values of a quantity at 0, at `end`, and where its slope changes its sign between them.
+fn extremes<S: Float>(terms: &Poly<S>, slope: &Poly<S>, end: S) -> [S; 3] {
+    let zero = S::constant(0.0);
+    let first = slope.iter().find(|term| !term.is_zero());
+    let rises = first.is_some_and(|term| *term > zero);
+    let turn = first_negative(&slope.map(|term| if rises { term } else { -term }), 0);
+    let turn = turn.map_or(end, |turn| Scalar::min(turn, end));
+    [zero, end, turn].map(|at| value(terms, at))
+}
+
+/// Returns the terms of the derivative.
+fn slope<S: Float>(terms: &Poly<S>) -> Poly<S> {
+    let mut slope = [S::constant(0.0); TERMS];
+    for (order, (slope, term)) in slope.iter_mut().zip(terms.iter().skip(1)).enumerate() {
+        *slope = S::constant((order + 1) as f64) * *term;
+    }
+    slope
+}
+
+/// Returns the integral of a polynomial from 0 to `end`.
+fn integral<S: Float>(terms: &[S], end: S) -> S {
+    let terms = terms.iter().enumerate().rev();
+    terms.fold(S::constant(0.0), |sum, (order, term)| {
+        (sum + *term / S::constant((order + 1) as f64)) * end
+    })
+}
+
+/// Returns the terms of a product.
+fn product<S: Float>(a: &Poly<S>, b: &Poly<S>) -> [S; 2 * TERMS] {
+    let mut product = [S::constant(0.0); 2 * TERMS];
+    for (i, a) in a.iter().enumerate() {
+        for (sum, b) in product.iter_mut().skip(i).zip(b) {
+            *sum = *sum + *a * *b;
+        }
+    }
+    product
+}

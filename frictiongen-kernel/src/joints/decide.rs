@@ -1,0 +1,325 @@
+//! Which rigid contacts stick and which go, where their relative velocity is 0.
+//!
+//! A pattern fits if no contact that sticks has more force than it can hold and every contact that goes accelerates
+//! against its friction. What broke away goes, in the direction of its holding force. Of the patterns that fit, the one
+//! with the most contacts that stick counts; of those, the first in the order of the description (contacts that come
+//! first stick, and go forwards before they go backwards). If none fits in which everything that broke away goes, all
+//! patterns are asked.
+
+use super::model::{Contact, Model};
+use super::size::{Size, add, at, set, sign};
+use super::tree::Tree;
+use crate::Float;
+use crate::errors::Halt;
+
+/// Largest number of patterns that are tried at one instant. Eight contacts that act on each other have 6561, ten 59049.
+/// Where the static friction of all of them is the kinetic one, sixteen take a few dozen.
+pub const MAX_PATTERNS: usize = 100_000;
+
+/// Returns the rounding of a force, relative to the sum of the absolute values of all forces.
+fn rounding<S: Float>() -> S {
+    S::constant(if S::EPSILON < 1e-10 { 1e-13 } else { 2e-5 })
+}
+
+/// A question: the instant at which contacts have no relative velocity.
+#[derive(Clone, Debug)]
+pub struct Decision<'a, S: Float, Z: Size> {
+    /// The chain.
+    pub model: &'a Model<S, Z>,
+    /// All forces by node, without those of the contacts asked.
+    pub forces: Z::Nodes<S>,
+    /// Sum of their absolute values.
+    pub size: S,
+    /// The acceleration of the base.
+    pub base: S,
+    /// Level of each contact.
+    pub levels: Z::Contacts<S>,
+    /// True for the contacts that are asked.
+    pub asked: Z::Contacts<bool>,
+    /// The direction of the force of a contact that broke away, and 0 for the others.
+    pub broke: Z::Contacts<i8>,
+}
+
+/// Result of one pattern.
+struct Outcome {
+    fits: bool,
+    /// The first contact that does not fit, and the phase with which `pivot` tries it next.
+    first_wrong: Option<(usize, i8)>,
+}
+
+/// Contacts that act on each other, and what is known of them.
+struct Group<Z: Size> {
+    /// True for the contacts of the group.
+    members: Z::Contacts<bool>,
+    /// The direction in which a contact must go, and 0 for a contact whose phase is open.
+    fixed: Z::Contacts<i8>,
+}
+
+impl<Z: Size> Group<Z> {
+    fn has(&self, contact: usize) -> bool {
+        holds(&self.members, contact)
+    }
+
+    /// Returns the phases of a contact that a search tries, if `going` open contacts must go.
+    fn choices(&self, contact: usize, going: usize) -> &'static [i8] {
+        match phase::<Z>(&self.fixed, contact) {
+            1 => &[1],
+            -1 => &[-1],
+            _ if going == 0 => &[0],
+            _ => &[0, 1, -1],
+        }
+    }
+
+    /// Returns the number of contacts from `first` on whose phase is open.
+    fn open(&self, first: usize) -> usize {
+        let members = self.members.as_ref().iter().zip(self.fixed.as_ref());
+        let open = members.skip(first);
+        open.filter(|(member, fixed)| **member && **fixed == 0)
+            .count()
+    }
+}
+
+/// Returns the phase of a contact in a pattern.
+fn phase<Z: Size>(pattern: &Z::Contacts<i8>, contact: usize) -> i8 {
+    pattern.as_ref().get(contact).copied().unwrap_or(0)
+}
+
+/// Returns true if a set has a contact.
+pub(super) fn holds(set: &impl AsRef<[bool]>, contact: usize) -> bool {
+    set.as_ref().get(contact) == Some(&true)
+}
+
+impl<S: Float, Z: Size> Decision<'_, S, Z> {
+    /// Returns the phases of the contacts asked.
+    ///
+    /// # Errors
+    ///
+    /// [`Halt::Patterns`] after [`MAX_PATTERNS`] patterns. [`Halt::Stalled`] if no pattern fits within rounding.
+    pub fn decide(&self) -> Result<Z::Contacts<i8>, Halt> {
+        let labels = self.labels();
+        let mut tried = 0;
+        for goes in [true, false] {
+            let mut pattern = self.model.size.contacts(0);
+            let mut fits = true;
+            for label in 0..self.model.contacts().len() {
+                if fits && labels.as_ref().get(label) == Some(&label) {
+                    let group = self.group(&labels, label, goes);
+                    fits = self.decide_group(&group, &mut pattern, &mut tried)?;
+                }
+            }
+            if fits {
+                return Ok(pattern);
+            }
+        }
+        // One pattern always fits, but for rounding beyond what is allowed for.
+        Err(Halt::Stalled)
+    }
+
+    /// Gives each contact asked the number of the first contact that acts on it by way of common masses.
+    fn labels(&self) -> Z::Contacts<usize> {
+        let wall = self.model.wall();
+        let meets = |a: &Contact<S>, b: &Contact<S>| {
+            let shares = |node: usize| node < wall && (node == b.plus || node == b.minus);
+            shares(a.plus) || shares(a.minus)
+        };
+        let contacts = self.model.contacts();
+        let mut labels = self.model.size.contacts(usize::MAX);
+        for (j, contact) in contacts.iter().enumerate() {
+            if !holds(&self.asked, j) {
+                continue;
+            }
+            set(labels.as_mut(), j, j);
+            for (i, other) in contacts.iter().enumerate().take(j) {
+                if holds(&self.asked, i) && meets(contact, other) {
+                    let label = |j| labels.as_ref().get(j).copied().unwrap_or(j);
+                    let (a, b) = (label(i), label(j));
+                    let (from, to) = (a.max(b), a.min(b));
+                    for label in labels.as_mut().iter_mut().filter(|label| **label == from) {
+                        *label = to;
+                    }
+                }
+            }
+        }
+        labels
+    }
+
+    /// Returns the contacts with a label, with all that broke away going if `goes` is set.
+    fn group(&self, labels: &Z::Contacts<usize>, label: usize, goes: bool) -> Group<Z> {
+        let mut group: Group<Z> = Group {
+            members: self.model.size.contacts(false),
+            fixed: self.model.size.contacts(0),
+        };
+        for (j, of) in labels.as_ref().iter().enumerate() {
+            if *of == label {
+                set(group.members.as_mut(), j, true);
+                if goes {
+                    set(group.fixed.as_mut(), j, phase::<Z>(&self.broke, j));
+                }
+            }
+        }
+        group
+    }
+
+    /// Writes the phases of a group into a pattern. Returns false if none fits.
+    fn decide_group(
+        &self,
+        group: &Group<Z>,
+        pattern: &mut Z::Contacts<i8>,
+        tried: &mut usize,
+    ) -> Result<bool, Halt> {
+        let contacts = 0..self.model.contacts().len();
+        let members = || contacts.clone().filter(|&j| group.has(j));
+        for j in members() {
+            set(pattern.as_mut(), j, phase::<Z>(&group.fixed, j));
+        }
+        if self.try_pattern(group, pattern).fits {
+            return Ok(true);
+        }
+        let mut laws = members().filter_map(|j| self.model.contact(j));
+        if laws.all(|c| c.stiction == S::constant(1.0))
+            && let Some(found) = self.pivot(group, pattern.clone())
+        {
+            let kept = |j: usize| {
+                let fixed = phase::<Z>(&group.fixed, j);
+                fixed == 0 || fixed == phase::<Z>(&found, j)
+            };
+            let kept = members().all(kept);
+            *pattern = found;
+            return Ok(kept);
+        }
+        for going in 0..=group.open(0) {
+            if self.enumerate(group, (0, going), pattern, tried)? {
+                return Ok(true);
+            }
+        }
+        Ok(false)
+    }
+
+    /// Murty's rule of the least index, which ends where static and kinetic friction are equal: there the pattern is
+    /// that of the minimum of a strictly convex function.
+    fn pivot(&self, group: &Group<Z>, mut pattern: Z::Contacts<i8>) -> Option<Z::Contacts<i8>> {
+        let members = group.members.as_ref().iter();
+        for _ in 0..64 * members.filter(|member| **member).count() {
+            let outcome = self.try_pattern(group, &pattern);
+            if outcome.fits {
+                return Some(pattern);
+            }
+            let (contact, phase) = outcome.first_wrong?;
+            set(pattern.as_mut(), contact, phase);
+        }
+        None
+    }
+
+    /// Tries all patterns with a given number of contacts that go beside those that broke away. The depth of the
+    /// recursion is at most the number of contacts.
+    fn enumerate(
+        &self,
+        group: &Group<Z>,
+        (from, going): (usize, usize),
+        pattern: &mut Z::Contacts<i8>,
+        tried: &mut usize,
+    ) -> Result<bool, Halt> {
+        let contacts = self.model.contacts().len();
+        let Some(next) = (from..contacts).find(|&j| group.has(j)) else {
+            *tried += 1;
+            if *tried > MAX_PATTERNS {
+                return Err(Halt::Patterns);
+            }
+            return Ok(going == 0 && self.try_pattern(group, pattern).fits);
+        };
+        if group.open(next) < going {
+            return Ok(false);
+        }
+        let is_open = phase::<Z>(&group.fixed, next) == 0;
+        for &choice in group.choices(next, going) {
+            let goes = usize::from(is_open && choice != 0);
+            set(pattern.as_mut(), next, choice);
+            let left = going.saturating_sub(goes);
+            if self.enumerate(group, (next + 1, left), pattern, tried)? {
+                return Ok(true);
+            }
+        }
+        Ok(false)
+    }
+
+    /// Tests whether a pattern of a group fits, and finds the first contact that does not.
+    fn try_pattern(&self, group: &Group<Z>, pattern: &Z::Contacts<i8>) -> Outcome {
+        let (accelerations, forces) = self.accelerations(&group.members, pattern);
+        let mut outcome = Outcome {
+            fits: true,
+            first_wrong: None,
+        };
+        let contacts = self.model.contacts().iter().enumerate();
+        for (j, contact) in contacts.filter(|(j, _)| group.has(*j)) {
+            let phase = phase::<Z>(pattern, j);
+            let wrong = if phase == 0 {
+                let hold = at(forces.as_ref(), j);
+                let most = contact.stiction * at(self.levels.as_ref(), j);
+                let exceeds = hold.abs() > most + self.rounding();
+                exceeds.then_some(if hold > S::constant(0.0) { 1 } else { -1 })
+            } else {
+                let goes = sign::<S>(phase) * contact.across(accelerations.as_ref());
+                let fits = if self.broke.as_ref().get(j) == Some(&phase) {
+                    goes >= -self.noise(j)
+                } else {
+                    goes > S::constant(0.0)
+                };
+                (!fits).then_some(0)
+            };
+            if let Some(phase) = wrong {
+                outcome.fits = false;
+                outcome.first_wrong = outcome.first_wrong.or(Some((j, phase)));
+            }
+        }
+        outcome
+    }
+
+    /// Rounding of a force.
+    pub fn rounding(&self) -> S {
+        rounding::<S>() * self.size
+    }
+
+    /// Rounding of the relative acceleration of a contact.
+    pub fn noise(&self, contact: usize) -> S {
+        let zero = S::constant(0.0);
+        let Some(contact) = self.model.contact(contact) else {
+            return zero;
+        };
+        let masses = self.model.masses();
+        let inverse = |node: usize| masses.get(node).map_or(zero, |m| S::constant(1.0) / *m);
+        self.rounding() * (inverse(contact.plus) + inverse(contact.minus))
+    }
+
+    /// Returns all accelerations by node, and the forces of the contacts that stick by contact, for a pattern of some
+    /// contacts. The others have no force.
+    pub fn accelerations(
+        &self,
+        contacts: &Z::Contacts<bool>,
+        pattern: &Z::Contacts<i8>,
+    ) -> (Z::Nodes<S>, Z::Contacts<S>) {
+        let phase = |j: usize| holds(contacts, j).then(|| phase::<Z>(pattern, j));
+        let tree = Tree::new(self.model, |j| phase(j) == Some(0));
+        let mut forces = self.forces.clone();
+        for (j, contact) in self.model.contacts().iter().enumerate() {
+            if let Some(phase) = phase(j).filter(|&phase| phase != 0) {
+                let force = sign::<S>(phase) * at(self.levels.as_ref(), j);
+                contact.pull(forces.as_mut(), force);
+            }
+        }
+        let mut held = self.model.size.contacts(S::constant(0.0));
+        let forces = forces.as_ref();
+        let accelerations = tree.accelerate(self.model, forces, self.base, held.as_mut());
+        (accelerations, held)
+    }
+}
+
+/// Adds the force of a contact to those of the nodes, and its absolute value to the sums.
+pub(super) fn add_contact<S: Float>(
+    contact: &Contact<S>,
+    force: S,
+    (forces, sizes): (&mut [S], &mut [S]),
+) {
+    contact.pull(forces, force);
+    add(sizes, contact.plus, force.abs());
+    add(sizes, contact.minus, force.abs());
+}

@@ -1,0 +1,154 @@
+//! Events: which phases contacts have after them.
+
+use super::decide::{Decision, add_contact, holds};
+use super::run::Motion;
+use super::series::Series;
+use super::size::{Size, at, set, sign};
+use super::state::{FREE, STUCK};
+use crate::Float;
+use crate::errors::Halt;
+
+impl<S: Float, Z: Size> Motion<S, Z> {
+    /// Changes the phases at an event. `hits` has the side of each contact that has an event.
+    pub(super) fn pass(
+        &mut self,
+        series: &Series<S, Z>,
+        fraction: S,
+        hits: &Z::Contacts<Option<i8>>,
+    ) -> Result<(), Halt> {
+        let mut arrived = self.model.size.contacts(false);
+        let mut broke = self.model.size.contacts(0);
+        let contacts = self.model.contacts().iter().zip(hits.as_ref()).enumerate();
+        for (j, (contact, hit)) in contacts {
+            let Some(side) = *hit else {
+                continue;
+            };
+            let stuck = self.state.phase(j) == STUCK;
+            match (contact.stiffness, stuck) {
+                (None, true) => set(broke.as_mut(), j, side),
+                (None, false) => {
+                    let ends = (contact.plus, contact.minus);
+                    let place = series.place(ends, fraction);
+                    set(self.state.places.as_mut(), j, place);
+                    set(arrived.as_mut(), j, true);
+                }
+                (Some(_), true) => {
+                    let force = sign::<S>(side) * contact.level.constant;
+                    set(self.state.forces.as_mut(), j, force);
+                    self.state.set_phase(j, side);
+                }
+                (Some(_), false) => {
+                    self.state.set_phase(j, STUCK);
+                    let same = contact.stiction == S::constant(1.0);
+                    self.state.set_zeros(j, (if same { 2 } else { 0 }, side));
+                }
+            }
+        }
+        self.ask(&arrived, &broke)
+    }
+
+    /// Sets the phases of the first instant.
+    pub(super) fn begin(&mut self) -> Result<(), Halt> {
+        let zero = S::constant(0.0);
+        let (x, v) = self.nodes();
+        for (j, contact) in self.model.contacts().iter().enumerate() {
+            let speed = contact.across(v.as_ref());
+            let phase = match contact.is_rigid() && speed != zero {
+                _ if contact.is_free() => FREE,
+                true if speed > zero => 1,
+                true => -1,
+                false => STUCK,
+            };
+            self.state.set_phase(j, phase);
+            set(self.state.places.as_mut(), j, contact.across(x.as_ref()));
+        }
+        self.decide_at_once()
+    }
+
+    /// Decides between the contacts that stick, without an event.
+    pub(super) fn decide_at_once(&mut self) -> Result<(), Halt> {
+        let size = self.model.size.clone();
+        self.ask(&size.contacts(false), &size.contacts(0))
+    }
+
+    /// Decides all rigid contacts without relative velocity together: those that stick, and those that arrive.
+    fn ask(&mut self, arrived: &Z::Contacts<bool>, broke: &Z::Contacts<i8>) -> Result<(), Halt> {
+        let mut asked = self.model.size.contacts(false);
+        for (j, contact) in self.model.contacts().iter().enumerate() {
+            let stops = self.state.phase(j) == STUCK || holds(arrived, j);
+            set(asked.as_mut(), j, contact.is_rigid() && stops);
+        }
+        if !asked.as_ref().contains(&true) {
+            self.join();
+            return Ok(());
+        }
+        let decision = self.decision(asked, broke.clone());
+        let pattern = decision.decide()?;
+        let (accelerations, held) = decision.accelerations(&decision.asked, &pattern);
+        let mut zeros = self.model.size.contacts((0, 0));
+        let contacts = self.model.contacts().iter().zip(pattern.as_ref());
+        for (j, (contact, &phase)) in contacts.enumerate() {
+            let rate = contact.across(accelerations.as_ref());
+            let of_contact = if phase == STUCK {
+                let hold = at(held.as_ref(), j);
+                let most = contact.stiction * at(decision.levels.as_ref(), j);
+                let at_limit = most - hold.abs() <= decision.rounding();
+                let side = if hold > S::constant(0.0) { 1 } else { -1 };
+                (usize::from(at_limit), side)
+            } else {
+                let sure = sign::<S>(phase) * rate > decision.noise(j);
+                (if sure { 1 } else { 2 }, phase)
+            };
+            set(zeros.as_mut(), j, of_contact);
+        }
+        let asked = decision.asked;
+        let decided = pattern.as_ref().iter().zip(zeros.as_ref()).enumerate();
+        for (j, (&phase, &zeros)) in decided.filter(|(j, _)| holds(&asked, *j)) {
+            let was_stuck = self.state.phase(j) == STUCK;
+            self.state.set_phase(j, phase);
+            if phase != STUCK || !was_stuck || zeros.0 > 0 {
+                self.state.set_zeros(j, zeros);
+            }
+        }
+        self.join();
+        let (_, mut v) = self.nodes();
+        self.tree.meet(&self.model, v.as_mut());
+        self.state.keep_speeds(v.as_ref());
+        Ok(())
+    }
+
+    /// Returns the question at this instant.
+    fn decision(&self, asked: Z::Contacts<bool>, broke: Z::Contacts<i8>) -> Decision<'_, S, Z> {
+        let model = &self.model;
+        let (x, v) = self.nodes();
+        let mut sizes = model.size.nodes(S::constant(0.0));
+        let load = |index| model.load_value(index, self.time);
+        let mut forces = model.forces(x.as_ref(), v.as_ref(), load, Some(&mut sizes));
+        let mut levels = model.size.contacts(S::constant(0.0));
+        let mut asked_levels = S::constant(0.0);
+        let contacts = model.contacts().iter().zip(levels.as_mut());
+        for (j, (contact, level)) in contacts.enumerate() {
+            *level = contact.level.value(self.time, 0);
+            if holds(&asked, j) {
+                asked_levels = asked_levels + *level;
+                continue;
+            }
+            let force = match self.state.phase(j) {
+                FREE => S::constant(0.0),
+                _ if !contact.is_rigid() => at(self.state.forces.as_ref(), j),
+                phase => sign::<S>(phase) * *level,
+            };
+            add_contact(contact, force, (forces.as_mut(), sizes.as_mut()));
+        }
+        let sizes = sizes.as_ref().iter();
+        Decision {
+            model,
+            forces,
+            size: sizes.fold(S::constant(0.0), |sum, size| sum + *size) + asked_levels,
+            base: model.base.value(self.time, 2),
+            levels,
+            asked,
+            broke,
+        }
+    }
+}

@@ -1,0 +1,41 @@
+//! Chains with several contacts, rigid and elastic, dashpots, and masses that no spring holds.
+//!
+//! All quantities are in the units of the description. A contact of the nodes `plus - minus` has the relative
+//! displacement z, which is that of the node `plus` minus that of the node `minus`. Its force f acts against z on the
+//! node `plus`.
+//!
+//! * A rigid contact with ż = 0 sticks while |f| is at most μF. Otherwise f = F sgn ż.
+//! * An elastic contact (Jenkins element) is a spring in series with a slider: f follows the spring until |f| is μF.
+//!   Then f is F, until ż = 0.
+//! * A contact of level 0 has no force.
+//!
+//! Between two events the equations are linear. A power series solves them over stretches of at most one radian of a
+//! bound on the fastest frequency. Events are roots of polynomials. Contacts that stick are not constraints with a
+//! residual: the masses that they join have one acceleration, so that the relative velocity of a contact that sticks is
+//! exactly 0 and its relative displacement one number.
+//!
+//! A [`Size`] selects the arrays: [`Fixed`] for emitted code, vectors at run time. Both run the same code.
+
+mod cycle;
+mod decide;
+mod events;
+mod model;
+mod roots;
+mod run;
+mod series;
+mod size;
+mod state;
+mod tree;
+mod wave;
+
+pub use crate::errors::Halt;
+pub use cycle::{ContactCycle, Cycle, Watch};
+pub use decide::{Decision, MAX_PATTERNS};
+pub use model::{Contact, Link, Model};
+pub use roots::{first_negative, value};
+pub use run::{Bounds, Motion, Observe};
+pub use series::{Poly, Series, TERMS};
+pub use size::{Array, Fixed, Size, Value, add, at, set};
+pub use state::{FREE, STUCK, State};
+pub use tree::Tree;
+pub use wave::Wave;

@@ -1,0 +1,360 @@
+//! The motion from event to event.
+
+use super::model::Model;
+use super::roots::first_negative;
+use super::series::{Poly, Series};
+use super::size::{Size, at, set, sign};
+use super::state::{FREE, STUCK, State};
+use super::tree::Tree;
+use super::wave::Wave;
+use crate::Float;
+use crate::errors::Halt;
+
+/// Returns the fraction of a stretch within which events count as one event.
+fn same<S: Float>() -> S {
+    S::constant(if S::EPSILON < 1e-10 { 1e-11 } else { 1e-4 })
+}
+
+/// Sees a motion, stretch by stretch and event by event.
+pub trait Observe<S: Float, Z: Size> {
+    /// Sees the motion from the start of a stretch to a fraction of it. The phases of `state` are valid meanwhile.
+    fn stretch(&mut self, series: &Series<S, Z>, end: S, state: &State<S, Z>);
+
+    /// Sees the phases before and after an event.
+    fn event(&mut self, time: S, before: &Z::Contacts<i8>, after: &Z::Contacts<i8>);
+}
+
+/// Sees nothing.
+impl<S: Float, Z: Size> Observe<S, Z> for () {
+    fn stretch(&mut self, _: &Series<S, Z>, _: S, _: &State<S, Z>) {}
+
+    fn event(&mut self, _: S, _: &Z::Contacts<i8>, _: &Z::Contacts<i8>) {}
+}
+
+/// Bounds on the work of a motion.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Bounds {
+    /// Largest number of events.
+    pub events: usize,
+    /// Largest number of stretches.
+    pub stretches: usize,
+}
+
+/// A motion in time.
+#[derive(Clone, Debug)]
+pub struct Motion<S: Float, Z: Size> {
+    pub(super) model: Model<S, Z>,
+    pub(super) state: State<S, Z>,
+    pub(super) time: S,
+    pub(super) tree: Tree<S, Z>,
+    stalls: usize,
+}
+
+impl<S: Float, Z: Size> Motion<S, Z> {
+    /// Starts at time 0 with given displacements and velocities, and elastic contacts without force.
+    ///
+    /// # Errors
+    ///
+    /// Those of a decision.
+    pub fn new(model: Model<S, Z>, x: &[S], v: &[S]) -> Result<Self, Halt> {
+        let mut state = State::at_rest(&model.size);
+        state.keep_places(x);
+        state.keep_speeds(v);
+        let tree = Tree::new(&model, |_| false);
+        let mut motion = Self {
+            model,
+            state,
+            time: S::constant(0.0),
+            tree,
+            stalls: 0,
+        };
+        motion.begin()?;
+        Ok(motion)
+    }
+
+    /// Returns the time.
+    pub fn time(&self) -> S {
+        self.time
+    }
+
+    /// Returns the state.
+    pub fn state(&self) -> &State<S, Z> {
+        &self.state
+    }
+
+    /// Returns the chain.
+    pub fn model(&self) -> &Model<S, Z> {
+        &self.model
+    }
+
+    /// Returns the relative velocity of a contact, and its relative displacement.
+    pub fn relative(&self, contact: usize) -> (S, S) {
+        let (x, v) = self.nodes();
+        let Some(c) = self.model.contact(contact) else {
+            return (S::constant(0.0), S::constant(0.0));
+        };
+        let sticks = c.is_rigid() && self.state.phase(contact) == STUCK;
+        let place = if sticks {
+            at(self.state.places.as_ref(), contact)
+        } else {
+            c.across(x.as_ref())
+        };
+        (c.across(v.as_ref()), place)
+    }
+
+    /// Returns the present force of each contact.
+    pub fn forces(&self) -> Z::Contacts<S> {
+        let (mut x, mut v) = self.nodes();
+        let places = self.state.places.as_ref();
+        self.tree.place(x.as_mut(), v.as_mut(), places);
+        let load = |index| self.model.load_value(index, self.time);
+        let mut nodes = self.model.forces(x.as_ref(), v.as_ref(), load, None);
+        let mut forces = self.model.size.contacts(S::constant(0.0));
+        let contacts = self.model.contacts().iter().zip(forces.as_mut());
+        for (j, (contact, force)) in contacts.enumerate() {
+            *force = match self.state.phase(j) {
+                FREE => S::constant(0.0),
+                STUCK if contact.is_rigid() => continue,
+                STUCK => at(self.state.forces.as_ref(), j),
+                side => sign::<S>(side) * contact.level.value(self.time, 0),
+            };
+            contact.pull(nodes.as_mut(), *force);
+        }
+        let lift = self.model.base.value(self.time, 2);
+        self.tree
+            .accelerate(&self.model, nodes.as_ref(), lift, forces.as_mut());
+        forces
+    }
+
+    /// Starts again at time 0 with a state of this chain.
+    pub fn restart(&mut self, state: State<S, Z>) {
+        self.time = S::constant(0.0);
+        self.state = state;
+        self.join();
+        let (mut x, mut v) = self.nodes();
+        self.tree.meet(&self.model, v.as_mut());
+        let places = self.state.places.as_ref();
+        self.tree.place(x.as_mut(), v.as_mut(), places);
+        self.state.keep_places(x.as_ref());
+        self.state.keep_speeds(v.as_ref());
+    }
+
+    /// Changes the level of a contact from now on.
+    ///
+    /// # Errors
+    ///
+    /// [`Halt::Level`] if the contact cannot have this level, and those of a decision.
+    pub fn set_level(&mut self, contact: usize, level: Wave<S>) -> Result<(), Halt> {
+        let (x, v) = self.nodes();
+        let force = at(self.state.forces.as_ref(), contact);
+        let Some(c) = self.model.contacts.as_mut().get_mut(contact) else {
+            return Ok(());
+        };
+        if !c.fits(&level) {
+            return Err(Halt::Level);
+        }
+        let zero = S::constant(0.0);
+        let was_free = c.is_free();
+        c.level = level;
+        let c = *c;
+        let speed = c.across(v.as_ref());
+        let phase = self.state.phase(contact);
+        let slides = if speed < zero { -1 } else { 1 };
+        let new = match (c.is_free(), c.stiffness) {
+            (true, _) => FREE,
+            (false, None) if was_free && speed != zero => slides,
+            (false, None) if was_free => STUCK,
+            (false, None) => phase,
+            (false, Some(_)) if force.abs() >= level.constant && force * speed > zero => slides,
+            (false, Some(_)) => STUCK,
+        };
+        if c.stiffness.is_some() {
+            let most = level.constant;
+            let kept = crate::Scalar::max(-most, crate::Scalar::min(force, most));
+            set(self.state.forces.as_mut(), contact, kept);
+        }
+        if was_free {
+            set(self.state.places.as_mut(), contact, c.across(x.as_ref()));
+        }
+        self.state.set_phase(contact, new);
+        self.shorten(&level);
+        self.decide_at_once()
+    }
+
+    /// Changes a load from now on, for instance to the line that leads to the next sample of a record.
+    ///
+    /// # Errors
+    ///
+    /// [`Halt::Load`] if the load is not finite, or if there is no such load.
+    pub fn set_load(&mut self, load: usize, to: Wave<S>) -> Result<(), Halt> {
+        if !to.is_finite() {
+            return Err(Halt::Load);
+        }
+        let jump = self.model.change_load(load, to, self.time);
+        let jump = jump.ok_or(Halt::Load)?;
+        self.shorten(&to);
+        if !jump.is_zero() {
+            // Accelerations and holding forces jump; velocities and elastic forces do not.
+            for (j, contact) in self.model.contacts().iter().enumerate() {
+                let sticks = self.state.phase(j) == STUCK;
+                if let Some(zeros) = self.state.zeros.as_mut().get_mut(j)
+                    && contact.is_rigid()
+                {
+                    zeros.0 = zeros.0.min(usize::from(!sticks));
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Makes stretches short enough for a new function of time.
+    fn shorten(&mut self, wave: &Wave<S>) {
+        let longest = wave.longest_stretch();
+        self.model.stretch = crate::Scalar::min(self.model.stretch, longest);
+    }
+
+    /// Runs to an instant.
+    ///
+    /// # Errors
+    ///
+    /// [`Halt::Events`] and [`Halt::Stretches`] beyond the bounds, [`Halt::NotFinite`] if the motion exceeds the range of
+    /// numbers, and those of a decision.
+    pub fn run(
+        &mut self,
+        until: S,
+        bounds: Bounds,
+        watch: &mut impl Observe<S, Z>,
+    ) -> Result<(), Halt> {
+        let mut events = 0;
+        for _ in 0..bounds.stretches {
+            if self.time >= until {
+                return Ok(());
+            }
+            let before = self.state.phases.clone();
+            if self.step(until, watch)? && before != self.state.phases {
+                watch.event(self.time, &before, &self.state.phases);
+                events += 1;
+                if events > bounds.events {
+                    return Err(Halt::Events);
+                }
+            }
+        }
+        Err(Halt::Stretches)
+    }
+
+    /// Advances to the end of a stretch or to the next event. Returns true if an event has been passed.
+    fn step(&mut self, until: S, watch: &mut impl Observe<S, Z>) -> Result<bool, Halt> {
+        let one = S::constant(1.0);
+        let left = until - self.time;
+        let length = crate::Scalar::min(left, self.model.stretch);
+        let series = Series::new(&self.model, &self.state, &self.tree, (self.time, length));
+        let mut roots = self.model.size.contacts(None);
+        let mut first = S::constant(2.0);
+        for (j, root) in roots.as_mut().iter_mut().enumerate() {
+            *root = self.next_event(&series, j);
+            if let Some((at, _)) = *root {
+                first = crate::Scalar::min(first, at);
+            }
+        }
+        let fraction = crate::Scalar::min(first, one);
+        watch.stretch(&series, fraction, &self.state);
+        self.take(&series, fraction);
+        let same = same::<S>();
+        let widest = one / same.sqrt();
+        let same = same * crate::Scalar::min(self.model.stretch / length, widest);
+        if fraction > same {
+            self.stalls = 0;
+            self.state.zeros = self.model.size.contacts((0, 0));
+        }
+        self.time = if first > one && length == left {
+            until
+        } else {
+            self.time + fraction * length
+        };
+        if first > one {
+            return self.finite().map(|()| false);
+        }
+        self.stalls += 1;
+        if self.stalls > 16 + 8 * self.model.contacts().len() {
+            return Err(Halt::Stalled);
+        }
+        let window = first + same;
+        let mut sides = self.model.size.contacts(None);
+        for (side, root) in sides.as_mut().iter_mut().zip(roots.as_ref()) {
+            *side = root.and_then(|(at, side)| (at <= window).then_some(side));
+        }
+        self.pass(&series, fraction, &sides)?;
+        self.finite()?;
+        Ok(true)
+    }
+
+    /// Refuses what is not a number.
+    fn finite(&self) -> Result<(), Halt> {
+        let numbers = self.state.x.as_ref().iter().chain(self.state.v.as_ref());
+        let mut numbers = numbers.chain(self.state.forces.as_ref());
+        if numbers.all(|x| x.is_finite()) {
+            Ok(())
+        } else {
+            Err(Halt::NotFinite)
+        }
+    }
+
+    /// Takes over the state at a fraction of a stretch.
+    fn take(&mut self, series: &Series<S, Z>, fraction: S) {
+        let (x, v) = series.motion(&self.model, fraction);
+        self.state.x = x;
+        self.state.v = v;
+        for (j, contact) in self.model.contacts().iter().enumerate() {
+            if !contact.is_rigid() && self.state.phase(j) == STUCK {
+                set(self.state.forces.as_mut(), j, series.force(j, fraction));
+            }
+        }
+    }
+
+    /// Returns the next event of a contact in a stretch, and its side.
+    fn next_event(&self, series: &Series<S, Z>, j: usize) -> Option<(S, i8)> {
+        let contact = self.model.contact(j)?;
+        let zeros = self.state.zeros.as_ref().get(j).copied();
+        let (zeros, zero_side) = zeros.unwrap_or_default();
+        match self.state.phase(j) {
+            FREE => None,
+            STUCK => {
+                let level = contact.level.terms(series.start, series.length, 0);
+                let force = series.force_terms(j);
+                let next = |side: i8| {
+                    let margin = margin(contact.stiction, &level, sign(side), &force);
+                    let zeros = if side == zero_side { zeros } else { 0 };
+                    first_negative(&margin, zeros).map(|at| (at, side))
+                };
+                match (next(1), next(-1)) {
+                    (Some(up), Some(down)) => Some(if down.0 < up.0 { down } else { up }),
+                    (up, down) => up.or(down),
+                }
+            }
+            side => {
+                let speed = series.speed_terms(contact.plus, contact.minus);
+                let speed = speed.map(|term| sign::<S>(side) * term);
+                first_negative(&speed, zeros).map(|at| (at, side))
+            }
+        }
+    }
+
+    /// Joins the masses of the contacts that stick.
+    pub(super) fn join(&mut self) {
+        self.tree = Tree::new(&self.model, |j| self.state.phase(j) == STUCK);
+    }
+
+    /// Returns displacements and velocities of all nodes.
+    pub(super) fn nodes(&self) -> (Z::Nodes<S>, Z::Nodes<S>) {
+        self.state.nodes(&self.model, self.time)
+    }
+}
+
+/// Returns the terms of the margin of a contact that sticks.
+fn margin<S: Float>(stiction: S, level: &Poly<S>, side: S, force: &Poly<S>) -> Poly<S> {
+    let mut margin = level.map(|term| stiction * term);
+    for (margin, force) in margin.iter_mut().zip(force) {
+        *margin = *margin - side * *force;
+    }
+    margin
+}

@@ -1,0 +1,200 @@
+//! The power series of the motion over one stretch.
+
+use super::model::Model;
+use super::roots::value;
+use super::size::{Size, add, at, set, sign};
+use super::state::{FREE, STUCK, State};
+use super::tree::Tree;
+use crate::Float;
+
+/// Terms of a series in `f64`. Over one radian the first term left out is below 1/22! = 1e-21 of the first.
+pub const TERMS: usize = 22;
+
+/// Returns the number of terms that a precision needs. In `f32`, the first term left out is below 1/12! = 2e-9 of the
+/// first.
+pub(super) fn terms_of<S: Float>() -> usize {
+    if S::EPSILON < 1e-10 { TERMS } else { 12 }
+}
+
+/// The terms of one quantity over a stretch, in the fraction of the stretch.
+pub type Poly<S> = [S; TERMS];
+
+/// Returns the terms of the quantity 0.
+fn nothing<S: Float>() -> Poly<S> {
+    [S::constant(0.0); TERMS]
+}
+
+/// The motion over one stretch.
+#[derive(Clone, Debug)]
+pub struct Series<S: Float, Z: Size> {
+    /// Start of the stretch.
+    pub start: S,
+    /// Length of the stretch.
+    pub length: S,
+    x: Z::Nodes<Poly<S>>,
+    v: Z::Nodes<Poly<S>>,
+    forces: Z::Contacts<Poly<S>>,
+}
+
+impl<S: Float, Z: Size> Series<S, Z> {
+    /// Computes the series from a state.
+    pub fn new(
+        model: &Model<S, Z>,
+        state: &State<S, Z>,
+        tree: &Tree<S, Z>,
+        (start, length): (S, S),
+    ) -> Self {
+        let (mut x, mut v) = state.nodes(model, start);
+        tree.place(x.as_mut(), v.as_mut(), state.places.as_ref());
+        let lift = model.base.terms(start, length, 2);
+        let mut loads = model.size.loads(nothing());
+        for (terms, load) in loads
+            .as_mut()
+            .iter_mut()
+            .zip(model.load_terms(start, length))
+        {
+            *terms = load;
+        }
+        let mut series = Self {
+            start,
+            length,
+            x: model.size.nodes(nothing()),
+            v: model.size.nodes(nothing()),
+            forces: contact_levels(model, state, (start, length)),
+        };
+        for order in 0..terms_of::<S>() {
+            keep(series.x.as_mut(), order, x.as_ref());
+            keep(series.v.as_mut(), order, v.as_ref());
+            let load = |index| term(loads.as_ref(), index, order);
+            let mut forces = model.forces(x.as_ref(), v.as_ref(), load, None);
+            for (contact, terms) in model.contacts().iter().zip(series.forces.as_ref()) {
+                contact.pull(forces.as_mut(), at(terms, order));
+            }
+            let mut holds = model.size.contacts(S::constant(0.0));
+            let lift = at(&lift, order);
+            let a = tree.accelerate(model, forces.as_ref(), lift, holds.as_mut());
+            let next = length / S::constant((order + 1) as f64);
+            let contacts = model.contacts().iter().zip(series.forces.as_mut());
+            for (j, (contact, terms)) in contacts.enumerate() {
+                match contact.stiffness {
+                    _ if state.phase(j) != STUCK => {}
+                    None => set(terms, order, at(holds.as_ref(), j)),
+                    Some(stiffness) => {
+                        let rate = stiffness * next * contact.across(v.as_ref());
+                        set(terms, order + 1, rate);
+                    }
+                }
+            }
+            for ((x, v), a) in x.as_mut().iter_mut().zip(v.as_mut()).zip(a.as_ref()) {
+                *x = next * *v;
+                *v = next * *a;
+            }
+        }
+        series
+    }
+
+    /// Returns displacements and velocities of the masses at a fraction of the stretch.
+    pub fn motion(&self, model: &Model<S, Z>, fraction: S) -> (Z::Masses<S>, Z::Masses<S>) {
+        let values = |terms: &[Poly<S>]| {
+            let mut values = model.size.masses(S::constant(0.0));
+            for (of_mass, terms) in values.as_mut().iter_mut().zip(terms) {
+                *of_mass = value(terms, fraction);
+            }
+            values
+        };
+        (values(self.x.as_ref()), values(self.v.as_ref()))
+    }
+
+    /// Returns the displacement and the velocity of the base at a fraction of the stretch.
+    pub fn base(&self, fraction: S) -> (S, S) {
+        let last = |terms: &[Poly<S>]| {
+            let terms = terms.last();
+            terms.map_or(S::constant(0.0), |terms| value(terms, fraction))
+        };
+        (last(self.x.as_ref()), last(self.v.as_ref()))
+    }
+
+    /// Returns the force of a contact at a fraction of the stretch.
+    pub fn force(&self, contact: usize, fraction: S) -> S {
+        value(&self.force_terms(contact), fraction)
+    }
+
+    /// Returns the terms of the force of a contact.
+    pub fn force_terms(&self, contact: usize) -> Poly<S> {
+        terms(self.forces.as_ref(), contact)
+    }
+
+    /// Returns the terms of the relative velocity of two nodes.
+    pub fn speed_terms(&self, plus: usize, minus: usize) -> Poly<S> {
+        difference(self.v.as_ref(), plus, minus)
+    }
+
+    /// Returns the terms of the displacement of a mass.
+    pub fn displacement_terms(&self, mass: usize) -> Poly<S> {
+        terms(self.x.as_ref(), mass)
+    }
+
+    /// Returns the terms of the velocity of a mass.
+    pub fn velocity_terms(&self, mass: usize) -> Poly<S> {
+        terms(self.v.as_ref(), mass)
+    }
+
+    /// Returns the terms of the relative displacement of two nodes.
+    pub fn place_terms(&self, plus: usize, minus: usize) -> Poly<S> {
+        difference(self.x.as_ref(), plus, minus)
+    }
+
+    /// Returns the relative displacement of two nodes at a fraction of the stretch.
+    pub fn place(&self, (plus, minus): (usize, usize), fraction: S) -> S {
+        value(&self.place_terms(plus, minus), fraction)
+    }
+}
+
+/// Returns the terms of one entry.
+fn terms<S: Float>(series: &[Poly<S>], index: usize) -> Poly<S> {
+    series.get(index).copied().unwrap_or(nothing())
+}
+
+/// Returns one term of one entry.
+fn term<S: Float>(series: &[Poly<S>], index: usize, order: usize) -> S {
+    let terms = series.get(index);
+    terms.map_or(S::constant(0.0), |terms| at(terms, order))
+}
+
+/// Subtracts the terms of two nodes.
+fn difference<S: Float>(nodes: &[Poly<S>], plus: usize, minus: usize) -> Poly<S> {
+    let mut difference = terms(nodes, plus);
+    for (order, term) in nodes.get(minus).into_iter().flatten().enumerate() {
+        add(&mut difference, order, -*term);
+    }
+    difference
+}
+
+/// Stores one order of all nodes.
+fn keep<S: Float>(series: &mut [Poly<S>], order: usize, values: &[S]) {
+    for (terms, value) in series.iter_mut().zip(values) {
+        set(terms, order, *value);
+    }
+}
+
+/// Returns the terms of the forces that are known beforehand: those of sliding contacts, and the first of elastic ones.
+fn contact_levels<S: Float, Z: Size>(
+    model: &Model<S, Z>,
+    state: &State<S, Z>,
+    (start, length): (S, S),
+) -> Z::Contacts<Poly<S>> {
+    let mut levels = model.size.contacts(nothing());
+    let contacts = model.contacts().iter().zip(levels.as_mut());
+    for (j, (contact, terms)) in contacts.enumerate() {
+        match state.phase(j) {
+            FREE => {}
+            STUCK if contact.is_rigid() => {}
+            STUCK => set(terms, 0, at(state.forces.as_ref(), j)),
+            side => {
+                let level = contact.level.terms(start, length, 0);
+                *terms = level.map(|term| sign::<S>(side) * term);
+            }
+        }
+    }
+    levels
+}

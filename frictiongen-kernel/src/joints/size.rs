@@ -1,0 +1,90 @@
+//! The arrays of a chain: of fixed length in emitted code, allocated at run time.
+
+use core::fmt::Debug;
+
+/// An entry of an array.
+pub trait Value: Copy + Debug + PartialEq + 'static {}
+
+impl<T: Copy + Debug + PartialEq + 'static> Value for T {}
+
+/// An array that can be read and changed.
+pub trait Array<T>: AsRef<[T]> + AsMut<[T]> + Clone + Debug + PartialEq {}
+
+impl<T, A: AsRef<[T]> + AsMut<[T]> + Clone + Debug + PartialEq> Array<T> for A {}
+
+/// Numbers of masses, contacts and loads of a chain, and the arrays that have these lengths.
+pub trait Size: Clone + Debug + PartialEq {
+    /// One entry for each mass.
+    type Masses<T: Value>: Array<T>;
+    /// One entry for each node: the masses, then the wall, then the base.
+    type Nodes<T: Value>: Array<T>;
+    /// One entry for each contact.
+    type Contacts<T: Value>: Array<T>;
+    /// One entry for each load.
+    type Loads<T: Value>: Array<T>;
+    /// Entries that do not change, in any number.
+    type Constants<T: Value>: AsRef<[T]> + Clone + Debug;
+
+    /// Returns an array with the same value for each mass.
+    fn masses<T: Value>(&self, value: T) -> Self::Masses<T>;
+    /// Returns an array with the same value for each node.
+    fn nodes<T: Value>(&self, value: T) -> Self::Nodes<T>;
+    /// Returns an array with the same value for each contact.
+    fn contacts<T: Value>(&self, value: T) -> Self::Contacts<T>;
+    /// Returns an array with the same value for each load.
+    fn loads<T: Value>(&self, value: T) -> Self::Loads<T>;
+}
+
+/// The size of an emitted chain: N masses, NODES = N + 2 nodes, M contacts and L loads.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Fixed<const N: usize, const NODES: usize, const M: usize, const L: usize>;
+
+impl<const N: usize, const NODES: usize, const M: usize, const L: usize> Size
+    for Fixed<N, NODES, M, L>
+{
+    type Masses<T: Value> = [T; N];
+    type Nodes<T: Value> = [T; NODES];
+    type Contacts<T: Value> = [T; M];
+    type Loads<T: Value> = [T; L];
+    type Constants<T: Value> = &'static [T];
+
+    fn masses<T: Value>(&self, value: T) -> [T; N] {
+        [value; N]
+    }
+
+    fn nodes<T: Value>(&self, value: T) -> [T; NODES] {
+        [value; NODES]
+    }
+
+    fn contacts<T: Value>(&self, value: T) -> [T; M] {
+        [value; M]
+    }
+
+    fn loads<T: Value>(&self, value: T) -> [T; L] {
+        [value; L]
+    }
+}
+
+/// Returns one entry of an array of numbers. Every index of a checked chain is valid.
+pub fn at<S: crate::Float>(values: &[S], index: usize) -> S {
+    values.get(index).copied().unwrap_or(S::constant(0.0))
+}
+
+/// Adds to one entry of an array.
+pub fn add<S: crate::Float>(values: &mut [S], index: usize, value: S) {
+    if let Some(entry) = values.get_mut(index) {
+        *entry = *entry + value;
+    }
+}
+
+/// Sets one entry of an array.
+pub fn set<T>(values: &mut [T], index: usize, value: T) {
+    if let Some(entry) = values.get_mut(index) {
+        *entry = value;
+    }
+}
+
+/// Returns a direction of sliding as a number.
+pub fn sign<S: crate::Float>(phase: i8) -> S {
+    S::constant(f64::from(phase))
+}

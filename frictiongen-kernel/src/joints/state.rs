@@ -1,0 +1,86 @@
+//! The state of a chain, and its events.
+
+use super::model::Model;
+use super::size::{Size, add, set};
+use crate::Float;
+
+/// Phase of a contact that sticks.
+pub const STUCK: i8 = 0;
+/// Phase of a contact without force.
+pub const FREE: i8 = 2;
+
+/// The state of a chain.
+#[derive(Clone, Debug, PartialEq)]
+pub struct State<S: Float, Z: Size> {
+    /// Displacement of each mass.
+    pub x: Z::Masses<S>,
+    /// Velocity of each mass.
+    pub v: Z::Masses<S>,
+    /// Force of each elastic contact; 0 for rigid ones.
+    pub forces: Z::Contacts<S>,
+    /// Relative displacement at which each rigid contact sticks.
+    pub places: Z::Contacts<S>,
+    /// −1 and 1 for a contact that slides with that sign of ż, 0 for one that sticks, 2 for one without force.
+    pub phases: Z::Contacts<i8>,
+    /// For each contact, the number of leading terms that are 0 in the polynomial of its next event, and the direction
+    /// of sliding to which that polynomial belongs.
+    pub zeros: Z::Contacts<(usize, i8)>,
+}
+
+impl<S: Float, Z: Size> State<S, Z> {
+    /// Returns the state of rest.
+    pub fn at_rest(size: &Z) -> Self {
+        let zero = S::constant(0.0);
+        Self {
+            x: size.masses(zero),
+            v: size.masses(zero),
+            forces: size.contacts(zero),
+            places: size.contacts(zero),
+            phases: size.contacts(FREE),
+            zeros: size.contacts((0, 0)),
+        }
+    }
+
+    /// Returns the phase of a contact.
+    pub fn phase(&self, contact: usize) -> i8 {
+        self.phases.as_ref().get(contact).copied().unwrap_or(FREE)
+    }
+
+    /// Returns displacements and velocities of all nodes at an instant.
+    pub fn nodes(&self, model: &Model<S, Z>, time: S) -> (Z::Nodes<S>, Z::Nodes<S>) {
+        let base = model.base_node();
+        let of = |masses: &[S], derivative| {
+            let mut nodes = model.size.nodes(S::constant(0.0));
+            for (node, mass) in nodes.as_mut().iter_mut().zip(masses) {
+                *node = *mass;
+            }
+            if !model.base.is_zero() {
+                add(nodes.as_mut(), base, model.base.value(time, derivative));
+            }
+            nodes
+        };
+        (of(self.x.as_ref(), 0), of(self.v.as_ref(), 1))
+    }
+
+    /// Takes the velocities of the masses from those of the nodes.
+    pub(super) fn keep_speeds(&mut self, v: &[S]) {
+        for (mass, node) in self.v.as_mut().iter_mut().zip(v) {
+            *mass = *node;
+        }
+    }
+
+    /// Takes the displacements of the masses from those of the nodes.
+    pub(super) fn keep_places(&mut self, x: &[S]) {
+        for (mass, node) in self.x.as_mut().iter_mut().zip(x) {
+            *mass = *node;
+        }
+    }
+
+    pub(super) fn set_phase(&mut self, contact: usize, phase: i8) {
+        set(self.phases.as_mut(), contact, phase);
+    }
+
+    pub(super) fn set_zeros(&mut self, contact: usize, zeros: (usize, i8)) {
+        set(self.zeros.as_mut(), contact, zeros);
+    }
+}

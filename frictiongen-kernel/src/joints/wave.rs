@@ -1,0 +1,128 @@
+//! Functions of time: a straight line plus one harmonic.
+
+use super::series::{Poly, TERMS, terms_of};
+use super::size::at;
+use crate::Float;
+
+/// A straight line plus one harmonic: c + bt + a cos(ωt + φ).
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct Wave<S> {
+    /// The constant c.
+    pub constant: S,
+    /// The slope b, per unit of time.
+    pub slope: S,
+    /// The amplitude a.
+    pub amplitude: S,
+    /// The frequency ω in rad per unit of time.
+    pub omega: S,
+    /// The phase φ in rad.
+    pub phase: S,
+}
+
+impl<S: Float> Wave<S> {
+    /// Returns the function 0.
+    #[must_use]
+    pub fn zero() -> Self {
+        Self::constant(S::constant(0.0))
+    }
+
+    /// Returns a value that does not change.
+    #[must_use]
+    pub fn constant(constant: S) -> Self {
+        let zero = S::constant(0.0);
+        Self {
+            constant,
+            slope: zero,
+            amplitude: zero,
+            omega: zero,
+            phase: zero,
+        }
+    }
+
+    /// Returns a cos ωt.
+    #[must_use]
+    pub fn harmonic(amplitude: S, omega: S) -> Self {
+        Self {
+            amplitude,
+            omega,
+            ..Self::zero()
+        }
+    }
+
+    /// Returns the straight line through two samples (time, value).
+    #[must_use]
+    pub fn line((start, first): (S, S), (end, last): (S, S)) -> Self {
+        let slope = (last - first) / (end - start);
+        Self {
+            slope,
+            ..Self::constant(first - slope * start)
+        }
+    }
+
+    /// Returns true if the value is 0 at every instant.
+    #[must_use]
+    pub fn is_zero(&self) -> bool {
+        self.constant.is_zero() && self.slope.is_zero() && self.amplitude.is_zero()
+    }
+
+    /// Returns true if all numbers of the function are finite.
+    #[must_use]
+    pub fn is_finite(&self) -> bool {
+        let numbers = [
+            self.constant,
+            self.slope,
+            self.amplitude,
+            self.omega,
+            self.phase,
+        ];
+        numbers.iter().all(|number| number.is_finite())
+    }
+
+    /// Returns the value at an instant of a derivative: 0 for the function itself, 1, or 2.
+    #[must_use]
+    pub fn value(&self, time: S, derivative: usize) -> S {
+        at(&self.terms(time, S::constant(0.0), derivative), 0)
+    }
+
+    /// Returns the terms of the function or of a derivative over a stretch, in the fraction of the stretch.
+    #[must_use]
+    pub fn terms(&self, time: S, length: S, derivative: usize) -> Poly<S> {
+        let mut terms = [S::constant(0.0); TERMS];
+        if !self.amplitude.is_zero() {
+            let angle = self.omega * time + self.phase;
+            let (sin, cos) = (angle * S::inverse_pi()).sin_cos_pi();
+            let derivatives = [cos, -sin, -cos, sin];
+            let powers = core::iter::repeat_n(self.omega, derivative);
+            let power = powers.fold(S::constant(1.0), |power, omega| power * omega);
+            let mut factor = self.amplitude * power;
+            for (order, term) in terms.iter_mut().enumerate().take(terms_of::<S>()) {
+                *term = factor * at(&derivatives, (order + derivative) % 4);
+                factor = factor * (self.omega * length / S::constant((order + 1) as f64));
+            }
+        }
+        let zero = S::constant(0.0);
+        let line = match derivative {
+            0 => [self.constant + self.slope * time, self.slope * length],
+            1 => [self.slope, zero],
+            _ => [zero, zero],
+        };
+        for (term, line) in terms.iter_mut().zip(line) {
+            *term = *term + line;
+        }
+        terms
+    }
+
+    /// Returns the longest stretch over which the series of the function converges as fast as that of the motion.
+    pub(super) fn longest_stretch(&self) -> S {
+        S::constant(1.0) / self.fastest()
+    }
+
+    /// Returns |ω| of the harmonic, and 0 without a harmonic.
+    pub(super) fn fastest(&self) -> S {
+        if self.amplitude.is_zero() {
+            S::constant(0.0)
+        } else {
+            self.omega.abs()
+        }
+    }
+}
