@@ -3,6 +3,8 @@
 
 pub mod interval;
 pub mod jacobi;
+#[doc(hidden)]
+pub mod joined;
 pub mod modal;
 mod modal_sums;
 pub mod reduced;

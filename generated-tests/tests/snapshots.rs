@@ -79,6 +79,34 @@ fn emitted_tables() {
     }
 }
 
+/// A scene with two contacts and a dashpot.
+const JOINED: (&str, &str) = (
+    "TwoContacts",
+    "/// Two storeys with a brace and pads, under a force on the upper one.
+        pub struct TwoContacts {
+            masses: { lower: 2000, upper: 1500 },
+            springs: { base - lower: 1.5e6, lower - upper: 1.2e6 },
+            contacts: {
+                brace: base - lower { stiffness: 5.0e6 },
+                pads: lower - upper { share: 0.6, stiction: 1.2 },
+            },
+            dampers: { lower - upper: 1200.0 },
+            excitation: upper,
+            damping: modal(0.01),
+            provide: [stepper, simulation],
+        }",
+);
+
+#[test]
+fn emitted_source_of_several_contacts() {
+    let (name, text) = JOINED;
+    let description = parse_text(text, &Limits::MACRO).expect("a valid scene");
+    let source = pretty(&description).expect("emitted Rust");
+    insta::with_settings!({ description => text, omit_expression => true }, {
+        insta::assert_binary_snapshot!(&format!("{name}.rs"), source.into_bytes());
+    });
+}
+
 /// Checks that the layout of a description changes only its copy in the documentation.
 #[test]
 fn emission_is_deterministic() {

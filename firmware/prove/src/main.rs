@@ -1,6 +1,7 @@
 //! A program that links only if no call can panic.
 
 use scenes::calls::{DOUBLE, INPUTS, INPUTS_SINGLE, SINGLE};
+use scenes::joined;
 use scenes::steps::Machine;
 use scenes::steps::machines::{Visitor, visit};
 use scenes::steps::script::Tone;
@@ -32,6 +33,15 @@ fn main() {
     for call in &DOUBLE {
         black_box((call.run)(black_box(&INPUTS[0])));
     }
+    if let Some(run) = &mut black_box(joined::start()) {
+        black_box(joined::advance(run, black_box(1.0), black_box([0.2, 0.1])));
+    }
+    black_box(joined::simulate(
+        black_box(0.9),
+        black_box(0.1),
+        black_box(1.0),
+    ));
+    steps.0 += 3;
     println!(
         "{} functions cannot panic",
         SINGLE.len() + DOUBLE.len() + steps.0

@@ -4,6 +4,7 @@
 #![cfg_attr(not(feature = "prove"), forbid(unsafe_code))]
 
 pub mod calls;
+pub mod joined;
 pub mod steps;
 pub mod tabled;
 

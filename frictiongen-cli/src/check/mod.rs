@@ -60,7 +60,7 @@ pub fn run(arguments: &CheckArguments, out: &mut dyn Write) -> Result<(), Failur
     let joined = if scene.is_joined() {
         let contacts = count(scene.named_contacts().len(), "contact", "contacts");
         let dampers = count(joints.dampers.len(), "dashpot", "dashpots");
-        format!(", {contacts}, {dampers}; only a System at run time solves this scene")
+        format!(", {contacts}, {dampers}; a System at run time solves this scene")
     } else {
         String::new()
     };

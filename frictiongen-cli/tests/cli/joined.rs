@@ -183,7 +183,7 @@ fn the_rest_is_refused_by_name() {
     }
     let told = failure(FRAME, &["expand"]);
     assert!(
-        told.contains("the macro emits no code for `contacts`"),
+        told.contains("the macro emits only the motion in time of a scene with `contacts`"),
         "{told}"
     );
     for line in [

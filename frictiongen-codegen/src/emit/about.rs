@@ -3,6 +3,7 @@
 use super::emission::Emission;
 use super::fingerprint::fingerprint;
 use super::names::TypeNames;
+use crate::Description;
 use crate::standalone::rust_text;
 use frictiongen_model::scene::FrictionLaw;
 use proc_macro2::TokenStream;
@@ -36,17 +37,17 @@ pub(super) fn scene_type(emission: &Emission<'_>) -> TokenStream {
     }
 }
 
-/// Returns the lines of the documentation.
-fn lines(emission: &Emission<'_>) -> Vec<String> {
+/// Returns the first lines of the documentation: the origin of the code, and the description.
+pub(super) fn origin(description: &Description) -> Vec<String> {
     let mut lines = vec![
         format!(
             "Emitted by `friction_system!` of frictiongen {} from scene {:016x}.  Change the description, not this code.",
             env!("CARGO_PKG_VERSION"),
-            fingerprint(emission.scene)
+            fingerprint(&description.scene)
         ),
         String::new(),
     ];
-    let written = &emission.description.written;
+    let written = &description.written;
     if !written.is_empty() {
         let fence = fence(written);
         lines.extend([
@@ -58,6 +59,12 @@ fn lines(emission: &Emission<'_>) -> Vec<String> {
         lines.extend([fence, String::new()]);
     }
     lines.extend(["# What it offers".to_owned(), String::new()]);
+    lines
+}
+
+/// Returns the lines of the documentation.
+fn lines(emission: &Emission<'_>) -> Vec<String> {
+    let mut lines = origin(emission.description);
     lines.extend(offers(emission).into_iter().map(|item| format!("* {item}")));
     lines.push(String::new());
     lines.push(

@@ -11,6 +11,7 @@ mod fields;
 mod fingerprint;
 mod frequency;
 mod held;
+mod joints;
 mod limits;
 mod missing;
 mod mode;
@@ -53,6 +54,10 @@ pub fn emit(description: &Description) -> TokenStream {
 /// with it from which number of modes on passes are better.
 #[must_use]
 pub fn emit_in_passes(description: &Description, passes_from: usize) -> TokenStream {
+    if description.scene.is_joined() {
+        let (types, items) = joints::emit(description);
+        return in_block(&types, &items);
+    }
     let mut emission = Emission::of(description, passes_from);
     let own = groups(&emission);
     let clashes = emission.names.clash();
@@ -81,6 +86,11 @@ pub fn emit_in_passes(description: &Description, passes_from: usize) -> TokenStr
     } else {
         block
     };
+    in_block(&types, &block)
+}
+
+/// Emits the types in the user's module, and the hidden items in a block.
+fn in_block(types: &TokenStream, block: &TokenStream) -> TokenStream {
     code! {
         #types
         #[allow(

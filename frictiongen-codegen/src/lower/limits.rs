@@ -11,7 +11,8 @@ pub struct Limits {
     pub tables: bool,
     /// Selects whether the generator proves the tables.
     pub proof: ProofAt,
-    /// True if a scene may have the fields `contacts` and `dampers`, for which the generator emits no code.
+    /// True if a scene may have any `contacts` and `dampers`. Otherwise it may have only those for which the generator
+    /// emits code.
     pub joints: bool,
 }
 

@@ -1,5 +1,6 @@
 //! Converts a parsed description to a scene with the tables and names that emitted code needs.
 
+mod joints;
 mod limits;
 mod written;
 
@@ -24,9 +25,6 @@ pub use limits::{Limits, ProofAt};
 
 /// The error of `proof: whole` in a build without the feature `proof`.
 const WITHOUT_PROOF: &str = "`proof: whole` needs the feature `proof` of frictiongen, which is off; write `frictiongen = { version = \"0.1\", features = [\"proof\"] }` in Cargo.toml, or leave `proof` out, so that the table is checked but not proven";
-
-/// Error message of the macro for several contacts or dashpots.
-const WITHOUT_JOINTS: &str = "the macro emits no code for `contacts` and `dampers`; solve this scene at run time with `frictiongen::System`, or write a single `contact` without `dampers`";
 
 /// A valid description, after parsing and checking.
 pub struct Description {
@@ -179,7 +177,7 @@ fn lower(
         && located.scene.is_joined()
         && problems.is_empty()
     {
-        problems.report(located.joints(), WITHOUT_JOINTS);
+        joints::check(located, problems);
     }
     let mut tables = None;
     if let Some(located) = &located

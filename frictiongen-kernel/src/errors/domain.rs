@@ -1,5 +1,6 @@
 //! Errors for arguments outside their domain, with one variant for each cause.
 
+use super::halt::Halt;
 use crate::number::scalar::Float;
 use core::fmt;
 
@@ -63,6 +64,8 @@ pub enum OutOfDomain {
     Steepness,
     /// Slope of a speed-dependent friction law that is too steep for one step of a stepper.
     StepSteepness,
+    /// Input or load of a scene with several contacts under which its motion exceeds a bound of the solver.
+    Motion(Halt),
     /// Request that the scene does not support.
     Unsupported(Unsupported),
 }
@@ -284,6 +287,7 @@ impl fmt::Display for OutOfDomain {
             ),
             Self::Length(slice) => return write!(f, "the {slice}"),
             Self::Unsupported(unsupported) => return unsupported.fmt(f),
+            Self::Motion(halt) => return halt.fmt(f),
             Self::State => {
                 "the state must have one finite displacement and one finite velocity for each mass"
             }

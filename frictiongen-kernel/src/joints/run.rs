@@ -31,6 +31,17 @@ impl<S: Float, Z: Size> Observe<S, Z> for () {
     fn event(&mut self, _: S, _: &Z::Contacts<i8>, _: &Z::Contacts<i8>) {}
 }
 
+/// Counts events.
+pub(super) struct Count(pub(super) u32);
+
+impl<S: Float, Z: Size> Observe<S, Z> for Count {
+    fn stretch(&mut self, _: &Series<S, Z>, _: S, _: &State<S, Z>) {}
+
+    fn event(&mut self, _: S, _: &Z::Contacts<i8>, _: &Z::Contacts<i8>) {
+        self.0 += 1;
+    }
+}
+
 /// Bounds on the work of a motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Bounds {
@@ -139,6 +150,19 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         self.state.keep_speeds(v.as_ref());
     }
 
+    /// Makes the present instant the time 0. The state does not change.
+    pub(super) fn rewind(&mut self) {
+        let time = self.time;
+        let contacts = self.model.contacts.as_mut().iter_mut();
+        let loads = self.model.loads.as_mut().iter_mut();
+        let waves = contacts.map(|contact| &mut contact.level);
+        let waves = waves.chain(loads.map(|(_, wave)| wave));
+        for wave in waves.chain([&mut self.model.base]) {
+            wave.shift(time);
+        }
+        self.time = S::constant(0.0);
+    }
+
     /// Changes the level of a contact from now on.
     ///
     /// # Errors
@@ -205,6 +229,11 @@ impl<S: Float, Z: Size> Motion<S, Z> {
             }
         }
         Ok(())
+    }
+
+    /// Changes a load from now on to a line that starts at its present value.
+    pub(super) fn lead_load(&mut self, load: usize, to: Wave<S>) {
+        self.model.change_load(load, to, self.time);
     }
 
     /// Makes stretches short enough for a new function of time.

@@ -78,6 +78,12 @@ impl<S: Float> Wave<S> {
         numbers.iter().all(|number| number.is_finite())
     }
 
+    /// Measures time from another instant.
+    pub(super) fn shift(&mut self, time: S) {
+        self.constant = self.constant + self.slope * time;
+        self.phase = self.phase + self.omega * time;
+    }
+
     /// Returns the value at an instant of a derivative: 0 for the function itself, 1, or 2.
     #[must_use]
     pub fn value(&self, time: S, derivative: usize) -> S {

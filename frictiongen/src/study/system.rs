@@ -1,7 +1,6 @@
 //! The run-time system. It evaluates the closed forms with vectors instead of arrays.
 
 use super::error::{InvalidScene, UnknownMass};
-use super::joined;
 use super::large;
 use crate::{OutOfDomain, Unsupported};
 use frictiongen_kernel::Float;
@@ -99,7 +98,7 @@ impl<S: Float> System<S> {
     fn from_scene(scene: Scene) -> Self {
         let modal = large::modal(&scene);
         let modal = if scene.is_joined() {
-            joined::at_rest(&scene, modal)
+            frictiongen_model::joined::at_rest(&scene, modal)
         } else {
             modal
         };

@@ -53,7 +53,6 @@ pub use history::JoinedHistory;
 pub use optimum::JoinedOptimum;
 pub use orbit::{ContactOrbit, JoinedOrbit};
 pub use scene::Joined;
-pub(super) use scene::at_rest;
 pub use simulation::{JoinedContactNow, JoinedEvent, JoinedSimulation};
 pub use stepper::{JoinedInput, JoinedStepper};
 pub use units::Units;

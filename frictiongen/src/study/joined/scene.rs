@@ -6,27 +6,9 @@ use crate::study::error::UnknownMass;
 use crate::study::joints::{Chain, Joint, MAX_MASSES, Wave};
 use crate::study::system::System;
 use frictiongen_kernel::Float;
-use frictiongen_kernel::number::dd::Dd;
+use frictiongen_model::joined::damping_matrix;
 use frictiongen_model::modal::Modal;
-use frictiongen_model::scene::{Damping, FrictionLaw, Scene};
-
-/// Fraction of the largest natural frequency. A lower natural frequency belongs to a motion without deformation.
-const RIGID: f64 = 1e-13;
-
-/// Returns the modal data with natural frequencies of exactly 0 for motions of the chain without deformation.
-pub(in crate::study) fn at_rest(scene: &Scene, mut modal: Modal) -> Modal {
-    let most = modal.resonances.iter().map(|root| root.to_f64());
-    let most = most.fold(0.0, f64::max);
-    for (root, ratio) in modal.resonances.iter_mut().zip(&mut modal.damping_ratios) {
-        if root.to_f64() <= RIGID * most {
-            *root = Dd::from(0.0);
-            if matches!(scene.damping, Damping::Rayleigh { .. }) {
-                *ratio = Dd::from(0.0);
-            }
-        }
-    }
-    modal
-}
+use frictiongen_model::scene::{FrictionLaw, Scene};
 
 /// A scene with several contacts or dashpots, from which its answers are computed.
 #[derive(Clone, Debug)]
@@ -53,12 +35,12 @@ impl<S: Float> System<S> {
         if count > MAX_MASSES {
             return Err(JoinedError::TooManyMasses(count));
         }
-        Joined::new(self.scene(), self.modal().reference.to_f64())
+        Ok(Joined::new(self.scene(), self.modal()))
     }
 }
 
 impl<'a> Joined<'a> {
-    fn new(scene: &'a Scene, reference: f64) -> Result<Self, JoinedError> {
+    fn new(scene: &'a Scene, modal: &Modal) -> Self {
         let masses: Vec<f64> = scene.masses.iter().map(|mass| mass.value).collect();
         let springs = scene.springs.iter();
         let dampers = scene.joints.dampers.iter();
@@ -79,19 +61,13 @@ impl<'a> Joined<'a> {
             damping_from_base: scene.is_damped_from_base(),
             ..Chain::default()
         };
-        let count = masses.len();
         chain.masses = masses;
-        match &scene.damping {
-            Damping::None => {}
-            Damping::Uniform(ratio) => chain.damp_modes(&vec![*ratio; count])?,
-            Damping::Modal(ratios) => chain.damp_modes(ratios)?,
-            Damping::Rayleigh { mass, stiffness } => chain.damp_by_rayleigh(*mass, *stiffness)?,
-        }
-        Ok(Self {
+        chain.damping = damping_matrix(scene, modal);
+        Self {
             scene,
             chain,
-            reference,
-        })
+            reference: modal.reference.to_f64(),
+        }
     }
 
     /// Returns the scene.

@@ -3,8 +3,8 @@
 use super::error::JoinedError;
 use super::scene::Joined;
 use super::simulation::JoinedContactNow;
-use crate::study::joints::{Chain, Motion, Wave};
-use crate::{Given, OutOfDomain};
+use crate::study::joints::{Chain, Heap, Wave};
+use frictiongen_kernel::joints::Stepper;
 use frictiongen_model::scene::{Excitation, StepInput};
 
 /// Input of one step, in the units of the description.
@@ -22,12 +22,10 @@ pub struct JoinedInput<'i> {
 #[derive(Clone, Debug)]
 pub struct JoinedStepper<'a> {
     joined: Joined<'a>,
-    motion: Motion,
-    dt: f64,
+    stepper: Stepper<f64, Heap>,
     steps: u64,
-    input: StepInput,
-    /// Force on each mass at the end of the last step.
-    forces: Vec<f64>,
+    /// Friction force of each contact in the last step.
+    frictions: Vec<f64>,
 }
 
 impl<'a> Joined<'a> {
@@ -36,28 +34,22 @@ impl<'a> Joined<'a> {
     /// constant (`hold`).
     ///
     /// # Errors
-    /// [`OutOfDomain`] for a step that is not above 0 and finite. [`JoinedError::BaseMoves`] if the base drives the
+    /// [`OutOfDomain`](crate::OutOfDomain) for a step that is not above 0 and finite, or too long.
+    /// [`JoinedError::BaseMoves`] if the base drives the
     /// scene.
     pub fn stepper(&self, dt: f64) -> Result<JoinedStepper<'a>, JoinedError> {
-        if !(dt > 0.0 && dt.is_finite()) {
-            return Err(OutOfDomain::Step(Given::of(dt)).into());
-        }
         if self.scene().excitation == Excitation::Base {
             return Err(JoinedError::BaseMoves);
         }
         let mut chain: Chain = self.chain().clone();
-        for contact in &mut chain.contacts {
-            contact.level = Wave::default();
-        }
         let masses = chain.masses.len();
         chain.loads = (0..masses).map(|mass| (mass, Wave::default())).collect();
+        let holds = self.scene().stepping.input == StepInput::Hold;
         Ok(JoinedStepper {
-            motion: Motion::from_rest(&chain)?,
+            stepper: Stepper::new(chain.model()?, dt, holds)?,
             joined: self.clone(),
-            dt,
             steps: 0,
-            input: self.scene().stepping.input,
-            forces: vec![0.0; masses],
+            frictions: vec![0.0; chain.contacts.len()],
         })
     }
 }
@@ -66,47 +58,33 @@ impl JoinedStepper<'_> {
     /// Advances by one step. Returns the number of events in the step.
     ///
     /// # Errors
-    /// [`OutOfDomain`] for a force that is not finite, and for a friction force that is negative or not finite.
+    /// [`OutOfDomain`](crate::OutOfDomain) for a force that is not finite, for a friction force that is negative or not
+    /// finite, and for a step in which the motion exceeds a bound of the solver.
     /// [`JoinedError::UnknownMass`] and [`JoinedError::UnknownContact`] for a name that the scene does not have. After
     /// an error the stepper is unchanged.
     pub fn advance(&mut self, input: JoinedInput<'_>) -> Result<usize, JoinedError> {
-        let mut forces = vec![0.0; self.forces.len()];
+        let mut forces = vec![0.0; self.joined.scene().masses.len()];
         for (name, force) in input.forces {
-            if !force.is_finite() {
-                return Err(OutOfDomain::Force(Given::of(*force)).into());
-            }
-            let mass = self.joined.mass_index(name)?;
-            if let Some(own) = forces.get_mut(mass) {
+            if let Some(own) = forces.get_mut(self.joined.mass_index(name)?) {
                 *own = *force;
             }
         }
-        let (start, end) = (self.time(), (self.steps + 1) as f64 * self.dt);
-        let mut motion = self.motion.clone();
-        for (mass, (before, after)) in self.forces.iter().zip(&forces).enumerate() {
-            let wave = match self.input {
-                StepInput::Hold => Wave::constant(*after),
-                StepInput::Linear => Wave::line((start, *before), (end, *after)),
-            };
-            motion.set_load(mass, wave)?;
-        }
+        let mut frictions = self.frictions.clone();
         for (name, friction) in input.frictions {
-            if !(*friction >= 0.0 && friction.is_finite()) {
-                return Err(OutOfDomain::Friction(Given::of(*friction)).into());
+            if let Some(own) = frictions.get_mut(self.joined.contact_index(name)?) {
+                *own = *friction;
             }
-            let contact = self.joined.contact_index(name)?;
-            motion.set_level(contact, Wave::constant(*friction))?;
         }
-        let events = motion.run(end, &mut |_, _, _| {})?.len();
-        self.motion = motion;
-        self.forces = forces;
+        let events = self.stepper.advance(&forces, &frictions)?;
+        self.frictions = frictions;
         self.steps += 1;
-        Ok(events)
+        Ok(events as usize)
     }
 
     /// Returns the time at the end of the last step.
     #[must_use]
     pub fn time(&self) -> f64 {
-        self.steps as f64 * self.dt
+        self.steps as f64 * self.stepper.dt()
     }
 
     /// Returns displacement and velocity of the mass called `name`.
@@ -114,10 +92,8 @@ impl JoinedStepper<'_> {
     /// # Errors
     /// [`JoinedError::UnknownMass`] if no mass has this name.
     pub fn mass(&self, name: &str) -> Result<(f64, f64), JoinedError> {
-        let mass = self.joined.mass_index(name)?;
-        let state = self.motion.state();
-        let of = |values: &[f64]| values.get(mass).copied().unwrap_or_default();
-        Ok((of(&state.x), of(&state.v)))
+        let mass = self.stepper.mass(self.joined.mass_index(name)?);
+        Ok((mass.displacement(), mass.velocity()))
     }
 
     /// Returns the state of the contact `name` at the end of the last step. The stepper does not compute the slip,
@@ -127,14 +103,13 @@ impl JoinedStepper<'_> {
     /// [`JoinedError::UnknownContact`] if no contact has this name.
     pub fn contact_named(&self, name: &str) -> Result<JoinedContactNow, JoinedError> {
         let index = self.joined.contact_index(name)?;
-        let (velocity, displacement) = self.motion.relative(index);
-        let force = self.motion.forces().get(index).copied();
+        let now = self.stepper.contact(index);
         Ok(JoinedContactNow {
-            displacement,
-            velocity,
-            force: force.unwrap_or_default(),
+            displacement: now.displacement(),
+            velocity: now.velocity(),
+            force: now.force(),
             slip: 0.0,
-            is_sticking: self.motion.state().phase(index) == 0,
+            is_sticking: now.is_sticking(),
         })
     }
 }

@@ -88,28 +88,13 @@ fn check_redundant(model: &Model) -> Result<(), JointError> {
     Ok(())
 }
 
-/// Numbers two ends, the positive one first: the later mass, or the mass where the other is a support.
+/// Numbers two ends, the positive one first.
 fn ends(
     masses: usize,
     (from, to): (Node, Node),
     what: &'static str,
 ) -> Result<(usize, usize), JointError> {
-    let number = |node| match node {
-        Node::Mass(index) if index < masses => Ok(index),
-        Node::Mass(_) => Err(JointError::Ends(what)),
-        Node::Wall => Ok(masses),
-        Node::Base => Ok(masses + 1),
-    };
-    let (from, to) = (number(from)?, number(to)?);
-    let support = from.max(to) >= masses;
-    if from == to || from.min(to) >= masses {
-        return Err(JointError::Ends(what));
-    }
-    Ok(if support {
-        (from.min(to), from.max(to))
-    } else {
-        (from.max(to), from.min(to))
-    })
+    frictiongen_model::joined::numbered(masses, from, to).ok_or(JointError::Ends(what))
 }
 
 /// Refuses numbers that cannot be.

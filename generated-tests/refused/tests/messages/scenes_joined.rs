@@ -312,4 +312,57 @@ struct Frame {
 }
 }
 
+mod case_7991_more_contacts_than_the_macro_emits {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contacts: {
+        pads: upper - wall,
+        first: base - lower { stiffness: 100 },
+        second: base - lower { stiffness: 200 },
+        third: base - lower { stiffness: 300 },
+        fourth: base - lower { stiffness: 400 },
+    },
+    excitation: base,
+    provide: [simulation],
+}
+}
+}
+
+mod case_7992_limits_of_several_contacts {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contacts: { pads: upper - wall },
+    excitation: base,
+    provide: [simulation, limits],
+}
+}
+}
+
+mod case_7993_stepper_of_several_contacts_on_a_moving_base {
+frictiongen::friction_system! {
+struct Frame {
+    masses: { lower: 3.27, upper: 3.25 },
+    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+    contacts: { pads: upper - wall },
+    excitation: base,
+    provide: [stepper],
+}
+}
+}
+
+mod case_7994_simulation_without_springs {
+frictiongen::friction_system! {
+struct Drive {
+    masses: { motor: 3.27, arm: 3.25 },
+    contacts: { clutch: motor - arm },
+    excitation: motor,
+    provide: [simulation],
+}
+}
+}
+
 fn main() {}

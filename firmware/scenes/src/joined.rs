@@ -1,0 +1,48 @@
+//! A scene with two contacts, an elastic one and a rigid one.
+
+frictiongen::friction_system! {
+    /// Two storeys with a brace and pads.
+    pub struct Storeys {
+        masses: { lower: 3.27, upper: 3.25 },
+        springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+        contacts: {
+            brace: base - lower { stiffness: 5000.0 },
+            pads: lower - upper { stiction: 1.2 },
+        },
+        dampers: { lower - upper: 1.5 },
+        excitation: upper,
+        scalar: f32,
+        input: hold,
+        step: 1e-3,
+        provide: [stepper, simulation],
+    }
+}
+
+/// Creates a stepper at rest.
+#[inline(never)]
+#[cfg_attr(feature = "prove", no_panic::no_panic)]
+pub fn start() -> Option<StoreysStepper> {
+    Storeys::stepper(Storeys::STEP).ok()
+}
+
+/// Advances the stepper by one step. Returns the number of events and the force of the pads.
+#[inline(never)]
+#[cfg_attr(feature = "prove", no_panic::no_panic)]
+pub fn advance(
+    run: &mut StoreysStepper,
+    force: f32,
+    [brace, pads]: [f32; 2],
+) -> Option<(u32, f32)> {
+    let friction = StoreysFriction { brace, pads };
+    let events = run.advance(StoreysInput { force, friction }).ok()?;
+    Some((events, run.pads().force()))
+}
+
+/// Follows the motion from rest over a part of a cycle.
+#[inline(never)]
+#[cfg_attr(feature = "prove", no_panic::no_panic)]
+pub fn simulate(r: f32, beta: f32, tau: f32) -> Option<f32> {
+    let mut run = Storeys::simulation(r, beta).ok()?;
+    run.advance(tau).ok()?;
+    Some(run.upper().displacement())
+}

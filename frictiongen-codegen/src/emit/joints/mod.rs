@@ -1,0 +1,297 @@
+//! Emits the stepper and the simulation of a scene with several contacts or dashpots. Both wrap the kernel's engine, and
+//! have a method for each mass and each contact.
+
+mod simulation;
+mod stepper;
+
+use super::about::origin;
+use super::names::TypeNames;
+use crate::Description;
+use crate::graph::literal::{literal, scalar};
+use frictiongen_model::joined::{at_rest, damping_matrix, numbered};
+use frictiongen_model::modal::Modal;
+use frictiongen_model::scene::{Excitation, NamedContact, Node, Provide};
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::format_ident;
+
+/// Data that all emitted items share.
+struct Emission<'a> {
+    description: &'a Description,
+    names: TypeNames,
+    /// Name of the type of the friction forces.
+    friction: Ident,
+    contacts: Vec<NamedContact>,
+    contact_names: Vec<Ident>,
+    /// The masses on which a force acts, with the field of the input. The excited mass is the first.
+    loads: Vec<(usize, Ident)>,
+    scalar: TokenStream,
+    /// The type of the arrays.
+    size: TokenStream,
+    /// Path of the engine.
+    engine: TokenStream,
+}
+
+impl<'a> Emission<'a> {
+    fn of(description: &'a Description) -> Self {
+        let scene = &description.scene;
+        let facade = &description.facade;
+        let name = &description.name;
+        let contacts = scene.named_contacts();
+        let named = |name: &str| Ident::new(name, description.name.span());
+        let contact_names = contacts
+            .iter()
+            .map(|contact| named(&contact.name))
+            .collect();
+        let mut loads = Vec::new();
+        if let Excitation::Force(mass) = scene.excitation {
+            loads.push((mass, named("force")));
+        }
+        let others = scene.stepping.forces.iter();
+        loads.extend(others.filter_map(|mass| {
+            let name = description.mass_names.get(*mass)?;
+            Some((*mass, name.clone()))
+        }));
+        let engine = code!(#facade::kernel::joints);
+        let masses = scene.masses.len();
+        let sizes = [masses, masses + 2, contacts.len(), loads.len()];
+        let sizes = sizes.map(Literal::usize_unsuffixed);
+        let precision = scalar(scene.precision);
+        let mut friction = format_ident!("{}Friction", name);
+        friction.set_span(name.span());
+        Self {
+            description,
+            names: TypeNames::of(name),
+            friction,
+            contacts,
+            contact_names,
+            loads,
+            scalar: code!(::core::primitive::#precision),
+            size: code!(#engine::Fixed<#(#sizes),*>),
+            engine,
+        }
+    }
+
+    fn number(&self, value: f64) -> TokenStream {
+        literal(value, self.description.scene.precision)
+    }
+
+    fn provides(&self, what: &Provide) -> bool {
+        self.description.scene.provide.contains(what)
+    }
+
+    /// Numbers the two ends of a part of the chain.
+    fn ends(&self, from: Node, to: Node) -> [Literal; 2] {
+        let masses = self.description.scene.masses.len();
+        let (plus, minus) = numbered(masses, from, to).unwrap_or_default();
+        [plus, minus].map(Literal::usize_unsuffixed)
+    }
+
+    fn link(&self, from: Node, to: Node, value: f64) -> TokenStream {
+        let [plus, minus] = self.ends(from, to);
+        let value = self.number(value);
+        code!((#plus, #minus, #value))
+    }
+
+    /// Emits a function of time that is constant.
+    fn constant(&self, value: f64) -> TokenStream {
+        let (engine, value, zero) = (&self.engine, self.number(value), self.number(0.0));
+        code!(#engine::Wave {
+            constant: #value,
+            slope: #zero,
+            amplitude: #zero,
+            omega: #zero,
+            phase: #zero,
+        })
+    }
+
+    /// Emits the chain. The level of each contact is its share.
+    fn chain(&self, modal: &Modal) -> TokenStream {
+        let (scene, engine, size) = (&self.description.scene, &self.engine, &self.size);
+        let scalar = &self.scalar;
+        let masses = scene.masses.iter().map(|mass| self.number(mass.value));
+        let springs = scene.springs.iter();
+        let springs = springs.map(|spring| self.link(spring.from, spring.to, spring.stiffness));
+        let dashpots = scene.joints.dampers.iter();
+        let dashpots = dashpots.map(|part| self.link(part.from, part.to, part.coefficient));
+        let damping = damping_matrix(scene, modal).into_iter().flatten();
+        let damping = damping.map(|entry| self.number(entry));
+        let from_base = scene.is_damped_from_base();
+        let contacts = self.contacts.iter().map(|contact| {
+            let [plus, minus] = self.ends(contact.sides.from, contact.sides.to);
+            let (level, stiction) = (
+                self.constant(contact.law.share),
+                self.number(contact.law.stiction),
+            );
+            let stiffness = contact.law.stiffness.map_or_else(
+                || code!(::core::option::Option::None),
+                |stiffness| {
+                    let stiffness = self.number(stiffness);
+                    code!(::core::option::Option::Some(#stiffness))
+                },
+            );
+            code!(#engine::Contact {
+                plus: #plus,
+                minus: #minus,
+                level: #level,
+                stiction: #stiction,
+                stiffness: #stiffness,
+            })
+        });
+        let rest = self.constant(0.0);
+        let loads = self.loads.iter().map(|(mass, _)| {
+            let mass = Literal::usize_unsuffixed(*mass);
+            code!((#mass, #rest))
+        });
+        let one = self.number(1.0);
+        code! {
+            /// The chain. Node numbers are those of the masses, then the wall, then the base. The level of each contact
+            /// is its share. The start of a motion sets the stretch.
+            const CHAIN: #engine::Model<#scalar, #size> = #engine::Model {
+                size: #engine::Fixed,
+                masses: &[#(#masses),*],
+                springs: &[#(#springs),*],
+                dashpots: &[#(#dashpots),*],
+                damping: &[#(#damping),*],
+                damping_from_base: #from_base,
+                contacts: [#(#contacts),*],
+                loads: [#(#loads),*],
+                base: #rest,
+                stretch: #one,
+            };
+        }
+    }
+
+    /// Emits the methods that read a mass or a contact, by its name.
+    fn methods(&self, when: &str) -> TokenStream {
+        let (engine, scalar) = (&self.engine, &self.scalar);
+        let masses = self.description.mass_names.iter().enumerate();
+        let masses = masses.map(|(index, name)| {
+            let about = format!(" Displacement and velocity of mass `{name}` {when}.");
+            let index = Literal::usize_unsuffixed(index);
+            code! {
+                #[doc = #about]
+                #[must_use]
+                pub fn #name(&self) -> #engine::MassState<#scalar> {
+                    self.0.mass(#index)
+                }
+            }
+        });
+        let contacts = self.contact_names.iter().enumerate();
+        let contacts = contacts.map(|(index, name)| {
+            let about = format!(" Motion and force of contact `{name}` {when}.");
+            let index = Literal::usize_unsuffixed(index);
+            code! {
+                #[doc = #about]
+                #[must_use]
+                pub fn #name(&self) -> #engine::ContactState<#scalar> {
+                    self.0.contact(#index)
+                }
+            }
+        });
+        masses.chain(contacts).collect()
+    }
+}
+
+/// Returns the emitted types in the user's module, and the hidden items.
+pub(super) fn emit(description: &Description) -> (TokenStream, TokenStream) {
+    let emission = Emission::of(description);
+    let scene = &description.scene;
+    let modal = at_rest(scene, Modal::of(scene));
+    let name = &emission.names.name;
+    let chain = emission.chain(&modal);
+    let mut types = scene_type(&emission);
+    let mut items = code!(impl #name { #chain });
+    for (what, part) in [
+        (Provide::Stepper, stepper::emit(&emission)),
+        (Provide::Simulation, simulation::emit(&emission, &modal)),
+    ] {
+        if emission.provides(&what) {
+            types.extend(part.0);
+            items.extend(part.1);
+        }
+    }
+    (types, items)
+}
+
+/// Emits the scene's type with its documentation.
+fn scene_type(emission: &Emission<'_>) -> TokenStream {
+    let description = emission.description;
+    let (attributes, visibility) = (&description.attributes, &description.visibility);
+    let TypeNames {
+        name,
+        stepper,
+        input,
+        simulation,
+        ..
+    } = &emission.names;
+    let mut lines = origin(description);
+    if emission.provides(&Provide::Stepper) {
+        lines.push(format!(
+            "* `stepper(dt)` returns [`{stepper}`], the motion by steps under any [`{input}`]"
+        ));
+    }
+    if emission.provides(&Provide::Simulation) {
+        lines.push(format!(
+            "* `simulation(r, beta)` returns [`{simulation}`], the motion in time under a harmonic load"
+        ));
+    }
+    let lines = lines
+        .into_iter()
+        .map(|line| format!(" {line}").trim_end().to_owned());
+    let blank = (!description.documentation.is_empty()).then(|| code!(#[doc = ""]));
+    code! {
+        #attributes
+        #blank
+        #(#[doc = #lines])*
+        #[::core::prelude::v1::derive(
+            ::core::clone::Clone,
+            ::core::marker::Copy,
+            ::core::fmt::Debug,
+            ::core::cmp::Eq,
+            ::core::cmp::PartialEq,
+            ::core::default::Default,
+            ::core::hash::Hash
+        )]
+        #visibility struct #name;
+    }
+}
+
+/// Emits a type that wraps one of the engine.
+fn wrapper(emission: &Emission<'_>, name: &Ident, target: &str, about: &str) -> TokenStream {
+    let Emission {
+        scalar,
+        size,
+        engine,
+        ..
+    } = emission;
+    let visibility = &emission.description.visibility;
+    let target = format_ident!("{target}");
+    code! {
+        #[doc = #about]
+        #[allow(deprecated, non_camel_case_types)]
+        #[::core::prelude::v1::derive(::core::clone::Clone, ::core::fmt::Debug)]
+        #visibility struct #name(#engine::#target<#scalar, #size>);
+    }
+}
+
+/// Emits a structure of numbers.
+fn numbers(
+    emission: &Emission<'_>,
+    name: &Ident,
+    about: &str,
+    fields: &TokenStream,
+) -> TokenStream {
+    let visibility = &emission.description.visibility;
+    code! {
+        #[doc = #about]
+        #[allow(deprecated, non_camel_case_types, non_snake_case)]
+        #[::core::prelude::v1::derive(
+            ::core::clone::Clone,
+            ::core::marker::Copy,
+            ::core::fmt::Debug,
+            ::core::cmp::PartialEq,
+            ::core::default::Default
+        )]
+        #visibility struct #name { #fields }
+    }
+}

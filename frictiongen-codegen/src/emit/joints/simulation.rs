@@ -1,0 +1,121 @@
+//! Emits the simulation of a scene with several contacts.
+
+use super::{Emission, wrapper};
+use crate::emit::emission::rounded;
+use crate::emit::names::TypeNames;
+use frictiongen_kernel::number::dd::Dd;
+use frictiongen_model::modal::Modal;
+use frictiongen_model::scene::Excitation;
+use proc_macro2::{Literal, TokenStream};
+
+/// Emits the simulation: its type, and its items.
+pub(super) fn emit(emission: &Emission<'_>, modal: &Modal) -> (TokenStream, TokenStream) {
+    let Emission {
+        description,
+        scalar,
+        engine,
+        ..
+    } = emission;
+    let TypeNames {
+        name, simulation, ..
+    } = &emission.names;
+    let facade = &description.facade;
+    let scene = &description.scene;
+    let about = format!(
+        " Exact motion of [`{name}`] in time under a harmonic load, from event to event.  Displacements are over P/k₁ (over Y for base motion), velocities are dx̄/dτ, and forces are over P (over k₁Y)."
+    );
+    let types = wrapper(emission, simulation, "Simulation", &about);
+    let round = |value: Dd| emission.number(rounded(value, scene.precision));
+    let rate = round(modal.reference);
+    let stiffness = round(Dd::from(scene.first_stiffness()));
+    let on_base = scene.excitation == Excitation::Base;
+    let masses = Literal::usize_unsuffixed(scene.masses.len());
+    let methods = methods(emission);
+    let items = code! {
+        impl #name {
+            /// √(k₁/m₁), k₁, and the kind of the load.
+            const REFERENCE: #engine::Reference<#scalar> = #engine::Reference {
+                rate: #rate,
+                stiffness: #stiffness,
+                on_base: #on_base,
+            };
+
+            /// Starts the exact motion in time from rest, at a maximum of the excitation.  β is the common friction: the
+            /// friction of each contact is its share of it.
+            ///
+            /// # Errors
+            /// `OutOfDomain` unless r is positive and finite, and β finite and not negative.
+            pub fn simulation(
+                r: #scalar,
+                beta: #scalar,
+            ) -> ::core::result::Result<#simulation, #facade::OutOfDomain> {
+                #engine::Simulation::new(
+                    Self::CHAIN,
+                    Self::REFERENCE,
+                    (r, beta),
+                    ::core::option::Option::None,
+                )
+                .map(#simulation)
+            }
+
+            /// Starts from a state at a maximum of the excitation: x̄ and dx̄/dτ of every mass.
+            ///
+            /// # Errors
+            /// `OutOfDomain` also for a state that is not finite.
+            pub fn simulation_from(
+                r: #scalar,
+                beta: #scalar,
+                state: (&[#scalar; #masses], &[#scalar; #masses]),
+            ) -> ::core::result::Result<#simulation, #facade::OutOfDomain> {
+                #engine::Simulation::new(
+                    Self::CHAIN,
+                    Self::REFERENCE,
+                    (r, beta),
+                    ::core::option::Option::Some((&state.0[..], &state.1[..])),
+                )
+                .map(#simulation)
+            }
+        }
+
+        #methods
+    };
+    (types, items)
+}
+
+/// Emits the methods of the simulation.
+fn methods(emission: &Emission<'_>) -> TokenStream {
+    let Emission {
+        description,
+        scalar,
+        engine,
+        size,
+        ..
+    } = emission;
+    let simulation = &emission.names.simulation;
+    let facade = &description.facade;
+    let methods = emission.methods("now");
+    code! {
+        impl #simulation {
+            /// Advances by `reach` in the phase τ, and returns the number of events on the way.
+            ///
+            /// # Errors
+            /// `OutOfDomain` for a reach that is negative or not finite, and if the motion exceeds a bound.
+            pub fn advance(
+                &mut self,
+                reach: #scalar,
+            ) -> ::core::result::Result<::core::primitive::u32, #facade::OutOfDomain> {
+                self.0.advance(reach)
+            }
+
+            #methods
+        }
+
+        impl ::core::ops::Deref for #simulation {
+            type Target = #engine::Simulation<#scalar, #size>;
+
+            fn deref(&self) -> &Self::Target {
+                &self.0
+            }
+        }
+    }
+}

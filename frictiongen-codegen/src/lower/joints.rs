@@ -1,0 +1,43 @@
+//! Scenes with several contacts or dashpots for which the generator emits code.
+
+use frictiongen_model::scene::{Excitation, Provide};
+use frictiongen_model::validate::Path;
+use frictiongen_syntax::{Located, Problems};
+
+/// Largest number of contacts of a scene for which the generator emits code.
+pub(super) const MOST_CONTACTS: usize = 4;
+
+/// Reports what the generator does not emit for a scene with several contacts or dashpots.
+pub(super) fn check(located: &Located<'_>, problems: &mut Problems) {
+    let scene = &located.scene;
+    let count = scene.joints.contacts.len();
+    if count > MOST_CONTACTS {
+        let message = format!(
+            "the macro emits code for at most {MOST_CONTACTS} contacts, and this scene has {count}; leave some out, or solve this scene at run time with `frictiongen::System`"
+        );
+        problems.report(located.place(Path::JointName(MOST_CONTACTS)), message);
+    }
+    if located.written(Path::Provide(None)).is_none() {
+        problems.report(
+            located.joints(),
+            "the macro emits only the motion in time of a scene with `contacts` or `dampers`; write `provide: [stepper]` or `provide: [simulation]`, or solve this scene at run time with `frictiongen::System`",
+        );
+        return;
+    }
+    for (index, provide) in scene.provide.iter().enumerate() {
+        let place = located.place(Path::Provide(Some(index)));
+        let message = match provide {
+            Provide::Stepper if scene.excitation == Excitation::Base => {
+                "a scene with `contacts` or `dampers` whose base moves has no stepper; write `simulation`, or write a mass in `excitation`"
+            }
+            Provide::Simulation if scene.springs.is_empty() => {
+                "a scene without springs has no simulation, because r and β refer to the first spring; write `stepper`, or write a spring"
+            }
+            Provide::Stepper | Provide::Simulation => continue,
+            _ => {
+                "the macro does not emit this for a scene with `contacts` or `dampers`; write `stepper` or `simulation`, or ask `System::joined` at run time"
+            }
+        };
+        problems.report(place, message);
+    }
+}

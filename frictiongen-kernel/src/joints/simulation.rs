@@ -1,0 +1,138 @@
+//! Exact motion in time under a harmonic load.
+
+use super::model::Model;
+use super::now::{ContactState, MassState};
+use super::run::{Bounds, Count, Motion};
+use super::size::Size;
+use super::wave::Wave;
+use crate::Float;
+use crate::errors::{Given, OutOfDomain};
+
+/// Largest number of events in one call of [`Simulation::advance`].
+pub const MAX_EVENTS: usize = 100_000;
+/// Largest number of stretches in one call of [`Simulation::advance`].
+pub const MAX_STRETCHES: usize = 10_000_000;
+
+/// Units of a simulation, and its frequency, at the frequency ratio r = 1.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reference<S> {
+    /// √(k₁/m₁) in rad per unit of time.
+    pub rate: S,
+    /// Stiffness k₁ of the first spring.
+    pub stiffness: S,
+    /// True if the base moves. Otherwise the first load acts.
+    pub on_base: bool,
+}
+
+/// A motion in time in non-dimensional groups. Displacements are over P/k₁ (over Y for base motion), velocities are
+/// derivatives with respect to τ = ωt, and forces are over P (over k₁Y for base motion).
+#[derive(Clone, Debug)]
+pub struct Simulation<S: Float, Z: Size> {
+    motion: Motion<S, Z>,
+    omega: S,
+    stiffness: S,
+}
+
+/// Displacements and velocities of all masses.
+type Start<'s, S> = (&'s [S], &'s [S]);
+
+impl<S: Float, Z: Size> Simulation<S, Z> {
+    /// Starts at a maximum of the load, from rest or from a state. The level of each contact in `model` is its share of
+    /// the common friction.
+    ///
+    /// # Errors
+    ///
+    /// [`OutOfDomain`] unless r is positive and finite, β finite and not negative, and the state finite.
+    pub fn new(
+        mut model: Model<S, Z>,
+        reference: Reference<S>,
+        (r, beta): (S, S),
+        state: Option<Start<'_, S>>,
+    ) -> Result<Self, OutOfDomain> {
+        let zero = S::constant(0.0);
+        if !(r > zero && r.is_finite() && (S::constant(1.0) / r).is_finite()) {
+            return Err(OutOfDomain::FrequencyRatioInTime(Given::of(r)));
+        }
+        if !(beta >= zero && beta.is_finite()) {
+            return Err(OutOfDomain::FrictionRatio(Given::of(beta)));
+        }
+        let omega = r * reference.rate;
+        let stiffness = reference.stiffness;
+        if reference.on_base {
+            model.base = Wave::harmonic(S::constant(1.0), omega);
+        } else if let Some((_, load)) = model.loads.as_mut().first_mut() {
+            *load = Wave::harmonic(stiffness, omega);
+        }
+        for contact in model.contacts.as_mut() {
+            contact.level = Wave::constant(beta * stiffness * contact.level.constant);
+        }
+        model.set_stretch();
+        let (mut x, mut v) = (model.size.masses(zero), model.size.masses(zero));
+        if let Some((places, speeds)) = state {
+            let mut numbers = places.iter().chain(speeds);
+            if !numbers.all(|number| number.is_finite()) {
+                return Err(OutOfDomain::State);
+            }
+            for (x, place) in x.as_mut().iter_mut().zip(places) {
+                *x = *place;
+            }
+            for (v, speed) in v.as_mut().iter_mut().zip(speeds) {
+                *v = omega * *speed;
+            }
+        }
+        let motion = Motion::new(model, x.as_ref(), v.as_ref());
+        Ok(Self {
+            motion: motion.map_err(OutOfDomain::Motion)?,
+            omega,
+            stiffness,
+        })
+    }
+
+    /// Advances by `reach` in the phase τ. Returns the number of events on the way.
+    ///
+    /// # Errors
+    ///
+    /// [`OutOfDomain`] for a reach that is negative or not finite, and, with its cause, if the motion exceeds a bound.
+    /// The motion then stays at the instant that it has reached.
+    pub fn advance(&mut self, reach: S) -> Result<u32, OutOfDomain> {
+        if !(reach >= S::constant(0.0) && reach.is_finite()) {
+            return Err(OutOfDomain::Duration(Given::of(reach)));
+        }
+        let until = self.motion.time() + reach / self.omega;
+        let bounds = Bounds {
+            events: MAX_EVENTS,
+            stretches: MAX_STRETCHES,
+        };
+        let mut count = Count(0);
+        let run = self.motion.run(until, bounds, &mut count);
+        run.map_err(OutOfDomain::Motion)?;
+        Ok(count.0)
+    }
+
+    /// Returns the phase τ = ωt of the load since the start.
+    pub fn tau(&self) -> S {
+        self.omega * self.motion.time()
+    }
+
+    /// Returns displacement and velocity of a mass.
+    pub fn mass(&self, mass: usize) -> MassState<S> {
+        let MassState {
+            displacement,
+            velocity,
+        } = self.motion.mass(mass);
+        MassState {
+            displacement,
+            velocity: velocity / self.omega,
+        }
+    }
+
+    /// Returns motion and force of a contact.
+    pub fn contact(&self, contact: usize) -> ContactState<S> {
+        let now = self.motion.contact(contact);
+        ContactState {
+            velocity: now.velocity / self.omega,
+            force: now.force / self.stiffness,
+            ..now
+        }
+    }
+}

@@ -1,0 +1,134 @@
+//! Motion under forces that are known sample by sample, with a friction force of its own for each contact.
+
+use super::model::Model;
+use super::now::{ContactState, MassState};
+use super::run::{Bounds, Count, Motion};
+use super::size::{Size, at};
+use super::wave::Wave;
+use crate::Float;
+use crate::errors::{Given, Halt, OutOfDomain};
+
+/// Largest number of events that the stepper follows in one step.
+pub const MAX_STEP_EVENTS: usize = 64;
+/// Largest length of a step, in stretches of one radian of a bound on the fastest angular frequency.
+pub const MAX_STEP: f64 = 1024.0;
+
+/// Stretches between events, and those that end with an event that changes no phase.
+const BOUNDS: Bounds = Bounds {
+    events: MAX_STEP_EVENTS,
+    stretches: MAX_STEP as usize + 4 * MAX_STEP_EVENTS,
+};
+
+/// A stepper with a fixed time step.
+#[derive(Clone, Debug)]
+pub struct Stepper<S: Float, Z: Size> {
+    motion: Motion<S, Z>,
+    dt: S,
+    /// True if a force is constant over a step. Otherwise it changes linearly from the sample before.
+    holds: bool,
+    /// Forces at the end of the last step.
+    forces: Z::Loads<S>,
+}
+
+impl<S: Float, Z: Size> Stepper<S, Z> {
+    /// Starts from rest. The friction force of each contact is 0 until an input sets it. With `holds`, a force is
+    /// constant over a step. Otherwise it changes linearly from the sample before.
+    ///
+    /// # Errors
+    ///
+    /// [`OutOfDomain::Step`] for a step that is not positive and finite, or longer than [`MAX_STEP`] stretches.
+    pub fn new(mut model: Model<S, Z>, dt: S, holds: bool) -> Result<Self, OutOfDomain> {
+        model.base = Wave::zero();
+        for contact in model.contacts.as_mut() {
+            contact.level = Wave::zero();
+        }
+        for (_, load) in model.loads.as_mut() {
+            *load = Wave::zero();
+        }
+        model.set_stretch();
+        let longest = S::constant(MAX_STEP) * model.stretch;
+        if !(dt > S::constant(0.0) && dt.is_finite() && dt <= longest) {
+            return Err(OutOfDomain::Step(Given::of(dt)));
+        }
+        let forces = model.size.loads(S::constant(0.0));
+        Ok(Self {
+            motion: Motion::new(model, &[], &[]).map_err(OutOfDomain::Motion)?,
+            dt,
+            holds,
+            forces,
+        })
+    }
+
+    /// Advances by one step. `forces` has the force of each load at the end of the step, and `frictions` the kinetic
+    /// friction force of each contact during the step. Returns the number of events.
+    ///
+    /// # Errors
+    ///
+    /// [`OutOfDomain`] for a force that is not finite, for a friction force that is negative or not finite, and, with
+    /// its cause, for a step in which the motion exceeds a bound. The stepper is then unchanged.
+    pub fn advance(&mut self, forces: &[S], frictions: &[S]) -> Result<u32, OutOfDomain> {
+        if let Some(force) = forces.iter().find(|force| !force.is_finite()) {
+            return Err(OutOfDomain::Force(Given::of(*force)));
+        }
+        let fits = |friction: &&S| **friction >= S::constant(0.0) && friction.is_finite();
+        if let Some(friction) = frictions.iter().find(|friction| !fits(friction)) {
+            return Err(OutOfDomain::Friction(Given::of(*friction)));
+        }
+        let mut motion = self.motion.clone();
+        let events = self.follow(&mut motion, forces, frictions);
+        let events = events.map_err(OutOfDomain::Motion)?;
+        self.motion = motion;
+        for (load, force) in self.forces.as_mut().iter_mut().zip(forces) {
+            *load = *force;
+        }
+        Ok(events)
+    }
+
+    /// Advances a copy of the motion.
+    fn follow(
+        &self,
+        motion: &mut Motion<S, Z>,
+        forces: &[S],
+        frictions: &[S],
+    ) -> Result<u32, Halt> {
+        let zero = S::constant(0.0);
+        motion.rewind();
+        for (load, after) in forces.iter().enumerate() {
+            let before = at(self.forces.as_ref(), load);
+            if self.holds {
+                motion.set_load(load, Wave::constant(*after))?;
+            } else {
+                motion.lead_load(load, Wave::line((zero, before), (self.dt, *after)));
+            }
+        }
+        for (contact, friction) in frictions.iter().enumerate() {
+            let level = motion.model().contact(contact).map(|c| c.level.constant);
+            if level.is_some_and(|level| level != *friction) {
+                motion.set_level(contact, Wave::constant(*friction))?;
+            }
+        }
+        let mut count = Count(0);
+        motion.run(self.dt, BOUNDS, &mut count)?;
+        Ok(count.0)
+    }
+
+    /// Returns the motion at the end of the last step.
+    pub fn motion(&self) -> &Motion<S, Z> {
+        &self.motion
+    }
+
+    /// Returns displacement and velocity of a mass at the end of the last step.
+    pub fn mass(&self, mass: usize) -> MassState<S> {
+        self.motion.mass(mass)
+    }
+
+    /// Returns motion and force of a contact at the end of the last step.
+    pub fn contact(&self, contact: usize) -> ContactState<S> {
+        self.motion.contact(contact)
+    }
+
+    /// Returns the length of a step.
+    pub fn dt(&self) -> S {
+        self.dt
+    }
+}

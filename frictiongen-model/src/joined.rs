@@ -1,0 +1,113 @@
+//! Modal data and the damping matrix of scenes with several contacts or dashpots.
+
+use crate::modal::Modal;
+use crate::scene::{Damping, Node, Scene};
+use frictiongen_kernel::number::dd::Dd;
+
+/// Fraction of the largest natural frequency. A lower natural frequency belongs to a motion without deformation.
+const RIGID: f64 = 1e-13;
+
+/// Returns the modal data with natural frequencies of exactly 0 for motions of the chain without deformation.
+#[must_use]
+pub fn at_rest(scene: &Scene, mut modal: Modal) -> Modal {
+    let most = modal.resonances.iter().map(|root| root.to_f64());
+    let most = most.fold(0.0, f64::max);
+    for (root, ratio) in modal.resonances.iter_mut().zip(&mut modal.damping_ratios) {
+        if root.to_f64() <= RIGID * most {
+            *root = Dd::from(0.0);
+            if matches!(scene.damping, Damping::Rayleigh { .. }) {
+                *ratio = Dd::from(0.0);
+            }
+        }
+    }
+    modal
+}
+
+/// Returns the damping matrix of the field `damping` by rows, in the units of the description. The matrix has no rows
+/// if the field is `none`. A motion without deformation has no modal damping. `modal` is the result of [`at_rest`].
+#[must_use]
+pub fn damping_matrix(scene: &Scene, modal: &Modal) -> Vec<Vec<f64>> {
+    let matrix = match scene.damping {
+        Damping::None => Vec::new(),
+        Damping::Uniform(_) | Damping::Modal(_) => of_modes(scene, modal),
+        Damping::Rayleigh { mass, stiffness } => rayleigh(scene, mass, stiffness),
+    };
+    let rounded = |row: Vec<Dd>| row.into_iter().map(|entry| entry.to_f64()).collect();
+    matrix.into_iter().map(rounded).collect()
+}
+
+/// Returns Σ 2ζω (Mφ)(Mφ)ᵀ/m₁ over the modes, whose shapes have φᵀMφ = m₁.
+fn of_modes(scene: &Scene, modal: &Modal) -> Vec<Vec<Dd>> {
+    let masses: Vec<Dd> = scene
+        .masses
+        .iter()
+        .map(|mass| Dd::from(mass.value))
+        .collect();
+    let first = masses.first().copied().unwrap_or(Dd::from(1.0));
+    let zero = Dd::from(0.0);
+    let mut matrix = vec![vec![zero; masses.len()]; masses.len()];
+    let rates = modal.natural_frequencies().into_iter();
+    let modes = rates.zip(&modal.damping_ratios).zip(&modal.shapes);
+    for ((rate, ratio), shape) in modes {
+        let factor = Dd::from(2.0) * *ratio * rate / first;
+        let moments = shape.iter().zip(&masses);
+        let moments: Vec<Dd> = moments.map(|(shape, mass)| *shape * *mass).collect();
+        for (row, left) in matrix.iter_mut().zip(&moments) {
+            for (entry, right) in row.iter_mut().zip(&moments) {
+                *entry = *entry + factor * *left * *right;
+            }
+        }
+    }
+    matrix
+}
+
+/// Returns aM + bK.
+fn rayleigh(scene: &Scene, mass: f64, stiffness: f64) -> Vec<Vec<Dd>> {
+    let count = scene.masses.len();
+    let mut matrix = vec![vec![Dd::from(0.0); count]; count];
+    let mut add = |row: usize, column: usize, value: Dd| {
+        if let Some(entry) = matrix.get_mut(row).and_then(|row| row.get_mut(column)) {
+            *entry = *entry + value;
+        }
+    };
+    for (index, own) in scene.masses.iter().enumerate() {
+        add(index, index, Dd::from(mass) * Dd::from(own.value));
+    }
+    for spring in &scene.springs {
+        let value = Dd::from(stiffness) * Dd::from(spring.stiffness);
+        let ends = [spring.from, spring.to].map(|node| match node {
+            Node::Mass(mass) => Some(mass),
+            Node::Base | Node::Wall => None,
+        });
+        for end in ends.into_iter().flatten() {
+            add(end, end, value);
+        }
+        if let [Some(a), Some(b)] = ends {
+            add(a, b, -value);
+            add(b, a, -value);
+        }
+    }
+    matrix
+}
+
+/// Numbers the two ends of a spring, dashpot or contact: the masses, then the wall, then the base. The positive end is
+/// first: the later mass, or the mass if the other end is a support. Returns `None` unless the ends are two nodes of the
+/// chain, one of them a mass.
+#[must_use]
+pub fn numbered(masses: usize, from: Node, to: Node) -> Option<(usize, usize)> {
+    let number = |node| match node {
+        Node::Mass(index) => (index < masses).then_some(index),
+        Node::Wall => Some(masses),
+        Node::Base => Some(masses + 1),
+    };
+    let (from, to) = (number(from)?, number(to)?);
+    let (low, high) = (from.min(to), from.max(to));
+    if from == to || low >= masses {
+        return None;
+    }
+    Some(if high >= masses {
+        (low, high)
+    } else {
+        (high, low)
+    })
+}

@@ -1,0 +1,339 @@
+/// Two storeys with a brace and pads, under a force on the upper one.
+///
+/// Emitted by `friction_system!` of frictiongen 0.1.0 from scene 6118073e1d5ae249.  Change the description, not this code.
+///
+/// # Description
+///
+/// ```text
+/// pub struct TwoContacts {
+///             masses: { lower: 2000, upper: 1500 },
+///             springs: { base - lower: 1.5e6, lower - upper: 1.2e6 },
+///             contacts: {
+///                 brace: base - lower { stiffness: 5.0e6 },
+///                 pads: lower - upper { share: 0.6, stiction: 1.2 },
+///             },
+///             dampers: { lower - upper: 1200.0 },
+///             excitation: upper,
+///             damping: modal(0.01),
+///             provide: [stepper, simulation],
+///         }
+/// ```
+///
+/// # What it offers
+///
+/// * `stepper(dt)` returns [`TwoContactsStepper`], the motion by steps under any [`TwoContactsInput`]
+/// * `simulation(r, beta)` returns [`TwoContactsSimulation`], the motion in time under a harmonic load
+#[::core::prelude::v1::derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::Eq,
+    ::core::cmp::PartialEq,
+    ::core::default::Default,
+    ::core::hash::Hash
+)]
+pub struct TwoContacts;
+/// Stepper: motion of [`TwoContacts`] in time, by steps of one length, under any input.  `advance` takes a step, with at most 64 events.
+#[allow(deprecated, non_camel_case_types)]
+#[::core::prelude::v1::derive(::core::clone::Clone, ::core::fmt::Debug)]
+pub struct TwoContactsStepper(
+    ::frictiongen::kernel::joints::Stepper<
+        ::core::primitive::f64,
+        ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1>,
+    >,
+);
+/// Loads on [`TwoContacts`] and friction forces, in the units of the scene: the input of a step.
+#[allow(deprecated, non_camel_case_types, non_snake_case)]
+#[::core::prelude::v1::derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq,
+    ::core::default::Default
+)]
+pub struct TwoContactsInput {
+    /// Force on mass `upper` at the end of the step.
+    pub force: ::core::primitive::f64,
+    /// Kinetic friction force of each contact during the step.
+    pub friction: TwoContactsFriction,
+}
+/// Friction forces of [`TwoContacts`], by contact.
+#[allow(deprecated, non_camel_case_types, non_snake_case)]
+#[::core::prelude::v1::derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq,
+    ::core::default::Default
+)]
+pub struct TwoContactsFriction {
+    /// Kinetic friction force of contact `brace`, not negative.  A contact with 0 has no effect.
+    pub brace: ::core::primitive::f64,
+    /// Kinetic friction force of contact `pads`, not negative.  A contact with 0 has no effect.
+    pub pads: ::core::primitive::f64,
+}
+/// Exact motion of [`TwoContacts`] in time under a harmonic load, from event to event.  Displacements are over P/k₁ (over Y for base motion), velocities are dx̄/dτ, and forces are over P (over k₁Y).
+#[allow(deprecated, non_camel_case_types)]
+#[::core::prelude::v1::derive(::core::clone::Clone, ::core::fmt::Debug)]
+pub struct TwoContactsSimulation(
+    ::frictiongen::kernel::joints::Simulation<
+        ::core::primitive::f64,
+        ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1>,
+    >,
+);
+#[allow(
+    deprecated,
+    non_snake_case,
+    non_camel_case_types,
+    reason = "names and attributes are those of the description"
+)]
+#[allow(
+    unused_doc_comments,
+    clippy::doc_markdown,
+    reason = "comments above statements explain them by formulas"
+)]
+#[allow(
+    clippy::unreadable_literal,
+    clippy::excessive_precision,
+    clippy::approx_constant,
+    clippy::similar_names,
+    clippy::too_many_lines,
+    reason = "numbers have all their digits, and formulas are written out"
+)]
+#[allow(
+    clippy::suboptimal_flops,
+    clippy::assign_op_pattern,
+    clippy::suspicious_operation_groupings,
+    reason = "operations and their order are those of the tested formulas"
+)]
+#[allow(
+    clippy::wildcard_imports,
+    clippy::inline_always,
+    clippy::expl_impl_clone_on_copy,
+    reason = "one import serves every scene, and the compiler folds constants after inlining"
+)]
+const _: () = {
+    impl TwoContacts {
+        /// The chain. Node numbers are those of the masses, then the wall, then the base. The level of each contact
+        /// is its share. The start of a motion sets the stretch.
+        const CHAIN: ::frictiongen::kernel::joints::Model<
+            ::core::primitive::f64,
+            ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1>,
+        > = ::frictiongen::kernel::joints::Model {
+            size: ::frictiongen::kernel::joints::Fixed,
+            masses: &[2000.0, 1500.0],
+            springs: &[(0, 3, 1500000.0), (1, 0, 1200000.0)],
+            dashpots: &[(1, 0, 1200.0)],
+            damping: &[
+                1397.2784866960274,
+                -394.60058662189635,
+                -394.60058662189635,
+                776.6709617194668,
+            ],
+            damping_from_base: false,
+            contacts: [
+                ::frictiongen::kernel::joints::Contact {
+                    plus: 0,
+                    minus: 3,
+                    level: ::frictiongen::kernel::joints::Wave {
+                        constant: 1.0,
+                        slope: 0.0,
+                        amplitude: 0.0,
+                        omega: 0.0,
+                        phase: 0.0,
+                    },
+                    stiction: 1.0,
+                    stiffness: ::core::option::Option::Some(5000000.0),
+                },
+                ::frictiongen::kernel::joints::Contact {
+                    plus: 1,
+                    minus: 0,
+                    level: ::frictiongen::kernel::joints::Wave {
+                        constant: 0.6,
+                        slope: 0.0,
+                        amplitude: 0.0,
+                        omega: 0.0,
+                        phase: 0.0,
+                    },
+                    stiction: 1.2,
+                    stiffness: ::core::option::Option::None,
+                },
+            ],
+            loads: [
+                (
+                    1,
+                    ::frictiongen::kernel::joints::Wave {
+                        constant: 0.0,
+                        slope: 0.0,
+                        amplitude: 0.0,
+                        omega: 0.0,
+                        phase: 0.0,
+                    },
+                ),
+            ],
+            base: ::frictiongen::kernel::joints::Wave {
+                constant: 0.0,
+                slope: 0.0,
+                amplitude: 0.0,
+                omega: 0.0,
+                phase: 0.0,
+            },
+            stretch: 1.0,
+        };
+    }
+    impl TwoContacts {
+        /// Creates a stepper with the step dt, s, for a chain at rest.  Every friction force is 0 before the first step.
+        ///
+        /// # Errors
+        /// `OutOfDomain` for a step that is not positive and finite, or too long.
+        pub fn stepper(
+            dt: ::core::primitive::f64,
+        ) -> ::core::result::Result<TwoContactsStepper, ::frictiongen::OutOfDomain> {
+            ::frictiongen::kernel::joints::Stepper::new(Self::CHAIN, dt, false)
+                .map(TwoContactsStepper)
+        }
+    }
+    impl TwoContactsStepper {
+        /// Takes a step, and returns the number of its events.
+        ///
+        /// # Errors
+        /// `OutOfDomain` for a force that is not finite, for a friction force that is negative or not finite, and if
+        /// the motion exceeds a bound.  The stepper then keeps its state.
+        pub fn advance(
+            &mut self,
+            input: TwoContactsInput,
+        ) -> ::core::result::Result<::core::primitive::u32, ::frictiongen::OutOfDomain> {
+            self.0.advance(&[input.force], &[input.friction.brace, input.friction.pads])
+        }
+        /// Displacement and velocity of mass `lower` at the end of the last step.
+        #[must_use]
+        pub fn lower(
+            &self,
+        ) -> ::frictiongen::kernel::joints::MassState<::core::primitive::f64> {
+            self.0.mass(0)
+        }
+        /// Displacement and velocity of mass `upper` at the end of the last step.
+        #[must_use]
+        pub fn upper(
+            &self,
+        ) -> ::frictiongen::kernel::joints::MassState<::core::primitive::f64> {
+            self.0.mass(1)
+        }
+        /// Motion and force of contact `brace` at the end of the last step.
+        #[must_use]
+        pub fn brace(
+            &self,
+        ) -> ::frictiongen::kernel::joints::ContactState<::core::primitive::f64> {
+            self.0.contact(0)
+        }
+        /// Motion and force of contact `pads` at the end of the last step.
+        #[must_use]
+        pub fn pads(
+            &self,
+        ) -> ::frictiongen::kernel::joints::ContactState<::core::primitive::f64> {
+            self.0.contact(1)
+        }
+    }
+    impl ::core::ops::Deref for TwoContactsStepper {
+        type Target = ::frictiongen::kernel::joints::Stepper<
+            ::core::primitive::f64,
+            ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1>,
+        >;
+        fn deref(&self) -> &Self::Target {
+            &self.0
+        }
+    }
+    impl TwoContacts {
+        /// √(k₁/m₁), k₁, and the kind of the load.
+        const REFERENCE: ::frictiongen::kernel::joints::Reference<
+            ::core::primitive::f64,
+        > = ::frictiongen::kernel::joints::Reference {
+            rate: 27.386127875258307,
+            stiffness: 1500000.0,
+            on_base: false,
+        };
+        /// Starts the exact motion in time from rest, at a maximum of the excitation.  β is the common friction: the
+        /// friction of each contact is its share of it.
+        ///
+        /// # Errors
+        /// `OutOfDomain` unless r is positive and finite, and β finite and not negative.
+        pub fn simulation(
+            r: ::core::primitive::f64,
+            beta: ::core::primitive::f64,
+        ) -> ::core::result::Result<TwoContactsSimulation, ::frictiongen::OutOfDomain> {
+            ::frictiongen::kernel::joints::Simulation::new(
+                    Self::CHAIN,
+                    Self::REFERENCE,
+                    (r, beta),
+                    ::core::option::Option::None,
+                )
+                .map(TwoContactsSimulation)
+        }
+        /// Starts from a state at a maximum of the excitation: x̄ and dx̄/dτ of every mass.
+        ///
+        /// # Errors
+        /// `OutOfDomain` also for a state that is not finite.
+        pub fn simulation_from(
+            r: ::core::primitive::f64,
+            beta: ::core::primitive::f64,
+            state: (&[::core::primitive::f64; 2], &[::core::primitive::f64; 2]),
+        ) -> ::core::result::Result<TwoContactsSimulation, ::frictiongen::OutOfDomain> {
+            ::frictiongen::kernel::joints::Simulation::new(
+                    Self::CHAIN,
+                    Self::REFERENCE,
+                    (r, beta),
+                    ::core::option::Option::Some((&state.0[..], &state.1[..])),
+                )
+                .map(TwoContactsSimulation)
+        }
+    }
+    impl TwoContactsSimulation {
+        /// Advances by `reach` in the phase τ, and returns the number of events on the way.
+        ///
+        /// # Errors
+        /// `OutOfDomain` for a reach that is negative or not finite, and if the motion exceeds a bound.
+        pub fn advance(
+            &mut self,
+            reach: ::core::primitive::f64,
+        ) -> ::core::result::Result<::core::primitive::u32, ::frictiongen::OutOfDomain> {
+            self.0.advance(reach)
+        }
+        /// Displacement and velocity of mass `lower` now.
+        #[must_use]
+        pub fn lower(
+            &self,
+        ) -> ::frictiongen::kernel::joints::MassState<::core::primitive::f64> {
+            self.0.mass(0)
+        }
+        /// Displacement and velocity of mass `upper` now.
+        #[must_use]
+        pub fn upper(
+            &self,
+        ) -> ::frictiongen::kernel::joints::MassState<::core::primitive::f64> {
+            self.0.mass(1)
+        }
+        /// Motion and force of contact `brace` now.
+        #[must_use]
+        pub fn brace(
+            &self,
+        ) -> ::frictiongen::kernel::joints::ContactState<::core::primitive::f64> {
+            self.0.contact(0)
+        }
+        /// Motion and force of contact `pads` now.
+        #[must_use]
+        pub fn pads(
+            &self,
+        ) -> ::frictiongen::kernel::joints::ContactState<::core::primitive::f64> {
+            self.0.contact(1)
+        }
+    }
+    impl ::core::ops::Deref for TwoContactsSimulation {
+        type Target = ::frictiongen::kernel::joints::Simulation<
+            ::core::primitive::f64,
+            ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1>,
+        >;
+        fn deref(&self) -> &Self::Target {
+            &self.0
+        }
+    }
+};

@@ -1,0 +1,367 @@
+//! Emitted code of scenes with several contacts: against `joints.json`, which a plain program made with matrix
+//! exponentials, and bit by bit against the run-time system.
+
+use frictiongen::study::joined::JoinedInput;
+use frictiongen::{OutOfDomain, System, friction_system};
+use fuzzing::Random;
+use serde_json::Value;
+use std::f64::consts::TAU;
+
+/// Emits scenes, and keeps their texts.
+macro_rules! scenes {
+    ($(struct $name:ident { $($body:tt)* })*) => {
+        $(friction_system! { pub struct $name { $($body)* } })*
+        fn system(name: &str) -> System {
+            let text = match name {
+                $(stringify!($name) => stringify!(struct $name { $($body)* }),)*
+                _ => panic!("no scene {name}"),
+            };
+            text.parse().expect("a valid scene")
+        }
+    };
+}
+
+scenes! {
+    // Entry 15 of the file. The share of each contact is its friction force in N.
+    struct Rigid {
+        masses: { m1: 2.39, m2: 0.615, m3: 1.59 },
+        springs: { base - m1: 3840.0, m1 - m2: 3740.0, m2 - m3: 2050.0 },
+        contacts: {
+            low: m2 - m1 { share: 5.93 },
+            high: m3 - wall { stiction: 1.3, share: 44.2 },
+        },
+        damping: modal[0.00699, 0.00721, 0.0175],
+        excitation: base,
+        provide: [simulation],
+    }
+    // Entry 1 of the file: no spring holds the chain.
+    struct Free {
+        masses: { m1: 1.4, m2: 2.26, m3: 2.47 },
+        springs: { m1 - m2: 2110.0, m2 - m3: 2710.0 },
+        contacts: {
+            elastic: m3 - m2 { stiffness: 9890.0, share: 39.9 },
+            rigid: m3 - wall { share: 79.8 },
+        },
+        damping: modal[0.0263, 0.00728, 0.0192],
+        excitation: m1,
+        provide: [simulation],
+    }
+    struct Storeys {
+        masses: { one: 2.0, two: 1.5, three: 1.0, four: 0.8 },
+        springs: { base - one: 900.0, one - two: 700.0, two - three: 650.0, three - four: 500.0 },
+        contacts: {
+            brace: base - one { stiffness: 4000.0 },
+            pads: one - two { share: 0.6, stiction: 1.2 },
+            clamp: two - three { share: 0.5 },
+            hanger: four - wall { stiffness: 2500.0, share: 0.3, stiction: 1.1 },
+        },
+        dampers: { three - four: 1.2 },
+        damping: rayleigh(0.2, 1e-3),
+        excitation: four,
+        force: { one },
+        provide: [stepper, simulation],
+    }
+    struct Pair {
+        masses: { lower: 2.0, upper: 1.0 },
+        springs: { base - lower: 800.0, lower - upper: 600.0 },
+        contacts: { brace: base - lower { stiffness: 3000.0 }, pads: lower - upper { stiction: 1.2 } },
+        excitation: upper,
+        scalar: f32,
+        input: hold,
+        step: 1e-3,
+        provide: [simulation, stepper],
+    }
+    struct Clutches {
+        masses: { motor: 1.0, load: 3.0 },
+        contacts: { clutch: motor - load, brake: load - wall { stiction: 1.3 } },
+        excitation: motor,
+        input: hold,
+        provide: [stepper],
+    }
+}
+
+fn entry(index: usize) -> Value {
+    let text = include_str!("../../../frictiongen/src/study/joints/tests/joints.json");
+    let all: Value = serde_json::from_str(text).expect("JSON");
+    all["scenes"][index].clone()
+}
+
+fn number(value: &Value) -> f64 {
+    value.as_f64().expect("a number")
+}
+
+/// Compares displacements and velocities after each cycle with those of an entry. The largest displacement is the unit.
+fn after_cycles(
+    index: usize,
+    mut advance: impl FnMut() -> Vec<(f64, f64)>,
+    first: f64,
+    length: f64,
+) {
+    let scene = entry(index);
+    let omega = number(&scene["omega"]);
+    let (mut worst, mut size) = (0.0_f64, 0.0_f64);
+    for expected in scene["after_cycles"].as_array().expect("cycles") {
+        for (mass, (x, v)) in advance().into_iter().enumerate() {
+            let expected_x = number(&expected["x"][mass]) / length;
+            let expected_v = number(&expected["v"][mass]) / length / omega;
+            worst = worst
+                .max((x - expected_x).abs())
+                .max((v - expected_v).abs());
+            size = size.max(expected_x.abs());
+        }
+    }
+    println!(
+        "entry {index}: {:.1e} of the largest displacement",
+        worst / size
+    );
+    assert!(size > first, "{size}");
+    // joints.json has the states to 1e-10.
+    assert!(worst < 1e-10 * size, "{worst} {size}");
+}
+
+#[test]
+fn states_are_those_of_the_reference() {
+    let scene = entry(15);
+    let load = number(&scene["load"]);
+    let r = number(&scene["omega"]) / (3840.0_f64 / 2.39).sqrt();
+    let mut run = Rigid::simulation(r, 1.0 / (3840.0 * load)).expect("a simulation");
+    let advance = || {
+        run.advance(TAU).expect("a cycle");
+        [run.m1(), run.m2(), run.m3()]
+            .map(|m| (m.displacement(), m.velocity()))
+            .to_vec()
+    };
+    after_cycles(15, advance, 1.0, load);
+    let scene = entry(1);
+    let load = number(&scene["load"]);
+    let r = number(&scene["omega"]) / (2110.0_f64 / 1.4).sqrt();
+    let mut run = Free::simulation(r, 1.0 / load).expect("a simulation");
+    let advance = || {
+        run.advance(TAU).expect("a cycle");
+        [run.m1(), run.m2(), run.m3()]
+            .map(|m| (m.displacement(), m.velocity()))
+            .to_vec()
+    };
+    after_cycles(1, advance, 1.0, load / 2110.0);
+}
+
+/// Emitted simulations have the bits of the run-time system.
+#[test]
+fn simulations_have_the_bits_of_the_system() {
+    let system = system("Storeys");
+    let joined = system.joined().expect("answers");
+    let mut events = 0;
+    for (r, beta) in [(0.4, 0.3), (0.9, 0.05), (1.3, 1.0)] {
+        let mut emitted = Storeys::simulation(r, beta).expect("a simulation");
+        let at = joined.at(r).expect("a frequency");
+        let mut run = at.simulation(beta).expect("a simulation");
+        for part in 0..60 {
+            let count = emitted.advance(0.7).expect("a part");
+            assert!(count as usize <= run.advance(0.7).expect("a part").len());
+            events += count;
+            assert_eq!(emitted.tau(), run.tau());
+            let one = (emitted.one().displacement(), emitted.one().velocity());
+            let four = (emitted.four().displacement(), emitted.four().velocity());
+            assert_eq!(one, run.mass("one").expect("a mass"), "{r} {beta} {part}");
+            assert_eq!(four, run.mass("four").expect("a mass"), "{r} {beta} {part}");
+            let named = [
+                (emitted.brace(), "brace"),
+                (emitted.pads(), "pads"),
+                (emitted.clamp(), "clamp"),
+                (emitted.hanger(), "hanger"),
+            ];
+            for (now, name) in named {
+                let expected = run.contact_named(name).expect("a contact");
+                assert_eq!(now.displacement(), expected.displacement, "{name}");
+                assert_eq!(now.velocity(), expected.velocity, "{name}");
+                assert_eq!(now.force(), expected.force, "{name}");
+                assert_eq!(now.is_sticking(), expected.is_sticking, "{name}");
+            }
+        }
+    }
+    assert!(events > 100, "{events}");
+}
+
+/// Emitted steppers have the bits of the run-time system, under random forces, with friction forces that change and vanish.
+#[test]
+fn steppers_have_the_bits_of_the_system() {
+    let system = system("Storeys");
+    let joined = system.joined().expect("answers");
+    let dt = 0.01;
+    let mut emitted = Storeys::stepper(dt).expect("a stepper");
+    let mut run = joined.stepper(dt).expect("a stepper");
+    let mut random = Random(7);
+    let (mut events, mut input) = (0, StoreysInput::default());
+    for step in 0..3000 {
+        if step % 50 == 0 {
+            input.force = random.between(-30.0, 30.0);
+            input.one = random.between(-20.0, 20.0);
+        }
+        if step % 130 == 0 {
+            input.friction = StoreysFriction {
+                brace: random.between(0.0, 9.0),
+                pads: random.between(0.0, 5.0),
+                clamp: if step % 260 == 0 { 0.0 } else { 2.0 },
+                hanger: random.between(0.0, 4.0),
+            };
+        }
+        let friction = input.friction;
+        let forces = [("four", input.force), ("one", input.one)];
+        let frictions = [
+            ("brace", friction.brace),
+            ("pads", friction.pads),
+            ("clamp", friction.clamp),
+            ("hanger", friction.hanger),
+        ];
+        let count = emitted.advance(input).expect("a step");
+        let sampled = JoinedInput {
+            forces: &forces,
+            frictions: &frictions,
+        };
+        assert_eq!(
+            count as usize,
+            run.advance(sampled).expect("a step"),
+            "{step}"
+        );
+        events += count;
+        let three = (emitted.three().displacement(), emitted.three().velocity());
+        assert_eq!(three, run.mass("three").expect("a mass"), "{step}");
+        for (now, name) in [
+            (emitted.brace(), "brace"),
+            (emitted.pads(), "pads"),
+            (emitted.clamp(), "clamp"),
+        ] {
+            let expected = run.contact_named(name).expect("a contact");
+            assert_eq!(
+                (now.force(), now.is_sticking()),
+                (expected.force, expected.is_sticking),
+                "{name} {step}"
+            );
+        }
+    }
+    assert!(events > 200, "{events}");
+}
+
+/// A stuck clutch drives both masses as one. The acceleration is a closed form, and so is the slip.
+#[test]
+fn a_clutch_and_a_brake() {
+    let dt = 0.125;
+    let mut step = Clutches::stepper(dt).expect("a stepper");
+    let friction = ClutchesFriction {
+        clutch: 10.0,
+        brake: 0.0,
+    };
+    let input = ClutchesInput {
+        force: 8.0,
+        friction,
+    };
+    for _ in 0..8 {
+        step.advance(input).expect("a step");
+    }
+    // 8 N on 4 kg for 1 s. The clutch transmits 6 N of them.
+    assert!(step.clutch().is_sticking() && step.clutch().velocity() == 0.0);
+    assert!((step.load().velocity() - 2.0).abs() < 1e-13, "{step:?}");
+    assert!((step.clutch().force().abs() - 6.0).abs() < 1e-13);
+    assert!(!step.brake().is_sticking() && step.brake().force() == 0.0);
+    // The brake slows both with 4 N, which is less than the 10 N that the clutch holds. They stop after 2 s.
+    let friction = ClutchesFriction {
+        clutch: 10.0,
+        brake: 4.0,
+    };
+    let input = ClutchesInput {
+        force: 0.0,
+        friction,
+    };
+    let events: u32 = (0..24).map(|_| step.advance(input).expect("a step")).sum();
+    assert_eq!(events, 1);
+    assert!(step.brake().is_sticking() && step.motor().velocity() == 0.0);
+    assert!((step.load().displacement() - 3.0).abs() < 1e-12, "{step:?}");
+}
+
+/// `f32` follows `f64` over the first half second of a scene.
+#[test]
+fn single_precision_follows_double_precision() {
+    let text = "struct Pair { masses: { lower: 2.0, upper: 1.0 },
+        springs: { base - lower: 800.0, lower - upper: 600.0 },
+        contacts: { brace: base - lower { stiffness: 3000.0 }, pads: lower - upper { stiction: 1.2 } },
+        excitation: upper, input: hold, provide: [stepper] }";
+    let double: System = text.parse().expect("a valid scene");
+    let joined = double.joined().expect("answers");
+    let mut run = joined.stepper(f64::from(Pair::STEP)).expect("a stepper");
+    let mut step = Pair::stepper(Pair::STEP).expect("a stepper");
+    let (mut worst, mut size) = (0.0_f64, 0.0_f64);
+    for index in 0..500_u16 {
+        let force = if (index / 80) % 2 == 0 { 20.0 } else { -20.0 };
+        let friction = PairFriction {
+            brace: 6.0,
+            pads: 4.0,
+        };
+        step.advance(PairInput { force, friction }).expect("a step");
+        let input = JoinedInput {
+            forces: &[("upper", f64::from(force))],
+            frictions: &[("brace", 6.0), ("pads", 4.0)],
+        };
+        run.advance(input).expect("a step");
+        let expected = run.mass("upper").expect("a mass").0;
+        worst = worst.max((f64::from(step.upper().displacement()) - expected).abs());
+        size = size.max(expected.abs());
+    }
+    println!("f32: {:.1e} of the largest displacement", worst / size);
+    // Half a thousand steps, each with some roundings of 6e-8.
+    assert!(worst < 1e-4 * size, "{worst} {size}");
+}
+
+#[test]
+fn bad_inputs_change_nothing() {
+    let mut step = Storeys::stepper(1e-3).expect("a stepper");
+    let good = StoreysInput {
+        force: 5.0,
+        ..StoreysInput::default()
+    };
+    step.advance(good).expect("a step");
+    let before = format!("{step:?}");
+    let nan = StoreysInput {
+        one: f64::NAN,
+        ..good
+    };
+    let mut negative = good;
+    negative.friction.pads = -1.0;
+    let refused = step.advance(nan);
+    assert!(matches!(refused, Err(OutOfDomain::Force(_))), "{refused:?}");
+    let refused = step.advance(negative);
+    assert!(
+        matches!(refused, Err(OutOfDomain::Friction(_))),
+        "{refused:?}"
+    );
+    assert_eq!(format!("{step:?}"), before);
+    for dt in [0.0, -1.0, f64::NAN, f64::INFINITY, 1e3] {
+        assert!(
+            matches!(Storeys::stepper(dt), Err(OutOfDomain::Step(_))),
+            "{dt}"
+        );
+    }
+    assert!(Storeys::simulation(0.0, 0.1).is_err());
+    assert!(Storeys::simulation(1.0, f64::NAN).is_err());
+    let mut run = Storeys::simulation(1.0, 0.1).expect("a simulation");
+    assert!(matches!(run.advance(-1.0), Err(OutOfDomain::Duration(_))));
+    assert!(Storeys::simulation_from(1.0, 0.1, (&[f64::NAN; 4], &[0.0; 4])).is_err());
+}
+
+/// Memory in bytes, as docs/joints.md states it.
+#[test]
+fn sizes_are_those_of_the_documentation() {
+    let sizes = [
+        ("Pair, f32, stepper", size_of::<PairStepper>()),
+        ("Pair, f32, simulation", size_of::<PairSimulation>()),
+        ("Clutches, stepper", size_of::<ClutchesStepper>()),
+        ("Storeys, stepper", size_of::<StoreysStepper>()),
+        ("Storeys, simulation", size_of::<StoreysSimulation>()),
+    ];
+    let page = include_str!("../../../docs/joints.md");
+    let rows = sizes.map(|(what, size)| format!("| {what} | {size} |\n"));
+    let rows = rows.concat();
+    assert!(
+        page.contains(&rows),
+        "docs/joints.md needs these rows:\n{rows}"
+    );
+}
