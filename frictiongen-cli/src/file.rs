@@ -50,6 +50,24 @@ pub fn check(path: &Path, description: Option<&Path>) -> Result<(), Failure> {
     Err(refusal(path, &kind.into()))
 }
 
+/// Fails if the file does not have the extension of a web page. A browser would show any other file as text.
+pub fn check_page(path: &Path, what: &str) -> Result<(), Failure> {
+    let shown = path.display();
+    let ending = path
+        .extension()
+        .map(|ending| ending.to_string_lossy().to_lowercase());
+    let instead = match ending.as_deref() {
+        Some("html" | "htm") => return Ok(()),
+        Some("svg" | "png") => "; for a picture, use `frictiongen curve` or `frictiongen map`",
+        Some("csv" | "json") => "; for numbers, use `frictiongen curve` or `frictiongen features`",
+        Some("pdf") => "; a browser prints the page as PDF",
+        _ => "",
+    };
+    Err(Failure::new(format_args!(
+        "--output `{shown}`: {what} is a web page, so that the name of the file must end in .html{instead}"
+    )))
+}
+
 fn refusal(path: &Path, error: &io::Error) -> Failure {
     Failure::new(format_args!(
         "cannot write {}: {}",

@@ -41,6 +41,7 @@ mod output;
 mod periodic;
 #[cfg(feature = "pictures")]
 mod picture;
+mod play;
 mod progress;
 mod recorded;
 #[cfg(feature = "report")]
@@ -104,6 +105,7 @@ pub fn run(
         Command::Features(arguments) => features::run(arguments, out),
         #[cfg(feature = "report")]
         Command::Report(arguments) => report::run(arguments, out),
+        Command::Play(arguments) => play::run(arguments, out),
         Command::Compile(arguments) => compile::run(arguments, out),
         Command::Expand(arguments) => expand::run(arguments, out),
         Command::Export(arguments) => export::run(arguments, out),

@@ -111,6 +111,8 @@ const words = {
   "stuck": "The contact is <strong>stuck</strong>: friction is too strong, or the load too weak, to move it.",
 };
 
+const verbs = { "continuous": "slides all the time", "stick-slip": "sticks and slips", "stuck": "is stuck" };
+
 function show(told) {
   orbit = told.error ? null : told;
   const hertz = state.r * scene.hertz;
@@ -127,8 +129,10 @@ function show(told) {
   const masses = told.masses.map((mass, index) => `${scene.masses[index].name} ${short(mass.amplitude)}`).join(", ");
   const stops = told.stops ? ` It stops ${told.stops} times in ${told.period > 1 ? `${told.period} cycles` : "a cycle"}${told.stuck_fraction === undefined ? "" : ` and sticks for ${short(100 * told.stuck_fraction)} % of the time`}.` : "";
   const settled = told.settled ? "" : " The motion never repeats.";
-  at("says").innerHTML = words[told.regime] + stops + settled;
+  at("says").innerHTML = told.contacts?.length > 1 ? "" : words[told.regime] + stops + settled;
+  if (told.contacts?.length > 1) at("says").append(`${told.contacts.map((contact) => `${contact.name} ${verbs[contact.regime]}`).join(", ")}.`);
   at("says").append(` Largest displacements over ${unit}: ${masses}.`);
+  at("work").textContent = told.work ? `friction takes ${short(told.work)} ${scene.excitation === "base" ? "k₁Y²" : "P²/k₁"} in a cycle` : "";
   if (told.loop) at("loop").innerHTML = told.loop.svg;
 }
 
@@ -142,16 +146,14 @@ function draw(id, told) {
   }
   place.innerHTML = `${told.svg}<div class="over"></div>`;
   place.frame = told.frame;
-  if (id === "map") {
-    top_ = told.top;
-    Object.assign(at("beta"), { max: Math.max(top_, state.beta) });
-  }
+  if (id === "map") top_ = told.top;
 }
 
 // Draws the markers over the map and the curve, and moves both sliders.
 function mark() {
   Object.assign(at("r"), { min: state.from, max: state.to, value: state.r });
-  if (document.activeElement !== at("beta")) at("beta").value = state.beta;
+  // Small frictions have more room on the slider than large ones.
+  if (document.activeElement !== at("beta")) at("beta").value = Math.sqrt(state.beta / top_);
   at("beta").setAttribute("aria-valuetext", at("beta-is").textContent);
   at("r").setAttribute("aria-valuetext", at("r-is").textContent);
   over("map", state.beta, best);
@@ -185,10 +187,21 @@ async function refine(valid) {
   link();
   // A screen reader tells the state when the hand rests, not in every frame.
   at("spoken").textContent = at("says").textContent;
+  emitted();
+  at("scenes").value = examples.findIndex((example) => example.text === editor.text);
   if (!scene || document.body.classList.contains("faulty")) return;
   if (scene.joined) return joined(valid);
   const curve = await slow.ask(question("curve", { starts: starts(), work: 25000 }));
   if (valid()) { draw("curve", curve); mark(); }
+}
+
+// The emitted code of the description, while its tab is open.
+async function emitted() {
+  if (!at("emitted").open || document.body.classList.contains("faulty") || at("code").of === editor.text) return;
+  at("code").of = editor.text;
+  const told = await slow.ask({ ask: "code", text: editor.text });
+  if (told.stopped) at("code").of = null;
+  else at("code").textContent = told.error ? `// ${told.error.replaceAll("\n", "\n// ")}` : told.code;
 }
 
 // Numbers from 0 to 1, each halfway between others, so that a curve is coarse first and fine later.
@@ -265,11 +278,11 @@ function load(held) {
 }
 
 function listen() {
-  at("beta").addEventListener("input", (event) => { state.beta = Number(event.target.value); changed(); });
+  at("beta").addEventListener("input", (event) => { state.beta = top_ * Number(event.target.value) ** 2; changed(); });
   at("r").addEventListener("input", (event) => { state.r = Number(event.target.value); changed(); });
   at("of").addEventListener("change", (event) => { state.of = event.target.value === "" ? undefined : Number(event.target.value); best = null; at("best-is").textContent = ""; changed(); });
   at("sweep").addEventListener("change", (event) => { state.sweep = event.target.checked; changed(); });
-  at("scenes").addEventListener("change", (event) => load({ text: examples[event.target.value].text }));
+  at("scenes").addEventListener("change", (event) => { if (examples[event.target.value]) load({ text: examples[event.target.value].text }); });
   at("play").addEventListener("click", () => { chain.plays = !chain.plays; playing(); });
   at("sound").addEventListener("change", (event) => { sound.on = event.target.checked; resound(); });
   at("pitch").addEventListener("change", (event) => { sound.heard = event.target.value === "heard"; resound(); });
@@ -277,6 +290,7 @@ function listen() {
   at("map").addEventListener("click", (event) => point(event));
   at("curve").addEventListener("click", (event) => point(event));
   at("map").addEventListener("keydown", (event) => arrowKey(event));
+  at("emitted").addEventListener("toggle", () => emitted());
   at("best").addEventListener("click", () => findBest());
   at("link").addEventListener("click", async () => {
     link();
@@ -377,7 +391,7 @@ async function searched() {
 }
 
 async function begin() {
-  at("scenes").replaceChildren(...examples.map((example, index) => new Option(example.title, index)));
+  at("scenes").replaceChildren(new Option("Your own", -1, false, false), ...examples.map((example, index) => new Option(example.title, index)));
   listen();
   playing();
   const packed = Uint8Array.from(atob(at("wasm").textContent), (char) => char.charCodeAt(0));

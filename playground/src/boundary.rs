@@ -1,7 +1,10 @@
 //! The calls of the browser: memory for a question, and its answer.
 //!
-//! This file alone contains unsafe code.  The page has one thread for each instance, so that the calls never overlap.
-#![cfg_attr(not(target_arch = "wasm32"), allow(dead_code))]
+//! This file alone may contain unsafe code, which here is the names of the functions.  The page has one thread for each instance, so that the calls never overlap.
+#![allow(
+    unsafe_code,
+    reason = "the browser finds a function by its unmangled name"
+)]
 
 use std::cell::RefCell;
 

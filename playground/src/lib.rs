@@ -5,6 +5,7 @@
 
 mod best;
 mod boundary;
+mod code;
 mod curve;
 mod joined;
 mod map;
@@ -41,6 +42,7 @@ fn answered(question: &Question) -> Result<Value, String> {
         "map" => map::answer(question),
         "orbit" => orbit::answer(question),
         "best" => best::answer(question),
+        "code" => code::answer(question),
         "points" => joined::points(question),
         "line" => joined::line(question),
         "cells" => joined::cells(question),

@@ -271,3 +271,29 @@ fn a_faulty_question_gets_a_message() {
         assert!(told["error"].is_string(), "{name}: {told}");
     }
 }
+
+#[test]
+fn the_emitted_code_is_that_of_the_macro() {
+    let told = about(FRAME, "code", json!({}));
+    let code = told["code"].as_str().unwrap();
+    assert!(code.contains("pub struct Frame") && code.contains("fn continuous_limit"));
+    // The constant is m₁ of the description.
+    assert!(code.contains("3.27"));
+    for text in [
+        STOREYS,
+        &FRAME.replace("damping:", "accuracy: 1e-4, range: { r: 0.2..2 }, damping:"),
+    ] {
+        let told = about(text, "code", json!({}));
+        assert!(told["error"].is_string(), "{told}");
+    }
+}
+
+/// `frictiongen play` replaces this element of the page.
+#[test]
+fn the_page_has_room_for_a_description() {
+    let page = include_str!("../page/page.html");
+    let room = r#"<script id="given" type="application/json">null</script>"#;
+    assert_eq!(page.matches(room).count(), 1);
+    let command = include_str!("../../frictiongen-cli/src/play.rs");
+    assert_eq!(command.matches(room).count(), 1);
+}

@@ -133,6 +133,20 @@ pub struct NewArguments {
     pub file: Option<PathBuf>,
 }
 
+/// Arguments of `frictiongen play`.
+#[derive(Debug, Args)]
+pub struct PlayArguments {
+    /// Argument for the scene description.
+    #[command(flatten)]
+    pub file: FileArgument,
+    /// The playground, as scripts/playground makes it [default: playground.html in the folder of this program]
+    #[arg(long, value_name = "PAGE")]
+    pub page: Option<PathBuf>,
+    /// Write to this file instead of standard output
+    #[arg(short, long, value_name = "OUT")]
+    pub output: Option<PathBuf>,
+}
+
 /// Arguments of `frictiongen completions`.
 #[derive(Debug, Args)]
 pub struct CompletionsArguments {

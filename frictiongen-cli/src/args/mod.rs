@@ -13,7 +13,7 @@ mod shared;
 use clap::{Parser, Subcommand};
 pub use code::{
     CheckArguments, CompileArguments, CompletionsArguments, DiffArguments, ExpandArguments,
-    ExportArguments, ExportTarget, ManArguments, NewArguments, TableFormat,
+    ExportArguments, ExportTarget, ManArguments, NewArguments, PlayArguments, TableFormat,
 };
 pub use desk::{
     CurveArguments, FeaturesArguments, MapArguments, OptimumArguments, SensitivityArguments,
@@ -83,6 +83,8 @@ pub enum Command {
     #[cfg(feature = "report")]
     #[command(after_help = format!("{}{UNITS}{}", report::REPORTS, report::RANGES))]
     Report(ReportArguments),
+    /// Write a page that answers in a browser while its reader changes the description
+    Play(PlayArguments),
     /// Print derivatives of amplitude, phase and limits with respect to every parameter, in every regime
     #[command(after_help = format!("{SENSITIVITIES}{UNITS}{GRIDS_IN_TIME}"))]
     Sensitivity(SensitivityArguments),

@@ -23,30 +23,11 @@ use frictiongen::System;
 use frictiongen_codegen::{Limits, parse_text};
 use page::Page;
 use std::io::Write;
-use std::path::Path;
-
-/// Fails if the file does not have the extension of a web page. A browser would show any other file as text.
-fn check_name(path: &Path) -> Result<(), Failure> {
-    let shown = path.display();
-    let ending = path
-        .extension()
-        .map(|ending| ending.to_string_lossy().to_lowercase());
-    let instead = match ending.as_deref() {
-        Some("html" | "htm") => return Ok(()),
-        Some("svg" | "png") => "; for a picture, use `frictiongen curve` or `frictiongen map`",
-        Some("csv" | "json") => "; for numbers, use `frictiongen curve` or `frictiongen features`",
-        Some("pdf") => "; a browser prints the page as PDF",
-        _ => "",
-    };
-    Err(Failure::new(format_args!(
-        "--output `{shown}`: a report is a web page, so that the name of the file must end in .html{instead}"
-    )))
-}
 
 /// Runs `frictiongen report`.
 pub fn run(arguments: &ReportArguments, out: &mut dyn Write) -> Result<(), Failure> {
     if let Some(path) = arguments.output.as_deref() {
-        check_name(path)?;
+        file::check_page(path, "a report")?;
         // The check comes before the computation, so that an error about the file is reported before a long
         // computation.
         file::check(path, arguments.file.path())?;

@@ -21,6 +21,7 @@ mod mistakes;
 mod optimum;
 mod orbit;
 mod periodic;
+mod play;
 mod quantities;
 mod recorded;
 mod records;
