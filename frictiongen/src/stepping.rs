@@ -157,6 +157,35 @@ macro_rules! emitted_stepper {
             }
         }
 
+        impl $name {
+            /// Creates a stepper from an image, with the step and the state of the stepper that wrote it.
+            ///
+            /// # Errors
+            /// `OutOfDomain` for an image of another scene or version, and for an image of which a bit has changed.
+            pub fn stepper_from_image(
+                bytes: &[::core::primitive::u8],
+            ) -> ::core::result::Result<$stepper, $crate::OutOfDomain> {
+                let mut stepper = Self::stepper($crate::kernel::stepper::image_step(bytes)?)?;
+                stepper.restore_image(bytes)?;
+                ::core::result::Result::Ok(stepper)
+            }
+        }
+
+        impl $stepper {
+            /// Length of an image in bytes.
+            pub const IMAGE: ::core::primitive::usize =
+                <<Self as ::core::ops::Deref>::Target>::IMAGE;
+
+            /// Returns the state as bytes, for a file or for flash memory.  `stepper_from_image` continues from them.
+            /// The bytes contain a hash of the scene, the step, a version and a checksum.
+            #[must_use]
+            pub fn image(&self) -> [::core::primitive::u8; <<$stepper as ::core::ops::Deref>::Target>::IMAGE] {
+                let mut bytes = [0; <<$stepper as ::core::ops::Deref>::Target>::IMAGE];
+                self.0.write_image(&mut bytes);
+                bytes
+            }
+        }
+
         impl $crate::Stepping for $stepper {
             type Scalar = $scalar;
 

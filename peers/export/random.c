@@ -71,6 +71,31 @@ static struct OF(input) draw(void)
     return input;
 }
 
+/* Continues a copy from an image: its next step has to have the same bits.  Gives changed images. */
+static void disturb_image(const struct OF(stepper) *stepper, struct OF(input) input)
+{
+    static unsigned bit = 0;
+    struct OF(stepper_image) image;
+    struct OF(stepper) first = *stepper;
+    struct OF(stepper) second;
+    struct OF(stepper) before;
+    struct OF(stepped) steps[2];
+    memset(&second, 0, sizeof second);
+    memset(steps, 0, sizeof steps);
+    input.friction = (real)1.0;
+    expect(OF(stepper_image)(stepper, &image) == STATUS(OK), "image");
+    expect(OF(stepper_start_from_image)(&second, &image) == STATUS(OK), "a stepper from an image");
+    expect(OF(stepper_advance)(&first, &input, &steps[0]) == STATUS(OK), "advance the first");
+    expect(OF(stepper_advance)(&second, &input, &steps[1]) == STATUS(OK), "advance the second");
+    expect(memcmp(&steps[0].force, &steps[1].force, sizeof(real)) == 0, "the force after an image");
+    expect((steps[0].sliding == steps[1].sliding) && (steps[0].events == steps[1].events), "the events after an image");
+    before = second;
+    bit = (bit + 1u) % (8u * (unsigned)sizeof image.bytes);
+    image.bytes[bit / 8u] = (uint8_t)(image.bytes[bit / 8u] ^ (1u << (bit % 8u)));
+    expect(OF(stepper_start_from_image)(&second, &image) == STATUS(IMAGE_DAMAGED), "a changed image");
+    expect(memcmp(&before, &second, sizeof second) == 0, "a changed image changed a stepper");
+}
+
 /* Takes steps that a saved state undoes, and gives bad arguments. */
 static void disturb(struct OF(stepper) *stepper, struct OF(input) input)
 {
@@ -100,6 +125,7 @@ static void disturb(struct OF(stepper) *stepper, struct OF(input) input)
     expect(OF(stepper_advance)(stepper, &input, &stepped) == STATUS(FRICTION), "friction NaN");
     expect(memcmp(&before, &stepped, sizeof stepped) == 0, "an error changed the result");
     expect(OF(stepper_start)(&copy, (real)0.0) == STATUS(STEP), "a step of 0 s");
+    disturb_image(stepper, input);
     expect(OF(stepper_start)(&copy, (real)(2.0 * DT)) == STATUS(OK), "another step");
     expect(OF(stepper_restore)(&copy, &saved) == STATUS(SAVED), "a saved state of another step");
     expect(OF(stepper_restore)(stepper, &saved) == STATUS(OK), "restore");

@@ -14,6 +14,8 @@ pub enum Kind {
     Long,
     /// A struct with this name.
     Record(&'static str),
+    /// An array of bytes.
+    Bytes(usize),
 }
 
 /// A field of a struct.

@@ -95,14 +95,19 @@ fn kind(kind: &Kind, prefix: &str, real: &str) -> String {
         Kind::Count => "uint32_t".to_owned(),
         Kind::Long => "uint64_t".to_owned(),
         Kind::Record(name) => format!("struct {prefix}_{name}"),
+        Kind::Bytes(_) => "uint8_t".to_owned(),
     }
 }
 
 fn record(of: &Record, prefix: &str, real: &str) -> String {
     let fields = of.fields.iter().map(|field| {
         let kind = kind(&field.kind, prefix, real);
+        let array = match field.kind {
+            Kind::Bytes(length) => format!("[{length}]"),
+            _ => String::new(),
+        };
         format!(
-            "    {kind} {}; /* {} */\n",
+            "    {kind} {}{array}; /* {} */\n",
             field.name,
             c_text(&field.about)
         )

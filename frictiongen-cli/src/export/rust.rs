@@ -64,6 +64,7 @@ fn kind(kind: &Kind, scalar: &str) -> String {
         Kind::Count => "u32".to_owned(),
         Kind::Long => "u64".to_owned(),
         Kind::Record(name) => type_name(name),
+        Kind::Bytes(length) => format!("[u8; {length}]"),
     }
 }
 

@@ -28,7 +28,7 @@ const fn status(
 }
 
 /// All causes in the order of their numbers.
-pub const STATUSES: [Status; 30] = [
+pub const STATUSES: [Status; 32] = [
     status("OK", 0, "success", None),
     status("NULL_POINTER", 1, "a pointer is null", None),
     status(
@@ -150,6 +150,18 @@ pub const STATUSES: [Status; 30] = [
         30,
         "the scene does not support the request",
         Some("Unsupported(_)"),
+    ),
+    status(
+        "IMAGE_DAMAGED",
+        31,
+        "the image of a stepper has a wrong length or checksum",
+        Some("ImageDamaged"),
+    ),
+    status(
+        "IMAGE_VERSION",
+        32,
+        "another version of frictiongen wrote the image of a stepper",
+        Some("ImageVersion"),
     ),
     status(
         "STICK_SLIP",

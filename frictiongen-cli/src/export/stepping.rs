@@ -3,6 +3,7 @@
 use super::face::{Face, Field, Function, Kind, Opaque, Passed, Record};
 use super::names::{field, mass};
 use super::room;
+use frictiongen::kernel::stepper::image_bytes;
 use frictiongen::study::scene::{Precision, Scene};
 use frictiongen_codegen::standalone::StepperShape;
 
@@ -35,7 +36,7 @@ pub fn add(face: &mut Face, scene: &Scene, name: &str) {
     records(face, scene, &shape);
     control(face, scene, &shape, name);
     read_outs(face, scene);
-    storage(face);
+    storage(face, &shape, scene.precision);
 }
 
 /// Returns the fields of an input in C, with the fields of the Rust type.
@@ -292,7 +293,41 @@ fn read_outs(face: &mut Face, scene: &Scene) {
     ));
 }
 
-fn storage(face: &mut Face) {
+fn storage(face: &mut Face, shape: &StepperShape, precision: Precision) {
+    let scalar = match precision {
+        Precision::F64 => 8,
+        Precision::F32 => 4,
+    };
+    let length = image_bytes(scalar, shape.modes, shape.held, shape.inputs);
+    face.records.push(Record {
+        name: "stepper_image",
+        about: "State of a stepper for a file or for flash memory.".to_owned(),
+        fields: vec![Field::new(
+            "bytes",
+            Kind::Bytes(length),
+            "version, hash of the scene, step, state and checksum",
+        )],
+    });
+    face.functions.push(function(
+        "stepper_image",
+        "Writes the state as bytes, which a later run of the program reads.",
+        vec![
+            READ,
+            ("image", Passed::Output(Kind::Record("stepper_image"))),
+        ],
+        "let bytes = stepper.read()?.image();\nimage.write(StepperImage { bytes });\nOk(())"
+            .to_owned(),
+    ));
+    face.functions.push(function(
+        "stepper_start_from_image",
+        "Starts a stepper with the step and the state of an image.  A changed bit gives a status.",
+        vec![
+            ("stepper", Passed::Fresh(STATE)),
+            ("image", Passed::Input("stepper_image")),
+        ],
+        "let found = Scene::stepper_from_image(&image.bytes).map_err(domain)?;\nstepper.write(StepperMemory::new(found));\nOk(())"
+            .to_owned(),
+    ));
     face.functions.push(function(
         "stepper_save",
         "Saves the state of a stepper.",

@@ -139,6 +139,8 @@ fn the_files() {
         "stepper_progress",
         "stepper_save",
         "stepper_restore",
+        "stepper_image",
+        "stepper_start_from_image",
     ];
     let found = functions(&header, "frame_");
     for name in expected {

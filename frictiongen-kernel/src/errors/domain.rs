@@ -56,6 +56,10 @@ pub enum OutOfDomain {
     Begun,
     /// Saved state of a stepper that had another scene or another time step dt.
     Saved,
+    /// Image of a stepper's state with a wrong length or checksum.
+    ImageDamaged,
+    /// Image of a stepper's state that another version of this library wrote.
+    ImageVersion,
     /// Work of the load on the chain, which may overflow the number type after one more step.
     Work,
     /// Amplitude of the load of a simulation whose kinetic friction depends on the speed.
@@ -313,6 +317,12 @@ impl fmt::Display for OutOfDomain {
             }
             Self::Saved => {
                 "the saved state belongs to another scene or to another step dt; restore it in the stepper that saved it"
+            }
+            Self::ImageDamaged => {
+                "the image of a stepper has a wrong length or checksum; some of its bytes have changed, so that the run cannot continue"
+            }
+            Self::ImageVersion => {
+                "the image of a stepper has a form that this version of frictiongen does not read; write it anew, or read it with the version that wrote it"
             }
             Self::Work => {
                 "another step could make the work too large for the scalar; reduce the force, or make a new stepper"

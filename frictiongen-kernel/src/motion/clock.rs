@@ -21,6 +21,15 @@ impl<S: Float> Total<S> {
         }
     }
 
+    /// Returns the sum and its rounding error so far, from which [`of_parts`](Self::of_parts) makes the same sum.
+    pub(crate) fn parts(self) -> [S; 2] {
+        [self.value, self.low]
+    }
+
+    pub(crate) fn of_parts([value, low]: [S; 2]) -> Self {
+        Self { value, low }
+    }
+
     /// Returns the sum with `term` added.
     pub(crate) fn plus(self, term: S) -> Self {
         let (value, error) = two_sum(self.value, term);

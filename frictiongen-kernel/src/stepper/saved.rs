@@ -55,7 +55,7 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepContact<S
 
     /// Returns a hash of the scene, with its units and loads, and of the step. A saved state is valid only for the same
     /// scene and step.
-    fn mark(&self) -> u64 {
+    pub(super) fn mark(&self) -> u64 {
         let View {
             pace,
             modes,

@@ -19,6 +19,7 @@ pub const RESERVED: &[&str] = &[
     "simulation_from",
     "stepper",
     "stepper_from",
+    "stepper_from_image",
     // These are methods of the scene at one frequency ratio.
     "continuous_limit",
     "continuous_limit_per_mode",
@@ -55,7 +56,11 @@ pub const RESERVED: &[&str] = &[
     "cost",
     "dt",
     "exceeded",
+    "image",
+    "image_len",
+    "IMAGE",
     "restore",
+    "restore_image",
     "save",
     "set_stiction",
     "step",
@@ -63,6 +68,7 @@ pub const RESERVED: &[&str] = &[
     "stiction",
     "time",
     "work",
+    "write_image",
     // These are methods of derived traits. A mass of the same name would hide them.
     "clone",
     "eq",

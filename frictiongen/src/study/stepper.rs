@@ -6,7 +6,7 @@ use crate::{OutOfDomain, StepLoad, Stepping, Steps};
 use frictiongen_kernel::motion::AnyContact;
 use frictiongen_kernel::stepper::{
     Channel, ContactNow, HeldLoad, HeldStep, MassNow, ModeStep, Pace, Sample, Saved, StepScene,
-    Stepped, Stepper, Store, StoreMut, StoreRef, Tables, View, Work, fill,
+    Stepped, Stepper, Store, StoreMut, StoreRef, Tables, View, Work, fill, image_step,
 };
 use frictiongen_kernel::{Float, Plain};
 use std::ops::{Deref, DerefMut};
@@ -242,6 +242,16 @@ impl<S: Plain> System<S> {
         self.stepping(dt, Some(state))
     }
 
+    /// Returns a stepper with the step and the state of an [`image`](SystemStepper::image).
+    ///
+    /// # Errors
+    /// [`OutOfDomain`] for an image of another scene or version, and for an image of which a bit has changed.
+    pub fn stepper_from_image(&self, bytes: &[u8]) -> Result<SystemStepper<'_, S>, OutOfDomain> {
+        let mut stepper = self.stepping(image_step(bytes)?, None)?;
+        stepper.restore_image(bytes)?;
+        Ok(stepper)
+    }
+
     fn stepping(
         &self,
         dt: S,
@@ -260,6 +270,15 @@ impl<S: Plain> System<S> {
 }
 
 impl<'a, S: Plain> SystemStepper<'a, S> {
+    /// Returns the state as bytes, for a file. [`System::stepper_from_image`] continues from them. A run-time system
+    /// accepts forces on all masses, so that only a run-time system of the same scene reads its images.
+    #[must_use]
+    pub fn image(&self) -> Vec<u8> {
+        let mut bytes = vec![0; self.stepper.image_len()];
+        self.stepper.write_image(&mut bytes);
+        bytes
+    }
+
     /// Sets the input at the start of the first step. The default is no input. [`contact`](Self::contact) then returns
     /// the force under this input.
     ///

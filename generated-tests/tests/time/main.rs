@@ -1,6 +1,7 @@
 //! Tests of motion in time: the real-time stepper, and friction laws that depend on the speed.
 
 mod from_base;
+mod images;
 mod joined;
 mod periodic;
 mod step_readings;

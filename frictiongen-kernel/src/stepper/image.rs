@@ -1,0 +1,325 @@
+//! An image of a stepper's state: bytes for a file or for flash memory, from which a later run continues.
+//!
+//! | bytes | contents |
+//! |---|---|
+//! | 2 | `fs` |
+//! | 1 | version of the form |
+//! | 1 | bytes of a scalar: 4 or 8 |
+//! | 8 | hash of the scene and of the step, as of a saved state |
+//! | 8, 8 | steps; steps that reached the bound on events |
+//! | 4 | line of the friction law |
+//! | 4 | state of the contact, and three flags |
+//! | scalars | dt, the status, the modes, the modes of the stuck chain, the last sample |
+//! | 4 | CRC-32 of all bytes before |
+//!
+//! All numbers have their lowest byte first.
+
+use super::law::StepContact;
+use super::state::{FixedStore, Status, Store};
+use super::table::{FixedTables, Tables};
+use super::types::Stepper;
+use crate::errors::OutOfDomain;
+use crate::motion::{Contact, Total};
+use crate::number::scalar::Float;
+
+/// The first bytes of an image.
+const NAME: [u8; 2] = *b"fs";
+/// Version of the form that [`Stepper::write_image`] writes.
+const VERSION: u8 = 1;
+/// Bytes before the counts: name, version, size of a scalar, hash.
+const HEAD: usize = 12;
+/// Bytes of the counts and flags.
+const COUNTS: usize = 24;
+/// Bytes of the checksum.
+const CHECKSUM: usize = 4;
+/// Number of scalars before those of the modes: dt and the status.
+const SCALARS: usize = 14;
+
+/// Returns the length of an image in bytes.  `scalar` is the size of the scalar in bytes.
+#[doc(hidden)]
+#[must_use]
+pub const fn image_bytes(scalar: usize, modes: usize, held: usize, inputs: usize) -> usize {
+    HEAD + COUNTS + scalar * (SCALARS + 2 * modes + 2 * held + inputs) + CHECKSUM
+}
+
+/// Returns the step dt of an image, in seconds, after a check of all bytes.
+///
+/// # Errors
+/// [`OutOfDomain::ImageDamaged`] if the length or the checksum is wrong.  [`OutOfDomain::ImageVersion`] for another
+/// version.  [`OutOfDomain::Saved`] for another scalar.
+#[doc(hidden)]
+pub fn image_step<S: Float>(bytes: &[u8]) -> Result<S, OutOfDomain> {
+    let mut reader = checked::<S>(bytes)?;
+    reader.skip(8 + COUNTS);
+    Ok(reader.scalar())
+}
+
+/// Returns CRC-32 (IEEE 802.3) of bytes.  It detects every change of up to 32 neighbouring bits.
+fn crc<'b>(bytes: impl Iterator<Item = &'b u8>) -> u32 {
+    !bytes.fold(u32::MAX, |sum, byte| {
+        (0..8).fold(sum ^ u32::from(*byte), |sum, _| {
+            (sum >> 1) ^ if sum & 1 == 1 { 0xedb8_8320 } else { 0 }
+        })
+    })
+}
+
+/// Checks name, version, scalar and checksum.  The reader is then at the hash.
+fn checked<S: Float>(bytes: &[u8]) -> Result<Reader<'_>, OutOfDomain> {
+    let body = bytes.len().checked_sub(CHECKSUM);
+    let (body, sum) = body
+        .filter(|body| HEAD + COUNTS < *body)
+        .and_then(|body| bytes.split_at_checked(body))
+        .ok_or(OutOfDomain::ImageDamaged)?;
+    let sum = Reader(sum.iter()).word();
+    let mut reader = Reader(body.iter());
+    let name: [u8; 2] = reader.bytes();
+    if name != NAME || crc(body.iter()) != sum {
+        return Err(OutOfDomain::ImageDamaged);
+    }
+    let [version, scalar] = reader.bytes();
+    if version != VERSION {
+        return Err(OutOfDomain::ImageVersion);
+    }
+    if usize::from(scalar) != size_of::<S>() || !(scalar == 4 || scalar == 8) {
+        return Err(OutOfDomain::Saved);
+    }
+    Ok(reader)
+}
+
+/// Reads numbers one after the other.  Behind the end it reads zeros.
+#[derive(Clone)]
+struct Reader<'b>(core::slice::Iter<'b, u8>);
+
+impl Reader<'_> {
+    fn bytes<const N: usize>(&mut self) -> [u8; N] {
+        core::array::from_fn(|_| self.0.next().copied().unwrap_or(0))
+    }
+
+    fn skip(&mut self, bytes: usize) {
+        for _ in 0..bytes {
+            self.0.next();
+        }
+    }
+
+    fn word(&mut self) -> u32 {
+        u32::from_le_bytes(self.bytes())
+    }
+
+    fn long(&mut self) -> u64 {
+        u64::from_le_bytes(self.bytes())
+    }
+
+    fn scalar<S: Float>(&mut self) -> S {
+        S::constant(if size_of::<S>() == 4 {
+            f64::from(f32::from_bits(self.word()))
+        } else {
+            f64::from_bits(self.long())
+        })
+    }
+
+    fn scalars<S: Float, const N: usize>(&mut self) -> [S; N] {
+        core::array::from_fn(|_| self.scalar())
+    }
+}
+
+/// Writes numbers one after the other, as long as there is room.
+struct Writer<'b>(core::slice::IterMut<'b, u8>);
+
+impl Writer<'_> {
+    fn bytes(&mut self, bytes: &[u8]) {
+        // The bytes come first: `zip` would otherwise take one place too many.
+        for (byte, to) in bytes.iter().zip(self.0.by_ref()) {
+            *to = *byte;
+        }
+    }
+}
+
+impl Writer<'_> {
+    fn scalar<S: Float>(&mut self, number: S) {
+        let bits = number.bits().to_le_bytes();
+        let [a, b, c, d, ..] = bits;
+        if size_of::<S>() == 4 {
+            self.bytes(&[a, b, c, d]);
+        } else {
+            self.bytes(&bits);
+        }
+    }
+
+    fn scalars<'s, S: Float + 's>(&mut self, numbers: impl IntoIterator<Item = &'s S>) {
+        for number in numbers {
+            self.scalar(*number);
+        }
+    }
+}
+
+impl<S: Float> Status<S> {
+    /// Returns the scalars of the status, in the order of an image.
+    fn scalars(&self) -> [S; SCALARS - 1] {
+        let [base, velocity] = self.base;
+        let ([load, load_low], [lost, lost_low]) = (self.load.parts(), self.dissipated.parts());
+        [
+            self.stuck_at,
+            base,
+            velocity,
+            self.level,
+            self.stiction,
+            self.contact_force,
+            load,
+            load_low,
+            lost,
+            lost_low,
+            self.energy,
+            self.pull,
+            self.given,
+        ]
+    }
+
+    /// Reads a status.  `None` stands for a value that no stepper writes.
+    fn read(reader: &mut Reader<'_>, lines: usize) -> Option<Self> {
+        let (steps, exceeded) = (reader.long(), reader.long());
+        let line = usize::try_from(reader.word())
+            .ok()
+            .filter(|line| *line <= lines)?;
+        let [contact, unknown, wedged, spare] = reader.bytes();
+        if unknown > 1 || wedged > 1 || spare != 0 {
+            return None;
+        }
+        let contact = match contact {
+            0 => Contact::Stuck,
+            1 => Contact::Forward,
+            2 => Contact::Backward,
+            _ => return None,
+        };
+        let _: S = reader.scalar();
+        let [
+            stuck_at,
+            base,
+            velocity,
+            level,
+            stiction,
+            contact_force,
+            load,
+            load_low,
+            lost,
+            lost_low,
+            energy,
+            pull,
+            given,
+        ] = reader.scalars();
+        Some(Self {
+            contact,
+            unknown: unknown == 1,
+            wedged: wedged == 1,
+            stuck_at,
+            line,
+            base: [base, velocity],
+            level,
+            stiction,
+            steps,
+            exceeded,
+            contact_force,
+            load: Total::of_parts([load, load_low]),
+            dissipated: Total::of_parts([lost, lost_low]),
+            energy,
+            pull,
+            given,
+        })
+    }
+}
+
+impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepContact<S>>
+    Stepper<'_, S, D, T, V, K>
+{
+    /// Returns the length of an image of this stepper in bytes.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn image_len(&self) -> usize {
+        let store = self.store.read();
+        let (modes, held) = (store.modes.len(), store.held.len());
+        image_bytes(size_of::<S>(), modes, held, store.last.len())
+    }
+
+    /// Writes an image of the state into bytes of the length [`image_len`](Self::image_len).
+    #[doc(hidden)]
+    pub fn write_image(&self, to: &mut [u8]) {
+        let (status, store) = (&self.status, self.store.read());
+        let body = to.len().saturating_sub(CHECKSUM);
+        let Some((body, sum)) = to.split_at_mut_checked(body) else {
+            return;
+        };
+        let mut writer = Writer(body.iter_mut());
+        writer.bytes(&NAME);
+        writer.bytes(&[VERSION, u8::try_from(size_of::<S>()).unwrap_or(0)]);
+        writer.bytes(&self.mark().to_le_bytes());
+        writer.bytes(&status.steps.to_le_bytes());
+        writer.bytes(&status.exceeded.to_le_bytes());
+        writer.bytes(&u32::try_from(status.line).unwrap_or(u32::MAX).to_le_bytes());
+        let contact = match status.contact {
+            Contact::Stuck => 0,
+            Contact::Forward => 1,
+            Contact::Backward => 2,
+        };
+        writer.bytes(&[
+            contact,
+            u8::from(status.unknown),
+            u8::from(status.wedged),
+            0,
+        ]);
+        writer.scalar(self.dt());
+        writer.scalars(&status.scalars());
+        writer.scalars(store.modes.iter().flatten());
+        writer.scalars(store.held.iter().flatten());
+        writer.scalars(store.last);
+        Writer(sum.iter_mut()).bytes(&crc(body.iter()).to_le_bytes());
+    }
+
+    /// Restores the state of an image. From this state, the same inputs give results with the same bits.
+    ///
+    /// # Errors
+    /// The stepper then keeps its state.
+    ///
+    /// - [`OutOfDomain::ImageDamaged`] if the length or the checksum is wrong, which every changed bit causes.
+    /// - [`OutOfDomain::ImageVersion`] for an image of another version of this library.
+    /// - [`OutOfDomain::Saved`] for an image of another scene or of another step.
+    pub fn restore_image(&mut self, bytes: &[u8]) -> Result<(), OutOfDomain> {
+        let mut reader = checked::<S>(bytes)?;
+        if reader.long() != self.mark() || bytes.len() != self.image_len() {
+            return Err(OutOfDomain::Saved);
+        }
+        let status = Status::read(&mut reader, self.scene.law.len());
+        let status = status.ok_or(OutOfDomain::ImageDamaged)?;
+        let mut rest = reader.clone();
+        let numbers =
+            self.image_len().saturating_sub(HEAD + COUNTS + CHECKSUM) / size_of::<S>().max(1);
+        let numbers = numbers.saturating_sub(SCALARS);
+        let finite = |number: S| number.is_finite();
+        if !(status.scalars().into_iter().all(finite)
+            && (0..numbers).all(|_| finite(rest.scalar())))
+        {
+            return Err(OutOfDomain::ImageDamaged);
+        }
+        let store = self.store.change();
+        for number in store.modes.iter_mut().chain(store.held).flatten() {
+            *number = reader.scalar();
+        }
+        for number in store.last {
+            *number = reader.scalar();
+        }
+        self.status = status;
+        Ok(())
+    }
+}
+
+impl<S: Float, const D: usize, const MODES: usize, const HELD: usize, const INPUTS: usize, K>
+    Stepper<
+        '_,
+        S,
+        D,
+        FixedTables<S, D, MODES, HELD, INPUTS>,
+        FixedStore<S, D, MODES, HELD, INPUTS>,
+        K,
+    >
+{
+    /// Length of an image in bytes.
+    pub const IMAGE: usize = image_bytes(size_of::<S>(), MODES, HELD, INPUTS);
+}
