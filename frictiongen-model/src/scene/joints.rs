@@ -73,7 +73,7 @@ impl Joints {
 }
 
 impl Scene {
-    /// Returns true if the scene has the field `contacts` or `dampers`. Only a run-time `System` solves such a scene.
+    /// Returns true if the scene has the field `contacts` or `dampers`. The solver of several contacts answers for it.
     #[must_use]
     #[doc(hidden)]
     pub fn is_joined(&self) -> bool {
