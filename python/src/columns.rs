@@ -85,6 +85,18 @@ impl<'py> Columns<'py> {
         Ok(())
     }
 
+    /// Adds one column of a table by its name.
+    pub fn only<R>(&mut self, name: &str, columns: &[Column<'_, R>], rows: &[R]) -> PyResult<()> {
+        let mut named = columns.iter().filter(|column| column.attribute() == name);
+        named.try_for_each(|column| self.column(column, rows))
+    }
+
+    /// Adds the columns of a table except one, by its name.
+    pub fn but<R>(&mut self, name: &str, columns: &[Column<'_, R>], rows: &[R]) -> PyResult<()> {
+        let mut others = columns.iter().filter(|column| column.attribute() != name);
+        others.try_for_each(|column| self.column(column, rows))
+    }
+
     fn column<R>(&mut self, column: &Column<'_, R>, rows: &[R]) -> PyResult<()> {
         let (name, cells) = (column.attribute(), rows.iter().map(|row| column.read(row)));
         match column.kind {

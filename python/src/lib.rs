@@ -12,6 +12,7 @@ mod curve;
 mod errors;
 mod features;
 mod follow;
+mod joined;
 mod limits;
 mod map;
 mod measure;
@@ -35,6 +36,8 @@ mod _native {
     use crate::features::features;
     #[pymodule_export]
     use crate::follow::NativeStepState;
+    #[pymodule_export]
+    use crate::joined::by_contact;
     #[pymodule_export]
     use crate::limits::limits;
     #[pymodule_export]

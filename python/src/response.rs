@@ -2,7 +2,7 @@
 
 use crate::asked::{
     Frequencies, FrequencyArguments, FrictionArguments, Frictions, LoadArguments, Optional,
-    check_size, harmonics, measure, parts, setting,
+    check_size, harmonics, measure, parts, put_grid, setting,
 };
 use crate::columns::Columns;
 use crate::errors::domain;
@@ -54,11 +54,8 @@ pub fn response<'py>(
     .map_err(domain)?;
     let rows: Vec<ResponseRow> = found.into_iter().flatten().collect();
 
-    let mut arrays = Columns::new(py, &frequencies.shape());
-    frequencies.put(&mut arrays, &table.setting)?;
-    arrays.reshape(&frictions.shape());
-    frictions.put(&mut arrays, &table.setting)?;
-    arrays.reshape(&[frequencies.shape(), frictions.shape()].concat());
-    arrays.points(&columns, &rows)?;
+    let mut arrays = Columns::new(py, &[]);
+    let grid = (&frequencies, &frictions);
+    put_grid(&mut arrays, grid, &table.setting, (&columns, &rows))?;
     Ok(arrays.done())
 }

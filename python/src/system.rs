@@ -76,6 +76,20 @@ impl NativeSystem {
             .collect()
     }
 
+    /// Returns the contacts. Each has its name and the names of its two nodes.
+    #[getter]
+    fn contacts(&self) -> Vec<(String, String, String)> {
+        let scene = self.system.scene();
+        let node = |node| scene.node_name(node).to_owned();
+        let contacts = scene.named_contacts().into_iter();
+        contacts
+            .map(|contact| {
+                let sides = contact.sides;
+                (contact.name, node(sides.from), node(sides.to))
+            })
+            .collect()
+    }
+
     /// Returns the names of the two nodes between which friction acts.
     #[getter]
     fn contact(&self) -> (String, String) {

@@ -205,3 +205,41 @@ def test_sensitivities(command, scene, load, option, beta):
     assert (theirs.regime == ours.regime).all()
     once = ("frequency_Hz", "r", "friction_N", "beta", "regime", "answer")
     assert hold(ours.to_frame(), theirs, but=once) > 100
+
+
+def test_several_contacts_are_the_commands(command):
+    storeys = frictiongen.System.from_file(SCENES / "storeys.friction")
+    hz, friction = [0.9, 1.2, 2.5], [1e4, 1e5, 3e6]
+    answer = storeys.by_contact(hz=hz, friction=friction, base="2 m/s2")
+    theirs = command("orbit", "storeys.friction", "--hz", ",".join(map(str, hz)), "--friction", "1e4,1e5,3e6", "--base", "2 m/s2")
+    assert hold(answer.to_frame(), theirs) > 500
+    assert list(answer.contacts) == [f"damper_{floor}" for floor in range(1, 6)] == list(storeys.contacts)
+    assert list(answer.masses) == storeys.masses and answer.masses["roof"].amplitude_m.shape == (3, 3)
+    # In a state in which nothing slides, no contact takes energy.
+    stuck = answer.regime == "stuck"
+    assert stuck.any() and all((np.abs(contact.energy_J[stuck]) < 1e-9).all() for contact in answer.contacts.values())
+
+
+def test_one_contact_has_the_same_answer_by_contact(frame):
+    """The engine of several contacts shares nothing with that of one contact but the description."""
+    asked = {"hz": [1.2, 2.5], "friction": [0.4, 0.6], "base": 0.001}
+    several, one = frame.by_contact(**asked), frame.response(**asked)
+    np.testing.assert_allclose(several["lower"].amplitude_m, one["lower"].amplitude_m, rtol=1e-9)
+    assert several.regime.tolist() == one.regime.tolist()
+
+
+def test_masses_of_several_contacts_are_masses(frame):
+    with pytest.raises(frictiongen.DomainError, match="of: there is no mass `roof`"):
+        frame.by_contact(hz=1.0, beta=0.1, of="roof")
+    with pytest.raises(frictiongen.DomainError, match="of: `contact` is no mass"):
+        frame.by_contact(hz=1.0, beta=0.1, of="contact")
+
+
+def test_a_load_over_frequency_has_a_ratio_at_each_frequency(frame, command):
+    answer = frame.response(hz=[1.2, 2.5], friction=[0.05, 0.1], base="0.1 m/s2")
+    theirs = command("response", "frame.friction", "--hz", "1.2,2.5", "--friction", "0.05,0.1", "--base", "0.1 m/s2")
+    assert answer.shape == answer.beta.shape == (2, 2) and answer.friction_N.shape == (2,)
+    assert hold(answer.to_frame(), theirs) > 50
+    # beta = F/(k1 Y) with the amplitude Y = a/w^2.
+    amplitude = 0.1 / (2 * math.pi * np.array([[1.2], [2.5]])) ** 2
+    np.testing.assert_allclose(answer.beta, answer.friction_N / (1190.0 * amplitude), rtol=1e-14)

@@ -19,6 +19,7 @@ Give frequencies as `r`, `hz` or `omega`, friction as `beta` or as `friction` in
 from importlib.metadata import version as _version
 
 from ._answers import (
+    ByContact,
     Curve,
     Estimate,
     Events,
@@ -50,6 +51,7 @@ __version__: str = _version("frictiongen")
 
 __all__ = [
     "FRAME",
+    "ByContact",
     "Curve",
     "DomainError",
     "Estimate",

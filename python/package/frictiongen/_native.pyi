@@ -18,6 +18,7 @@ __all__ = [
     "SceneError",
     "StepState",
     "System",
+    "by_contact",
     "curve",
     "drive",
     "features",
@@ -78,6 +79,8 @@ class System:
     @property
     def contact(self) -> tuple[str, str]: ...
     @property
+    def contacts(self) -> list[tuple[str, str, str]]: ...
+    @property
     def driven_mass(self) -> str | None: ...
     @property
     def natural_frequencies(self) -> NDArray[float64]: ...
@@ -94,6 +97,9 @@ class System:
     def with_values(self, values: list[tuple[str, float]]) -> System: ...
 
 def limits(system: System, frequency: _Frequency, load: _Load, estimates: bool, search: bool) -> _Columns: ...
+def by_contact(
+    system: System, frequency: _Frequency, friction: _Friction, load: _Load, of: Any | None
+) -> _Columns: ...
 def response(
     system: System, frequency: _Frequency, friction: _Friction, load: _Load, of: Any | None, highest: Any | None
 ) -> _Columns: ...

@@ -216,7 +216,7 @@ class System(Steady, InTime, Design, Measuring):
         rows = [
             *((name, f"{value:.6g} kg") for name, value in zip(self.masses, self.mass_values, strict=True)),
             *((f"{one} - {other}", f"{stiffness:.6g} N/m") for one, other, stiffness in self.springs),
-            ("contact", " - ".join(self.contact)),
+            *((name, " - ".join(nodes)) for name, nodes in self.contacts.items()),
             ("excitation", self.excitation),
             ("natural frequencies", ", ".join(f"{value:.4g}" for value in hertz) + " Hz"),
             ("modal damping ratios", ", ".join(f"{value:.3g}" for value in self.damping_ratios)),
@@ -225,7 +225,9 @@ class System(Steady, InTime, Design, Measuring):
         return f"<table>{cells}</table>"
 
     def __repr__(self) -> str:
-        return f"System(masses={self.masses}, contact={' - '.join(self.contact)!r}, excitation={self.excitation!r})"
+        places = {name: " - ".join(nodes) for name, nodes in self.contacts.items()}
+        contact = f"contact={places['contact']!r}" if "contact" in places else f"contacts={places!r}"
+        return f"System(masses={self.masses}, {contact}, excitation={self.excitation!r})"
 
     @property
     def masses(self) -> list[str]:
@@ -244,8 +246,13 @@ class System(Steady, InTime, Design, Measuring):
 
     @property
     def contact(self) -> tuple[str, str]:
-        """Names of the two nodes between which friction acts."""
+        """Names of the two nodes between which friction acts, of the first of several contacts."""
         return self._native.contact
+
+    @property
+    def contacts(self) -> dict[str, tuple[str, str]]:
+        """Names of the two nodes of each contact, by the name of the contact."""
+        return {name: (one, other) for name, one, other in self._native.contacts}
 
     @property
     def excitation(self) -> str:

@@ -110,8 +110,13 @@ impl Frictions {
         self.given.shape()
     }
 
-    /// Adds the columns that state the frictions, with one row for each friction.
-    pub fn put(&self, columns: &mut Columns<'_>, setting: &Setting<'_>) -> PyResult<()> {
-        columns.table(&setting.friction_columns(), &self.all)
+    /// Adds the columns that state the frictions, with one row for each friction. If the amplitude of the load varies
+    /// with frequency, a friction in N has another ratio β at each frequency. The ratios are then left out.
+    pub fn put(&self, arrays: &mut Columns<'_>, setting: &Setting<'_>) -> PyResult<()> {
+        let columns = setting.friction_columns();
+        match setting.measure.fall() {
+            0 => arrays.table(&columns, &self.all),
+            _ => arrays.but("beta", &columns, &self.all),
+        }
     }
 }

@@ -10,10 +10,11 @@ pub use friction::{FrictionArguments, Frictions};
 pub use measure::{LoadArguments, Measure};
 pub use numbers::{numbers, one, whole};
 
+use crate::columns::Columns;
 use crate::errors::{domain, wrong_type};
 use frictiongen::System;
 pub use frictiongen::study::columns::{CONTACT, Part};
-use frictiongen::study::columns::{FrequencyUnit, Setting};
+use frictiongen::study::columns::{Column, FrequencyUnit, Setting};
 use pyo3::prelude::*;
 use pyo3::types::PyString;
 
@@ -52,6 +53,25 @@ pub fn setting<'a>(
         forces: false,
         parts,
     }
+}
+
+/// Adds the columns of an answer over frequency and friction: those of the frequencies, those of the frictions, and
+/// those of the points, with all frictions of the first frequency first.
+pub fn put_grid<R>(
+    arrays: &mut Columns<'_>,
+    (frequencies, frictions): (&Frequencies, &Frictions),
+    setting: &Setting<'_>,
+    (columns, rows): (&[Column<'_, R>], &[R]),
+) -> PyResult<()> {
+    arrays.reshape(&frequencies.shape());
+    frequencies.put(arrays, setting)?;
+    arrays.reshape(&frictions.shape());
+    frictions.put(arrays, setting)?;
+    arrays.reshape(&[frequencies.shape(), frictions.shape()].concat());
+    if setting.measure.fall() != 0 {
+        arrays.only("beta", columns, rows)?;
+    }
+    arrays.points(columns, rows)
 }
 
 /// Reads one name or several names.

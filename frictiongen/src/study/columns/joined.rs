@@ -239,6 +239,10 @@ impl<'a> JoinedTable<'a> {
             columns.number(Head::of("amplitude", Dimension::Length), move |row| {
                 Some(row.part(index)?.amplitude)
             });
+            // The parts begin with the contacts. A mass has an amplitude alone.
+            if self.joined.contact_names().len() <= index {
+                continue;
+            }
             columns.word("regime", "continuous", move |row: &JoinedRow| {
                 Some(row.contact(index)?.regime)
             });

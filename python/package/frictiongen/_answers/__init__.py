@@ -4,10 +4,11 @@ from .design import Optimum, Sensitivities
 from .features import Features, FeatureTable
 from .in_time import Events, History, Steps, Work
 from .measuring import Estimate, Fit, FreeDecay, Identification, Transmissibilities
-from .steady import Curve, Limits, Map, Orbit, Response
+from .steady import ByContact, Curve, Limits, Map, Orbit, Response
 from .table import Columns, Motion, Table
 
 __all__ = [
+    "ByContact",
     "Columns",
     "Curve",
     "Estimate",

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import _plot
-from .table import Counts, Flags, Floats, Grid, Table, Words, frame
+from .table import Columns, Counts, Flags, Floats, Grid, Table, Words, frame
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -80,6 +80,37 @@ class Response(Grid):
         :raises ImportError: if matplotlib is not installed.
         """
         return _plot.response(self, ax, of)
+
+
+class ByContact(Grid):
+    """Steady states over frequency and friction, with the numbers of each contact.
+
+    * `regime`: continuous, stick-slip or stuck.  Empty without a steady state.
+    * `state`: stable or marginal, or the reason why there is no steady state.  Without one, numbers are NaN and counts
+      are -1.
+    * `period` in cycles of the excitation.  `largest_multiplier`: modulus of the largest Floquet multiplier.
+    * `stuck_from` (`stuck_from_N`): the common friction from which a state exists in which no contact slides.
+      `slides_first`: the contact that slides first below it.
+    * `marginal`: names of the contacts whose place or force depends on the start.
+
+    `answer[name]` of a contact has its `regime`, `stops`, `reversals`, `stuck_fraction`, and over the period the largest
+    `slip` (`slip_m`), the largest `force` (`force_N`), the `energy` (`energy_J`) that it takes, and its `amplitude`.
+    `answer[name]` of a mass has its `amplitude` (`amplitude_m`).
+    """
+
+    regime: Words
+    state: Words
+    period: Counts
+    largest_multiplier: Floats
+    stuck_from: Floats
+    stuck_from_N: Floats
+    slides_first: Words
+    marginal: Words
+
+    @property
+    def contacts(self) -> dict[str, Columns]:
+        """Numbers of the contacts by name, as in `answer.contacts["brace"].stuck_fraction`."""
+        return {name: self[name] for name in self.motions if f"{name}.stops" in self._columns}
 
 
 class Map(Grid):

@@ -166,7 +166,8 @@ class Table(Columns):
     @property
     def masses(self) -> dict[str, Motion]:
         """Motions of the masses by name, as in `answer.masses["lower"].amplitude_m`."""
-        return {name: Motion(name, _inner(self._columns, name)) for name in self.motions if name != "contact"}
+        names = (name for name in self.motions if name != "contact" and f"{name}.stops" not in self._columns)
+        return {name: Motion(name, _inner(self._columns, name)) for name in names}
 
     @property
     def contact(self) -> Motion:
@@ -194,7 +195,8 @@ class Table(Columns):
 class Grid(Table):
     """Answer over frequencies and frictions.
 
-    Its arrays have the shape of the frequencies followed by that of the frictions.
+    Its arrays have the shape of the frequencies followed by that of the frictions.  Under a load whose amplitude varies
+    with frequency, `beta` has this shape too.
     """
 
     r: Floats
@@ -209,14 +211,20 @@ class Grid(Table):
     @property
     def shape(self) -> tuple[int, ...]:
         """Shape of the frequencies, followed by that of the frictions."""
-        return np.shape(self.r) + np.shape(self.beta)
+        return np.shape(self.r) + np.shape(self._friction)
+
+    @property
+    def _friction(self) -> Floats:
+        """Frictions as they were given: in N with a load, else ratios."""
+        found: Floats = self._columns.get("friction_N", self._columns["beta"])
+        return found
 
     def to_frame(self) -> DataFrame:
         """Returns a pandas frame with one line for each point, first all frictions of the first frequency.
 
         :raises ImportError: if pandas is not installed.
         """
-        frequency = np.shape(self.r) + (1,) * np.ndim(self.beta)
+        frequency = np.shape(self.r) + (1,) * np.ndim(self._friction)
         columns = {}
         for name, values in self._columns.items():
             if name not in self._beside:
@@ -241,12 +249,12 @@ class Grid(Table):
             import xarray
         except ImportError as error:
             raise ImportError("to_xarray() needs xarray, which is not installed: pip install xarray") from error
-        both = ("frequency",) * np.ndim(self.r) + ("friction",) * np.ndim(self.beta)
+        both = ("frequency",) * np.ndim(self.r) + ("friction",) * np.ndim(self._friction)
         variables = {}
         for name, values in self._columns.items():
             if name in _FREQUENCY or name in self._beside:
                 dimensions = both[: np.ndim(self.r)]
-            elif name in _FRICTION:
+            elif name in _FRICTION and np.shape(values) == np.shape(self._friction):
                 dimensions = both[np.ndim(self.r) :]
             else:
                 dimensions = both

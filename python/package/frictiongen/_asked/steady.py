@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from .. import _native
-from .._answers.steady import Curve, Limits, Map, Orbit, Response
+from .._answers.steady import ByContact, Curve, Limits, Map, Orbit, Response
 from .base import Base, names
 
 if TYPE_CHECKING:
@@ -24,8 +24,8 @@ class Steady(Base):
         r: tuple[float, float] | ArrayLike | None = None,
         hz: tuple[float, float] | ArrayLike | None = None,
         omega: tuple[float, float] | ArrayLike | None = None,
-        force: float | None = None,
-        base: float | None = None,
+        force: float | str | None = None,
+        base: float | str | None = None,
         estimates: bool = False,
     ) -> Limits:
         """Computes the exact limits of continuous motion and of sliding over frequency.
@@ -50,8 +50,8 @@ class Steady(Base):
         r: tuple[float, float] | ArrayLike | None = None,
         hz: tuple[float, float] | ArrayLike | None = None,
         omega: tuple[float, float] | ArrayLike | None = None,
-        force: float | None = None,
-        base: float | None = None,
+        force: float | str | None = None,
+        base: float | str | None = None,
     ) -> Limits:
         """Computes both limits without a search, which takes the shortest time.
 
@@ -75,8 +75,8 @@ class Steady(Base):
         omega: tuple[float, float] | ArrayLike | None = None,
         beta: tuple[float, float] | ArrayLike | None = None,
         friction: tuple[float, float] | ArrayLike | None = None,
-        force: float | None = None,
-        base: float | None = None,
+        force: float | str | None = None,
+        base: float | str | None = None,
         of: str | Iterable[str] | None = None,
         harmonics: int | None = None,
     ) -> Response:
@@ -103,6 +103,41 @@ class Steady(Base):
             )
         )
 
+    def by_contact(
+        self,
+        *,
+        r: tuple[float, float] | ArrayLike | None = None,
+        hz: tuple[float, float] | ArrayLike | None = None,
+        omega: tuple[float, float] | ArrayLike | None = None,
+        beta: tuple[float, float] | ArrayLike | None = None,
+        friction: tuple[float, float] | ArrayLike | None = None,
+        force: float | str | None = None,
+        base: float | str | None = None,
+        of: str | Iterable[str] | None = None,
+    ) -> ByContact:
+        """Computes the steady states of a scene with several contacts or dashpots, with the numbers of each contact.
+
+        Frequencies and frictions are given as for :meth:`response`.  The friction is the common force F: each contact
+        has its share of it.
+
+        :param of: names of the masses to return.  The default is all masses.  Every contact is in the answer.
+
+        >>> import frictiongen
+        >>> pair = frictiongen.System('''struct Pair {
+        ...     masses: { lower: 2.0, upper: 1.0 }, springs: { base - lower: 800.0, lower - upper: 300.0 },
+        ...     contacts: { pad: upper - wall, brace: base - lower { stiffness: 500.0, share: 0.5 } },
+        ...     excitation: base, damping: modal(0.02),
+        ... }''')
+        >>> answer = pair.by_contact(hz=2.0, friction=[0.5, 2.0, 9.0], base=0.01)
+        >>> answer.regime.tolist()
+        ['stick-slip', 'stick-slip', 'stuck']
+        >>> answer["brace"].stops.tolist(), bool(answer["pad"].energy_J[0] > 0)
+        ([2, 2, 0], True)
+        """
+        return ByContact(
+            _native.by_contact(self._native, (r, hz, omega), (beta, friction), (force, base), names(of))
+        )
+
     def orbit(
         self,
         *,
@@ -111,8 +146,8 @@ class Steady(Base):
         omega: float | None = None,
         beta: float | None = None,
         friction: float | None = None,
-        force: float | None = None,
-        base: float | None = None,
+        force: float | str | None = None,
+        base: float | str | None = None,
         of: str | Iterable[str] | None = None,
         harmonics: int | None = None,
     ) -> Orbit:
@@ -142,8 +177,8 @@ class Steady(Base):
         omega: float | None = None,
         beta: float | None = None,
         friction: float | None = None,
-        force: float | None = None,
-        base: float | None = None,
+        force: float | str | None = None,
+        base: float | str | None = None,
         of: str | Iterable[str] | None = None,
         harmonics: int | None = None,
     ) -> list[Orbit]:
@@ -173,8 +208,8 @@ class Steady(Base):
         omega: tuple[float, float] | None = None,
         beta: ArrayLike | None = None,
         friction: ArrayLike | None = None,
-        force: float | None = None,
-        base: float | None = None,
+        force: float | str | None = None,
+        base: float | str | None = None,
         of: str | Iterable[str] | None = None,
         accuracy: float | None = None,
         step: float | None = None,
@@ -217,8 +252,8 @@ class Steady(Base):
         omega: tuple[float, float] | ArrayLike | None = None,
         beta: tuple[float, float] | ArrayLike | None = None,
         friction: tuple[float, float] | ArrayLike | None = None,
-        force: float | None = None,
-        base: float | None = None,
+        force: float | str | None = None,
+        base: float | str | None = None,
         of: str | Iterable[str] | None = None,
     ) -> Map:
         """Computes the regime of the contact at every pair of a frequency and a friction, on all cores.

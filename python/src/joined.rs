@@ -1,0 +1,71 @@
+//! Computes the steady states of scenes with several contacts, with the numbers of each contact.
+
+use crate::asked::{
+    Frequencies, FrequencyArguments, FrictionArguments, Frictions, LoadArguments, Optional,
+    check_size, measure, names, put_grid, setting,
+};
+use crate::columns::Columns;
+use crate::errors::domain;
+use crate::system::NativeSystem;
+use crate::work::without_lock;
+use frictiongen::study::columns::{JoinedRow, JoinedTable};
+use frictiongen::study::joined::JoinedError;
+use frictiongen::{Of, System};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use rayon::prelude::*;
+
+/// Returns the indices of the named masses. Without names the function returns all masses.
+fn masses(system: &System, given: Option<&Bound<'_, PyAny>>) -> PyResult<Vec<usize>> {
+    let asked = names("of", given)?;
+    if asked.is_empty() {
+        return Ok((0..system.scene().masses.len()).collect());
+    }
+    let indices = asked.iter().map(|name| match system.motion_named(name) {
+        Ok(Of::Mass(index)) => Ok(index),
+        Ok(_) => Err(domain(format_args!(
+            "of: `{name}` is no mass; the answer has every contact by its name"
+        ))),
+        Err(error) => Err(domain(format_args!("of: {error}"))),
+    });
+    indices.collect()
+}
+
+/// Computes the steady state that motion from rest approaches, over frequency and friction.
+#[pyfunction]
+pub fn by_contact<'py>(
+    py: Python<'py>,
+    system: &NativeSystem,
+    frequency: FrequencyArguments<'py>,
+    friction: FrictionArguments<'py>,
+    load: LoadArguments<'py>,
+    of: Optional<'py>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let system = &system.system;
+    let joined = system.joined().map_err(domain)?;
+    let frequencies = Frequencies::of(system, &frequency, true)?;
+    let measure = measure::of(system, &load)?;
+    let frictions = Frictions::of(&friction, &measure)?;
+    let table = JoinedTable {
+        setting: setting(system, measure, frequencies.unit(&measure), &[]),
+        joined: &joined,
+        masses: &masses(system, of.as_ref())?,
+    };
+    let columns = table.columns();
+    let (along, up) = (frequencies.all(system), frictions.all());
+    check_size(along.len().saturating_mul(up.len()), columns.len())?;
+    let found = without_lock(py, |stop| {
+        let rows = along.par_iter().with_max_len(1).map(|at| {
+            let rows = up.iter().take_while(|_| stop.goes_on());
+            rows.map(|friction| table.row(*at, *friction)).collect()
+        });
+        rows.collect::<Result<Vec<Vec<JoinedRow>>, JoinedError>>()
+    })?
+    .map_err(domain)?;
+    let rows: Vec<JoinedRow> = found.into_iter().flatten().collect();
+
+    let mut arrays = Columns::new(py, &[]);
+    let grid = (&frequencies, &frictions);
+    put_grid(&mut arrays, grid, &table.setting, (&columns, &rows))?;
+    Ok(arrays.done())
+}
