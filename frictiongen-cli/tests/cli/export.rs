@@ -234,8 +234,12 @@ fn refuses_what_has_no_library() {
         assert!(!folder.0.exists(), "{lines:?}");
         lines.join("\n")
     };
-    let several = "struct Two { masses: { a: 1 }, springs: { base - a: 1 }, contacts: { p: a - wall, q: a - base { stiffness: 1 } }, excitation: a }";
-    assert!(with(several, &[]).contains("the macro emits no code for `contacts` and `dampers`"));
+    let several = "struct Two { masses: { a: 1 }, springs: { base - a: 1 }, contacts: { p: a - wall, q: a - base { stiffness: 1 } }, excitation: a, provide: [stepper] }";
+    let told = with(several, &[]);
+    assert!(
+        told.contains("this command needs a single `contact` without dashpots"),
+        "{told}"
+    );
     let only = BLOCK.replace("excitation", "provide: [simulation], excitation");
     let nothing = "frictiongen: the description provides nothing that `export` writes; add limits, motion, stuck, orbit, stepper or self_check to its `provide`, for example `provide: [stepper]`";
     assert_eq!(with(&only, &[]), nothing);
