@@ -1,5 +1,9 @@
 //! Tests `frictiongen play`, which puts a description into the playground.
-#![allow(clippy::unwrap_used, reason = "a test may fail")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::indexing_slicing,
+    reason = "a test may fail"
+)]
 
 use crate::common::{FRAME, failure, output};
 use serde_json::Value;
