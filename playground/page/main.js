@@ -64,7 +64,7 @@ async function quickCurve() {
     if (told.error) return;
     points.push(...told.points);
   }
-  if (orbit) points.push([state.r, state.of === undefined ? orbit.contact : orbit.masses[state.of].amplitude, regimes.indexOf(orbit.regime)]);
+  if (orbit) points.push([state.r, state.of === undefined ? orbit.contact : orbit.masses[state.of].drawn, regimes.indexOf(orbit.regime)]);
   points.sort((a, b) => a[0] - b[0]);
   draw("curve", await fast.ask(question("line", { points })));
 }
@@ -157,7 +157,7 @@ function mark() {
   at("beta").setAttribute("aria-valuetext", at("beta-is").textContent);
   at("r").setAttribute("aria-valuetext", at("r-is").textContent);
   over("map", state.beta, best);
-  over("curve", state.of === undefined ? orbit?.contact : orbit?.masses[state.of]?.amplitude, null);
+  over("curve", state.of === undefined ? orbit?.contact : orbit?.masses[state.of]?.drawn, null);
 }
 
 function over(id, height, line) {
@@ -355,7 +355,7 @@ async function findBest() {
   }
   best = told;
   const whole = told.finished ? "" : " The search stopped at its limit; the command goes on.";
-  at("best-is").textContent = `β = ${short(told.beta)}: at most ${short(told.amplitude)} over the range; ${told.why}.${whole}`;
+  at("best-is").textContent = `β = ${short(told.beta)}: at most ${short(told.amplitude)} ${scene.joined ? "at these frequencies" : "over the range"}; ${told.why}.${whole}`;
   if (told.beta <= top_) {
     state.beta = told.beta;
     if (told.r) state.r = told.r;
@@ -366,26 +366,28 @@ async function findBest() {
 // Compares frictions on a grid, for a scene without closed form, and again between the neighbours of the best one.
 async function searched() {
   const asked = question("points");
-  asked.rs = Array.from({ length: 17 }, (_, i) => asked.from + (asked.to - asked.from) * i / 16);
+  const even = Array.from({ length: 29 }, (_, i) => asked.from + (asked.to - asked.from) * i / 28);
+  const peaks = scene.resonances.filter((r) => asked.from < r && r < asked.to);
+  asked.rs = [...even, ...peaks];
   const known = new Map();
   let [low, high, done] = [0.02 * top_, top_, 0];
-  for (const count of [8, 5]) {
+  for (const count of [7, 5]) {
     for (let i = 0; i < count; i += 1) {
       const beta = low * (high / low) ** (i / (count - 1));
       const points = [];
-      for (let start = 0; start < 17; start += 3) {
+      for (let start = 0; start < asked.rs.length; start += 3) {
         const told = await slow.ask({ ...asked, beta, rs: asked.rs.slice(start, start + 3) });
         if (told.error) return told;
         points.push(...told.points);
       }
       const sizes = points.filter((point) => point[1] !== null).sort((a, b) => b[1] - a[1]);
       if (sizes.length) known.set(beta, sizes[0]);
-      at("best-is").textContent = `Searching… ${Math.round(100 * ++done / 13)} %`;
+      at("best-is").textContent = `Searching… ${Math.round(100 * ++done / 12)} %`;
     }
     const betas = [...known.keys()].sort((a, b) => a - b);
     const place = betas.reduce((least, beta, index) => known.get(beta)[1] < known.get(betas[least])[1] ? index : least, 0);
     [low, high] = [betas[Math.max(place - 1, 0)], betas[Math.min(place + 1, betas.length - 1)]];
-    if (count === 5) return { beta: betas[place], amplitude: known.get(betas[place])[1], r: known.get(betas[place])[0], finished: true, why: "the best of 13 frictions at 17 frequencies" };
+    if (count === 5) return { beta: betas[place], amplitude: known.get(betas[place])[1], r: known.get(betas[place])[0], finished: true, why: `the best of 12 frictions at ${asked.rs.length} frequencies` };
   }
   return { error: "no motion settles" };
 }

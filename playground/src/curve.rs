@@ -2,7 +2,7 @@
 
 use crate::question::{Question, picture};
 use frictiongen::study::curve::{Curve, CurveRequest, CurveStart};
-use frictiongen::{Of, System};
+use frictiongen::{Of, Regime, System};
 use frictiongen_plot::Colour;
 use frictiongen_plot::desk::{Drawn, Reading, Scales, lines, panel};
 use serde_json::{Value, json};
@@ -80,10 +80,11 @@ fn asked(system: &System, question: &Question, beta: f64, start: &str) -> Result
 fn points(curve: &Curve) -> Value {
     let points = curve.pieces.iter().flat_map(|piece| &piece.points);
     let told = points.map(|point| {
-        let amplitude = point
-            .movements
-            .first()
-            .map(|movement| movement.swing.amplitude);
+        let movement = point.movements.first();
+        let amplitude = movement.map(|movement| match point.regime {
+            Regime::Stuck => movement.centred,
+            _ => movement.swing.amplitude,
+        });
         json!([point.r, amplitude, crate::orbit::code(point.regime)])
     });
     Value::Array(told.collect())

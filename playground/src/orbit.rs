@@ -59,10 +59,12 @@ fn numbers(system: &System, response: &SystemResponse<'_>) -> Value {
         SystemResponse::Stuck(_) => (0, 0, 1.0, true),
     };
     let count = system.scene().masses.len();
-    let swings = (0..count).map(|index| response.swing(Of::Mass(index)));
-    let masses = swings.map(|swing| {
+    let masses = (0..count).map(|index| {
+        let of = Of::Mass(index);
+        let swing = response.swing(of);
         json!({
             "amplitude": swing.map(|swing| swing.amplitude),
+            "drawn": drawn(response, of),
             "phase": swing.and_then(|swing| swing.phase),
         })
     });
@@ -76,10 +78,19 @@ fn numbers(system: &System, response: &SystemResponse<'_>) -> Value {
         "stable": stable,
         "marginal": response.is_marginal(),
         "masses": masses.collect::<Vec<_>>(),
-        "contact": response.swing(Of::Contact).map(|swing| swing.amplitude),
+        "contact": drawn(response, Of::Contact),
         "force": response.contact_force(),
         "work": response.largest(Of::Contact, Size::Energy),
     })
+}
+
+/// Returns the amplitude that a curve shows.  For a stuck contact it is the centred amplitude, because the contact may
+/// have stopped at many positions.
+pub fn drawn(response: &SystemResponse<'_>, of: Of) -> Option<f64> {
+    match response.regime() {
+        Regime::Stuck => response.centred_amplitude(of),
+        _ => Some(response.swing(of)?.amplitude),
+    }
 }
 
 /// Returns one period of the motion, and the picture of its loop.

@@ -212,13 +212,13 @@ fn the_best_friction_is_that_of_the_library() {
     );
     // No neighbouring friction has a smaller peak on a dense grid.
     let peak = |beta: f64| {
-        let rs: Vec<f64> = (0..=600).map(|i| 0.5 + 0.0025 * f64::from(i)).collect();
-        let told = about(SCENES[2], "points", json!({ "rs": rs, "beta": beta }));
-        let points = told["points"].as_array().unwrap().clone();
-        points
-            .iter()
-            .map(|point| point[1].as_f64().unwrap())
-            .fold(0.0, f64::max)
+        let size = |i: u32| {
+            let r = 0.5 + 0.005 * f64::from(i);
+            let more = json!({ "r": r, "beta": beta, "bare": true });
+            let told = about(SCENES[2], "orbit", more);
+            told["masses"][0]["amplitude"].as_f64().unwrap()
+        };
+        (0..=300).map(size).fold(0.0, f64::max)
     };
     assert!((peak(beta) - amplitude).abs() < 0.01 * amplitude);
     assert!(peak(1.05 * beta) > peak(beta) && peak(0.95 * beta) > peak(beta));
