@@ -183,7 +183,7 @@ pub fn orbit(question: &Question, system: &System) -> Result<Value, String> {
         "limits": { "continuous": null, "sliding": stuck.map(|stuck| stuck.limit()) },
     });
     if let Some(fields) = told.as_object_mut().filter(|_| !question.bare) {
-        let (motion, loops) = motion(&orbit, &names)?;
+        let (motion, loops) = motion(system, &orbit, &names)?;
         fields.insert("motion".into(), motion);
         fields.insert("loop".into(), loops);
     }
@@ -191,7 +191,11 @@ pub fn orbit(question: &Question, system: &System) -> Result<Value, String> {
 }
 
 /// Returns one period of the motion, and the picture of the loops.
-fn motion(orbit: &JoinedOrbit<'_>, names: &[String]) -> Result<(Value, Value), String> {
+fn motion(
+    system: &System,
+    orbit: &JoinedOrbit<'_>,
+    names: &[String],
+) -> Result<(Value, Value), String> {
     let cycles = orbit.period().min(MOST_CYCLES);
     let samples = (2 * SAMPLES / cycles.max(1)).clamp(16, SAMPLES);
     let (whole, fine) = (u32::try_from(cycles), u32::try_from(samples));
@@ -231,5 +235,5 @@ fn motion(orbit: &JoinedOrbit<'_>, names: &[String]) -> Result<(Value, Value), S
         };
         (name, displacements, forces)
     });
-    Ok((motion, loop_picture(&loops.collect::<Vec<_>>())))
+    Ok((motion, loop_picture(system, &loops.collect::<Vec<_>>())))
 }

@@ -4,6 +4,7 @@ use crate::map::{REGIMES, class};
 use crate::question::{Question, picture};
 use frictiongen::study::history::History;
 use frictiongen::study::response::{Size, SystemResponse};
+use frictiongen::study::scene::Excitation;
 use frictiongen::{Of, Regime, System};
 use frictiongen_plot::{Axis, Colour, Line, Panel, Point, Stroke};
 use serde_json::{Value, json};
@@ -113,7 +114,7 @@ fn period(system: &System, response: &SystemResponse<'_>) -> Result<(Value, Valu
         "sticks": [sticks],
     });
     let loops = [(String::new(), contact, history.friction.clone())];
-    Ok((motion, loop_picture(&loops)))
+    Ok((motion, loop_picture(system, &loops)))
 }
 
 fn sticks(history: &History) -> Vec<u8> {
@@ -126,7 +127,11 @@ fn sticks(history: &History) -> Vec<u8> {
 pub type Loop = (String, Vec<f64>, Vec<f64>);
 
 /// Returns the picture of the contact force over the relative displacement of the contact.
-pub fn loop_picture(loops: &[Loop]) -> Value {
+pub fn loop_picture(system: &System, loops: &[Loop]) -> Value {
+    let (over_x, over_y) = match system.scene().excitation {
+        Excitation::Base => ("*Y*", "*k*_1*Y*"),
+        Excitation::Force(_) => ("*P*/*k*_1", "*P*"),
+    };
     let all = |read: fn(&Loop) -> &Vec<f64>| {
         let most = loops.iter().flat_map(read).map(|value| value.abs());
         let most = most.fold(0.0, f64::max);
@@ -135,8 +140,8 @@ pub fn loop_picture(loops: &[Loop]) -> Value {
     let (x, y) = (all(|contact| &contact.1), all(|contact| &contact.2));
     let mut panel = Panel::new(
         "",
-        Axis::new("relative displacement of the contact", -x, x),
-        Axis::new("friction force over *P* or *k*_1*Y*", -y, y),
+        Axis::new(format!("relative displacement over {over_x}"), -x, x),
+        Axis::new(format!("friction force over {over_y}"), -y, y),
     );
     for (index, (name, displacements, forces)) in loops.iter().enumerate() {
         let points: Vec<Point> = displacements
