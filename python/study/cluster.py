@@ -7,8 +7,12 @@ floor over a band.  It prints the median and the upper twentieth of the peaks, a
 several.  The same function runs on a cluster: give its address to `Client` in place of a `LocalCluster`.
 """
 
+import os
 import sys
 import time
+
+# A call computes on all cores.  Here each process has one thread, so that the processes do not compete for the cores.
+os.environ.setdefault("RAYON_NUM_THREADS", "1")
 
 import numpy as np
 from dask.distributed import Client, LocalCluster

@@ -2,8 +2,11 @@
 
 import copy
 import math
+import os
 import pickle
 import re
+import runpy
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -121,6 +124,15 @@ def test_other_processes_have_the_same_answers(frame):
     systems = [frame.replace(k={"base - lower": float(k)}) for k in range(1000, 1400, 50)]
     found = joblib.Parallel(n_jobs=2, backend="loky")(joblib.delayed(peak)(system) for system in systems)
     assert found == [peak(system) for system in systems] and len(set(found)) == len(found)
+
+
+def test_the_study_has_the_same_peaks_in_another_process():
+    distributed = pytest.importorskip("distributed")
+    path = Path(__file__).resolve().parents[1] / "study" / "cluster.py"
+    study = runpy.run_path(str(path))
+    with distributed.LocalCluster(n_workers=1, threads_per_worker=1, dashboard_address=None) as cluster, distributed.Client(cluster) as client:
+        process, found = client.submit(lambda: (os.getpid(), runpy.run_path(str(path))["peaks"](3, 4))).result()
+    assert process != os.getpid() and found == study["peaks"](3, 4) and len(set(found)) == 4
 
 
 def test_masses_of_an_answer_are_by_name(frame):
