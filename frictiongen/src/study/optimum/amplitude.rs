@@ -29,6 +29,8 @@ pub(in crate::study) struct Amplitude<'s> {
     pub system: &'s System,
     pub objective: Objective,
     unvaried: Varied,
+    /// Each undamped resonance that the contact drives, with the friction ratio below which its amplitude is unbounded.
+    thresholds: Vec<[f64; 2]>,
     /// Number of evaluations of the amplitude.
     pub asked: Cell<usize>,
     /// Work of all evaluations so far, in units of about 10 µs.
@@ -41,12 +43,24 @@ pub(in crate::study) struct Amplitude<'s> {
     follows: Cell<bool>,
 }
 
+/// Returns the undamped resonances with their thresholds β_n (6.2, 6.26).
+fn thresholds(system: &System) -> Vec<[f64; 2]> {
+    let resonances = system.resonances().iter();
+    let all = resonances.zip(system.resonance_thresholds());
+    let all = all.zip(&system.modal().damping_ratios);
+    let undamped = all.filter(|(_, zeta)| zeta.to_f64() == 0.0);
+    undamped
+        .filter_map(|((resonance, threshold), _)| Some([*resonance, threshold?]))
+        .collect()
+}
+
 impl<'s> Amplitude<'s> {
     pub(super) fn new(system: &'s System, objective: Objective) -> Self {
         Self {
             system,
             objective,
             unvaried: system.unvaried(),
+            thresholds: thresholds(system),
             asked: Cell::new(0),
             work: Cell::new(0),
             most: Cell::new(usize::MAX),
@@ -121,7 +135,10 @@ impl<'s> Amplitude<'s> {
         match found {
             Ok(response) => self.value(r, &response),
             Err(Error::NotContinuous(NotContinuous::Unbounded)) => f64::INFINITY,
-            // The motion is unbounded, or the contact is stuck on a resonance.
+            Err(Error::NoOrbit(NoOrbit::Unbounded)) if self.is_unbounded(r, friction) => {
+                f64::INFINITY
+            }
+            // The contact is stuck on a resonance of the chain with its contact stuck.
             Err(Error::NoOrbit(NoOrbit::Unbounded) | Error::StuckResonance(_)) => {
                 self.beside_resonance(r, friction)
             }
@@ -135,6 +152,18 @@ impl<'s> Amplitude<'s> {
     fn value(&self, r: f64, response: &SystemResponse<'_>) -> f64 {
         let value = self.objective.of_response(response);
         value.map_or(f64::NAN, |value| value * self.objective.factor(r))
+    }
+
+    /// Returns true if r is an undamped resonance at which the load supplies more energy than this amount of friction
+    /// dissipates. Beside such a resonance motion from rest needs so many cycles that the search ends in another state,
+    /// whose amplitude says nothing about the resonance.
+    pub(super) fn is_unbounded(&self, r: f64, friction: FrictionAmount) -> bool {
+        let FrictionAmount::Ratio(friction) = friction else {
+            return false;
+        };
+        let beta = self.objective.beta(friction, r);
+        let mut thresholds = self.thresholds.iter();
+        thresholds.any(|[resonance, threshold]| *resonance == r && beta < *threshold)
     }
 
     /// Returns the amplitude on an undamped resonance of the chain with its contact stuck. The amplitude is finite if

@@ -310,14 +310,15 @@ impl<'s> AmplitudeBand<'s> {
     ) -> Vec<(usize, f64)> {
         let followed = open.seen.iter().enumerate();
         let followed = followed.filter(|(_, seen)| !seen.closed && taken(seen));
-        let unbounded = |seen: &SeenFrequency| match open.friction {
+        let depends_on_start = |seen: &SeenFrequency| match open.friction {
             FrictionAmount::Ratio(friction) => {
                 self.amplitude.objective.depends_on_offset() && seen.place.limits[1] <= friction
             }
             FrictionAmount::Locked => false,
         };
         let promise = |seen: &SeenFrequency| {
-            if unbounded(seen) {
+            let unbounded = self.amplitude.is_unbounded(seen.place.r, open.friction);
+            if unbounded || depends_on_start(seen) {
                 return f64::INFINITY;
             }
             let known = self.nearest(seen.place.r).map(Cell::get);
