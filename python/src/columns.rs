@@ -76,25 +76,13 @@ impl<'py> Columns<'py> {
         Ok(())
     }
 
-    /// Adds the columns of a table, except those that depend on the frequency alone or on the friction alone.
-    pub fn points<R>(&mut self, columns: &[Column<'_, R>], rows: &[R]) -> PyResult<()> {
+    /// Adds the columns of a table that depend on the frequency alone, on the friction alone, or on the whole row.
+    pub fn along<R>(&mut self, axis: Axis, columns: &[Column<'_, R>], rows: &[R]) -> PyResult<()> {
         let shown = columns.iter().filter(|column| column.is_in_python());
-        for column in shown.filter(|column| column.axis == Axis::Row) {
+        for column in shown.filter(|column| column.axis == axis) {
             self.column(column, rows)?;
         }
         Ok(())
-    }
-
-    /// Adds one column of a table by its name.
-    pub fn only<R>(&mut self, name: &str, columns: &[Column<'_, R>], rows: &[R]) -> PyResult<()> {
-        let mut named = columns.iter().filter(|column| column.attribute() == name);
-        named.try_for_each(|column| self.column(column, rows))
-    }
-
-    /// Adds the columns of a table except one, by its name.
-    pub fn but<R>(&mut self, name: &str, columns: &[Column<'_, R>], rows: &[R]) -> PyResult<()> {
-        let mut others = columns.iter().filter(|column| column.attribute() != name);
-        others.try_for_each(|column| self.column(column, rows))
     }
 
     fn column<R>(&mut self, column: &Column<'_, R>, rows: &[R]) -> PyResult<()> {

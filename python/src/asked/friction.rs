@@ -6,7 +6,7 @@ use super::measure::{self, Measure};
 use super::numbers::{Given, ends, points};
 use crate::columns::Columns;
 use crate::errors::domain;
-use frictiongen::study::columns::{Friction, Setting};
+use frictiongen::study::columns::{Axis, Friction, Setting};
 use pyo3::prelude::*;
 
 /// The Python arguments `beta` and `friction`, of which the caller gives one.
@@ -110,13 +110,8 @@ impl Frictions {
         self.given.shape()
     }
 
-    /// Adds the columns that state the frictions, with one row for each friction. If the amplitude of the load varies
-    /// with frequency, a friction in N has another ratio β at each frequency. The ratios are then left out.
+    /// Adds the columns that depend on the friction alone, with one row for each friction.
     pub fn put(&self, arrays: &mut Columns<'_>, setting: &Setting<'_>) -> PyResult<()> {
-        let columns = setting.friction_columns();
-        match setting.measure.fall() {
-            0 => arrays.table(&columns, &self.all),
-            _ => arrays.but("beta", &columns, &self.all),
-        }
+        arrays.along(Axis::Friction, &setting.friction_columns(), &self.all)
     }
 }

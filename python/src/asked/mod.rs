@@ -13,8 +13,8 @@ pub use numbers::{numbers, one, whole};
 use crate::columns::Columns;
 use crate::errors::{domain, wrong_type};
 use frictiongen::System;
+use frictiongen::study::columns::{Axis, Column, FrequencyUnit, Setting};
 pub use frictiongen::study::columns::{CONTACT, Part};
-use frictiongen::study::columns::{Column, FrequencyUnit, Setting};
 use pyo3::prelude::*;
 use pyo3::types::PyString;
 
@@ -68,10 +68,7 @@ pub fn put_grid<R>(
     arrays.reshape(&frictions.shape());
     frictions.put(arrays, setting)?;
     arrays.reshape(&[frequencies.shape(), frictions.shape()].concat());
-    if setting.measure.fall() != 0 {
-        arrays.only("beta", columns, rows)?;
-    }
-    arrays.points(columns, rows)
+    arrays.along(Axis::Row, columns, rows)
 }
 
 /// Reads one name or several names.

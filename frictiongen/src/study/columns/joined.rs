@@ -234,13 +234,14 @@ impl<'a> JoinedTable<'a> {
             Some(row.steady.as_ref()?.marginal.as_str())
         });
         columns.show(Shown::Everywhere);
+        let contacts = self.joined.contact_names().len();
         for (index, name) in self.parts().iter().enumerate() {
             columns.begin_part(name);
             columns.number(Head::of("amplitude", Dimension::Length), move |row| {
                 Some(row.part(index)?.amplitude)
             });
             // The parts begin with the contacts. A mass has an amplitude alone.
-            if self.joined.contact_names().len() <= index {
+            if contacts <= index {
                 continue;
             }
             columns.word("regime", "continuous", move |row: &JoinedRow| {

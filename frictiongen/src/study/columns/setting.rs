@@ -315,7 +315,7 @@ impl<'a> Setting<'a> {
         columns.along(Axis::Row);
     }
 
-    /// Adds the columns of the friction.
+    /// Adds the columns of the friction. Under a load whose amplitude depends on frequency, β depends on both.
     pub fn friction<R: AtFriction + 'a>(&self, columns: &mut Columns<'a, R>) {
         let given = |forces: bool| -> &'a [f64] {
             if self.forces == forces {
@@ -328,6 +328,9 @@ impl<'a> Setting<'a> {
         if self.measure.scale().is_some() {
             let head = Head::of("friction", Dimension::Force);
             columns.given(head, given(true), |row: &R| row.friction().force);
+        }
+        if self.measure.fall() != 0 {
+            columns.along(Axis::Row);
         }
         columns.given("beta", given(false), |row: &R| Some(row.friction().beta));
         columns.along(Axis::Row);
