@@ -6,20 +6,26 @@ use super::names::TypeNames;
 use crate::Description;
 use crate::standalone::rust_text;
 use frictiongen_model::scene::FrictionLaw;
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, TokenStream};
 
 /// Number of masses from which on the documentation no longer names the methods of each mass.
 const MANY_MASSES: usize = 9;
 
 /// Emits the scene's type.
 pub(super) fn scene_type(emission: &Emission<'_>) -> TokenStream {
-    let description = emission.description;
+    scene_struct(emission.description, lines(emission))
+}
+
+/// Emits the scene's type: a structure without fields, with the lines of its documentation.
+pub(super) fn scene_struct(description: &Description, lines: Vec<String>) -> TokenStream {
+    let lines = lines
+        .into_iter()
+        .map(|line| format!(" {line}").trim_end().to_owned());
     let (attributes, visibility) = (&description.attributes, &description.visibility);
-    let name = &emission.names.name;
+    let name = &description.name;
     // An empty doc line separates the header from the scene's own documentation.
     let documented = !description.documentation.is_empty();
     let blank = documented.then(|| code!(#[doc = ""]));
-    let lines = lines(emission);
     code! {
         #attributes
         #blank
@@ -34,6 +40,28 @@ pub(super) fn scene_type(emission: &Emission<'_>) -> TokenStream {
             ::core::hash::Hash
         )]
         #visibility struct #name;
+    }
+}
+
+/// Emits a structure of numbers, for an input.
+pub(super) fn numbers_struct(
+    description: &Description,
+    name: &Ident,
+    about: &str,
+    fields: &TokenStream,
+) -> TokenStream {
+    let visibility = &description.visibility;
+    code! {
+        #[doc = #about]
+        #[allow(deprecated, non_camel_case_types, non_snake_case)]
+        #[::core::prelude::v1::derive(
+            ::core::clone::Clone,
+            ::core::marker::Copy,
+            ::core::fmt::Debug,
+            ::core::cmp::PartialEq,
+            ::core::default::Default
+        )]
+        #visibility struct #name { #fields }
     }
 }
 
@@ -71,11 +99,7 @@ fn lines(emission: &Emission<'_>) -> Vec<String> {
         "Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations leave out those on constants alone, which the compiler computes."
             .to_owned(),
     );
-    let spaced = lines.into_iter().map(|line| {
-        let line = format!(" {line}");
-        line.trim_end().to_owned()
-    });
-    spaced.collect()
+    lines
 }
 
 /// Returns a fence of backticks that is longer than every run of backticks in a text.

@@ -1,5 +1,6 @@
 //! Emits the stepper, which advances in steps of fixed physical time under any input.
 
+use super::about::numbers_struct;
 use super::dynamics::{Constants, count};
 use super::emission::{Checked, Emission, Part, rounded};
 use super::fields::fields;
@@ -306,6 +307,13 @@ fn types(
     } else {
         " Kinetic friction force F at vanishing speed, not negative.  A stuck contact holds up to μF."
     };
+    let fields = code! {
+        #base
+        #(#forces)*
+        #[doc = #friction]
+        pub friction: #scalar,
+    };
+    let input = numbers_struct(description, input, &input_about, &fields);
     code! {
         #[doc = #about]
         ///
@@ -313,21 +321,7 @@ fn types(
         #[allow(deprecated, non_camel_case_types)]
         #visibility struct #stepper(#facade::kernel::stepper::FixedStepper<#scalar, #literals #law_in_types>);
 
-        #[doc = #input_about]
-        #[allow(deprecated, non_camel_case_types, non_snake_case)]
-        #[::core::prelude::v1::derive(
-            ::core::clone::Clone,
-            ::core::marker::Copy,
-            ::core::fmt::Debug,
-            ::core::cmp::PartialEq,
-            ::core::default::Default
-        )]
-        #visibility struct #input {
-            #base
-            #(#forces)*
-            #[doc = #friction]
-            pub friction: #scalar,
-        }
+        #input
     }
 }
 

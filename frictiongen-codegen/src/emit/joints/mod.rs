@@ -4,7 +4,7 @@
 mod simulation;
 mod stepper;
 
-use super::about::origin;
+use super::about::{origin, scene_struct};
 use super::names::TypeNames;
 use crate::Description;
 use crate::graph::literal::{literal, scalar};
@@ -216,9 +216,7 @@ pub(super) fn emit(description: &Description) -> (TokenStream, TokenStream) {
 /// Emits the scene's type with its documentation.
 fn scene_type(emission: &Emission<'_>) -> TokenStream {
     let description = emission.description;
-    let (attributes, visibility) = (&description.attributes, &description.visibility);
     let TypeNames {
-        name,
         stepper,
         input,
         simulation,
@@ -235,25 +233,7 @@ fn scene_type(emission: &Emission<'_>) -> TokenStream {
             "* `simulation(r, beta)` returns [`{simulation}`], the motion in time under a harmonic load"
         ));
     }
-    let lines = lines
-        .into_iter()
-        .map(|line| format!(" {line}").trim_end().to_owned());
-    let blank = (!description.documentation.is_empty()).then(|| code!(#[doc = ""]));
-    code! {
-        #attributes
-        #blank
-        #(#[doc = #lines])*
-        #[::core::prelude::v1::derive(
-            ::core::clone::Clone,
-            ::core::marker::Copy,
-            ::core::fmt::Debug,
-            ::core::cmp::Eq,
-            ::core::cmp::PartialEq,
-            ::core::default::Default,
-            ::core::hash::Hash
-        )]
-        #visibility struct #name;
-    }
+    scene_struct(description, lines)
 }
 
 /// Emits a type that wraps one of the engine.
@@ -271,27 +251,5 @@ fn wrapper(emission: &Emission<'_>, name: &Ident, target: &str, about: &str) -> 
         #[allow(deprecated, non_camel_case_types)]
         #[::core::prelude::v1::derive(::core::clone::Clone, ::core::fmt::Debug)]
         #visibility struct #name(#engine::#target<#scalar, #size>);
-    }
-}
-
-/// Emits a structure of numbers.
-fn numbers(
-    emission: &Emission<'_>,
-    name: &Ident,
-    about: &str,
-    fields: &TokenStream,
-) -> TokenStream {
-    let visibility = &emission.description.visibility;
-    code! {
-        #[doc = #about]
-        #[allow(deprecated, non_camel_case_types, non_snake_case)]
-        #[::core::prelude::v1::derive(
-            ::core::clone::Clone,
-            ::core::marker::Copy,
-            ::core::fmt::Debug,
-            ::core::cmp::PartialEq,
-            ::core::default::Default
-        )]
-        #visibility struct #name { #fields }
     }
 }

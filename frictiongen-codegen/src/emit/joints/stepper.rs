@@ -1,6 +1,7 @@
 //! Emits the stepper of a scene with several contacts.
 
-use super::{Emission, numbers, wrapper};
+use super::{Emission, wrapper};
+use crate::emit::about::numbers_struct;
 use crate::emit::names::TypeNames;
 use frictiongen_kernel::joints::MAX_STEP_EVENTS;
 use frictiongen_model::scene::StepInput;
@@ -39,7 +40,7 @@ fn types(emission: &Emission<'_>) -> TokenStream {
     let about = format!(
         " Loads on [`{name}`] and friction forces, in the units of the scene: the input of a step."
     );
-    types.extend(numbers(emission, input, &about, &fields));
+    types.extend(numbers_struct(description, input, &about, &fields));
     let fields = emission.contact_names.iter().map(|contact| {
         let about = format!(
             " Kinetic friction force of contact `{contact}`, not negative.  A contact with 0 has no effect."
@@ -48,7 +49,7 @@ fn types(emission: &Emission<'_>) -> TokenStream {
     });
     let about = format!(" Friction forces of [`{name}`], by contact.");
     let fields: TokenStream = fields.collect();
-    types.extend(numbers(emission, friction, &about, &fields));
+    types.extend(numbers_struct(description, friction, &about, &fields));
     types
 }
 
