@@ -22,7 +22,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
+#include "timing.h"
 
 enum { MOST = 10, STATES = 2 * MOST, STEPS = 50, MOST_CYCLES = 20000, MOST_NEWTON = 60 };
 static const double PI = 3.14159265358979323846, EVENT = 1e-12;
@@ -334,17 +334,6 @@ static Found balance(const Scene *s, int harmonics) {
     return found;
 }
 
-static int ascending(const void *a, const void *b) {
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
-static double now(void) {
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return t.tv_sec + 1e-9 * t.tv_nsec;
-}
-
 int main(int count, char **text) {
     if (count < 10) { fprintf(stderr, "elastic stepper|balance MASSES CONTACT EXCITED ZETA STIFFNESS R BETA REPEATS|HARMONICS [RUNS]\n"); return 2; }
     int steps = !strcmp(text[1], "stepper"), n = atoi(text[2]), contact = atoi(text[3]), excited = atoi(text[4]);
@@ -360,8 +349,7 @@ int main(int count, char **text) {
         else found = balance(&s, atoi(text[9]));
         times[i] = 1e6 * (now() - start);
     }
-    qsort(times, runs, sizeof *times, ascending);
-    printf("%.3f %d %s %.17g\n", times[runs / 2], found.steps, found.settles ? "settles" : "moves-on", found.contact);
+    printf("%.3f %d %s %.17g\n", median(times, runs), found.steps, found.settles ? "settles" : "moves-on", found.contact);
     free(times);
     return 0;
 }

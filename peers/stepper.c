@@ -18,7 +18,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
+#include "timing.h"
 
 #ifndef STEPS
 #define STEPS 50
@@ -283,17 +283,6 @@ static Found follow(const Scene *s, int most) {
     return found;
 }
 
-static int ascending(const void *a, const void *b) {
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
-static double now(void) {
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return t.tv_sec + 1e-9 * t.tv_nsec;
-}
-
 static int many(int n, int contact, int excited, double zeta, double mu, int most) {
     double r, beta, all = 0;
     while (scanf("%lf %lf", &r, &beta) == 2) {
@@ -324,8 +313,7 @@ int main(int count, char **text) {
         found = follow(&s, most);
         times[i] = 1e6 * (now() - start);
     }
-    qsort(times, runs, sizeof *times, ascending);
-    printf("%.3f %d %s %d %d %.17g %.17g\n", times[runs / 2], found.cycles,
+    printf("%.3f %d %s %d %d %.17g %.17g\n", median(times, runs), found.cycles,
            found.repeats ? "repeats" : "moves-on", found.stops, found.reversals, found.contact, found.mass);
     free(times);
     return 0;

@@ -21,7 +21,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
+#include "timing.h"
 
 enum { MOST = 64 };
 static const double PI = 3.14159265358979323846;
@@ -177,17 +177,6 @@ static void located(const Chain *c, State *s, double t, const double *force) {
     *s = next;
 }
 
-static double now(void) {
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return t.tv_sec + 1e-9 * t.tv_nsec;
-}
-
-static int ascending(const void *a, const void *b) {
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 int main(int count, char **text) {
     static const char *names[] = { "moreau-half", "moreau-one", "rk4", "rk4-located" };
     if (count < 11) { fprintf(stderr, "time_stepping METHOD MASSES CONTACT EXCITED A B R BETA STEPS CYCLES [RUNS]\n"); return 2; }
@@ -225,8 +214,7 @@ int main(int count, char **text) {
         }
         times[run] = 1e9 * (now() - start) / ((double)cycles * c.steps);
     }
-    qsort(times, runs, sizeof *times, ascending);
-    printf("%.3f %d %d\n", times[runs / 2], stops, reversals);
+    printf("%.3f %d %d\n", median(times, runs), stops, reversals);
     for (int k = 0; k < c.steps; k++) printf("%.17g %.17g\n", shown[2 * k], shown[2 * k + 1]);
     free(c.force); free(shown); free(times);
     return 0;
