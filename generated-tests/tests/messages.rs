@@ -44,7 +44,7 @@ fn of_a_text() {
             parse_text(&case.faulty, &Limits::MACRO).expect_err(&case.name);
         }
         if case.door.is_description() {
-            // The cure of a scene with several contacts may have several contacts, for which no code is emitted.
+            // The cure may be a scene with several contacts for a `System` at run time, of which the macro emits less.
             let limits = Limits {
                 joints: true,
                 ..Limits::MACRO

@@ -13,7 +13,8 @@ pub const MAX_STEP_EVENTS: usize = 64;
 /// Largest length of a step, in stretches of one radian of a bound on the fastest angular frequency.
 pub const MAX_STEP: f64 = 1024.0;
 
-/// Stretches between events, and those that end with an event that changes no phase.
+/// Bounds on the work of one step. An event that leaves every contact as it is also ends a stretch, so that a step may
+/// have more stretches than its length requires.
 const BOUNDS: Bounds = Bounds {
     events: MAX_STEP_EVENTS,
     stretches: MAX_STEP as usize + 4 * MAX_STEP_EVENTS,

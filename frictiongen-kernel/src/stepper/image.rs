@@ -86,7 +86,7 @@ fn checked<S: Float>(bytes: &[u8]) -> Result<Reader<'_>, OutOfDomain> {
     Ok(reader)
 }
 
-/// Reads numbers one after the other.  Behind the end it reads zeros.
+/// Reads numbers one after the other.  Past the end it reads zeros.
 #[derive(Clone)]
 struct Reader<'b>(core::slice::Iter<'b, u8>);
 
@@ -132,9 +132,7 @@ impl Writer<'_> {
             *to = *byte;
         }
     }
-}
 
-impl Writer<'_> {
     fn scalar<S: Float>(&mut self, number: S) {
         let bits = number.bits().to_le_bytes();
         let [a, b, c, d, ..] = bits;
