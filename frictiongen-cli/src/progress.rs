@@ -10,7 +10,8 @@ const PACE: Duration = Duration::from_millis(200);
 
 /// The progress of a run, for messages to the user.
 pub struct Progress {
-    total: usize,
+    /// Number of items. `None` for a search, whose length is unknown.
+    total: Option<usize>,
     done: usize,
     what: &'static str,
     start: Instant,
@@ -23,16 +24,21 @@ impl Progress {
     /// items `what`.
     pub fn new(total: usize, what: &'static str) -> Self {
         // If the output goes to the same terminal, the lines of the output already show the progress.
-        Self::seen(total, what, !io::stdout().is_terminal())
+        Self::seen(Some(total), what, !io::stdout().is_terminal())
     }
 
     /// Starts the progress of a run over `total` items. The run prints no results before its end. Messages call the
     /// items `what`.
     pub fn silent(total: usize, what: &'static str) -> Self {
-        Self::seen(total, what, true)
+        Self::seen(Some(total), what, true)
     }
 
-    fn seen(total: usize, what: &'static str, needed: bool) -> Self {
+    /// Starts the progress of a search of unknown length. Messages say how long it has run.
+    pub fn search() -> Self {
+        Self::seen(None, "", true)
+    }
+
+    fn seen(total: Option<usize>, what: &'static str, needed: bool) -> Self {
         let start = Instant::now();
         let watched = needed && io::stderr().is_terminal();
         Self {
@@ -58,7 +64,11 @@ impl Progress {
         if now >= next {
             self.next = Some(now + PACE);
             self.shown = true;
-            let line = line(self.done, self.total, self.what, now - self.start);
+            let passed = now - self.start;
+            let line = match self.total {
+                Some(total) => line(self.done, total, self.what, passed),
+                None => searching(passed),
+            };
             say(&format!("\r\x1b[K{line}"));
         }
     }
@@ -83,6 +93,12 @@ fn line(done: usize, total: usize, what: &str, passed: Duration) -> String {
     line
 }
 
+/// Returns the message of a search that has run for the time `passed`.
+fn searching(passed: Duration) -> String {
+    let passed = spell(passed.as_secs_f64());
+    format!("frictiongen: searching for {passed}; Ctrl-C keeps the best friction so far")
+}
+
 /// Formats a time in seconds with one or two units.
 fn spell(seconds: f64) -> String {
     let whole = seconds.ceil() as u64;
@@ -103,7 +119,7 @@ pub fn say(text: &str) {
 
 #[cfg(test)]
 mod tests {
-    use super::{line, spell};
+    use super::{line, searching, spell};
     use std::time::Duration;
 
     #[test]
@@ -115,6 +131,14 @@ mod tests {
         assert_eq!(
             line(1, 0, "points", Duration::ZERO),
             "frictiongen: 100 % of 0 points"
+        );
+    }
+
+    #[test]
+    fn a_search_says_how_long_it_has_run() {
+        assert_eq!(
+            searching(Duration::from_secs(61)),
+            "frictiongen: searching for 1 min 1 s; Ctrl-C keeps the best friction so far"
         );
     }
 

@@ -37,11 +37,15 @@ pub fn optimum<'py>(
     });
     let (optimum, value) = match tuning.transpose()? {
         None => {
-            let found = without_lock(py, |_| system.optimum(&request))?;
+            let found = without_lock(py, |stop| {
+                system.optimum_watched(&request, &|| stop.goes_on())
+            })?;
             (found.map_err(domain)?, None)
         }
         Some(tuning) => {
-            let found = without_lock(py, |_| system.tuned_optimum(&request, &tuning))?;
+            let found = without_lock(py, |stop| {
+                system.tuned_optimum_watched(&request, &tuning, &|| stop.goes_on())
+            })?;
             let found = found.map_err(|error| domain(format_args!("vary: {error}")))?;
             (found.optimum, Some(found.value))
         }

@@ -239,8 +239,8 @@ Quantities:
   what limits it  `equal peaks`: more friction raises one peak and lowers another; or `one peak at its least`:
                   more friction and less friction both raise this peak
   how the search ended  converged; or at a jump to a larger steady state; or the best so far, because the
-                  search reached its limit of work. If the search did not converge, the output has an
-                  interval of frictions that contains the best friction
+                  search reached its limit of work or Ctrl-C stopped it. If the search did not converge, the
+                  output has an interval of frictions that contains the best friction
   beyond the jump  largest amplitude with a friction just beyond the jump
   above the best  ranges of friction in which the largest amplitude is at most 1, 5 or 10 per cent larger
                   than the best

@@ -59,6 +59,7 @@ pub fn lines(
     table: &OptimumTable<'_>,
     request: &OptimumRequest,
     bounds: &[Bound],
+    watch: &(dyn Fn() -> bool + Sync),
 ) -> Result<Vec<OptimumLine>, Failure> {
     let (system, measure) = (table.setting.system, &table.setting.measure);
     let kept: Vec<Kept> = bounds
@@ -70,7 +71,7 @@ pub fn lines(
         })
         .collect();
     let reference = system.angular_frequency(1.0);
-    let found = system.kept_optimum(request, &kept);
+    let found = system.kept_optimum(request, &kept, watch);
     let found = found.map_err(|error| match error {
         OptimumError::Unreachable { index, least, beta } => {
             let Some(bound) = bounds.get(index) else {

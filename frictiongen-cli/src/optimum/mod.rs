@@ -6,9 +6,11 @@ use crate::args::OptimumArguments;
 use crate::asked;
 use crate::failure::Failure;
 use crate::frequency::Band;
+use crate::interrupt;
 use crate::joined;
 use crate::measure;
 use crate::output::{self, Table, Visitor};
+use crate::progress::Progress;
 use crate::summary::Summary;
 use frictiongen::System;
 use frictiongen::study::columns::{Column, OptimumLine, OptimumTable, Setting, Tuned};
@@ -17,6 +19,7 @@ use frictiongen::study::optimum::{
 };
 use frictiongen_codegen::Limits;
 use std::io::Write;
+use std::sync::Mutex;
 
 /// Runs `frictiongen optimum`.
 pub fn run(arguments: &OptimumArguments, out: &mut dyn Write) -> Result<(), Failure> {
@@ -53,11 +56,22 @@ pub fn run(arguments: &OptimumArguments, out: &mut dyn Write) -> Result<(), Fail
         },
     };
     let kept = keep::parsed(&system, &arguments.keep, &measure)?;
+    interrupt::watch();
+    let progress = Mutex::new(Progress::search());
+    let watch = || {
+        if let Ok(mut progress) = progress.lock() {
+            progress.step();
+        }
+        !interrupt::pressed()
+    };
     let lines = match &arguments.vary {
-        None if !kept.is_empty() => keep::lines(&table, &request, &kept)?,
-        None => table.lines(&system.optimum(&request).map_err(Failure::new)?, None),
+        None if !kept.is_empty() => keep::lines(&table, &request, &kept, &watch)?,
+        None => {
+            let found = system.optimum_watched(&request, &watch);
+            table.lines(&found.map_err(Failure::new)?, None)
+        }
         Some(text) => {
-            let (of, found) = tuned(&system, &request, text)?;
+            let (of, found) = tuned(&system, &request, text, &watch)?;
             let optimum = Optimum {
                 evaluations: found.evaluations,
                 ..found.optimum.clone()
@@ -65,9 +79,16 @@ pub fn run(arguments: &OptimumArguments, out: &mut dyn Write) -> Result<(), Fail
             table.lines(&optimum, Some(&Tuned { of, found: &found }))
         }
     };
+    drop(progress);
     let summary = Summary::of(&system, band.is_physical(), measure);
     let report = OptimumReport { table, lines };
-    output::write(&report, &summary, arguments.format.checked()?, out)
+    output::write(&report, &summary, arguments.format.checked()?, out)?;
+    if interrupt::pressed() {
+        return Err(Failure::new(
+            "stopped: the search did not end, and the friction is the best so far",
+        ));
+    }
+    Ok(())
 }
 
 /// Finds the best friction together with the number of the description that `--vary` names.
@@ -75,6 +96,7 @@ fn tuned(
     system: &System,
     request: &OptimumRequest,
     text: &str,
+    watch: &(dyn Fn() -> bool + Sync),
 ) -> Result<(Tunable, TunedOptimum), Failure> {
     let wrong =
         |problem: &dyn std::fmt::Display| Failure::new(format_args!("--vary `{text}`: {problem}"));
@@ -90,7 +112,7 @@ fn tuned(
         number.map_err(|_| wrong(&format_args!("`{}` is not a number", end.trim())))
     });
     let (from, to) = (from?, to?);
-    let found = system.tuned_optimum(request, &Tuning { of, from, to });
+    let found = system.tuned_optimum_watched(request, &Tuning { of, from, to }, watch);
     let found = found.map_err(|error| match error {
         OptimumError::Interval | OptimumError::Scene(_) => wrong(&error),
         _ => Failure::new(error),

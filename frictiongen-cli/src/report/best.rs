@@ -115,6 +115,7 @@ pub fn kind(optimum: &Optimum) -> &'static str {
         (_, OptimumEnd::WorkSpent) => {
             "the best result within the time limit of a page; “frictiongen optimum” searches longer"
         }
+        (_, OptimumEnd::Stopped) => words::end(optimum.end),
         (OptimumKind::EqualPeaks, _) => {
             "two peaks are equally high: more friction raises one, less friction raises the other"
         }

@@ -271,6 +271,7 @@ fn interrupted(arguments: &[&str], milliseconds: u64) -> String {
     command
         .args(arguments)
         .stdin(std::process::Stdio::null())
+        .stdout(std::process::Stdio::null())
         .stderr(std::process::Stdio::piped());
     let run = command.spawn().unwrap();
     std::thread::sleep(std::time::Duration::from_millis(milliseconds));
@@ -437,4 +438,26 @@ fn sweeps_up_and_down() {
             .split(',')
             .any(|name| name == "from")
     );
+}
+
+/// Checks that Ctrl-C in the middle of a search keeps the best friction so far, and that the command says so.
+#[cfg(target_os = "linux")]
+#[test]
+fn an_interrupted_search_is_kept() {
+    let folder = folder("interrupted-search");
+    let scene = folder.join("block.friction");
+    let block =
+        "struct Block { masses: { block: 1 }, springs: { base - block: 1, block - wall: 1 },
+                contact: block - base, excitation: base, damping: modal(0.05), stiction: 1.2 }";
+    std::fs::write(&scene, block).unwrap();
+    let scene = scene.to_str().unwrap();
+    let arguments = [
+        "optimum", scene, "--of", "block", "--r", "0.2:1.2", "--vary", "k2=1:2",
+    ];
+    let told = interrupted(&arguments, 4000);
+    assert_eq!(
+        told,
+        "frictiongen: stopped: the search did not end, and the friction is the best so far\n"
+    );
+    std::fs::remove_dir_all(folder).unwrap();
 }

@@ -224,6 +224,7 @@ pub fn end(end: OptimumEnd) -> &'static str {
         OptimumEnd::WorkSpent => {
             "the best so far: the work of one search was done before it converged"
         }
+        OptimumEnd::Stopped => "the best so far: the search was stopped",
     }
 }
 

@@ -5,11 +5,12 @@ use frictiongen::Of;
 use frictiongen::study::{
     System,
     optimum::{
-        FrequencyBand, Kept, Optimum, OptimumEnd, OptimumError, OptimumKind, OptimumRequest,
+        FrequencyBand, Kept, Optimum, OptimumEnd, OptimumError, OptimumKind, OptimumRequest, Tuning,
     },
     response::Size,
     units::Load,
 };
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// A frame of two storeys with a friction damper below the first, under base motion.
 const FRAME: &str = "struct Frame { masses: { f1: 2000, f2: 2000 },
@@ -245,7 +246,9 @@ fn bounds_hold_on_a_map() {
         size: drift.size,
         most,
     }];
-    let found = system.kept_optimum(&own, &kept).expect("an optimum");
+    let found = system
+        .kept_optimum(&own, &kept, &|| true)
+        .expect("an optimum");
     let beta = found.optimum.beta;
     assert_eq!(found.optimum.kind, OptimumKind::Bounded);
     assert!(found.largest[0] <= most);
@@ -269,7 +272,9 @@ fn bounds_hold_on_a_map() {
         most: 1.01 * free_drift,
         ..kept[0]
     }];
-    let same = system.kept_optimum(&own, &wide).expect("an optimum");
+    let same = system
+        .kept_optimum(&own, &wide, &|| true)
+        .expect("an optimum");
     assert_eq!(
         (same.optimum.beta, same.optimum.kind),
         (free.beta, free.kind)
@@ -280,7 +285,7 @@ fn bounds_hold_on_a_map() {
         ..kept[0]
     }];
     let error = system
-        .kept_optimum(&own, &narrow)
+        .kept_optimum(&own, &narrow, &|| true)
         .map(|found| found.optimum.beta);
     let Err(OptimumError::Unreachable {
         index: 0,
@@ -305,10 +310,86 @@ fn bounds_hold_on_a_map() {
         },
     ];
     let error = system
-        .kept_optimum(&own, &two)
+        .kept_optimum(&own, &two, &|| true)
         .map(|found| found.optimum.beta);
     assert!(
         matches!(error, Err(OptimumError::Unreachable { index: 1, .. })),
         "{error:?}"
     );
+}
+
+/// A search that the caller stops ends with the best friction so far, or with an error before it has found one. The
+/// amplitude of an unfinished search is at least that of the finished one.
+#[test]
+fn a_stopped_search_keeps_its_best() {
+    let block =
+        "struct Block { masses: { block: 1 }, springs: { base - block: 1, block - wall: 1 },
+        contact: block - base, excitation: base, damping: modal(0.05) }";
+    let system: System = block.parse().expect("a description");
+    let request = OptimumRequest {
+        of: system.motion_named("block").expect("a motion"),
+        size: Size::Displacement,
+        band: FrequencyBand::Ratio(0.2, 1.2),
+        load: None,
+    };
+    let after = |most: usize| {
+        let asked = AtomicUsize::new(0);
+        move || asked.fetch_add(1, Ordering::Relaxed) < most
+    };
+    let full = system.optimum(&request).expect("an optimum");
+    assert_eq!(full.end, OptimumEnd::Converged);
+    let half = after(full.evaluations / 2);
+    let stopped = system
+        .optimum_watched(&request, &half)
+        .expect("the best so far");
+    assert_eq!(stopped.end, OptimumEnd::Stopped);
+    assert!(full.amplitude <= stopped.amplitude && stopped.amplitude.is_finite());
+    assert!(stopped.bracket[0] <= full.beta && full.beta <= stopped.bracket[1]);
+    let none = |error: OptimumError| assert_eq!(error, OptimumError::Stopped);
+    // A scan of closed forms may know a friction from the beginning.
+    match system.optimum_watched(&request, &after(0)) {
+        Ok(first) => assert!(
+            first.end == OptimumEnd::Stopped && full.amplitude <= first.amplitude,
+            "{first:?}"
+        ),
+        Err(error) => none(error),
+    }
+
+    let of = system.tunable_named("k block - wall").expect("a number");
+    let tuning = Tuning {
+        of,
+        from: 1.0,
+        to: 2.0,
+    };
+    // Enough work for some of the 17 values, but not for all of them.
+    let some = after(4 * full.evaluations);
+    let tuned = system
+        .tuned_optimum_watched(&request, &tuning, &some)
+        .expect("the best so far");
+    let best = &tuned.optimum;
+    assert_eq!(best.end, OptimumEnd::Stopped);
+    assert!(tuned.scan.iter().any(|point| point.amplitude.is_nan()));
+    let finished = tuned.scan.iter().map(|point| point.amplitude);
+    let least = finished.fold(f64::INFINITY, f64::min);
+    assert_eq!(best.amplitude, least);
+    let alone = system.with_value(of, tuned.value).expect("a scene");
+    let alone = alone.optimum(&request).expect("an optimum");
+    assert!((best.amplitude / alone.amplitude - 1.0).abs() < 1e-9);
+    let nothing = system.tuned_optimum_watched(&request, &tuning, &after(0));
+    none(nothing.map(|_| ()).expect_err("no answer"));
+
+    // The bound does not hold with the best friction, so that the search for the bounded one begins.
+    let bound = |most: f64| {
+        [Kept {
+            of: request.of,
+            size: Size::Velocity,
+            most,
+        }]
+    };
+    let free = system.kept_optimum(&request, &bound(f64::INFINITY), &|| true);
+    let kept = bound(0.99 * free.expect("an optimum").largest[0]);
+    for most in [0, full.evaluations + 10] {
+        let found = system.kept_optimum(&request, &kept, &after(most));
+        none(found.map(|_| ()).expect_err("no answer"));
+    }
 }

@@ -23,6 +23,9 @@ pub(in crate::study) enum FrictionAmount {
     Locked,
 }
 
+/// A function that a search calls after each evaluation. It returns false to stop the search.
+pub(in crate::study) type Watch<'s> = &'s (dyn Fn() -> bool + Sync);
+
 /// The requested quantity of a system, called its amplitude, as a function of frequency and friction. The struct counts
 /// the evaluations and their work.
 pub(in crate::study) struct Amplitude<'s> {
@@ -37,6 +40,10 @@ pub(in crate::study) struct Amplitude<'s> {
     work: Cell<usize>,
     /// Bound on the work of all evaluations, in units of about 10 µs.
     most: Cell<usize>,
+    /// The caller's function that can stop the search.
+    watch: Cell<Option<Watch<'s>>>,
+    /// True if the caller has stopped the search.
+    stopped: Cell<bool>,
     /// Number of evaluations without a result, because the solvers found no amplitude.
     pub silent: Cell<usize>,
     /// True if the search also computes motion from rest where the closed form exists.
@@ -64,6 +71,8 @@ impl<'s> Amplitude<'s> {
             asked: Cell::new(0),
             work: Cell::new(0),
             most: Cell::new(usize::MAX),
+            watch: Cell::new(None),
+            stopped: Cell::new(false),
             silent: Cell::new(0),
             follows: Cell::new(false),
         }
@@ -84,9 +93,26 @@ impl<'s> Amplitude<'s> {
         }
     }
 
-    /// Returns true if the evaluations have reached their bound on work.
+    /// Lets the caller's function stop the search.
+    pub(super) fn watched_by(&self, watch: Option<Watch<'s>>) {
+        self.watch.set(watch);
+    }
+
+    /// Ends the watch, so that the result of a stopped search can be completed. Returns true if the caller has stopped
+    /// the search.
+    pub(super) fn end_watch(&self) -> bool {
+        self.watch.set(None);
+        self.stopped.replace(false)
+    }
+
+    /// Returns true if the caller has stopped the search.
+    pub(super) fn is_stopped(&self) -> bool {
+        self.stopped.get()
+    }
+
+    /// Returns true if the evaluations have reached their bound on work, or if the caller has stopped the search.
     pub(super) fn is_spent(&self) -> bool {
-        self.most.get() <= self.work.get()
+        self.most.get() <= self.work.get() || self.stopped.get()
     }
 
     /// Sets the bound on work to the work done so far plus `work`.
@@ -105,6 +131,11 @@ impl<'s> Amplitude<'s> {
 
     fn spend_work(&self, work: usize) {
         self.work.set(self.work.get().saturating_add(work));
+        if let Some(watch) = self.watch.get()
+            && !watch()
+        {
+            self.stopped.set(true);
+        }
     }
 
     /// Returns the amplitude in units of P/k₁ (of Y for base motion). The amplitude is infinite on a resonance that

@@ -61,6 +61,8 @@ pub enum OptimumEnd {
     Jump,
     /// The search reached its bound on work. The result is the best friction found before.
     WorkSpent,
+    /// The caller stopped the search. The result is the best friction found before.
+    Stopped,
 }
 
 /// The best friction, for which the largest amplitude over a band of frequencies is smallest.

@@ -3,7 +3,7 @@
 //! The scan over friction shows which friction ratios satisfy all bounds. Bisection finds the limit between a ratio that
 //! satisfies them and one that violates a bound. The result satisfies every bound over the whole band.
 
-use super::amplitude::FrictionAmount;
+use super::amplitude::{FrictionAmount, Watch};
 use super::answer::{Optimum, OptimumEnd, OptimumKind};
 use super::look::Closely;
 use super::peaks::AmplitudeBand;
@@ -14,6 +14,7 @@ use super::search::{Least, narrowed};
 use crate::Of;
 use crate::study::response::Size;
 use crate::study::system::System;
+use std::cell::Cell;
 
 /// Largest number of bisections between a friction ratio that satisfies all bounds and one that does not.
 const HALVINGS: usize = 36;
@@ -22,6 +23,10 @@ const NARROW: f64 = 1e-9;
 /// Largest number of friction ratios that are checked over the whole band. If a check finds a violated bound, the search
 /// continues.
 const CHECKS: usize = 12;
+/// Bound on the work of one check of the whole band for one quantity.
+const WORK_OF_A_CHECK: usize = super::WORK / 2;
+/// Bound on the work of all checks of one search.
+const WORK_OF_ALL_CHECKS: usize = 2 * super::WORK;
 /// Factor on the smallest value of the points that satisfy all bounds. The search examines points up to this value.
 const NEARLY: f64 = 1.5;
 /// Largest number of points that the search examines.
@@ -51,14 +56,18 @@ impl System {
     /// Returns the friction with which the largest value of a quantity over a band is smallest, among the frictions with
     /// which other quantities stay within their bounds over the whole band.
     ///
+    /// The search calls `watch` after each evaluation. If `watch` returns false once, it must return false from then on.
+    ///
     /// # Errors
-    /// Same errors as [`optimum`](System::optimum), and [`OptimumError::Unreachable`] if the bounds cannot hold together.
+    /// Same errors as [`optimum`](System::optimum), [`OptimumError::Unreachable`] if the bounds cannot hold together, and
+    /// [`OptimumError::Stopped`] if `watch` returned false.
     pub fn kept_optimum(
         &self,
         request: &OptimumRequest,
         kept: &[Kept],
+        watch: &(dyn Fn() -> bool + Sync),
     ) -> Result<KeptOptimum, OptimumError> {
-        let own = OptimumProblem::new(self, request)?;
+        let own = OptimumProblem::new(self, request)?.watched_by(Some(watch));
         let others = kept.iter().map(|kept| {
             let (of, size) = (kept.of, kept.size);
             let request = OptimumRequest {
@@ -66,17 +75,24 @@ impl System {
                 size,
                 ..request.clone()
             };
-            OptimumProblem::new(self, &request)
+            Ok(OptimumProblem::new(self, &request)?.watched_by(Some(watch)))
         });
-        let others = others.collect::<Result<Vec<_>, _>>()?;
+        let others = others.collect::<Result<Vec<_>, OptimumError>>()?;
+        let left = Cell::new(WORK_OF_ALL_CHECKS);
         let search = KeptSearch {
             band: own.band(),
             others: others.iter().map(OptimumProblem::band).collect(),
             most: kept.iter().map(|kept| kept.most).collect(),
+            watch,
+            left: &left,
         };
         let least = OptimumProblem::least(&search.band, super::WORK)?;
+        search.go_on()?;
         let (at, bounded) = search.best(&others, &least)?;
+        left.set(WORK_OF_ALL_CHECKS);
         let largest = search.largest(at.beta);
+        let largest = largest.iter().map(|scanned| scanned.value).collect();
+        search.go_on()?;
         if !bounded {
             let optimum = own.told(&search.band, &least)?;
             return Ok(KeptOptimum { optimum, largest });
@@ -105,9 +121,21 @@ struct KeptSearch<'s> {
     band: AmplitudeBand<'s>,
     others: Vec<AmplitudeBand<'s>>,
     most: Vec<f64>,
+    watch: Watch<'s>,
+    /// Work that the checks of the whole band may still take.
+    left: &'s Cell<usize>,
 }
 
 impl<'s> KeptSearch<'s> {
+    /// Returns an error if the caller has stopped the search.
+    fn go_on(&self) -> Result<(), OptimumError> {
+        if (self.watch)() {
+            Ok(())
+        } else {
+            Err(OptimumError::Stopped)
+        }
+    }
+
     /// Returns the best friction, and true if a bound moved it.
     fn best(
         &self,
@@ -130,6 +158,7 @@ impl<'s> KeptSearch<'s> {
             .collect();
         self.band.amplitude.allow(super::WORK);
         for _ in 0..CHECKS {
+            self.go_on()?;
             let Some(found) = self.refined(&known) else {
                 break;
             };
@@ -145,6 +174,7 @@ impl<'s> KeptSearch<'s> {
             known.push((beta, false));
             known.sort_by(|a, b| a.0.total_cmp(&b.0));
         }
+        self.go_on()?;
         let fallback = self.reachable(others)?;
         let holds = fallback.filter(|beta| self.holds(*beta));
         let beta = holds.ok_or(OptimumError::TooLong)?;
@@ -229,10 +259,13 @@ impl<'s> KeptSearch<'s> {
                 band: problem.band(),
                 others: before.iter().map(OptimumProblem::band).collect(),
                 most: self.most.iter().take(index).copied().collect(),
+                watch: self.watch,
+                left: self.left,
             };
             let least = OptimumProblem::least(&search.band, super::WORK)?;
             let (at, _) = search.best(before, &least)?;
             let value = search.whole(&search.band, at.beta).value;
+            self.go_on()?;
             let most = self.most.get(index).copied().unwrap_or(f64::INFINITY);
             if !(value <= most) {
                 let (least, beta) = (value, at.beta);
@@ -255,23 +288,22 @@ impl<'s> KeptSearch<'s> {
     /// Returns true if all bounds hold over the whole band.
     fn holds(&self, beta: f64) -> bool {
         let largest = self.largest(beta);
-        largest
-            .iter()
-            .zip(&self.most)
-            .all(|(value, most)| value <= most)
+        let mut checked = largest.iter().zip(&self.most);
+        checked.all(|(found, most)| found.complete && found.value <= *most)
     }
 
     /// Returns the largest value over the band of each kept quantity.
-    fn largest(&self, beta: f64) -> Vec<f64> {
+    fn largest(&self, beta: f64) -> Vec<Scanned> {
         let bands = self.others.iter();
-        bands.map(|band| self.whole(band, beta).value).collect()
+        bands.map(|band| self.whole(band, beta)).collect()
     }
 
-    /// Evaluates the whole band. Later evaluations take its largest peaks into account.
+    /// Evaluates the whole band, within a bound on work. Later evaluations take its largest peaks into account.
     fn whole(&self, band: &AmplitudeBand<'_>, beta: f64) -> Scanned {
         let friction = FrictionAmount::Ratio(beta);
         let several = 1.0 < band.amplitude.system.scene().stiction;
-        band.amplitude.allow(usize::MAX);
+        let before = band.amplitude.spent();
+        band.amplitude.allow(WORK_OF_A_CHECK.min(self.left.get()));
         if several {
             band.amplitude.follow_from_rest();
         }
@@ -280,6 +312,8 @@ impl<'s> KeptSearch<'s> {
             band.add_grid(&mut look, friction, f64::INFINITY);
         }
         band.learn_largest(&look);
+        let spent = band.amplitude.spent() - before;
+        self.left.set(self.left.get().saturating_sub(spent));
         with_slope(beta, look, |peak| slope(band, beta, peak))
     }
 }

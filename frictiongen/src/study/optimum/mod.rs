@@ -96,4 +96,19 @@ impl System {
     ) -> Result<Optimum, OptimumError> {
         OptimumProblem::new(self, request)?.solved(work)
     }
+
+    /// Searches as [`optimum`](Self::optimum) does, and calls `watch` after each evaluation. If `watch` returns false,
+    /// the search ends with the best friction so far and [`OptimumEnd::Stopped`].
+    ///
+    /// # Errors
+    /// Same errors as [`optimum`](Self::optimum), and [`OptimumError::Stopped`] if no friction was found before the stop.
+    #[doc(hidden)]
+    pub fn optimum_watched(
+        &self,
+        request: &OptimumRequest,
+        watch: &(dyn Fn() -> bool + Sync),
+    ) -> Result<Optimum, OptimumError> {
+        let problem = OptimumProblem::new(self, request)?;
+        problem.watched_by(Some(watch)).solved(WORK)
+    }
 }

@@ -1,6 +1,6 @@
 //! A checked request for the best friction, and the full result for a friction.
 
-use super::amplitude::FrictionAmount;
+use super::amplitude::{FrictionAmount, Watch};
 use super::answer::{Optimum, OptimumEnd, OptimumKind, OptimumPeak};
 use super::flat;
 use super::objective::Objective;
@@ -29,6 +29,7 @@ pub(super) struct OptimumProblem<'s> {
     pub load: Option<Load>,
     /// Ends of the band, as frequency ratios r.
     pub ends: [f64; 2],
+    watch: Option<Watch<'s>>,
 }
 
 impl<'s> OptimumProblem<'s> {
@@ -75,18 +76,28 @@ impl<'s> OptimumProblem<'s> {
             objective,
             load: request.load,
             ends,
+            watch: None,
         })
     }
 
+    /// Lets the caller's function stop every search of this problem.
+    pub(super) fn watched_by(self, watch: Option<Watch<'s>>) -> Self {
+        Self { watch, ..self }
+    }
+
     pub(super) fn band(&self) -> AmplitudeBand<'s> {
-        AmplitudeBand::new(self.system, self.objective, self.ends)
+        let band = AmplitudeBand::new(self.system, self.objective, self.ends);
+        band.amplitude.watched_by(self.watch);
+        band
     }
 
     /// Returns the friction for which the largest amplitude is smallest. The search covers all friction, within a bound
     /// on work.
     pub(super) fn least(band: &AmplitudeBand<'_>, work: usize) -> Result<Least, OptimumError> {
         search::least(band, work).ok_or_else(|| {
-            if band.amplitude.is_spent() {
+            if band.amplitude.is_stopped() {
+                OptimumError::Stopped
+            } else if band.amplitude.is_spent() {
                 OptimumError::TooLong
             } else {
                 OptimumError::Unbounded
@@ -106,6 +117,7 @@ impl<'s> OptimumProblem<'s> {
         band: &AmplitudeBand<'_>,
         least: &Least,
     ) -> Result<Optimum, OptimumError> {
+        let stopped = band.amplitude.end_watch();
         let largest = |friction: FrictionAmount| {
             let peaks = band.peaks(friction);
             peaks.first().map_or(f64::NAN, |peak| peak.value)
@@ -159,6 +171,7 @@ impl<'s> OptimumProblem<'s> {
             end: match least.end {
                 SearchEnd::Converged => OptimumEnd::Converged,
                 SearchEnd::Jump => OptimumEnd::Jump,
+                SearchEnd::Spent if stopped => OptimumEnd::Stopped,
                 SearchEnd::Spent => OptimumEnd::WorkSpent,
             },
             bracket: least.bracket,

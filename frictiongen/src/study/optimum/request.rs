@@ -51,6 +51,9 @@ pub enum OptimumError {
     /// [`System::optimum`](crate::study::System::optimum) reached its bound on work before it found any friction that
     /// bounds the amplitude.
     TooLong,
+    /// The caller stopped the search before it found any friction that bounds the amplitude, or that keeps the bounds on
+    /// other quantities.
+    Stopped,
     /// The interval of a varied number is invalid: not finite, without width, or with an upper bound below the lower
     /// bound.
     Interval,
@@ -94,6 +97,7 @@ impl std::fmt::Display for OptimumError {
             Self::TooLong => {
                 "the search reached its limit of work before it found a friction that bounds the amplitude; give a narrower band"
             }
+            Self::Stopped => "the search was stopped before it found a valid friction",
             Self::Interval => "both bounds of an interval must be finite, the second above the first",
             Self::Scene(error) => return error.fmt(f),
             Self::Unreachable { index, least, beta } => {

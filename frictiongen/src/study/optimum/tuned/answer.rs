@@ -24,7 +24,7 @@ pub struct TunedPoint {
     pub beta: f64,
     /// The largest amplitude over the band with this friction, in P/k₁ (in Y for base motion), with k₁ of the
     /// description. It is infinite if no friction bounds the amplitude. NaN means that the search reached its bound on
-    /// work before it found any friction.
+    /// work, or was stopped, before it found any friction.
     pub amplitude: f64,
 }
 

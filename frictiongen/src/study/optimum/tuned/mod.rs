@@ -68,4 +68,22 @@ impl System {
     ) -> Result<TunedOptimum, OptimumError> {
         TunedSearch::new(self, request, *tuning)?.solved()
     }
+
+    /// Searches as [`tuned_optimum`](Self::tuned_optimum) does, and calls `watch` after each evaluation, on several
+    /// threads. If `watch` returns false once, it must return false from then on. The search then ends with the best
+    /// result so far.
+    ///
+    /// # Errors
+    /// Same errors as [`tuned_optimum`](Self::tuned_optimum), and [`OptimumError::Stopped`] if nothing was found before
+    /// the stop.
+    #[doc(hidden)]
+    pub fn tuned_optimum_watched(
+        &self,
+        request: &OptimumRequest,
+        tuning: &Tuning,
+        watch: &(dyn Fn() -> bool + Sync),
+    ) -> Result<TunedOptimum, OptimumError> {
+        let search = TunedSearch::new(self, request, *tuning)?;
+        search.watched_by(watch).solved()
+    }
 }

@@ -5,7 +5,7 @@ use super::tried::{GroupRatios, Tried, TunedSearch, near};
 
 use crate::study::optimum::OptimumError;
 use crate::study::optimum::problem::OptimumProblem;
-use crate::study::optimum::search::{Least, WORK_OF_ONE};
+use crate::study::optimum::search::{Least, SearchEnd, WORK_OF_ONE};
 use std::sync::atomic::Ordering;
 
 /// Number of intervals of the scan over the number.
@@ -34,12 +34,25 @@ impl TunedSearch<'_> {
         });
         let scan = scan.collect();
         for again in 0..=AGAIN {
-            let best = self.best(&tried).ok_or(OptimumError::Unbounded)?;
+            let best = self.best(&tried).ok_or_else(|| {
+                if self.goes_on() {
+                    OptimumError::Unbounded
+                } else {
+                    OptimumError::Stopped
+                }
+            })?;
             let varied = self.with(best.value)?;
             let problem = OptimumProblem::new(&varied, &self.request_for(&varied))?;
+            let problem = problem.watched_by(self.watch);
             let band = problem.band();
             // This search covers all friction, not only friction near the best friction of the neighbouring values.
-            let mut least = OptimumProblem::least(&band, WORK_OF_ONE)?;
+            let mut least = match (OptimumProblem::least(&band, WORK_OF_ONE), &best.found) {
+                (Err(OptimumError::Stopped), Some(found)) => Least {
+                    end: SearchEnd::Spent,
+                    ..found.clone()
+                },
+                (least, _) => least?,
+            };
             self.count(band.amplitude.asked.get());
             if let Some(found) = best.found.clone()
                 && found.at.value < least.at.value
@@ -48,12 +61,17 @@ impl TunedSearch<'_> {
                     scan: least.scan,
                     locked_from: least.locked_from,
                     free_to: least.free_to,
+                    end: if self.goes_on() {
+                        found.end
+                    } else {
+                        SearchEnd::Spent
+                    },
                     ..found
                 };
             }
             let groups = GroupRatios::new(self.request, self.described, &varied);
             let gained = least.at.value * groups.length < best.amplitude * (1.0 - 1e-9);
-            if gained && again < AGAIN {
+            if gained && again < AGAIN && self.goes_on() {
                 tried.push(self.tried(best.value, None)?);
                 tried.sort_by(|a, b| a.value.total_cmp(&b.value));
                 continue;
@@ -146,7 +164,7 @@ impl TunedSearch<'_> {
             let left = above.value - below.value;
             let met = meeting(&below, &above);
             let enough = met.is_some_and(|(_, low)| best.amplitude - low <= GAIN * best.amplitude);
-            if left <= NEAR * width || enough {
+            if left <= NEAR * width || enough || !self.goes_on() {
                 break;
             }
             // A single branch has its minimum at the zero of its derivative. Two branches have their minimum at their

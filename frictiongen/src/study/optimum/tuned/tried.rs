@@ -2,7 +2,7 @@
 //! respect to that number.
 
 use super::answer::Tuning;
-use crate::study::optimum::amplitude::FrictionAmount;
+use crate::study::optimum::amplitude::{FrictionAmount, Watch};
 use crate::study::optimum::peaks::AmplitudeBand;
 use crate::study::optimum::problem::{OptimumProblem, equal_peaks, slope, weights};
 use crate::study::optimum::search::{self, Least, MinimumKind};
@@ -29,6 +29,7 @@ pub(super) struct TunedSearch<'s> {
     pub(super) request: &'s OptimumRequest,
     pub(super) tuning: Tuning,
     pub(super) asked: AtomicUsize,
+    pub(super) watch: Option<Watch<'s>>,
 }
 
 /// The best friction at one value of the varied number.
@@ -129,7 +130,19 @@ impl<'s> TunedSearch<'s> {
             request,
             tuning,
             asked: AtomicUsize::new(0),
+            watch: None,
         })
+    }
+
+    /// Lets the caller's function stop the search.
+    pub(super) fn watched_by(self, watch: Watch<'s>) -> Self {
+        let watch = Some(watch);
+        Self { watch, ..self }
+    }
+
+    /// Returns true if the caller has not stopped the search.
+    pub(super) fn goes_on(&self) -> bool {
+        self.watch.is_none_or(|watch| watch())
     }
 
     pub(super) fn count(&self, asked: usize) {
@@ -198,7 +211,7 @@ impl<'s> TunedSearch<'s> {
         let varied = self.with(value)?;
         let problem = match OptimumProblem::new(&varied, &self.request_for(&varied)) {
             Err(OptimumError::Undamped(_)) => return Ok(tried),
-            problem => problem?,
+            problem => problem?.watched_by(self.watch),
         };
         let groups = GroupRatios::new(self.request, self.described, &varied);
         let band = problem.band();
@@ -208,12 +221,17 @@ impl<'s> TunedSearch<'s> {
         self.count(band.amplitude.asked.get());
         let least: Least = match found {
             Err(OptimumError::Unbounded) => return Ok(tried),
-            Err(OptimumError::TooLong) => {
+            Err(OptimumError::TooLong | OptimumError::Stopped) => {
                 tried.amplitude = f64::NAN;
                 return Ok(tried);
             }
             found => found?,
         };
+        if band.amplitude.is_stopped() {
+            // An unfinished search may have missed the largest peak, so that its amplitude is a lower bound.
+            tried.amplitude = f64::NAN;
+            return Ok(tried);
+        }
         tried.amplitude = least.at.value * groups.length;
         tried.beta = least.at.beta * groups.beta;
         tried.peaks = {
