@@ -5,6 +5,7 @@ import signal
 import threading
 import time
 
+import frictiongen
 import numpy as np
 import pytest
 
@@ -63,4 +64,20 @@ def test_an_interrupt_ends_a_long_map(frame, ctrl_c):
     start = time.perf_counter()
     with pytest.raises(KeyboardInterrupt):
         frame.map(r=np.linspace(0.1, 2.5, 2000), beta=np.linspace(0.01, 1.5, 2000))
+    assert time.perf_counter() - start < 5.0
+
+
+@pytest.mark.skipif(not hasattr(signal, "pthread_kill"), reason="there are no signals to threads here")
+def test_an_interrupt_ends_a_search(ctrl_c):
+    """Checks that an interrupt ends a search for the best friction and spring, which would take several seconds."""
+    masses = ", ".join(f"m{i}: 1" for i in range(6))
+    springs = ", ".join(["base - m0: 1"] + [f"m{i} - m{i + 1}: 1" for i in range(5)])
+    tower = frictiongen.System(
+        f"struct Tower {{ masses: {{ {masses} }}, springs: {{ {springs} }}, contact: m5 - wall, excitation: base,"
+        " damping: modal(0.01), stiction: 1.2 }"
+    )
+    threading.Timer(0.3, lambda: os.kill(os.getpid(), signal.SIGINT)).start()
+    start = time.perf_counter()
+    with pytest.raises(KeyboardInterrupt):
+        tower.optimum("m5", r=(0.1, 2.2), vary=("k m0 - m1", 1.0, 2.0))
     assert time.perf_counter() - start < 5.0
