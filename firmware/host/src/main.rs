@@ -3,6 +3,7 @@
 
 use scenes::calls::{DOUBLE, INPUTS, INPUTS_SINGLE, SINGLE};
 use scenes::steps::Machine;
+use scenes::steps::images::report;
 use scenes::steps::machines::{Visitor, visit};
 use scenes::steps::script::{Tone, played};
 
@@ -25,9 +26,15 @@ impl Visitor for Ends {
 }
 
 fn main() {
-    if std::env::args().nth(1).as_deref() == Some("steps") {
-        visit(&mut Ends);
-        return;
+    match std::env::args().nth(1).as_deref() {
+        Some("steps") => return visit(&mut Ends),
+        Some("images") => {
+            if report(&mut |line| println!("{line}")).is_err() {
+                println!("WRONG: a stepper refused its input");
+            }
+            return;
+        }
+        _ => {}
     }
     for (number, call) in SINGLE.iter().enumerate() {
         for (place, input) in INPUTS_SINGLE.iter().enumerate() {

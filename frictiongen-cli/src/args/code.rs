@@ -81,6 +81,8 @@ pub struct ExpandArguments {
 pub enum ExportTarget {
     /// A static library with a header of C99.
     C,
+    /// A unit of FMI 3.0 for co-simulation.
+    Fmu,
 }
 
 /// Arguments of `frictiongen export`.
@@ -92,10 +94,11 @@ pub struct ExportArguments {
     /// Write for this language
     #[arg(long, value_enum)]
     pub to: ExportTarget,
-    /// Write the files into this folder, which the command creates if necessary
-    #[arg(short, long, value_name = "DIR")]
+    /// Write the files into this folder, which the command creates if necessary; for an FMU, write this file, whose
+    /// name ends in .fmu
+    #[arg(short, long, value_name = "OUT")]
     pub output: PathBuf,
-    /// Prefix of all names in C, and name of the header [default: the scene's name]
+    /// Prefix of all names in C and name of the header, or model identifier of the FMU [default: the scene's name]
     #[arg(long, value_name = "NAME")]
     pub name: Option<String>,
     /// Folder of the crate `frictiongen` that the library needs [default: this version from the registry]

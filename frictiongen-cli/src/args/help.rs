@@ -343,7 +343,7 @@ Exit status:
   0 without errors. Otherwise 2, with one line on standard error for each error.";
 
 pub const EXPORTS: &str = "\
-The folder is a crate of Rust without std, which cargo builds to a static library:
+With --to c the folder is a crate of Rust without std, which cargo builds to a static library:
   NAME.h          the functions, for C99 and C++, with the description, units and statuses
   src/lib.rs      the solver, and the functions of the header
   NAME.friction   the description
@@ -351,6 +351,10 @@ The folder is a crate of Rust without std, which cargo builds to a static librar
   main.c          an example, which a later export does not overwrite
   Makefile, CMakeLists.txt
 The functions are those of `provide`: limits, motion, stuck, orbit, stepper, self_check.
+
+With --to fmu the command writes an FMU for co-simulation, which FMI 3.0 defines, of a scene with
+`provide: [stepper]` and a `step`. It builds the binary for this machine with cargo. The crate stays
+in the folder NAME_fmu beside NAME.fmu.
 
 Exit status:
   0 without errors. Otherwise 2, with one line on standard error for each error.";

@@ -105,7 +105,7 @@ pub enum Command {
     Compile(CompileArguments),
     /// Print the Rust code that the macro with the feature `proof` emits for a description
     Expand(ExpandArguments),
-    /// Write a library with a C header, which contains everything that the description provides
+    /// Write a library with a C header, which contains everything that the description provides, or an FMU
     #[command(after_help = EXPORTS)]
     Export(ExportArguments),
     /// List the differences between two descriptions: parameters, natural frequencies, answers and emitted code

@@ -1,7 +1,9 @@
-//! `frictiongen export`: writes a crate with a C header, which solves the scene of a description for a program in C.
+//! `frictiongen export`: writes a crate with a C header, which solves the scene of a description for a program in C, or
+//! an FMU.
 
 mod face;
 mod files;
+mod fmu;
 mod header;
 mod names;
 mod room;
@@ -26,26 +28,54 @@ use std::path::{Path, PathBuf};
 /// Items of `provide` of which an export has functions.
 const EXPORTED: &str = "limits, motion, stuck, orbit, stepper or self_check";
 
+/// A checked request.
+struct Asked<'a> {
+    arguments: &'a ExportArguments,
+    description: &'a Description,
+    /// Begins the names in C.
+    prefix: &'a str,
+    /// Text of the description, and the command.
+    origin: Origin<'a>,
+    /// Folder of the crate `frictiongen`, if it is not that of the registry.
+    library: Option<&'a Path>,
+}
+
 /// Runs `frictiongen export`.
 pub fn run(arguments: &ExportArguments, _out: &mut dyn Write) -> Result<(), Failure> {
-    let ExportTarget::C = arguments.to;
     // The command rejects every description that the macro rejects, because the exported crate calls the macro.
     let (description, text) = arguments.file.exported(&Limits::MACRO)?;
-    let scene = &description.scene;
     check_facade(&description)?;
-    let prefix = names::prefix(scene, arguments.name.as_deref())?;
-    let face = face_of(&description)?;
+    let prefix = names::prefix(&description.scene, arguments.name.as_deref())?;
     let library = arguments.library.as_deref().map(library).transpose()?;
-    let folder = &arguments.output;
-    let source = arguments.file.path();
-    let all = files(&description, (&face, &prefix), (arguments, &text, library));
-    fs::create_dir_all(folder.join("src")).map_err(|error| {
-        Failure::new(format_args!(
-            "cannot write the folder {}: {}",
-            folder.display(),
-            reason(&error)
-        ))
-    })?;
+    let (to, write): (_, fn(&Asked<'_>) -> _) = match arguments.to {
+        ExportTarget::C => ("c", write_c),
+        ExportTarget::Fmu => ("fmu", fmu::run),
+    };
+    let command = format!(
+        "frictiongen export {} --to {to}",
+        command::description(&arguments.file)
+    );
+    write(&Asked {
+        arguments,
+        description: &description,
+        prefix: &prefix,
+        origin: Origin {
+            description: &text,
+            command: &command,
+        },
+        library: library.as_deref(),
+    })
+}
+
+/// Writes the crate with a C header.
+fn write_c(asked: &Asked<'_>) -> Result<(), Failure> {
+    let (prefix, folder) = (asked.prefix, &asked.arguments.output);
+    let scene = &asked.description.scene;
+    names::check_header(prefix)?;
+    let face = face_of(asked.description)?;
+    let source = asked.arguments.file.path();
+    let all = files(asked, &face);
+    create(&folder.join("src"))?;
     // The description inside the folder may be the file that was read.
     let copy = folder.join(format!("{prefix}.friction"));
     let is_same = source.is_some_and(|source| same(source, &copy));
@@ -61,7 +91,7 @@ pub fn run(arguments: &ExportArguments, _out: &mut dyn Write) -> Result<(), Fail
         write_file(
             &example,
             source,
-            &files::example(scene, (&prefix, real(scene))),
+            &files::example(scene, (prefix, real(scene))),
         )?;
     }
     if scene.provides(&Provide::Simulation) {
@@ -77,44 +107,47 @@ pub fn run(arguments: &ExportArguments, _out: &mut dyn Write) -> Result<(), Fail
     Ok(())
 }
 
+/// Creates a folder and the folders around it.
+fn create(folder: &Path) -> Result<(), Failure> {
+    fs::create_dir_all(folder).map_err(|error| {
+        Failure::new(format_args!(
+            "cannot write the folder {}: {}",
+            folder.display(),
+            reason(&error)
+        ))
+    })
+}
+
 fn same(one: &Path, other: &Path) -> bool {
     matches!((fs::canonicalize(one), fs::canonicalize(other)), (Ok(one), Ok(other)) if one == other)
 }
 
 /// Returns the names and texts of all files that the command overwrites.
-fn files(
-    description: &Description,
-    (face, prefix): (&Face, &str),
-    (arguments, text, library): (&ExportArguments, &str, Option<PathBuf>),
-) -> Vec<(PathBuf, String)> {
-    let scene = &description.scene;
-    let command = format!(
-        "frictiongen export {} --to c",
-        command::description(&arguments.file)
-    );
-    let origin = Origin {
-        description: text,
-        command: &command,
-    };
+fn files(asked: &Asked<'_>, face: &Face) -> Vec<(PathBuf, String)> {
+    let scene = &asked.description.scene;
+    let (prefix, origin) = (asked.prefix, &asked.origin);
     let real = real(scene);
     let scalar = match scene.precision {
         Precision::F64 => "f64",
         Precision::F32 => "f32",
     };
-    let name = description.name.to_string();
+    let name = asked.description.name.to_string();
     let head = origin.rust_head(scene);
     let header = header::header(face, scene, (prefix, &origin.c_comment(scene), real));
-    let folder = &arguments.output;
+    let folder = &asked.arguments.output;
     vec![
         (folder.join(format!("{prefix}.h")), header),
-        (folder.join(format!("{prefix}.friction")), text.to_owned()),
+        (
+            folder.join(format!("{prefix}.friction")),
+            origin.description.to_owned(),
+        ),
         (
             folder.join("src").join("lib.rs"),
             rust::library(face, &head, (prefix, &name, scalar)),
         ),
         (
             folder.join("Cargo.toml"),
-            files::manifest(prefix, library.as_deref()),
+            files::manifest(prefix, asked.library),
         ),
         (folder.join("Makefile"), files::makefile(prefix)),
         (folder.join("CMakeLists.txt"), files::cmake(prefix)),

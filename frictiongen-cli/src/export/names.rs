@@ -26,12 +26,17 @@ pub fn prefix(scene: &Scene, given: Option<&str>) -> Result<String, Failure> {
             "{origin} `{name}`, which cannot begin a name in C; write --name with letters, digits and underscores, for example --name frame"
         )));
     }
-    if TAKEN.contains(&name.as_str()) {
+    Ok(name)
+}
+
+/// Fails if the header would hide one of the C library.
+pub fn check_header(name: &str) -> Result<(), Failure> {
+    if TAKEN.contains(&name) {
         return Err(Failure::new(format_args!(
             "{name}.h is a header of the C library; give the files another name, for example --name my_{name}"
         )));
     }
-    Ok(name)
+    Ok(())
 }
 
 /// Returns the name of a mass as the field of a struct.  A name with letters outside ASCII is replaced by the number of

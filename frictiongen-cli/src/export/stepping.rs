@@ -40,7 +40,7 @@ pub fn add(face: &mut Face, scene: &Scene, name: &str) {
 }
 
 /// Returns the fields of an input in C, with the fields of the Rust type.
-fn inputs(scene: &Scene, shape: &StepperShape) -> Vec<(Field, String)> {
+pub fn inputs(scene: &Scene, shape: &StepperShape) -> Vec<(Field, String)> {
     let mut fields = Vec::new();
     let mut add = |name: String, inner: &str, about: String| {
         fields.push((Field::new(name, Kind::Real, about), inner.to_owned()));

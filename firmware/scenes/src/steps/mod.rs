@@ -1,5 +1,6 @@
 //! The real-time stepper: scenes, their loads, and a common interface of their steps.
 
+pub mod images;
 pub mod machines;
 pub mod script;
 

@@ -1,0 +1,393 @@
+//! An instance of the FMU: its variables, its steps and its state.
+
+use crate::inputs::between;
+use crate::scene::{self, DT, INPUTS, Kind, MASSES, OUTPUTS, SETTABLE, STICTION, Stepper};
+
+/// Status of FMI 3.0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Status {
+    Ok = 0,
+    /// The call changed nothing.
+    Discard = 2,
+    /// The importer broke a rule of the standard.  The call changed nothing.
+    Error = 3,
+}
+
+/// A call that failed, with the message for the importer.
+#[derive(Debug)]
+pub struct Refusal {
+    pub status: Status,
+    pub text: String,
+}
+
+impl Refusal {
+    pub fn error(text: String) -> Self {
+        Self {
+            status: Status::Error,
+            text,
+        }
+    }
+
+    pub fn null() -> Self {
+        Self::error("a pointer is null".to_owned())
+    }
+
+    pub fn missing(function: &str) -> Self {
+        Self::error(format!(
+            "the FMU does not provide {function}, as modelDescription.xml says"
+        ))
+    }
+
+    fn discard(text: String) -> Self {
+        Self {
+            status: Status::Discard,
+            text,
+        }
+    }
+}
+
+/// An instance: its state, and where its messages go.
+pub struct Instance {
+    log: Box<dyn Fn(Status, &str)>,
+    pub state: State,
+}
+
+impl Instance {
+    pub fn new(log: impl Fn(Status, &str) + 'static) -> Self {
+        Self {
+            log: Box::new(log),
+            state: State::new(),
+        }
+    }
+
+    pub fn log(&self, refusal: &Refusal) {
+        (self.log)(refusal.status, &refusal.text);
+    }
+}
+
+/// Modes of the standard.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Phase {
+    Instantiated = 0,
+    Initialization = 1,
+    Step = 2,
+    Terminated = 3,
+}
+
+/// Everything that changes during a simulation.
+#[derive(Clone)]
+pub struct State {
+    pub phase: Phase,
+    /// Times of start and stop, s.
+    pub start: f64,
+    pub stop: f64,
+    /// Inputs, stiction, and initial displacements and velocities.
+    pub values: [f64; SETTABLE],
+    /// Inputs at the end of the last step.
+    pub last: [f64; INPUTS],
+    /// Events of the last call of fmi3DoStep.
+    pub events: u64,
+    /// The stepper, once the initialization has ended.
+    pub stepper: Option<Stepper>,
+}
+
+/// First value references of outputs: reals, then a flag, a direction and two counts.
+const FIRST_OUTPUT: usize = 1 + SETTABLE;
+const STICKS: usize = FIRST_OUTPUT + OUTPUTS.len();
+const DIRECTION: usize = STICKS + 1;
+const EVENTS: usize = STICKS + 2;
+const EXCEEDED: usize = STICKS + 3;
+
+impl State {
+    pub fn new() -> Self {
+        Self {
+            phase: Phase::Instantiated,
+            start: 0.0,
+            stop: f64::INFINITY,
+            values: scene::VARIABLES.map(|variable| variable.start),
+            last: [0.0; INPUTS],
+            events: 0,
+            stepper: None,
+        }
+    }
+
+    fn demand(&self, phase: Phase, call: &str) -> Result<(), Refusal> {
+        if self.phase == phase {
+            return Ok(());
+        }
+        Err(Refusal::error(format!(
+            "{call} is not allowed in the mode {:?}; call it in the mode {phase:?}",
+            self.phase
+        )))
+    }
+
+    pub fn enter(&mut self, start: f64, stop: f64) -> Result<(), Refusal> {
+        self.demand(Phase::Instantiated, "fmi3EnterInitializationMode")?;
+        if !start.is_finite() || stop.is_nan() {
+            return Err(Refusal::error(format!(
+                "the start time is {start} s and the stop time {stop} s; give numbers"
+            )));
+        }
+        (self.start, self.stop, self.phase) = (start, stop, Phase::Initialization);
+        Ok(())
+    }
+
+    pub fn begin(&mut self) -> Result<(), Refusal> {
+        self.demand(Phase::Initialization, "fmi3ExitInitializationMode")?;
+        self.stepper = Some(self.started()?);
+        self.last = self.inputs();
+        self.phase = Phase::Step;
+        Ok(())
+    }
+
+    pub fn terminate(&mut self) -> Result<(), Refusal> {
+        self.demand(Phase::Step, "fmi3Terminate")?;
+        self.phase = Phase::Terminated;
+        Ok(())
+    }
+
+    fn inputs(&self) -> [f64; INPUTS] {
+        std::array::from_fn(|index| self.values[index])
+    }
+
+    /// Returns a stepper at the start, with the present values of all variables.
+    fn started(&self) -> Result<Stepper, Refusal> {
+        let initial = &self.values[STICTION + 1..];
+        let refused = |error| {
+            Refusal::discard(format!(
+                "{error}; the variables are {}",
+                self.told(0..SETTABLE)
+            ))
+        };
+        let mut stepper = scene::start(
+            std::array::from_fn::<_, MASSES, _>(|mass| initial[2 * mass]),
+            std::array::from_fn::<_, MASSES, _>(|mass| initial[2 * mass + 1]),
+        )
+        .map_err(refused)?;
+        stepper
+            .set_stiction(scene::real(self.values[STICTION]))
+            .map_err(refused)?;
+        stepper
+            .begin(scene::input(&self.inputs()))
+            .map_err(refused)?;
+        Ok(stepper)
+    }
+
+    /// Returns names and values of variables for a message.
+    fn told(&self, range: std::ops::Range<usize>) -> String {
+        let variables = scene::VARIABLES[range.clone()]
+            .iter()
+            .zip(&self.values[range]);
+        let texts = variables
+            .map(|(variable, value)| format!("{} = {value:?} {}", variable.name, variable.unit));
+        texts
+            .map(|text| text.trim_end().to_owned())
+            .collect::<Vec<_>>()
+            .join(", ")
+    }
+
+    /// Calls a function with the stepper.  Before the first step this is a stepper at the start.
+    fn with<R>(&self, call: impl FnOnce(&Stepper) -> R) -> Result<R, Refusal> {
+        match &self.stepper {
+            Some(stepper) => Ok(call(stepper)),
+            None => Ok(call(&self.started()?)),
+        }
+    }
+
+    /// Returns the time of the last communication point, s.
+    pub fn time(&self) -> f64 {
+        let steps = self.stepper.as_ref().map_or(0, |stepper| stepper.steps());
+        self.start + steps as f64 * DT
+    }
+
+    /// Advances by whole steps.  A refusal changes nothing.
+    pub fn advance(&mut self, now: f64, length: f64) -> Result<(), Refusal> {
+        self.demand(Phase::Step, "fmi3DoStep")?;
+        let time = self.time();
+        if !((now - time).abs() < 0.5 * DT) {
+            return Err(Refusal::error(format!(
+                "the communication point is {now} s, but the FMU is at {time} s; restore a state for another time"
+            )));
+        }
+        let count = (length / DT).round();
+        if !(1.0 <= count && count < 1e12 && (length - count * DT).abs() <= 1e-3 * DT) {
+            return Err(Refusal::error(format!(
+                "the communication step is {length} s; give a multiple of the step {DT} s of the description"
+            )));
+        }
+        if self.stop + 0.5 * DT < time + count * DT {
+            return Err(Refusal::error(format!(
+                "a step of {length} s from {time} s passes the stop time {} s",
+                self.stop
+            )));
+        }
+        let before = (count > 1.0).then(|| self.stepper.clone());
+        let events = self.steps(count as u64);
+        match events {
+            Ok(events) => {
+                (self.events, self.last) = (events, self.inputs());
+                Ok(())
+            }
+            Err(text) => {
+                if let Some(before) = before {
+                    self.stepper = before;
+                }
+                Err(Refusal::discard(format!(
+                    "{text}; the inputs are {}",
+                    self.told(0..INPUTS)
+                )))
+            }
+        }
+    }
+
+    /// Takes steps.  Returns the number of events, or the reason why a step failed.
+    fn steps(&mut self, count: u64) -> Result<u64, String> {
+        let (last, inputs) = (self.last, self.inputs());
+        let stepper = self.stepper.as_mut().ok_or("the FMU has no stepper")?;
+        let mut events = 0;
+        for index in 1..=count {
+            let sample = between(&last, &inputs, index, count);
+            let stepped = stepper
+                .advance(scene::input(&sample))
+                .map_err(|error| error.to_string())?;
+            events += u64::from(stepped.events);
+        }
+        Ok(events)
+    }
+
+    pub fn reals(&self, references: &[u32], values: &mut [f64]) -> Result<(), Refusal> {
+        let numbers = self.with(scene::outputs)?;
+        read(references, values, |reference| match reference {
+            0 => Some(self.time()),
+            _ if reference < FIRST_OUTPUT => self.values.get(reference - 1).copied(),
+            _ => numbers.get(reference - FIRST_OUTPUT).copied(),
+        })
+    }
+
+    pub fn flags(&self, references: &[u32], values: &mut [bool]) -> Result<(), Refusal> {
+        let direction = self.with(scene::direction)?;
+        read(references, values, |reference| {
+            (reference == STICKS).then_some(direction == 0)
+        })
+    }
+
+    pub fn directions(&self, references: &[u32], values: &mut [i32]) -> Result<(), Refusal> {
+        let direction = self.with(scene::direction)?;
+        read(references, values, |reference| {
+            (reference == DIRECTION).then_some(direction)
+        })
+    }
+
+    pub fn counts(&self, references: &[u32], values: &mut [u64]) -> Result<(), Refusal> {
+        let exceeded = self.with(|stepper| stepper.exceeded())?;
+        read(references, values, |reference| match reference {
+            EVENTS => Some(self.events),
+            EXCEEDED => Some(exceeded),
+            _ => None,
+        })
+    }
+
+    /// Serves a type without variables.
+    pub fn none<T: Copy>(&self, references: &[u32], values: &mut [T]) -> Result<(), Refusal> {
+        read(references, values, |_| None)
+    }
+
+    /// Sets variables, or none of them after a refusal.
+    pub fn set_reals(&mut self, references: &[u32], values: &[f64]) -> Result<(), Refusal> {
+        same_length(references, values)?;
+        let mut next = self.values;
+        for (reference, value) in references.iter().zip(values) {
+            let index = (*reference as usize).wrapping_sub(1);
+            let (Some(variable), Some(place)) = (scene::VARIABLES.get(index), next.get_mut(index))
+            else {
+                return Err(Refusal::error(format!(
+                    "the variable with the value reference {reference} cannot be set"
+                )));
+            };
+            let allowed = match self.phase {
+                Phase::Instantiated | Phase::Initialization => true,
+                Phase::Step => variable.kind != Kind::Initial,
+                Phase::Terminated => false,
+            };
+            if !allowed {
+                return Err(Refusal::error(format!(
+                    "{} cannot be set in the mode {:?}",
+                    variable.name, self.phase
+                )));
+            }
+            let finite = value.is_finite() && scene::real(*value).is_finite();
+            if !(finite && variable.least <= *value) {
+                let least = if variable.least.is_finite() {
+                    format!(" of at least {}", variable.least)
+                } else {
+                    String::new()
+                };
+                return Err(Refusal::discard(format!(
+                    "{} is {value:?}; give a finite number{least}",
+                    variable.name
+                )));
+            }
+            *place = *value;
+        }
+        let stiction = next[STICTION];
+        if let Some(stepper) = self
+            .stepper
+            .as_mut()
+            .filter(|_| stiction != self.values[STICTION])
+        {
+            let refused = |error| {
+                Refusal::discard(format!(
+                    "{error}; {} is {stiction:?}",
+                    scene::VARIABLES[STICTION].name
+                ))
+            };
+            stepper
+                .set_stiction(scene::real(stiction))
+                .map_err(refused)?;
+        }
+        self.values = next;
+        Ok(())
+    }
+
+    /// Serves a type without variables that can be set.
+    pub fn refuse_to_set<T>(&mut self, references: &[u32], values: &[T]) -> Result<(), Refusal> {
+        same_length(references, values)?;
+        match references.first() {
+            None => Ok(()),
+            Some(reference) => Err(Refusal::error(format!(
+                "the variable with the value reference {reference} cannot be set"
+            ))),
+        }
+    }
+}
+
+fn same_length<T>(references: &[u32], values: &[T]) -> Result<(), Refusal> {
+    if references.len() == values.len() {
+        return Ok(());
+    }
+    Err(Refusal::error(format!(
+        "the call has {} value references, but {} values; every variable is one number",
+        references.len(),
+        values.len()
+    )))
+}
+
+/// Reads variables, or none of them after a refusal.
+fn read<T: Copy>(
+    references: &[u32],
+    values: &mut [T],
+    of: impl Fn(usize) -> Option<T>,
+) -> Result<(), Refusal> {
+    same_length(references, values)?;
+    let unknown = |reference: &u32| {
+        Refusal::error(format!(
+            "the value reference {reference} is not that of a variable of this type"
+        ))
+    };
+    let found = references
+        .iter()
+        .map(|reference| of(*reference as usize).ok_or_else(|| unknown(reference)));
+    let found = found.collect::<Result<Vec<T>, Refusal>>()?;
+    values.copy_from_slice(&found);
+    Ok(())
+}

@@ -1,0 +1,107 @@
+//! Writes a zip archive without compression.
+
+/// A file of an archive.
+struct Entry {
+    name: String,
+    checksum: u32,
+    size: u32,
+    offset: u32,
+}
+
+/// An archive in memory.
+#[derive(Default)]
+pub struct Archive {
+    bytes: Vec<u8>,
+    entries: Vec<Entry>,
+}
+
+/// Signatures of the three kinds of headers.
+const LOCAL: u32 = 0x0403_4b50;
+const CENTRAL: u32 = 0x0201_4b50;
+const END: u32 = 0x0605_4b50;
+/// Version 1.0 of the format suffices to read the archive.
+const VERSION: u16 = 10;
+/// Names are in UTF-8.
+const FLAGS: u16 = 1 << 11;
+/// 1 January 1980 at midnight, the first date of the format. The same scene therefore gives the same bytes.
+const TIME: u16 = 0;
+const DATE: u16 = (1 << 5) | 1;
+
+impl Archive {
+    /// Adds a file.
+    pub fn add(&mut self, name: &str, contents: &[u8]) {
+        let entry = Entry {
+            name: name.to_owned(),
+            checksum: checksum(contents),
+            size: bounded(contents.len()),
+            offset: bounded(self.bytes.len()),
+        };
+        self.double(LOCAL);
+        self.common(&entry);
+        self.bytes.extend(name.as_bytes());
+        self.bytes.extend(contents);
+        self.entries.push(entry);
+    }
+
+    /// Returns the bytes of the archive.
+    pub fn finish(mut self) -> Vec<u8> {
+        let start = self.bytes.len();
+        let entries = std::mem::take(&mut self.entries);
+        for entry in &entries {
+            self.double(CENTRAL);
+            self.word(VERSION);
+            self.common(entry);
+            // No comment, first volume, no internal attributes, no external attributes.
+            for _ in 0..3 {
+                self.word(0);
+            }
+            self.double(0);
+            self.double(entry.offset);
+            self.bytes.extend(entry.name.as_bytes());
+        }
+        let size = self.bytes.len() - start;
+        let count = u16::try_from(entries.len()).unwrap_or(u16::MAX);
+        self.double(END);
+        self.word(0);
+        self.word(0);
+        self.word(count);
+        self.word(count);
+        self.double(bounded(size));
+        self.double(bounded(start));
+        self.word(0);
+        self.bytes
+    }
+
+    /// Writes the fields that both headers of a file have.
+    fn common(&mut self, entry: &Entry) {
+        // The third number is the method: stored without compression.
+        for word in [VERSION, FLAGS, 0, TIME, DATE] {
+            self.word(word);
+        }
+        for double in [entry.checksum, entry.size, entry.size] {
+            self.double(double);
+        }
+        self.word(u16::try_from(entry.name.len()).unwrap_or(u16::MAX));
+        self.word(0);
+    }
+
+    fn word(&mut self, word: u16) {
+        self.bytes.extend(word.to_le_bytes());
+    }
+
+    fn double(&mut self, double: u32) {
+        self.bytes.extend(double.to_le_bytes());
+    }
+}
+
+/// A binary has megabytes, the format permits four gigabytes.
+fn bounded(size: usize) -> u32 {
+    u32::try_from(size).unwrap_or(u32::MAX)
+}
+
+/// Returns the CRC-32 of the format.
+pub(super) fn checksum(bytes: &[u8]) -> u32 {
+    let step = |sum: u32, _: u32| (sum >> 1) ^ (0xedb8_8320 & (sum & 1).wrapping_neg());
+    let byte = |sum: u32, byte: &u8| (0..8).fold(sum ^ u32::from(*byte), step);
+    !bytes.iter().fold(u32::MAX, byte)
+}

@@ -1,0 +1,141 @@
+//! Writes `modelDescription.xml`.
+
+use super::variables::{Kind, Variables};
+use frictiongen::study::scene::Scene;
+
+/// Units with their exponents of kg, m and s.
+const UNITS: [(&str, &str); 5] = [
+    ("N", "kg=\"1\" m=\"1\" s=\"-2\""),
+    ("m", "m=\"1\""),
+    ("m/s", "m=\"1\" s=\"-1\""),
+    ("J", "kg=\"1\" m=\"2\" s=\"-2\""),
+    ("s", "s=\"1\""),
+];
+
+/// Writes the description of an FMU. `identifier` is the name of its binary without the extension. `step` is the step
+/// as the binary computes with it.
+pub fn write(
+    scene: &Scene,
+    variables: &Variables,
+    (identifier, token, step): (&str, &str, f64),
+) -> String {
+    let convention = if is_structured(variables) {
+        "structured"
+    } else {
+        "flat"
+    };
+    let units = UNITS.map(|(name, base)| {
+        format!("    <Unit name=\"{name}\">\n      <BaseUnit {base}/>\n    </Unit>\n")
+    });
+    let (listed, outputs) = listed(variables);
+    let structure = ["Output", "InitialUnknown"].map(|kind| {
+        let lines = outputs.clone();
+        lines
+            .map(|reference| format!("    <{kind} valueReference=\"{reference}\"/>\n"))
+            .collect::<String>()
+    });
+    format!(
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n\
+         <fmiModelDescription\n  fmiVersion=\"3.0\"\n  modelName=\"{name}\"\n  instantiationToken=\"{token}\"\n  \
+         description=\"Stepper of a chain with a friction contact\"\n  generationTool=\"frictiongen {version}\"\n  \
+         variableNamingConvention=\"{convention}\">\n  \
+         <CoSimulation\n    modelIdentifier=\"{identifier}\"\n    fixedInternalStepSize=\"{step:?}\"\n    \
+         canHandleVariableCommunicationStepSize=\"false\"\n    canGetAndSetFMUState=\"true\"\n    \
+         canSerializeFMUState=\"true\"/>\n  \
+         <UnitDefinitions>\n{units}  </UnitDefinitions>\n  \
+         <LogCategories>\n    <Category name=\"logStatusDiscard\"/>\n    <Category name=\"logStatusError\"/>\n  </LogCategories>\n  \
+         <DefaultExperiment startTime=\"0\" stepSize=\"{step:?}\"/>\n  \
+         <ModelVariables>\n{listed}  </ModelVariables>\n  \
+         <ModelStructure>\n{structure}  </ModelStructure>\n</fmiModelDescription>\n",
+        name = escaped(&scene.name),
+        version = env!("CARGO_PKG_VERSION"),
+        units = units.concat(),
+        structure = structure.concat(),
+    )
+}
+
+/// Writes all variables. Also returns the value references of the outputs.
+fn listed(variables: &Variables) -> (String, std::ops::Range<usize>) {
+    let mut text = variable(
+        "Float64",
+        (0, "time", "time"),
+        "causality=\"independent\" variability=\"continuous\" unit=\"s\"",
+    );
+    for (index, of) in variables.settable.iter().enumerate() {
+        let causality = match of.kind {
+            Kind::Input => "causality=\"input\" variability=\"continuous\"",
+            Kind::Tunable => "causality=\"parameter\" variability=\"tunable\"",
+            Kind::Initial => "causality=\"parameter\" variability=\"fixed\"",
+        };
+        let least = of
+            .least
+            .map_or(String::new(), |least| format!(" min=\"{least:?}\""));
+        let unit = match of.unit {
+            "" => String::new(),
+            unit => format!(" unit=\"{unit}\""),
+        };
+        let more = format!("{causality} start=\"{:?}\"{unit}{least}", of.start);
+        text.push_str(&variable(
+            "Float64",
+            (index + 1, &of.name, &of.about),
+            &more,
+        ));
+    }
+    let first = variables.settable.len() + 1;
+    for (index, of) in variables.outputs.iter().enumerate() {
+        let more = format!(
+            "causality=\"output\" variability=\"continuous\" initial=\"calculated\" unit=\"{}\"",
+            of.unit
+        );
+        text.push_str(&variable(
+            "Float64",
+            (first + index, &of.name, &of.about),
+            &more,
+        ));
+    }
+    let rest = first + variables.outputs.len();
+    let discrete = [
+        ("Boolean", "contact.sticks", "true while the contact sticks"),
+        (
+            "Int32",
+            "contact.direction",
+            "0 while the contact sticks, otherwise the sign of its velocity",
+        ),
+        (
+            "UInt64",
+            "contact.events",
+            "number of stops, break-aways and reversals in the last communication step",
+        ),
+        (
+            "UInt64",
+            "contact.exceeded",
+            "number of steps since the start that reached the bound on events",
+        ),
+    ];
+    for (index, (kind, name, about)) in discrete.into_iter().enumerate() {
+        let more = "causality=\"output\" variability=\"discrete\" initial=\"calculated\"";
+        text.push_str(&variable(kind, (rest + index, name, about), more));
+    }
+    (text, first..rest + discrete.len())
+}
+
+fn variable(kind: &str, (reference, name, about): (usize, &str, &str), more: &str) -> String {
+    format!(
+        "    <{kind} name=\"{}\" valueReference=\"{reference}\" {more} description=\"{}\"/>\n",
+        escaped(name),
+        escaped(about)
+    )
+}
+
+/// Returns true if every name is of the standard's structured form, `a.b` in ASCII.
+fn is_structured(variables: &Variables) -> bool {
+    let mut names = variables.outputs.iter().map(|output| &output.name);
+    names.all(|name| name.is_ascii())
+}
+
+/// Escapes a text for an attribute. Names of a description have no marks that XML reserves, but comments may.
+fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;")
+        .replace('<', "&lt;")
+        .replace('"', "&quot;")
+}

@@ -1,0 +1,93 @@
+//! Writes the crate of an FMU.
+
+use super::variables::{Kind, Variables};
+use frictiongen::study::scene::{Excitation, Precision, Scene, StepInput};
+
+/// Files that are the same for every scene.
+pub const FIXED: [(&str, &str); 5] = [
+    ("src/fmi3.rs", include_str!("../../../fmu/fmi3.rs")),
+    ("src/inputs.rs", include_str!("../../../fmu/inputs.rs")),
+    ("src/instance.rs", include_str!("../../../fmu/instance.rs")),
+    ("src/missing.rs", include_str!("../../../fmu/missing.rs")),
+    ("src/saved.rs", include_str!("../../../fmu/saved.rs")),
+];
+
+/// Writes `src/lib.rs`.
+pub fn library(head: &str, prefix: &str) -> String {
+    format!(
+        "{head}//\n// `scene.rs` has the variables of the scene.  The other modules are the same for every scene.\n\
+         #![deny(unsafe_code)]\n#![allow(missing_docs, dead_code, non_snake_case, clippy::all)]\n\n\
+         frictiongen::friction_system!(\"{prefix}.friction\");\n\n\
+         #[allow(unsafe_code)]\nmod fmi3;\nmod inputs;\nmod instance;\n#[allow(unsafe_code)]\nmod missing;\nmod saved;\nmod scene;\n"
+    )
+}
+
+/// Writes `src/scene.rs`. `name` is the scene's type.
+pub fn scene(scene: &Scene, variables: &Variables, (name, token): (&str, &str)) -> String {
+    let scalar = match scene.precision {
+        Precision::F64 => "f64",
+        Precision::F32 => "f32",
+    };
+    let inputs = variables.fields.len();
+    let settable = variables.settable.iter().map(|of| {
+        let kind = match of.kind {
+            Kind::Input => "Input",
+            Kind::Tunable => "Tunable",
+            Kind::Initial => "Initial",
+        };
+        let least = of
+            .least
+            .map_or("f64::NEG_INFINITY".to_owned(), |least| format!("{least:?}"));
+        format!(
+            "    Variable {{ name: {:?}, unit: {:?}, kind: Kind::{kind}, start: {:?}, least: {least} }},\n",
+            of.name, of.unit, of.start
+        )
+    });
+    let fields = variables.fields.iter().enumerate();
+    let fields = fields.map(|(index, field)| format!("        {field}: real(values[{index}]),\n"));
+    let names = variables
+        .outputs
+        .iter()
+        .map(|of| format!("    {:?},\n", of.name));
+    let values = variables
+        .outputs
+        .iter()
+        .map(|of| format!("        f64::from({}),\n", of.value));
+    format!(
+        "//! The variables of the scene.\n\n\
+         use super::{{{name} as Scene, {name}Input as Input}};\nuse frictiongen::OutOfDomain;\n\
+         use frictiongen::answer::Contact;\n\n\
+         pub(crate) type Stepper = super::{name}Stepper;\n\n\
+         /// The token of modelDescription.xml.\npub const TOKEN: &str = {token:?};\n\
+         pub const HASH: u64 = Scene::SCENE_HASH;\n/// Length of a step, s.\npub const DT: f64 = Scene::STEP as f64;\n\
+         /// True if the inputs act during a step, false if they act at its end.\npub const HOLD: bool = {hold};\n\
+         /// True if the first two inputs are displacement and velocity of the base.\npub const ON_BASE: bool = {on_base};\n\
+         pub const MASSES: usize = {masses};\npub const INPUTS: usize = {inputs};\n\
+         /// Place of stiction among the variables.\npub const STICTION: usize = INPUTS;\n\
+         pub const SETTABLE: usize = INPUTS + 1 + 2 * MASSES;\n\n\
+         #[derive(Clone, Copy, Debug, PartialEq, Eq)]\npub enum Kind {{\n    Input,\n    Tunable,\n    Initial,\n}}\n\n\
+         pub struct Variable {{\n    pub name: &'static str,\n    pub unit: &'static str,\n    pub kind: Kind,\n    \
+         pub start: f64,\n    pub least: f64,\n}}\n\n\
+         pub const VARIABLES: [Variable; SETTABLE] = [\n{settable}];\n\n\
+         pub const OUTPUTS: [&str; {outputs}] = [\n{names}];\n\n\
+         /// Returns a number in the scene's scalar.\npub fn real(value: f64) -> {scalar} {{\n    value as {scalar}\n}}\n\n\
+         pub(crate) fn input(values: &[f64; INPUTS]) -> Input {{\n    Input {{\n{fields}    }}\n}}\n\n\
+         pub(crate) fn start(displacements: [f64; MASSES], velocities: [f64; MASSES]) -> Result<Stepper, OutOfDomain> {{\n    \
+         let (displacements, velocities) = (displacements.map(real), velocities.map(real));\n    \
+         Scene::stepper_from(Scene::STEP, (&displacements, &velocities))\n}}\n\n\
+         pub(crate) fn restored(image: &[u8; Stepper::IMAGE]) -> Result<Stepper, OutOfDomain> {{\n    \
+         Scene::stepper_from_image(image)\n}}\n\n\
+         pub(crate) fn outputs(stepper: &Stepper) -> [f64; OUTPUTS.len()] {{\n    \
+         let (contact, work) = (stepper.contact(), stepper.work());\n    [\n{values}    ]\n}}\n\n\
+         pub(crate) fn direction(stepper: &Stepper) -> i32 {{\n    match stepper.contact().contact() {{\n        \
+         Contact::Stuck => 0,\n        Contact::Forward => 1,\n        Contact::Backward => -1,\n    }}\n}}\n",
+        hold = scene.stepping.input == StepInput::Hold,
+        on_base = scene.excitation == Excitation::Base,
+        masses = scene.masses.len(),
+        outputs = variables.outputs.len(),
+        settable = settable.collect::<String>(),
+        names = names.collect::<String>(),
+        fields = fields.collect::<String>(),
+        values = values.collect::<String>(),
+    )
+}

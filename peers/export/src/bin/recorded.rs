@@ -1,0 +1,93 @@
+//! Runs a stepper under random inputs, and prints inputs and results as CSV, with the names of an FMU's variables.
+//!
+//! Arguments: the scene (`shaken`, `pushed` or `held`), and the number of steps. `scripts/fmu` repeats the run.
+
+frictiongen::friction_system!("shaken.friction");
+frictiongen::friction_system!("pushed.friction");
+frictiongen::friction_system!("held.friction");
+
+/// Random numbers by xorshift (Marsaglia 2003).
+struct Random(u64);
+
+impl Random {
+    /// Returns a number between -1 and 1 with 24 bits, which both scalars represent exactly.
+    fn signed(&mut self) -> f64 {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        (self.0 >> 40) as f64 / 8_388_608.0 - 1.0
+    }
+}
+
+/// Runs one scene from an initial state. Each input has its name in the FMU, its field and its scale.
+macro_rules! run {
+    (
+        $scene:ident, $input:ident, $steps:expr, $real:ty,
+        [$($name:literal: $field:ident * $scale:expr),*], [$($mass:ident),*]
+    ) => {{
+        let mut names: Vec<String> = vec![$($name.to_owned(),)* "friction".to_owned()];
+        $(names.extend(["displacement", "velocity"].map(|what| format!("{}.{what}", stringify!($mass))));)*
+        names.extend(["displacement", "velocity", "force"].map(|what| format!("contact.{what}")));
+        names.extend(["load", "friction", "damping", "stored"].map(|what| format!("work.{what}")));
+        names.extend(["sticks", "direction", "events", "exceeded"].map(|what| format!("contact.{what}")));
+        println!("{}", names.join(","));
+        let mut random = Random(88_172_645_463_325_252);
+        let mut input = || $input {
+            $($field: (random.signed() * $scale) as $real,)*
+            friction: (4.0 + 4.0 * random.signed()) as $real,
+        };
+        let start = [$(stringify!($mass)),*].map(|mass| 1e-3 * mass.len() as $real);
+        let mut stepper = $scene::stepper_from($scene::STEP, (&start, &start))?;
+        let mut now = input();
+        for step in 0..=$steps {
+            // A simulation begins with the inputs of its first step.
+            let events = match step {
+                0 => {
+                    stepper.begin(now)?;
+                    0
+                }
+                _ => stepper.advance(now)?.events,
+            };
+            let (contact, work) = (stepper.contact(), stepper.work());
+            let mut values = vec![$(f64::from(now.$field),)* f64::from(now.friction)];
+            $(values.extend([f64::from(stepper.$mass().displacement()), f64::from(stepper.$mass().velocity())]);)*
+            values.extend([contact.displacement(), contact.velocity(), contact.force()].map(f64::from));
+            values.extend([work.load, work.friction, work.damping, work.stored].map(f64::from));
+            let direction = match contact.contact() {
+                Contact::Stuck => 0,
+                Contact::Forward => 1,
+                Contact::Backward => -1,
+            };
+            let mut texts: Vec<String> = values.iter().map(|value| format!("{value:?}")).collect();
+            texts.push(u8::from(contact.is_sticking()).to_string());
+            texts.extend([direction.to_string(), events.to_string(), stepper.exceeded().to_string()]);
+            println!("{}", texts.join(","));
+            if step > 0 {
+                now = input();
+            }
+        }
+    }};
+}
+
+use frictiongen::answer::Contact;
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let mut arguments = std::env::args().skip(1);
+    let scene = arguments
+        .next()
+        .ok_or("give a scene and a number of steps")?;
+    let steps: u64 = arguments.next().ok_or("give a number of steps")?.parse()?;
+    match scene.as_str() {
+        "shaken" => run!(
+            Shaken, ShakenInput, steps, f64,
+            ["base.displacement": displacement * 2e-6, "base.velocity": velocity * 2e-3], [lower, upper]
+        ),
+        "pushed" => run!(
+            Pushed, PushedInput, steps, f32,
+            ["first.force": force * 16.0, "double.force": double * 16.0], [first, double, third]
+        ),
+        "held" => run!(Held, HeldInput, steps, f64, ["block.force": force * 16.0], [block]),
+        _ => return Err("the scene is `shaken`, `pushed` or `held`".into()),
+    }
+    Ok(())
+}
