@@ -182,9 +182,10 @@ pub struct OptimumArguments {
     #[command(flatten)]
     pub load: LoadArguments,
     /// Quantity whose largest value is minimised: a mass, `contact`, `roof-base`, `roof-first`, `spring(a-b)`, `shear`,
-    /// `vel(roof)`, `accel(roof)`, `slip(contact)`, `force(contact)`
-    #[arg(long, value_name = "NAME")]
-    pub of: String,
+    /// `vel(roof)`, `accel(roof)`, `slip(contact)`, `force(contact)`. Given more than once, with a value each, as in
+    /// `roof/5mm`, the command minimises the largest quotient
+    #[arg(long, value_name = "NAME", required = true)]
+    pub of: Vec<String>,
     /// Keep the largest value of another quantity within a bound, for example `roof-base <= 5mm`; may be given more than
     /// once
     #[arg(long, value_name = "NAME<=BOUND", conflicts_with = "vary")]

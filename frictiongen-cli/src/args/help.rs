@@ -247,6 +247,10 @@ Quantities:
   change in per cent  change of the amplitude if a parameter increases by one per cent and the friction
                   is again the best for the new value; only with a load
 
+With several --of NAME/VALUE:
+  The search minimises the largest quotient of a quantity and its value over the band. Use an allowable
+  value for each quantity: a largest quotient below 1 then keeps all of them.
+
 With --vary NAME=a:b:
   The search also chooses one number of the description, between a and b, in the unit of that number.
   Names are those of `sensitivity`: m upper, k base - lower, zeta 1, a, b, mu. zeta is the ratio of all

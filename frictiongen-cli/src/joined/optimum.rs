@@ -25,7 +25,11 @@ pub fn optimum(
     scene: Scene,
     out: &mut dyn Write,
 ) -> Result<(), Failure> {
-    refused(&[(arguments.vary.is_some(), "--vary")])?;
+    refused(&[
+        (arguments.vary.is_some(), "--vary"),
+        (!arguments.keep.is_empty(), "--keep"),
+        (1 < arguments.of.len(), "a second --of"),
+    ])?;
     let system = System::try_from(scene).map_err(Failure::new)?;
     let joined = system.joined().map_err(Failure::new)?;
     let band = Band::parse(&arguments.frequency, &system)?;
@@ -36,8 +40,7 @@ pub fn optimum(
     }
     let measure = measure::constant(&arguments.load, &system)?;
     let band = band.under(&measure);
-    let of = std::slice::from_ref(&arguments.of);
-    let masses = asked::masses(&system, "--of", of)?;
+    let masses = asked::masses(&system, "--of", &arguments.of)?;
     let all: Vec<usize> = (0..system.scene().masses.len()).collect();
     let table = JoinedTable {
         setting: Setting {

@@ -1,14 +1,16 @@
 //! `frictiongen optimum`: finds the friction for which the largest amplitude over a band is smallest.
 
 mod keep;
+mod valued;
+mod weigh;
 
 use crate::args::OptimumArguments;
-use crate::asked;
+use crate::asked::{self, Part};
 use crate::failure::Failure;
 use crate::frequency::Band;
 use crate::interrupt;
 use crate::joined;
-use crate::measure;
+use crate::measure::{self, Measure};
 use crate::output::{self, Table, Visitor};
 use crate::progress::Progress;
 use crate::summary::Summary;
@@ -20,6 +22,7 @@ use frictiongen::study::optimum::{
 use frictiongen_codegen::Limits;
 use std::io::Write;
 use std::sync::Mutex;
+use valued::Valued;
 
 /// Runs `frictiongen optimum`.
 pub fn run(arguments: &OptimumArguments, out: &mut dyn Write) -> Result<(), Failure> {
@@ -34,8 +37,9 @@ pub fn run(arguments: &OptimumArguments, out: &mut dyn Write) -> Result<(), Fail
             "a band is a:b, without a step, because the search covers all its frequencies",
         ));
     }
-    let part = asked::part(&system, &arguments.of)?;
     let measure = measure::of(&arguments.load, &system)?;
+    let several = arguments.several(&system, &measure)?;
+    let part = arguments.first(&system, &several)?;
     let band = band.under(&measure);
     let request = OptimumRequest {
         of: part.of,
@@ -43,8 +47,7 @@ pub fn run(arguments: &OptimumArguments, out: &mut dyn Write) -> Result<(), Fail
         band: FrequencyBand::Ratio(band.from, band.to),
         load: measure.load(),
     };
-    let parts = [part];
-    let table = OptimumTable {
+    let table_of = |part| OptimumTable {
         setting: Setting {
             system: &system,
             measure,
@@ -52,9 +55,10 @@ pub fn run(arguments: &OptimumArguments, out: &mut dyn Write) -> Result<(), Fail
             frequencies: &[],
             frictions: &[],
             forces: false,
-            parts: &parts,
+            parts: std::slice::from_ref(part),
         },
     };
+    let table = table_of(&part);
     let kept = keep::parsed(&system, &arguments.keep, &measure)?;
     interrupt::watch();
     let progress = Mutex::new(Progress::search());
@@ -65,6 +69,7 @@ pub fn run(arguments: &OptimumArguments, out: &mut dyn Write) -> Result<(), Fail
         !interrupt::pressed()
     };
     let lines = match &arguments.vary {
+        _ if !several.is_empty() => weigh::lines(&table_of, &request, &several, &watch)?,
         None if !kept.is_empty() => keep::lines(&table, &request, &kept, &watch)?,
         None => {
             let found = system.optimum_watched(&request, &watch);
@@ -89,6 +94,33 @@ pub fn run(arguments: &OptimumArguments, out: &mut dyn Write) -> Result<(), Fail
         ));
     }
     Ok(())
+}
+
+impl OptimumArguments {
+    /// Parses the quantities, if there are several. The list is empty for a single quantity.
+    fn several(&self, system: &System, measure: &Measure) -> Result<Vec<Valued>, Failure> {
+        if self.of.len() < 2 {
+            return Ok(Vec::new());
+        }
+        let other = [
+            (self.vary.is_some(), "--vary"),
+            (!self.keep.is_empty(), "--keep"),
+        ];
+        if let Some((_, option)) = other.iter().find(|(given, _)| *given) {
+            return Err(Failure::new(format_args!(
+                "{option} needs a single quantity; give --of once"
+            )));
+        }
+        weigh::parsed(system, &self.of, measure)
+    }
+
+    /// Returns the only quantity, or the first of several.
+    fn first(&self, system: &System, several: &[Valued]) -> Result<Part, Failure> {
+        match several.first() {
+            Some(valued) => Ok(valued.part.clone()),
+            None => asked::part(system, self.of.first().map_or("", String::as_str)),
+        }
+    }
 }
 
 /// Finds the best friction together with the number of the description that `--vary` names.

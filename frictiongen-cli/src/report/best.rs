@@ -122,7 +122,7 @@ pub fn kind(optimum: &Optimum) -> &'static str {
         (OptimumKind::SinglePeak, OptimumEnd::Jump) => words::end(optimum.end),
         (OptimumKind::SinglePeak, _) => "one peak is at its minimum",
         (OptimumKind::NoFriction, _) => "any friction makes the amplitude larger",
-        (OptimumKind::Bounded, _) => words::kind(optimum.kind),
+        (OptimumKind::Bounded | OptimumKind::Balanced, _) => words::kind(optimum.kind),
         (OptimumKind::Trivial, _) => "trivial: with the contact stuck, this motion rests",
         (OptimumKind::Stuck, _) => "a stuck contact is best; more friction changes nothing",
     }

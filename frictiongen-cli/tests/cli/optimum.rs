@@ -274,5 +274,60 @@ fn bounds_on_other_quantities() {
         "--keep",
         "upper <= 5mm",
     ];
-    assert!(failure(&frame, &groups)[0].contains("a bound with a unit needs the load"));
+    assert!(failure(&frame, &groups)[0].contains("a value with a unit needs the load"));
+}
+
+/// Checks several quantities: the largest quotient is smallest, and each message names its option and the way out.
+#[test]
+fn several_quantities() {
+    let frame = std::fs::read_to_string(FRAME).unwrap();
+    let frame = frame.replace("stiction: 1.2,", "");
+    let band = ["optimum", "--hz", "1.5:2.5", "--base", "0.001"];
+    let asked = |more: &[&str]| output(&frame, &[&band[..], more].concat());
+    let text = asked(&["--of", "lower/1mm", "--of", "force(contact)/1kN"]);
+    let alone = asked(&["--of", "lower"]);
+    let friction = |text: &str| {
+        let line = text
+            .lines()
+            .find(|line| line.starts_with("friction "))
+            .unwrap();
+        line.split_whitespace()
+            .nth(1)
+            .unwrap()
+            .parse::<f64>()
+            .unwrap()
+    };
+    assert!(
+        (friction(&text) / friction(&alone) - 1.0).abs() < 1e-5,
+        "{text}"
+    );
+    for label in [
+        "largest value of lower",
+        "largest value of force(contact)",
+        "  divided by",
+    ] {
+        assert!(text.contains(label), "{text}");
+    }
+    for (more, message) in [
+        (
+            &["--of", "lower/1mm", "--of", "shear"][..],
+            "--of `shear`: each of several quantities needs a value to divide it by, as in roof/5mm",
+        ),
+        (
+            &["--of", "lower/1mm", "--of", "shear/5mm"],
+            "--of `shear/5mm`: the unit `mm` does not fit this quantity, whose units are N, kN, MN",
+        ),
+        (
+            &["--of", "lower/0", "--of", "shear/5N"],
+            "--of `lower/0`: the value must be above 0",
+        ),
+        (
+            &["--of", "lower/1", "--of", "shear/5", "--vary", "k1=1:2"],
+            "--vary needs a single quantity; give --of once",
+        ),
+    ] {
+        let told = failure(&frame, &[&band[..], more].concat());
+        assert_eq!(told.len(), 1, "{told:?}");
+        assert!(told[0].ends_with(message), "{told:?}");
+    }
 }

@@ -211,6 +211,7 @@ pub fn kind(kind: OptimumKind) -> &'static str {
         OptimumKind::NoFriction => "friction only does harm",
         OptimumKind::Stuck => "stuck: more friction changes nothing",
         OptimumKind::Bounded => "a bound on another quantity",
+        OptimumKind::Balanced => "balance: more friction raises one quantity, less raises another",
         OptimumKind::Trivial => "trivial: nothing that is asked for moves or acts",
     }
 }

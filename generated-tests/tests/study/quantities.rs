@@ -5,7 +5,8 @@ use frictiongen::Of;
 use frictiongen::study::{
     System,
     optimum::{
-        FrequencyBand, Kept, Optimum, OptimumEnd, OptimumError, OptimumKind, OptimumRequest, Tuning,
+        FrequencyBand, Kept, Optimum, OptimumEnd, OptimumError, OptimumKind, OptimumRequest,
+        Tuning, Weighted,
     },
     response::Size,
     units::Load,
@@ -391,5 +392,74 @@ fn a_stopped_search_keeps_its_best() {
     for most in [0, full.evaluations + 10] {
         let found = system.kept_optimum(&request, &kept, &after(most));
         none(found.map(|_| ()).expect_err("no answer"));
+    }
+}
+
+/// The best friction for two quantities is between the best of each. There both quotients are equal, and no other
+/// friction gives a smaller largest quotient. The maps of the test use single steady states. `several_quantities` of the
+/// command's tests is the short form.
+#[test]
+#[ignore = "takes half a minute"]
+fn two_quantities_in_balance() {
+    let system = frame(FRAME);
+    let load = Load::Base(0.002);
+    let requests = ["f2-f1", "shear"].map(|of| request(&system, of, load, BAND));
+    let scale = system.load_scale(load).expect("a scale");
+    let value = |request: &OptimumRequest, beta: f64| {
+        let unit = match request.of.is_force() {
+            true => scale.friction(1.0),
+            false => scale.length(),
+        };
+        let of = (request.of, request.size);
+        largest(
+            |hertz| quantity(&system, of, load, hertz, scale.friction(beta)),
+            BAND,
+        ) / unit
+    };
+    let weighted = |over: [f64; 2]| {
+        let pairs = requests.iter().zip(over);
+        let all: Vec<Weighted> = pairs
+            .map(|(request, over)| Weighted {
+                of: request.of,
+                size: request.size,
+                over,
+            })
+            .collect();
+        system.weighted_optimum(&requests[0], &all, &|| true)
+    };
+    // With the other value far above, a quantity alone decides.
+    let alone = system.optimum(&requests[0]).expect("an optimum");
+    let first = weighted([1.0, 1e9]).expect("an optimum");
+    assert_eq!(first.decisive, 0);
+    assert!(
+        (first.ratio / alone.amplitude - 1.0).abs() < 1e-6,
+        "{first:?}"
+    );
+    // The second value makes both quotients equal at 1.2 times the friction of the first optimum.
+    let over = requests
+        .each_ref()
+        .map(|request| value(request, 1.2 * alone.beta));
+    let found = weighted(over).expect("an optimum");
+    let quotient = |beta: f64| {
+        let each = requests
+            .iter()
+            .zip(over)
+            .map(|(request, over)| value(request, beta) / over);
+        each.fold(0.0, f64::max)
+    };
+    let beta = found.optimum.beta;
+    assert!(
+        (quotient(beta) / found.ratio - 1.0).abs() < 1e-5,
+        "{found:?}"
+    );
+    for share in [0.5, 0.8, 0.9, 0.97, 1.03, 1.1, 1.3] {
+        assert!(
+            found.ratio < quotient(share * beta) * (1.0 + 1e-5),
+            "{share} {found:?}"
+        );
+    }
+    for over in [[0.0, 1.0], [1.0, f64::NAN], [f64::INFINITY, 1.0]] {
+        let error = weighted(over).map(|found| found.ratio);
+        assert_eq!(error, Err(OptimumError::Weight));
     }
 }

@@ -76,7 +76,7 @@ pub use limits::{LimitsAsked, LimitsRow, LimitsTable};
 pub use map::{BoundaryRow, MapLimitsRow, MapRow, MapTable};
 pub use measure::{Dimension, Measure};
 pub use motion::{Extent, Moving, PartMotion, motions};
-pub use optimum::{OptimumLine, OptimumSensitivityRow, OptimumTable, PeakRow, Tuned};
+pub use optimum::{Further, OptimumLine, OptimumSensitivityRow, OptimumTable, PeakRow, Tuned};
 pub use periodic::{PeriodicRow, PeriodicSample, PeriodicTable};
 pub use quantity::{base_load, bound, unbalance};
 pub use sensitivity::{SensitivityRow, SensitivityTable};

@@ -2,7 +2,7 @@
 
 mod lines;
 
-pub use lines::{OptimumLine, Tuned};
+pub use lines::{Further, OptimumLine, Tuned};
 
 use super::builder::Columns;
 use super::column::{Column, Head, Row};

@@ -19,6 +19,8 @@ pub enum OptimumKind {
     Trivial,
     /// A bound on another quantity keeps the friction from a smaller amplitude.
     Bounded,
+    /// Several quantities are equal multiples of their values. With more friction one rises and another falls.
+    Balanced,
 }
 
 /// A frequency at which the amplitude reaches its maximum over the band.

@@ -3,14 +3,14 @@
 //! The scan over friction shows which friction ratios satisfy all bounds. Bisection finds the limit between a ratio that
 //! satisfies them and one that violates a bound. The result satisfies every bound over the whole band.
 
-use super::amplitude::{FrictionAmount, Watch};
+use super::amplitude::Watch;
 use super::answer::{Optimum, OptimumEnd, OptimumKind};
-use super::look::Closely;
 use super::peaks::AmplitudeBand;
 use super::problem::OptimumProblem;
 use super::request::{OptimumError, OptimumRequest};
-use super::scan::{Scanned, scanned_at, slope, with_slope};
+use super::scan::{Scanned, scanned_at};
 use super::search::{Least, narrowed};
+use super::whole::{WORK_OF_ALL_CHECKS, whole};
 use crate::Of;
 use crate::study::response::Size;
 use crate::study::system::System;
@@ -23,10 +23,6 @@ const NARROW: f64 = 1e-9;
 /// Largest number of friction ratios that are checked over the whole band. If a check finds a violated bound, the search
 /// continues.
 const CHECKS: usize = 12;
-/// Bound on the work of one check of the whole band for one quantity.
-const WORK_OF_A_CHECK: usize = super::WORK / 2;
-/// Bound on the work of all checks of one search.
-const WORK_OF_ALL_CHECKS: usize = 2 * super::WORK;
 /// Factor on the smallest value of the points that satisfy all bounds. The search examines points up to this value.
 const NEARLY: f64 = 1.5;
 /// Largest number of points that the search examines.
@@ -163,7 +159,7 @@ impl<'s> KeptSearch<'s> {
                 break;
             };
             if self.holds(found.beta) {
-                return Ok((self.whole(&self.band, found.beta), true));
+                return Ok((whole(&self.band, found.beta, self.left), true));
             }
             // The check of the whole band has found a peak that further evaluations take into account.
             for (beta, holds) in &mut known {
@@ -178,7 +174,7 @@ impl<'s> KeptSearch<'s> {
         let fallback = self.reachable(others)?;
         let holds = fallback.filter(|beta| self.holds(*beta));
         let beta = holds.ok_or(OptimumError::TooLong)?;
-        Ok((self.whole(&self.band, beta), true))
+        Ok((whole(&self.band, beta, self.left), true))
     }
 
     /// Returns the best friction ratio between known points. The flag of a point is true if it satisfies all bounds.
@@ -264,7 +260,7 @@ impl<'s> KeptSearch<'s> {
             };
             let least = OptimumProblem::least(&search.band, super::WORK)?;
             let (at, _) = search.best(before, &least)?;
-            let value = search.whole(&search.band, at.beta).value;
+            let value = whole(&search.band, at.beta, self.left).value;
             self.go_on()?;
             let most = self.most.get(index).copied().unwrap_or(f64::INFINITY);
             if !(value <= most) {
@@ -295,25 +291,6 @@ impl<'s> KeptSearch<'s> {
     /// Returns the largest value over the band of each kept quantity.
     fn largest(&self, beta: f64) -> Vec<Scanned> {
         let bands = self.others.iter();
-        bands.map(|band| self.whole(band, beta)).collect()
-    }
-
-    /// Evaluates the whole band, within a bound on work. Later evaluations take its largest peaks into account.
-    fn whole(&self, band: &AmplitudeBand<'_>, beta: f64) -> Scanned {
-        let friction = FrictionAmount::Ratio(beta);
-        let several = 1.0 < band.amplitude.system.scene().stiction;
-        let before = band.amplitude.spent();
-        band.amplitude.allow(WORK_OF_A_CHECK.min(self.left.get()));
-        if several {
-            band.amplitude.follow_from_rest();
-        }
-        let mut look = band.look(band.open(friction), f64::INFINITY, Closely::Whole);
-        if several {
-            band.add_grid(&mut look, friction, f64::INFINITY);
-        }
-        band.learn_largest(&look);
-        let spent = band.amplitude.spent() - before;
-        self.left.set(self.left.get().saturating_sub(spent));
-        with_slope(beta, look, |peak| slope(band, beta, peak))
+        bands.map(|band| whole(band, beta, self.left)).collect()
     }
 }

@@ -20,6 +20,8 @@ mod scan;
 mod search;
 mod tuned;
 mod verified;
+mod weighted;
+mod whole;
 
 use super::system::System;
 pub(in crate::study) use amplitude::FrictionAmount;
@@ -30,6 +32,8 @@ pub(in crate::study) use objective::Objective;
 use problem::OptimumProblem;
 pub use request::{FrequencyBand, OptimumError, OptimumRequest};
 pub use tuned::{Tunable, TunedOptimum, TunedPoint, Tuning, UnknownTunable};
+#[doc(hidden)]
+pub use weighted::{Weighted, WeightedOptimum};
 
 /// Default bound on the work of a search, in units of about 10 µs.
 const WORK: usize = 2_000_000;

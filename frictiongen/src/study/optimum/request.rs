@@ -63,6 +63,8 @@ pub enum OptimumError {
     /// has neither a velocity nor an acceleration.
     /// An equivalent damping ratio has no least value to search for.
     Size,
+    /// Several quantities need a value each, above 0 and finite.
+    Weight,
     /// A bound on another quantity cannot hold together with the bounds before it.
     Unreachable {
         /// The bound, by its place in the request.
@@ -100,6 +102,7 @@ impl std::fmt::Display for OptimumError {
             Self::Stopped => "the search was stopped before it found a valid friction",
             Self::Interval => "both bounds of an interval must be finite, the second above the first",
             Self::Scene(error) => return error.fmt(f),
+            Self::Weight => "each of several quantities needs a value above 0 to divide it by",
             Self::Unreachable { index, least, beta } => {
                 return write!(
                     f,

@@ -289,6 +289,18 @@ fn minimum(
 /// friction ratio as soon as one amplitude shows that the ratio is not better.
 pub(super) fn narrowed(
     band: &AmplitudeBand<'_>,
+    ends: (&Scanned, &Scanned),
+    seen: Option<Scanned>,
+) -> FrictionCandidate {
+    let value = |beta, cutoff| scanned_at(band, beta, cutoff);
+    narrowed_by(&value, &|| band.amplitude.is_spent(), ends, seen)
+}
+
+/// Narrows an interval as [`narrowed`] does, for any function of friction. `value` returns the function at a friction
+/// ratio, and may stop above a cutoff. `spent` returns true if the search must end.
+pub(super) fn narrowed_by(
+    value: &dyn Fn(f64, f64) -> Scanned,
+    spent: &dyn Fn() -> bool,
     (below, above): (&Scanned, &Scanned),
     seen: Option<Scanned>,
 ) -> FrictionCandidate {
@@ -299,9 +311,9 @@ pub(super) fn narrowed(
     let mut best = known
         .min_by(|x, y| x.value.total_cmp(&y.value))
         .cloned()
-        .unwrap_or_else(|| scanned_at(band, 0.5 * (a + b), f64::INFINITY));
+        .unwrap_or_else(|| value(0.5 * (a + b), f64::INFINITY));
     for _ in 0..SECTIONS {
-        if b - a <= NARROW * b || band.amplitude.is_spent() {
+        if b - a <= NARROW * b || spent() {
             break;
         }
         let (left, right) = (best.beta - a, b - best.beta);
@@ -315,7 +327,7 @@ pub(super) fn narrowed(
         } else {
             f64::INFINITY
         };
-        let here = scanned_at(band, beta, cutoff);
+        let here = value(beta, cutoff);
         if here.complete && (here.value < best.value || !best.complete) {
             if beta < best.beta {
                 b = best.beta;

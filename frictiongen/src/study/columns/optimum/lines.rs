@@ -40,6 +40,17 @@ pub struct Tuned<'a> {
     pub found: &'a TunedOptimum,
 }
 
+/// Quantities beside the minimised one. Each has its part, a value, and its largest value over the band.
+#[derive(Clone, Copy, Debug)]
+pub enum Further<'a> {
+    /// There are none.
+    None,
+    /// Quantities with their upper bounds.
+    Kept(&'a [(Part, f64, f64)]),
+    /// Quantities with the values that divide them. The largest quotient is minimised.
+    Weighted(&'a [(Part, f64, f64)]),
+}
+
 /// Collects the lines of one entry of a list.
 struct LineEntry<'l> {
     lines: &'l mut Vec<OptimumLine>,
@@ -78,16 +89,16 @@ impl<'a> OptimumTable<'a> {
     /// Returns the answer as lines: the best friction, its peaks, tolerances and sensitivities.
     #[must_use]
     pub fn lines(&self, optimum: &Optimum, tuned: Option<&Tuned<'_>>) -> Vec<OptimumLine> {
-        self.lines_with(optimum, tuned, &[])
+        self.lines_with(optimum, tuned, Further::None)
     }
 
-    /// Returns the answer as lines, with the largest value of each kept quantity. Each has its part, its bound and the value.
+    /// Returns the answer as lines, with the largest value of each further quantity.
     #[must_use]
     pub fn lines_with(
         &self,
         optimum: &Optimum,
         tuned: Option<&Tuned<'_>>,
-        kept: &[(Part, f64, f64)],
+        further: Further<'_>,
     ) -> Vec<OptimumLine> {
         let mut lines = Vec::new();
         if let Some(tuned) = tuned {
@@ -106,7 +117,7 @@ impl<'a> OptimumTable<'a> {
             .lines(&columns, optimum);
         };
         once(&mut lines, self.best());
-        self.kept_lines(kept, optimum.reference, &mut lines);
+        self.further_lines(further, optimum.reference, &mut lines);
         self.peak_lines(optimum, &mut lines);
         self.tolerance_lines(optimum, &mut lines);
         once(&mut lines, self.bounds());
@@ -118,14 +129,19 @@ impl<'a> OptimumTable<'a> {
         lines
     }
 
-    /// Adds two lines for each kept quantity: its largest value, and its bound.
-    fn kept_lines(&self, kept: &[(Part, f64, f64)], reference: f64, lines: &mut Vec<OptimumLine>) {
+    /// Adds lines for each further quantity: its largest value, and its bound or the value that divides it.
+    fn further_lines(&self, further: Further<'_>, reference: f64, lines: &mut Vec<OptimumLine>) {
         let measure = &self.setting.measure;
-        for (row, (part, most, largest)) in (1..).zip(kept) {
+        let (list, all) = match further {
+            Further::None => return,
+            Further::Kept(all) => ("kept", all),
+            Further::Weighted(all) => ("weighted", all),
+        };
+        for (row, (part, value, largest)) in (1..).zip(all) {
             let dimension = part.dimension();
             let mut entry = LineEntry {
                 lines: &mut *lines,
-                list: Some("kept"),
+                list: Some(list),
                 row: Some(row),
                 excess: None,
                 name: "",
@@ -134,16 +150,16 @@ impl<'a> OptimumTable<'a> {
                 "" => measure.reference(dimension),
                 unit => unit,
             };
-            for (key, label, value) in [
-                (
-                    "largest",
-                    format!("largest value of {}", part.name),
-                    largest,
-                ),
-                ("bound", "  which is at most".to_owned(), most),
-            ] {
-                let value = measure.convert(dimension, *value, reference);
-                entry.line(key, label, value.into(), unit);
+            let name = format!("largest value of {}", part.name);
+            let [found, other] =
+                [*largest, *value].map(|value| measure.convert(dimension, value, reference));
+            entry.line("largest", name, found.into(), unit);
+            if let Further::Kept(_) = further {
+                entry.line("bound", "  which is at most".to_owned(), other.into(), unit);
+            } else {
+                entry.line("over", "  divided by".to_owned(), other.into(), unit);
+                let quotient = largest / value;
+                entry.line("ratio", "  is".to_owned(), quotient.into(), "");
             }
         }
     }

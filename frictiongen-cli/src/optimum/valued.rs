@@ -1,0 +1,53 @@
+//! A quantity of `frictiongen optimum` with a value: a bound, or the value that divides it.
+
+use crate::asked::Part;
+use crate::failure::Failure;
+use crate::measure::Measure;
+use frictiongen::System;
+use frictiongen::study::columns::bound;
+use frictiongen::study::response::Size;
+use std::fmt::Display;
+
+/// A quantity and its value, as the command line gives them.
+pub struct Valued {
+    /// Name of the quantity.
+    pub name: String,
+    /// Text of the value.
+    pub text: String,
+    pub part: Part,
+    /// The value in the unit of an optimum's amplitude.
+    pub value: f64,
+}
+
+impl Valued {
+    /// Parses a name and a value. `wrong` puts the option and its text before a problem.
+    pub fn parsed(
+        system: &System,
+        (name, text): (&str, &str),
+        measure: &Measure,
+        wrong: &dyn Fn(&dyn Display) -> Failure,
+    ) -> Result<Self, Failure> {
+        let part = Part::named(system, name).map_err(|error| wrong(&error))?;
+        if part.size == Size::Damping {
+            return Err(wrong(
+                &"an equivalent damping ratio has no upper bound; leave it out",
+            ));
+        }
+        let value = bound(text, part.dimension()).map_err(|problem| wrong(&problem))?;
+        let has_unit = text.trim().parse::<f64>().is_err();
+        if measure.scale().is_none() && has_unit {
+            return Err(wrong(
+                &"a value with a unit needs the load; give --base, --force or --unbalance",
+            ));
+        }
+        // The groups of an optimum are those at r = 1.
+        let reference = system.angular_frequency(1.0);
+        let unit = measure.convert(part.dimension(), 1.0, reference);
+        Ok(Self {
+            name: name.trim().to_owned(),
+            text: text.trim().to_owned(),
+            value: value / unit,
+            part,
+        })
+    }
+}

@@ -1,0 +1,62 @@
+//! Several quantities of `frictiongen optimum`, each divided by a value: `--of roof/5mm --of 'accel(roof)/2m/s2'`.
+
+use super::valued::Valued;
+use crate::asked::Part;
+use crate::failure::Failure;
+use crate::measure::Measure;
+use frictiongen::System;
+use frictiongen::study::columns::{Further, OptimumLine, OptimumTable};
+use frictiongen::study::optimum::{OptimumRequest, Weighted};
+
+/// Parses the quantities with their values.
+pub fn parsed(
+    system: &System,
+    texts: &[String],
+    measure: &Measure,
+) -> Result<Vec<Valued>, Failure> {
+    let one = |text: &String| {
+        let wrong = |problem: &dyn std::fmt::Display| {
+            Failure::new(format_args!("--of `{text}`: {problem}"))
+        };
+        let (name, value) = text.split_once('/').ok_or_else(|| {
+            wrong(&"each of several quantities needs a value to divide it by, as in roof/5mm")
+        })?;
+        let valued = Valued::parsed(system, (name, value), measure, &wrong)?;
+        if !(0.0 < valued.value) {
+            return Err(wrong(&"the value must be above 0"));
+        }
+        Ok(valued)
+    };
+    texts.iter().map(one).collect()
+}
+
+/// Finds the best friction for all quantities, and returns the lines of the answer. `table` makes the table of the
+/// decisive quantity.
+pub fn lines<'a>(
+    table: &dyn Fn(&'a Part) -> OptimumTable<'a>,
+    request: &OptimumRequest,
+    all: &'a [Valued],
+    watch: &(dyn Fn() -> bool + Sync),
+) -> Result<Vec<OptimumLine>, Failure> {
+    let weighted: Vec<Weighted> = all
+        .iter()
+        .map(|valued| Weighted {
+            of: valued.part.of,
+            size: valued.part.size,
+            over: valued.value,
+        })
+        .collect();
+    let Some(first) = all.first() else {
+        return Ok(Vec::new());
+    };
+    let system = table(&first.part).setting.system;
+    let found = system.weighted_optimum(request, &weighted, watch);
+    let found = found.map_err(Failure::new)?;
+    let values = all.iter().zip(&found.largest);
+    let values: Vec<(Part, f64, f64)> = values
+        .map(|(valued, largest)| (valued.part.clone(), valued.value, *largest))
+        .collect();
+    let decisive = all.get(found.decisive).unwrap_or(first);
+    let table = table(&decisive.part);
+    Ok(table.lines_with(&found.optimum, None, Further::Weighted(&values)))
+}
