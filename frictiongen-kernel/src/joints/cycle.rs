@@ -6,6 +6,7 @@ use super::run::Observe;
 use super::series::{Poly, Series, TERMS};
 use super::size::{Size, add, at, set};
 use super::state::{STUCK, State};
+use crate::errors::Regime;
 use crate::{Float, Scalar};
 
 /// Events, slip, force and energy of one contact over a period.
@@ -27,6 +28,34 @@ pub struct ContactCycle<S> {
     pub energy: S,
 }
 
+impl<S: Float> ContactCycle<S> {
+    /// Returns the results of a contact that has not moved.
+    pub(super) fn nothing() -> Self {
+        let zero = S::constant(0.0);
+        Self {
+            stops: 0,
+            reversals: 0,
+            stuck_fraction: zero,
+            slip: zero,
+            displacement: zero,
+            force: zero,
+            energy: zero,
+        }
+    }
+
+    /// Returns the regime of the contact: continuous, stick-slip or stuck.
+    pub fn regime(&self) -> Regime {
+        let still = self.stops == 0 && self.reversals == 0;
+        if still && self.stuck_fraction >= S::constant(0.5) {
+            Regime::Stuck
+        } else if self.stops == 0 {
+            Regime::Continuous
+        } else {
+            Regime::StickSlip
+        }
+    }
+}
+
 /// Amplitudes of the masses, and results of each contact, over a period.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cycle<S: Float, Z: Size> {
@@ -39,6 +68,24 @@ pub struct Cycle<S: Float, Z: Size> {
     pub contacts: Z::Contacts<ContactCycle<S>>,
     /// Number of instants with an event.
     pub events: usize,
+}
+
+impl<S: Float, Z: Size> Cycle<S, Z> {
+    /// Returns the regime. It is *stuck* if no contact slides, and *continuous* if all contacts slide all the time.
+    /// Otherwise it is *stick-slip*.
+    pub fn regime(&self) -> Regime {
+        let same = |regime| {
+            let mut contacts = self.contacts.as_ref().iter();
+            contacts.all(|contact| contact.regime() == regime)
+        };
+        if same(Regime::Continuous) {
+            Regime::Continuous
+        } else if same(Regime::Stuck) {
+            Regime::Stuck
+        } else {
+            Regime::StickSlip
+        }
+    }
 }
 
 /// Collects the results of a period, stretch by stretch.
@@ -64,15 +111,7 @@ impl<S: Float, Z: Size> Watch<S, Z> {
         for (ends, contact) in ends.as_mut().iter_mut().zip(model.contacts()) {
             *ends = (contact.plus, contact.minus);
         }
-        let nothing = ContactCycle {
-            stops: 0,
-            reversals: 0,
-            stuck_fraction: zero,
-            slip: zero,
-            displacement: zero,
-            force: zero,
-            energy: zero,
-        };
+        let nothing = ContactCycle::nothing();
         Self {
             ends,
             cycle: Cycle {

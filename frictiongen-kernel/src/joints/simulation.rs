@@ -24,49 +24,50 @@ pub struct Reference<S> {
     pub on_base: bool,
 }
 
-/// A motion in time in non-dimensional groups. Displacements are over P/k₁ (over Y for base motion), velocities are
-/// derivatives with respect to τ = ωt, and forces are over P (over k₁Y for base motion).
-#[derive(Clone, Debug)]
-pub struct Simulation<S: Float, Z: Size> {
-    motion: Motion<S, Z>,
-    omega: S,
-    stiffness: S,
-}
-
-/// Displacements and velocities of all masses.
-type Start<'s, S> = (&'s [S], &'s [S]);
-
-impl<S: Float, Z: Size> Simulation<S, Z> {
-    /// Starts at a maximum of the load, from rest or from a state. The level of each contact in `model` is its share of
-    /// the common friction.
+impl<S: Float> Reference<S> {
+    /// Returns the angular frequency ω at a frequency ratio r.
     ///
     /// # Errors
     ///
-    /// [`OutOfDomain`] unless r is positive and finite, β finite and not negative, and the state finite.
-    pub fn new(
+    /// [`OutOfDomain`] unless r is positive and finite.
+    pub(super) fn omega(&self, r: S) -> Result<S, OutOfDomain> {
+        if r > S::constant(0.0) && r.is_finite() && (S::constant(1.0) / r).is_finite() {
+            Ok(r * self.rate)
+        } else {
+            Err(OutOfDomain::FrequencyRatioInTime(Given::of(r)))
+        }
+    }
+
+    /// Gives a chain its load and its friction forces. The level of each contact is its share beforehand.
+    pub(super) fn load<Z: Size>(&self, model: &mut Model<S, Z>, omega: S, beta: S) {
+        if self.on_base {
+            model.base = Wave::harmonic(S::constant(1.0), omega);
+        } else if let Some((_, load)) = model.loads.as_mut().first_mut() {
+            *load = Wave::harmonic(self.stiffness, omega);
+        }
+        for contact in model.contacts.as_mut() {
+            contact.level = Wave::constant(beta * self.stiffness * contact.level.constant);
+        }
+        model.set_stretch();
+    }
+
+    /// Starts a motion at a maximum of the load, and returns it with its angular frequency.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Simulation::new`].
+    pub(super) fn start<Z: Size>(
+        &self,
         mut model: Model<S, Z>,
-        reference: Reference<S>,
         (r, beta): (S, S),
         state: Option<Start<'_, S>>,
-    ) -> Result<Self, OutOfDomain> {
+    ) -> Result<(Motion<S, Z>, S), OutOfDomain> {
         let zero = S::constant(0.0);
-        if !(r > zero && r.is_finite() && (S::constant(1.0) / r).is_finite()) {
-            return Err(OutOfDomain::FrequencyRatioInTime(Given::of(r)));
-        }
+        let omega = self.omega(r)?;
         if !(beta >= zero && beta.is_finite()) {
             return Err(OutOfDomain::FrictionRatio(Given::of(beta)));
         }
-        let omega = r * reference.rate;
-        let stiffness = reference.stiffness;
-        if reference.on_base {
-            model.base = Wave::harmonic(S::constant(1.0), omega);
-        } else if let Some((_, load)) = model.loads.as_mut().first_mut() {
-            *load = Wave::harmonic(stiffness, omega);
-        }
-        for contact in model.contacts.as_mut() {
-            contact.level = Wave::constant(beta * stiffness * contact.level.constant);
-        }
-        model.set_stretch();
+        self.load(&mut model, omega, beta);
         let (mut x, mut v) = (model.size.masses(zero), model.size.masses(zero));
         if let Some((places, speeds)) = state {
             let mut numbers = places.iter().chain(speeds);
@@ -81,10 +82,40 @@ impl<S: Float, Z: Size> Simulation<S, Z> {
             }
         }
         let motion = Motion::new(model, x.as_ref(), v.as_ref());
+        Ok((motion.map_err(OutOfDomain::Motion)?, omega))
+    }
+}
+
+/// A motion in time in non-dimensional groups. Displacements are over P/k₁ (over Y for base motion), velocities are
+/// derivatives with respect to τ = ωt, and forces are over P (over k₁Y for base motion).
+#[derive(Clone, Debug)]
+pub struct Simulation<S: Float, Z: Size> {
+    motion: Motion<S, Z>,
+    omega: S,
+    stiffness: S,
+}
+
+/// Displacements and velocities of all masses.
+pub(super) type Start<'s, S> = (&'s [S], &'s [S]);
+
+impl<S: Float, Z: Size> Simulation<S, Z> {
+    /// Starts at a maximum of the load, from rest or from a state. The level of each contact in `model` is its share of
+    /// the common friction.
+    ///
+    /// # Errors
+    ///
+    /// [`OutOfDomain`] unless r is positive and finite, β finite and not negative, and the state finite.
+    pub fn new(
+        model: Model<S, Z>,
+        reference: Reference<S>,
+        ratios: (S, S),
+        state: Option<Start<'_, S>>,
+    ) -> Result<Self, OutOfDomain> {
+        let (motion, omega) = reference.start(model, ratios, state)?;
         Ok(Self {
-            motion: motion.map_err(OutOfDomain::Motion)?,
+            motion,
             omega,
-            stiffness,
+            stiffness: reference.stiffness,
         })
     }
 

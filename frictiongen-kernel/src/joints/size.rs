@@ -22,6 +22,10 @@ pub trait Size: Clone + Debug + PartialEq {
     type Contacts<T: Value>: Array<T>;
     /// One entry for each load.
     type Loads<T: Value>: Array<T>;
+    /// One entry for each unknown of a steady state: two for each mass, two for each contact.
+    type Unknowns<T: Value>: Array<T>;
+    /// A square matrix of the unknowns, column by column.
+    type Square<T: Value>: Array<T>;
     /// Entries that do not change, in any number.
     type Constants<T: Value>: AsRef<[T]> + Clone + Debug;
 
@@ -33,19 +37,39 @@ pub trait Size: Clone + Debug + PartialEq {
     fn contacts<T: Value>(&self, value: T) -> Self::Contacts<T>;
     /// Returns an array with the same value for each load.
     fn loads<T: Value>(&self, value: T) -> Self::Loads<T>;
+    /// Returns an array with the same value for each unknown.
+    fn unknowns<T: Value>(&self, value: T) -> Self::Unknowns<T>;
+    /// Returns a square matrix with the same value in each entry.
+    fn square<T: Value>(&self, value: T) -> Self::Square<T>;
 }
 
-/// The size of an emitted chain: N masses, NODES = N + 2 nodes, M contacts and L loads.
+/// The size of an emitted chain: N masses, NODES = N + 2 nodes, M contacts and L loads. A chain with steady states has
+/// U = 2N + 2M unknowns and matrices of SQUARE = U² entries. A chain whose closed forms alone are asked for has U = 2N.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Fixed<const N: usize, const NODES: usize, const M: usize, const L: usize>;
+pub struct Fixed<
+    const N: usize,
+    const NODES: usize,
+    const M: usize,
+    const L: usize,
+    const U: usize = 0,
+    const SQUARE: usize = 0,
+>;
 
-impl<const N: usize, const NODES: usize, const M: usize, const L: usize> Size
-    for Fixed<N, NODES, M, L>
+impl<
+    const N: usize,
+    const NODES: usize,
+    const M: usize,
+    const L: usize,
+    const U: usize,
+    const SQUARE: usize,
+> Size for Fixed<N, NODES, M, L, U, SQUARE>
 {
     type Masses<T: Value> = [T; N];
     type Nodes<T: Value> = [T; NODES];
     type Contacts<T: Value> = [T; M];
     type Loads<T: Value> = [T; L];
+    type Unknowns<T: Value> = [T; U];
+    type Square<T: Value> = [T; SQUARE];
     type Constants<T: Value> = &'static [T];
 
     fn masses<T: Value>(&self, value: T) -> [T; N] {
@@ -62,6 +86,14 @@ impl<const N: usize, const NODES: usize, const M: usize, const L: usize> Size
 
     fn loads<T: Value>(&self, value: T) -> [T; L] {
         [value; L]
+    }
+
+    fn unknowns<T: Value>(&self, value: T) -> [T; U] {
+        [value; U]
+    }
+
+    fn square<T: Value>(&self, value: T) -> [T; SQUARE] {
+        [value; SQUARE]
     }
 }
 

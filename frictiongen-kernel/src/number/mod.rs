@@ -11,6 +11,7 @@ pub mod dual;
 mod euler;
 mod float;
 pub(crate) mod lanes;
+pub(crate) mod matrix;
 pub(crate) mod pairs;
 pub(crate) mod phase;
 pub mod scalar;

@@ -7,10 +7,10 @@
 
 use super::cycle_map::CycleMap;
 use super::cycle_map::unit;
-use super::matrix::SquareMatrix;
 use super::newton::Workspace;
 use crate::errors::NoOrbit;
 use crate::motion::ContactChain;
+use crate::number::matrix::SquareMatrix;
 use crate::number::pairs::{pairs, pairs_mut};
 use crate::number::scalar::Float;
 

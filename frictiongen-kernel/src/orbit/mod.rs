@@ -17,7 +17,6 @@ mod cycle_map;
 mod extent;
 mod gauss;
 mod hold;
-mod matrix;
 mod motion;
 mod newton;
 mod provides;

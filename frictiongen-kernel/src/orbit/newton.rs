@@ -1,11 +1,11 @@
 //! Newton's method on the half-period map or the period map, and the Floquet multipliers of that map.
 
 use super::cycle_map::{CycleMap, EventPattern, unit};
-use super::matrix::SquareMatrix;
 use super::types::MAX_SEGMENTS;
 use crate::errors::NoOrbit;
 use crate::motion::{Contact, ContactChain, ContactState};
 use crate::number::complex::{self, Complex};
+use crate::number::matrix::SquareMatrix;
 use crate::number::scalar::Float;
 
 const NEWTON_STEPS: u32 = 12;

@@ -7,10 +7,10 @@
 //! solution. For any step length 1/σ, the solution is closer to the steady state than x.
 
 use super::cycle_map::{CycleMap, unit};
-use super::matrix::SquareMatrix;
 use super::newton::{PeriodMap, Workspace, mapped, negate};
 use crate::errors::NoOrbit;
 use crate::motion::{Contact, ContactChain};
+use crate::number::matrix::SquareMatrix;
 use crate::number::pairs::{pairs, pairs_mut};
 use crate::number::scalar::Float;
 

@@ -6,10 +6,6 @@ use super::units::Units;
 use crate::study::error::UnknownMass;
 use crate::study::joints::{Chain, ContactCycle, Motion, Steady};
 use crate::{Complex, Regime};
-use std::f64::consts::TAU;
-
-/// Relative difference of two half periods below which a motion counts as symmetric.
-const SYMMETRIC: f64 = 1e-7;
 
 /// A steady state of a scene with several contacts.
 ///
@@ -77,14 +73,7 @@ impl ContactOrbit<'_> {
     /// Returns the regime of this contact: continuous, stick-slip or stuck.
     #[must_use]
     pub fn regime(&self) -> Regime {
-        let cycle = self.cycle;
-        if cycle.stops == 0 && cycle.reversals == 0 && cycle.stuck_fraction >= 0.5 {
-            Regime::Stuck
-        } else if cycle.stops == 0 {
-            Regime::Continuous
-        } else {
-            Regime::StickSlip
-        }
+        self.cycle.regime()
     }
 }
 
@@ -157,16 +146,7 @@ impl<'a> JoinedOrbit<'a> {
     /// Otherwise it is *stick-slip*.
     #[must_use]
     pub fn regime(&self) -> Regime {
-        let all = self.contacts().map(|contact| contact.regime());
-        let all: Vec<Regime> = all.collect();
-        let same = |regime: Regime| all.iter().all(|own| *own == regime);
-        if same(Regime::Continuous) {
-            Regime::Continuous
-        } else if same(Regime::Stuck) {
-            Regime::Stuck
-        } else {
-            Regime::StickSlip
-        }
+        self.steady.cycle.regime()
     }
 
     /// Returns the contacts, in the order of the description.
@@ -248,23 +228,7 @@ impl<'a> JoinedOrbit<'a> {
     /// # Errors
     /// Those of the engine.
     pub fn is_symmetric(&self) -> Result<bool, JoinedError> {
-        if self.steady.period.is_multiple_of(2) {
-            return Ok(false);
-        }
-        let mut motion = self.motion()?;
-        let half = 0.5 * self.steady.period as f64 * TAU / self.omega;
-        motion.run(half, &mut |_, _, _| {})?;
-        let (start, end) = (&self.steady.state, motion.state());
-        let apart = |a: &[f64], b: &[f64], size: f64| {
-            let sums = a.iter().zip(b).map(|(a, b)| (a + b).abs());
-            sums.fold(0.0, f64::max) <= SYMMETRIC * size
-        };
-        let sizes = self.steady.cycle.amplitudes.iter().copied();
-        let size = sizes.fold(f64::MIN_POSITIVE, f64::max);
-        let speeds = apart(&start.v, &end.v, size * self.omega);
-        // Where nothing holds the chain, its place is arbitrary.
-        let places = self.steady.neutral > 0 || apart(&start.x, &end.x, size);
-        Ok(speeds && places)
+        Ok(self.steady.is_symmetric(&self.chain, self.omega)?)
     }
 
     /// Returns the angular frequency of the load and the units of the answers.

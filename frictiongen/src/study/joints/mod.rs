@@ -3,12 +3,11 @@
 //! All quantities are in the units of the description. A contact of the nodes `later - earlier` has the relative
 //! displacement z, which is that of the later mass minus that of the earlier one, or that of the mass minus that of
 //! the base or the wall. Its force f acts against z on the later mass. [`frictiongen_kernel::joints`] has the motion
-//! from event to event, which emitted code shares. This module has the check of a chain, its damping matrix, the closed
-//! form of the stuck state, and the steady states.
+//! from event to event, the closed form of the stuck state and the steady states, which emitted code shares. This module
+//! has the check of a chain and its damping matrix.
 
 mod damping;
 mod model;
-mod neutral;
 mod run;
 mod steady;
 mod stuck;
@@ -38,8 +37,6 @@ pub type Cycle = joints::Cycle<f64, Heap>;
 pub type ContactCycle = joints::ContactCycle<f64>;
 /// A straight line plus one harmonic: c + bt + a cos(ωt + φ).
 pub type Wave = joints::Wave<f64>;
-/// The trees of one pattern of sticking contacts.
-type Tree = joints::Tree<f64, Heap>;
 
 /// Largest number of contacts.
 pub const MAX_CONTACTS: usize = 16;

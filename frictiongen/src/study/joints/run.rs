@@ -22,11 +22,20 @@ pub struct Heap {
     pub(super) loads: usize,
 }
 
+impl Heap {
+    /// Returns the number of unknowns of a steady state.
+    fn count(&self) -> usize {
+        2 * (self.masses + self.contacts)
+    }
+}
+
 impl Size for Heap {
     type Masses<T: Value> = Vec<T>;
     type Nodes<T: Value> = Vec<T>;
     type Contacts<T: Value> = Vec<T>;
     type Loads<T: Value> = Vec<T>;
+    type Unknowns<T: Value> = Vec<T>;
+    type Square<T: Value> = Vec<T>;
     type Constants<T: Value> = Vec<T>;
 
     fn masses<T: Value>(&self, value: T) -> Vec<T> {
@@ -43,6 +52,14 @@ impl Size for Heap {
 
     fn loads<T: Value>(&self, value: T) -> Vec<T> {
         vec![value; self.loads]
+    }
+
+    fn unknowns<T: Value>(&self, value: T) -> Vec<T> {
+        vec![value; self.count()]
+    }
+
+    fn square<T: Value>(&self, value: T) -> Vec<T> {
+        vec![value; self.count() * self.count()]
     }
 }
 
@@ -101,6 +118,11 @@ impl Motion {
     pub fn from(chain: &Chain, x: &[f64], v: &[f64]) -> Result<Self, JointError> {
         let motion = joints::Motion::new(chain.model()?, x, v)?;
         Ok(Self { motion })
+    }
+
+    /// Returns the motion of the engine.
+    pub(super) fn into_engine(self) -> joints::Motion<f64, Heap> {
+        self.motion
     }
 
     /// Returns the time.

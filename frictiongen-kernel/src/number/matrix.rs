@@ -5,14 +5,14 @@ use crate::number::complex::Complex;
 use crate::number::scalar::Float;
 
 /// A square matrix in a slice, stored column by column.
-pub(super) struct SquareMatrix<'a, S> {
+pub(crate) struct SquareMatrix<'a, S> {
     entries: &'a mut [S],
     size: usize,
 }
 
 impl<'a, S: Float> SquareMatrix<'a, S> {
     /// Creates a matrix from the first size² entries of a slice.
-    pub(super) fn new(entries: &'a mut [S], size: usize) -> Self {
+    pub(crate) fn new(entries: &'a mut [S], size: usize) -> Self {
         Self { entries, size }
     }
 
@@ -37,7 +37,7 @@ impl<'a, S: Float> SquareMatrix<'a, S> {
 
     /// Solves (shift·1 − M)x = b in place, and overwrites the matrix.  Returns false if the matrix shift·1 − M is
     /// singular.
-    pub(super) fn solve_shifted(&mut self, shift: S, b: &mut [S]) -> bool {
+    pub(crate) fn solve_shifted(&mut self, shift: S, b: &mut [S]) -> bool {
         let n = self.size;
         for column in 0..n {
             for row in 0..n {
@@ -94,7 +94,7 @@ impl<'a, S: Float> SquareMatrix<'a, S> {
 
     /// Computes the eigenvalues, and overwrites the matrix.  The method is reduction to Hessenberg form by elimination,
     /// then the double-shift QR iteration of Francis.
-    pub(super) fn eigenvalues(&mut self, out: &mut [Complex<S>]) {
+    pub(crate) fn eigenvalues(&mut self, out: &mut [Complex<S>]) {
         self.reduce();
         let mut end = self.size;
         let mut rounds = 0;

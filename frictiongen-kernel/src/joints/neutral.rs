@@ -1,0 +1,68 @@
+//! Motions of a chain as a whole that nothing resists.
+
+use super::model::Model;
+use super::size::Size;
+use crate::Float;
+
+/// Returns in how many ways the chain may be moved as a whole without any change of forces: places of parts that
+/// neither a spring nor a contact that keeps its place holds, and velocities of parts that nothing holds.
+pub(super) fn neutral<S: Float, Z: Size>(
+    model: &Model<S, Z>,
+    keeps: impl Fn(usize) -> bool,
+) -> usize {
+    let mut parts = model.size.nodes(0);
+    for (node, part) in parts.as_mut().iter_mut().enumerate() {
+        *part = node;
+    }
+    for &(plus, minus, _) in model.springs.as_ref() {
+        join(parts.as_mut(), (plus, minus));
+    }
+    let contacts = || model.contacts().iter().enumerate();
+    let contacts = || contacts().filter(|(_, contact)| !contact.is_free());
+    for (_, contact) in contacts().filter(|(j, _)| keeps(*j)) {
+        join(parts.as_mut(), (contact.plus, contact.minus));
+    }
+    let places = roots(model, parts.as_ref()).count();
+    for &(plus, minus, _) in model.dashpots.as_ref() {
+        join(parts.as_mut(), (plus, minus));
+    }
+    for (_, contact) in contacts() {
+        join(parts.as_mut(), (contact.plus, contact.minus));
+    }
+    let all = parts.as_ref();
+    let moving = roots(model, all).filter(|root| !is_damped(model, all, *root));
+    places + moving.count()
+}
+
+/// Joins the parts of two nodes. The supports have the largest numbers.
+fn join(parts: &mut [usize], (plus, minus): (usize, usize)) {
+    let of = |node: usize| parts.get(node).copied().unwrap_or(node);
+    let (one, other) = (of(plus), of(minus));
+    let (from, to) = (one.min(other), one.max(other));
+    for part in parts.iter_mut().filter(|part| **part == from) {
+        *part = to;
+    }
+}
+
+/// Returns the number of each part that no support belongs to.
+fn roots<S: Float, Z: Size>(model: &Model<S, Z>, parts: &[usize]) -> impl Iterator<Item = usize> {
+    (0..model.wall()).filter(move |root| parts.contains(root))
+}
+
+/// Returns true if the damping matrix resists a motion of a part as a whole.
+fn is_damped<S: Float, Z: Size>(model: &Model<S, Z>, parts: &[usize], root: usize) -> bool {
+    let belongs = |node: usize| parts.get(node) == Some(&root);
+    let small = S::constant(if S::EPSILON < 1e-10 { 1e-9 } else { 1e-4 });
+    let rows = model.damping_rows().enumerate();
+    let mut rows = rows.filter(|(row, _)| belongs(*row));
+    rows.any(|(_, row)| {
+        let (mut sum, mut size) = (S::constant(0.0), S::constant(0.0));
+        for (column, entry) in row.iter().enumerate() {
+            size = size + entry.abs();
+            if belongs(column) {
+                sum = sum + *entry;
+            }
+        }
+        sum.abs() > small * size
+    })
+}

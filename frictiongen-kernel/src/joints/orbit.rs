@@ -1,0 +1,330 @@
+//! Steady states and the stuck state of a chain at one frequency, in non-dimensional groups.
+//!
+//! Displacements are over P/k₁ (over Y for base motion), forces are over P (over k₁Y), and energies are over P²/k₁ (over
+//! k₁Y²).
+
+use super::cycle::ContactCycle;
+use super::model::Model;
+use super::run::{Bounds, Motion};
+use super::simulation::{MAX_EVENTS, MAX_STRETCHES, Reference, Start};
+use super::size::{Size, at};
+use super::steady::Steady;
+use super::stuck::StuckResponse;
+use crate::errors::{Halt, NoOrbit, OutOfDomain, Regime, StuckResonance};
+use crate::number::complex::Complex;
+use crate::{Float, Scalar};
+
+/// A chain at one frequency.
+#[derive(Clone, Debug)]
+pub struct At<S: Float, Z: Size> {
+    /// The chain. The level of each contact is its share of the common friction.
+    model: Model<S, Z>,
+    reference: Reference<S>,
+    r: S,
+    contacts: &'static [&'static str],
+}
+
+impl<S: Float, Z: Size> At<S, Z> {
+    /// Evaluates a chain at the frequency ratio r. The level of each contact in `model` is its share of the common
+    /// friction. `contacts` has the names of the contacts.
+    ///
+    /// # Errors
+    ///
+    /// [`OutOfDomain`] unless r is positive and finite.
+    pub fn new(
+        model: Model<S, Z>,
+        reference: Reference<S>,
+        r: S,
+        contacts: &'static [&'static str],
+    ) -> Result<Self, OutOfDomain> {
+        reference.omega(r)?;
+        Ok(Self {
+            model,
+            reference,
+            r,
+            contacts,
+        })
+    }
+
+    /// Returns the frequency ratio r.
+    pub fn r(&self) -> S {
+        self.r
+    }
+
+    /// Returns the state in which no contact slides, in closed form. No earlier motion has left a force in a contact.
+    ///
+    /// # Errors
+    ///
+    /// [`StuckResonance`] on an undamped resonance of the chain with its contacts stuck.
+    pub fn stuck(&self) -> Result<StuckState<S, Z>, StuckResonance> {
+        let omega = self.r * self.reference.rate;
+        let mut model = self.model.clone();
+        self.reference.load(&mut model, omega, S::constant(1.0));
+        let response = model.stuck(omega).ok_or(StuckResonance)?;
+        Ok(StuckState {
+            response,
+            stiffness: self.reference.stiffness,
+            contacts: self.contacts,
+        })
+    }
+
+    /// Returns the steady state that the motion reaches from rest or from a state, at the common friction β.
+    ///
+    /// # Errors
+    ///
+    /// [`NoOrbit::OutOfDomain`] for a β that is negative or not finite, for a state that is not finite, and, with its
+    /// cause, if the motion exceeds a bound. [`NoOrbit::Unsettled`] if the motion does not settle.
+    pub fn orbit(&self, beta: S, state: Option<Start<'_, S>>) -> Result<Orbit<S, Z>, NoOrbit> {
+        let model = self.model.clone();
+        let start = self.reference.start(model, (self.r, beta), state);
+        let (mut motion, omega) = start.map_err(NoOrbit::OutOfDomain)?;
+        let halted = |halt| NoOrbit::OutOfDomain(OutOfDomain::Motion(halt));
+        let steady = motion.settle(omega).map_err(halted)?;
+        let steady = steady.ok_or(NoOrbit::Unsettled)?;
+        let is_symmetric = steady.is_symmetric(motion, omega).map_err(halted)?;
+        Ok(Orbit {
+            steady,
+            is_symmetric,
+            omega,
+            stiffness: self.reference.stiffness,
+        })
+    }
+}
+
+impl<S: Float, Z: Size> Steady<S, Z> {
+    /// Returns true if the motion repeats with the opposite sign after half a period. `motion` is a motion of the chain,
+    /// whose state does not matter.
+    ///
+    /// # Errors
+    ///
+    /// [`Halt`] if the motion exceeds a bound.
+    pub fn is_symmetric(&self, mut motion: Motion<S, Z>, omega: S) -> Result<bool, Halt> {
+        if self.period.is_multiple_of(2) {
+            return Ok(false);
+        }
+        let half = S::constant(0.5 * self.period as f64 * core::f64::consts::TAU) / omega;
+        let bounds = Bounds {
+            events: MAX_EVENTS,
+            stretches: MAX_STRETCHES,
+        };
+        motion.restart(self.state.clone());
+        motion.run(half, bounds, &mut ())?;
+        let sizes = self.cycle.amplitudes.as_ref().iter().copied();
+        let size = sizes.fold(S::constant(f64::from(f32::MIN_POSITIVE)), Scalar::max);
+        let small = S::constant(if S::EPSILON < 1e-10 { 1e-7 } else { 1e-3 });
+        let opposite = |a: &[S], b: &[S], size: S| {
+            let mut pairs = a.iter().zip(b);
+            pairs.all(|(a, b)| (*a + *b).abs() <= small * size)
+        };
+        let end = motion.state();
+        let speeds = opposite(self.state.v.as_ref(), end.v.as_ref(), size * omega);
+        // Where nothing holds the chain, its place is arbitrary.
+        let places = self.neutral > 0 || opposite(self.state.x.as_ref(), end.x.as_ref(), size);
+        Ok(speeds && places)
+    }
+}
+
+/// The state in which no contact slides.
+#[derive(Clone, Debug)]
+pub struct StuckState<S: Float, Z: Size> {
+    response: StuckResponse<S, Z>,
+    stiffness: S,
+    contacts: &'static [&'static str],
+}
+
+impl<S: Float, Z: Size> StuckState<S, Z> {
+    /// Returns X, the complex amplitude of a mass. Its motion is x̄ = Re X exp(iτ).
+    pub fn mass(&self, mass: usize) -> Complex<S> {
+        let zero = S::constant(0.0);
+        let found = self.response.displacements.as_ref().get(mass).copied();
+        found.unwrap_or(Complex::new(zero, zero))
+    }
+
+    /// Returns the amplitude of the force of a contact.
+    pub fn contact(&self, contact: usize) -> S {
+        at(self.response.forces.as_ref(), contact) / self.stiffness
+    }
+
+    /// Returns β*_lim, the smallest common friction at which no contact slides. It is the largest |f|/(μ·share) of the
+    /// contacts.
+    pub fn limit(&self) -> S {
+        let limit = self.response.limit;
+        limit.map_or(S::constant(0.0), |(limit, _)| limit)
+    }
+
+    /// Returns the name of the contact that slides first if the friction falls below the limit. The name is empty if the
+    /// scene has no contact.
+    pub fn first(&self) -> &'static str {
+        let first = self.response.limit.map_or(0, |(_, first)| first);
+        self.contacts.get(first).copied().unwrap_or_default()
+    }
+}
+
+/// A steady state.
+#[derive(Clone, Debug)]
+pub struct Orbit<S: Float, Z: Size> {
+    steady: Steady<S, Z>,
+    is_symmetric: bool,
+    omega: S,
+    stiffness: S,
+}
+
+impl<S: Float, Z: Size> Orbit<S, Z> {
+    /// Returns the period in cycles of the load, at most [`MAX_PERIOD`](super::MAX_PERIOD).
+    pub fn period(&self) -> usize {
+        self.steady.period
+    }
+
+    /// Returns the Floquet multipliers of a period, in descending order of their modulus. The list omits the
+    /// multipliers 1 of marginal directions.
+    pub fn multipliers(&self) -> &[Complex<S>] {
+        self.steady.multipliers()
+    }
+
+    /// Returns true if every small deviation decays, except deviations along marginal directions.
+    pub fn is_stable(&self) -> bool {
+        self.steady.is_stable()
+    }
+
+    /// Returns true if the motion repeats with the opposite sign after half a period.
+    pub fn is_symmetric(&self) -> bool {
+        self.is_symmetric
+    }
+
+    /// Returns true if the steady state depends on the initial state. This occurs if a contact never slides and keeps
+    /// its position, or if a part of the chain has no path of springs to a support.
+    pub fn is_marginal(&self) -> bool {
+        self.steady.neutral > 0 || self.steady.marginal.as_ref().contains(&true)
+    }
+
+    /// Returns the number of marginal directions of parts without a path of springs to a support. They are
+    /// displacements and constant velocities of these parts.
+    pub fn free_directions(&self) -> usize {
+        self.steady.neutral
+    }
+
+    /// Returns the largest difference between the state at the start and at the end of a period, relative to the size
+    /// of the state.
+    pub fn residual(&self) -> S {
+        self.steady.residual
+    }
+
+    /// Returns the regime. It is *stuck* if no contact slides, and *continuous* if all contacts slide all the time.
+    /// Otherwise it is *stick-slip*.
+    pub fn regime(&self) -> Regime {
+        self.steady.cycle.regime()
+    }
+
+    /// Returns the motion of a mass over the period.
+    pub fn mass(&self, mass: usize) -> MassOrbit<S> {
+        let Steady { cycle, state, .. } = &self.steady;
+        let (largest, centred) = (
+            at(cycle.amplitudes.as_ref(), mass),
+            at(cycle.centred.as_ref(), mass),
+        );
+        MassOrbit {
+            amplitude: if self.steady.neutral == 0 {
+                largest
+            } else {
+                centred
+            },
+            centred,
+            displacement: at(state.x.as_ref(), mass),
+            velocity: at(state.v.as_ref(), mass) / self.omega,
+        }
+    }
+
+    /// Returns the motion of a contact over the period.
+    pub fn contact(&self, contact: usize) -> ContactOrbit<S> {
+        let found = self.steady.cycle.contacts.as_ref().get(contact).copied();
+        ContactOrbit {
+            cycle: found.unwrap_or(ContactCycle::nothing()),
+            is_marginal: self.steady.marginal.as_ref().get(contact) == Some(&true),
+            unit: self.stiffness,
+        }
+    }
+}
+
+/// Motion of a mass over the period of a steady state.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MassOrbit<S> {
+    amplitude: S,
+    centred: S,
+    displacement: S,
+    velocity: S,
+}
+
+impl<S: Float> MassOrbit<S> {
+    /// Returns the amplitude, the largest |x̄|. If a part of the chain has no path of springs to a support, the result is
+    /// the centred amplitude about the mean motion, (max − min)/2.
+    pub fn amplitude(&self) -> S {
+        self.amplitude
+    }
+
+    /// Returns the centred amplitude, (max − min)/2.
+    pub fn centred_amplitude(&self) -> S {
+        self.centred
+    }
+
+    /// Returns displacement x̄ and velocity dx̄/dτ at a maximum of the load.
+    pub fn state(&self) -> (S, S) {
+        (self.displacement, self.velocity)
+    }
+}
+
+/// Motion of a contact over the period of a steady state.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ContactOrbit<S> {
+    cycle: ContactCycle<S>,
+    is_marginal: bool,
+    /// The unit of forces.
+    unit: S,
+}
+
+impl<S: Float> ContactOrbit<S> {
+    /// Returns the number of stops of the contact in a period.
+    pub fn stops(&self) -> usize {
+        self.cycle.stops
+    }
+
+    /// Returns the number of changes of the sliding direction without a stop, in a period.
+    pub fn reversals(&self) -> usize {
+        self.cycle.reversals
+    }
+
+    /// Returns the fraction of the period in which the contact sticks. An elastic contact that sticks moves with its
+    /// spring.
+    pub fn stuck_fraction(&self) -> S {
+        self.cycle.stuck_fraction
+    }
+
+    /// Returns the distance that the slider travels in a period, added over both directions.
+    pub fn slip(&self) -> S {
+        self.cycle.slip
+    }
+
+    /// Returns the largest absolute relative displacement of the two sides.
+    pub fn displacement(&self) -> S {
+        self.cycle.displacement
+    }
+
+    /// Returns the largest absolute force.
+    pub fn force(&self) -> S {
+        self.cycle.force / self.unit
+    }
+
+    /// Returns the energy that friction dissipates in a period.
+    pub fn energy(&self) -> S {
+        self.cycle.energy / self.unit
+    }
+
+    /// Returns the regime of this contact: continuous, stick-slip or stuck.
+    pub fn regime(&self) -> Regime {
+        self.cycle.regime()
+    }
+
+    /// Returns true if the contact never slides and keeps the force or the position that the earlier motion has left.
+    pub fn is_marginal(&self) -> bool {
+        self.is_marginal
+    }
+}

@@ -1,0 +1,394 @@
+//! Steady states: periodic motions, by shooting.
+//!
+//! The unknowns are displacements and velocities at a maximum of the load, the slider of each elastic contact, and the
+//! place of each rigid contact that sticks there. A contact that does not slide in the period keeps its slider or its
+//! place. These are then no unknowns: the steady state is *marginal*, it depends on what the motion before has left.
+
+use super::cycle::{Cycle, Watch};
+use super::least::{apart, solve, sort_by};
+use super::neutral::neutral;
+use super::run::{Bounds, Motion, Observe};
+use super::simulation::{MAX_EVENTS, MAX_STRETCHES};
+use super::size::{Size, add, at, set};
+use super::state::{FREE, State};
+use super::tolerances::Tolerances;
+use super::unknowns::Unknowns;
+use crate::errors::Halt;
+use crate::number::complex::Complex;
+use crate::number::matrix::SquareMatrix;
+use crate::{Float, Scalar};
+
+/// Cycles from rest before the first attempt.
+const WARM: usize = 30;
+/// Attempts, with twice as many cycles before each.
+const ATTEMPTS: usize = 6;
+/// Largest period in cycles.
+pub const MAX_PERIOD: usize = 64;
+/// Newton's steps in an attempt.
+const NEWTON: usize = 12;
+/// Factor by which a difference must fall before a periodic motion is believed.
+const DECAY: f64 = 1e-3;
+/// Most cycles for that.
+const MAX_CONFIRM: usize = 256;
+
+/// Bounds of one cycle.
+const BOUNDS: Bounds = Bounds {
+    events: MAX_EVENTS,
+    stretches: MAX_STRETCHES,
+};
+
+/// A periodic motion.
+#[derive(Clone, Debug)]
+pub struct Steady<S: Float, Z: Size> {
+    /// Length of the period in cycles of the load.
+    pub period: usize,
+    /// The state at a maximum of the load.
+    pub state: State<S, Z>,
+    /// Number of displacements and velocities of parts that nothing holds. The steady state keeps the values that the
+    /// motion from rest has reached.
+    pub neutral: usize,
+    /// Floquet multipliers, then unused entries.
+    multipliers: Z::Unknowns<Complex<S>>,
+    /// Number of multipliers.
+    count: usize,
+    /// The contacts that do not slide in the period. The steady state depends on their place, or on the force that the
+    /// past left in them.
+    pub marginal: Z::Contacts<bool>,
+    /// Amplitudes of the masses and results of the contacts over a period.
+    pub cycle: Cycle<S, Z>,
+    /// Largest difference after a period, relative to the size of the state.
+    pub residual: S,
+}
+
+impl<S: Float, Z: Size> Steady<S, Z> {
+    /// Returns the Floquet multipliers of a period, largest first. The multipliers of 1 that belong to `marginal` and
+    /// `neutral` are left out.
+    pub fn multipliers(&self) -> &[Complex<S>] {
+        let all = self.multipliers.as_ref();
+        all.get(..self.count).unwrap_or(all)
+    }
+
+    /// Returns true if every small change dies out, except for changes of `marginal` and `neutral`.
+    pub fn is_stable(&self) -> bool {
+        let most = S::constant(1.0 - 1e-9);
+        self.multipliers().iter().all(|m| modulus(m) < most)
+    }
+}
+
+fn modulus<S: Float>(number: &Complex<S>) -> S {
+    number.re.hypot(number.im)
+}
+
+/// Returns the distance of a multiplier from 1.
+fn from_one<S: Float>(number: &Complex<S>) -> S {
+    (number.re - S::constant(1.0)).hypot(number.im)
+}
+
+impl<S: Float, Z: Size> Motion<S, Z> {
+    /// Seeks the steady state to which the motion comes, under loads of the angular frequency ω. Returns `None` if the
+    /// motion does not settle on a period of at most [`MAX_PERIOD`] cycles.
+    ///
+    /// The search follows at most 1890 cycles until the motion settles, 12 times 256 cycles to confirm a result, and
+    /// 12 times 12 periods for each unknown.
+    ///
+    /// # Errors
+    ///
+    /// [`Halt`], if the motion exceeds a bound.
+    pub fn settle(&mut self, omega: S) -> Result<Option<Steady<S, Z>>, Halt> {
+        let mut search = Search {
+            cycle: S::constant(core::f64::consts::TAU) / omega,
+            place: S::constant(1.0),
+            moving: self.model().size.contacts(false),
+            tolerances: Tolerances::new(),
+        };
+        let mut cycles = WARM;
+        for _ in 0..ATTEMPTS {
+            let period = search.warm(self, cycles)?;
+            for period in [Some(1), period.filter(|&period| period > 1)]
+                .into_iter()
+                .flatten()
+            {
+                if let Some(steady) = search.newton(self, period)?
+                    && steady.is_stable()
+                    && search.confirm(self, &steady)?
+                {
+                    return search.about_its_mean(self, steady).map(Some);
+                }
+            }
+            cycles *= 2;
+        }
+        Ok(None)
+    }
+}
+
+/// Data of a search for a periodic motion.
+struct Search<S: Float, Z: Size> {
+    /// Length of a cycle of the load.
+    cycle: S,
+    /// Size of the displacements.
+    place: S,
+    /// The contacts that slide in a period.
+    moving: Z::Contacts<bool>,
+    tolerances: Tolerances<S>,
+}
+
+impl<S: Float, Z: Size> Search<S, Z> {
+    /// Runs some cycles. Returns the shortest period after which the states come back, if there is one.
+    fn warm(&mut self, motion: &mut Motion<S, Z>, cycles: usize) -> Result<Option<usize>, Halt> {
+        let window = MAX_PERIOD.min(cycles / 2);
+        self.advance(motion, cycles.saturating_sub(window), &mut ())?;
+        let first = motion.state().clone();
+        let zero = S::constant(0.0);
+        let mut aways = [zero; MAX_PERIOD];
+        let mut most = zero;
+        let mut watch = Watch::new(motion.model());
+        for away in aways.iter_mut().take(window) {
+            watch = Watch::new(motion.model());
+            self.advance(motion, 1, &mut watch)?;
+            *away = self.between(motion.state(), &first);
+            most = Scalar::max(most, *away);
+        }
+        let amplitudes = watch.cycle(self.cycle).amplitudes;
+        let place = amplitudes.as_ref().iter().copied();
+        let place = place.fold(zero, Scalar::max);
+        // Where nothing moves, any size will do.
+        self.place = if place > zero {
+            place
+        } else {
+            S::constant(1.0)
+        };
+        let near = S::constant(0.02) * most;
+        let mut aways = aways.iter().take(window);
+        Ok(aways.position(|away| *away <= near).map(|place| place + 1))
+    }
+
+    /// Returns the distance of two states: of displacements, or of velocities over ω.
+    fn between(&self, one: &State<S, Z>, other: &State<S, Z>) -> S {
+        let rate = S::constant(core::f64::consts::TAU) / self.cycle;
+        let speeds = apart(one.v.as_ref(), other.v.as_ref()) / rate;
+        Scalar::max(apart(one.x.as_ref(), other.x.as_ref()), speeds)
+    }
+
+    /// Runs some cycles from a maximum of the load, where time starts anew.
+    fn advance(
+        &self,
+        motion: &mut Motion<S, Z>,
+        cycles: usize,
+        watch: &mut impl Observe<S, Z>,
+    ) -> Result<(), Halt> {
+        for _ in 0..cycles {
+            let state = motion.state().clone();
+            motion.restart(state);
+            motion.run(self.cycle, BOUNDS, watch)?;
+        }
+        Ok(())
+    }
+
+    /// Returns the length of some cycles.
+    fn length(&self, cycles: usize) -> S {
+        S::constant(cycles as f64) * self.cycle
+    }
+
+    /// Takes the constant velocities of masses that nothing holds out of their displacements.
+    fn about_its_mean(
+        &self,
+        motion: &Motion<S, Z>,
+        mut steady: Steady<S, Z>,
+    ) -> Result<Steady<S, Z>, Halt> {
+        if steady.neutral == 0 {
+            return Ok(steady);
+        }
+        let length = self.length(steady.period);
+        let mut motion = motion.clone();
+        motion.restart(steady.state.clone());
+        let mut drifts = motion.state().x.clone();
+        let mut end = motion.clone();
+        self.advance(&mut end, steady.period, &mut ())?;
+        for (drift, end) in drifts.as_mut().iter_mut().zip(end.state().x.as_ref()) {
+            *drift = (*end - *drift) / length;
+        }
+        let mut watch = Watch::drifting(motion.model(), drifts);
+        self.advance(&mut motion, steady.period, &mut watch)?;
+        steady.cycle.centred = watch.cycle(length).centred;
+        Ok(steady)
+    }
+
+    /// Returns true if the motion approaches a periodic motion as fast as its multipliers predict. A contact that has not
+    /// slid for some cycles may slide again while the motion settles.
+    fn confirm(&self, motion: &mut Motion<S, Z>, steady: &Steady<S, Z>) -> Result<bool, Halt> {
+        let one = S::constant(1.0);
+        let floor = S::constant(DECAY);
+        let rate = steady.multipliers().first();
+        let rate = rate.map_or(S::constant(0.0), modulus);
+        let most = (MAX_CONFIRM / steady.period).max(1);
+        let (mut periods, mut expected) = (1, rate);
+        while expected > floor && periods < most {
+            expected = expected * rate;
+            periods += 1;
+        }
+        let expected = Scalar::max(expected, floor);
+        let before = self.away(motion.state(), steady);
+        let mut watch = Watch::new(motion.model());
+        self.advance(motion, periods * steady.period, &mut watch)?;
+        let mut slides = watch.slides().as_ref().iter().zip(steady.marginal.as_ref());
+        if slides.any(|(slides, marginal)| *slides && *marginal) {
+            return Ok(false);
+        }
+        let after = self.away(motion.state(), steady);
+        let falls = after <= S::constant(0.5) * (one + expected) * before;
+        Ok(after <= self.tolerances.close || falls)
+    }
+
+    /// Returns the largest difference from a periodic motion in the sizes of the unknowns. Where the chain may be moved
+    /// as a whole, only velocities count.
+    fn away(&self, state: &State<S, Z>, steady: &Steady<S, Z>) -> S {
+        let rate = S::constant(core::f64::consts::TAU) / self.cycle;
+        let away = if steady.neutral > 0 {
+            apart(state.v.as_ref(), steady.state.v.as_ref()) / rate
+        } else {
+            self.between(state, &steady.state)
+        };
+        away / self.place
+    }
+
+    /// Returns the access to the unknowns.
+    fn unknowns(&self) -> Unknowns<'_, S, Z> {
+        let rate = S::constant(core::f64::consts::TAU) / self.cycle;
+        Unknowns {
+            place: self.place,
+            speed: self.place * rate,
+            moving: &self.moving,
+        }
+    }
+
+    /// Seeks a periodic motion near a state by Newton's method.
+    fn newton(
+        &mut self,
+        motion: &Motion<S, Z>,
+        period: usize,
+    ) -> Result<Option<Steady<S, Z>>, Halt> {
+        let size = motion.model().size.clone();
+        let (zero, half) = (S::constant(0.0), S::constant(0.5));
+        let (same, rank) = (self.tolerances.same, self.tolerances.rank);
+        let mut start = motion.clone();
+        let mut before = S::constant(f64::INFINITY);
+        for _ in 0..NEWTON {
+            let mut watch = Watch::new(motion.model());
+            let mut end = start.clone();
+            self.advance(&mut end, period, &mut watch)?;
+            self.moving = watch.slides().clone();
+            if end.state().phases != start.state().phases {
+                start = end;
+                continue;
+            }
+            let from = self.unknowns().read(&start);
+            let to = self.unknowns().read(&end);
+            let residual = apart(to.as_ref(), from.as_ref());
+            let Ok(mut matrix) = self.derivatives(&start, &to, period) else {
+                return Ok(None);
+            };
+            let stops = residual >= half * before && residual <= S::constant(50.0) * same;
+            if residual <= same || stops {
+                let found = self.found(&start, &mut matrix, (period, residual), watch);
+                return Ok(Some(found));
+            }
+            before = residual;
+            subtract_from_one(matrix.as_mut(), from.as_ref().len());
+            let mut difference = to;
+            for (to, from) in difference.as_mut().iter_mut().zip(from.as_ref()) {
+                *to = *to - *from;
+            }
+            let (mut turns, mut moved) = (size.square(zero), size.unknowns(zero));
+            let known = difference.as_ref();
+            solve(matrix.as_mut(), turns.as_mut(), known, rank, moved.as_mut());
+            for (to, from) in moved.as_mut().iter_mut().zip(from.as_ref()) {
+                *to = *from + *to;
+            }
+            if moved.as_ref().iter().any(|value| !value.is_finite()) {
+                return Ok(None);
+            }
+            start = self.unknowns().write(&start, &moved);
+        }
+        Ok(None)
+    }
+
+    /// Returns the derivatives of the unknowns after a period, column by column.
+    fn derivatives(
+        &self,
+        start: &Motion<S, Z>,
+        to: &Z::Unknowns<S>,
+        period: usize,
+    ) -> Result<Z::Square<S>, Halt> {
+        let unknowns = self.unknowns();
+        let step = self.tolerances.step;
+        let from = unknowns.read(start);
+        let mut matrix = start.model().size.square(S::constant(0.0));
+        let size = from.as_ref().len().max(1);
+        for (index, column) in matrix.as_mut().chunks_exact_mut(size).enumerate() {
+            let mut moved = from.clone();
+            add(moved.as_mut(), index, step);
+            let mut end = unknowns.write(start, &moved);
+            self.advance(&mut end, period, &mut ())?;
+            let end = unknowns.read(&end);
+            for (row, entry) in column.iter_mut().enumerate() {
+                *entry = (at(end.as_ref(), row) - at(to.as_ref(), row)) / step;
+            }
+        }
+        Ok(matrix)
+    }
+
+    /// Returns the result for a periodic motion. Overwrites the matrix.
+    fn found(
+        &self,
+        start: &Motion<S, Z>,
+        matrix: &mut Z::Square<S>,
+        (period, residual): (usize, S),
+        watch: Watch<S, Z>,
+    ) -> Steady<S, Z> {
+        let model = start.model();
+        let zero = S::constant(0.0);
+        let mut multipliers = model.size.unknowns(Complex::new(zero, zero));
+        let count = multipliers.as_ref().len();
+        SquareMatrix::new(matrix.as_mut(), count).eigenvalues(multipliers.as_mut());
+        let moving = self.moving.as_ref();
+        let neutral = neutral(model, |j| moving.get(j) == Some(&false));
+        // Place and velocity of a free part are a double root, which the differences split.
+        let all = multipliers.as_mut();
+        sort_by(all, from_one);
+        let split = self.tolerances.split;
+        let ones = all.iter().take(neutral).filter(|m| from_one(m) < split);
+        let ones = ones.count();
+        let count = count.saturating_sub(ones);
+        for index in 0..count {
+            if let Some(&kept) = all.get(index + ones) {
+                set(all, index, kept);
+            }
+        }
+        if let Some(kept) = all.get_mut(..count) {
+            sort_by(kept, |m| -modulus(m));
+        }
+        let mut marginal = model.size.contacts(false);
+        let contacts = marginal.as_mut().iter_mut().enumerate();
+        for ((j, marginal), moves) in contacts.zip(moving) {
+            *marginal = !*moves && start.state().phase(j) != FREE;
+        }
+        Steady {
+            period,
+            state: start.state().clone(),
+            neutral,
+            multipliers,
+            count,
+            marginal,
+            cycle: watch.cycle(self.length(period)),
+            residual,
+        }
+    }
+}
+
+/// Replaces a matrix M by 1 − M.
+fn subtract_from_one<S: Float>(matrix: &mut [S], size: usize) {
+    for (index, entry) in matrix.iter_mut().enumerate() {
+        let diagonal = size > 0 && index / size == index % size;
+        *entry = S::constant(f64::from(u8::from(diagonal))) - *entry;
+    }
+}

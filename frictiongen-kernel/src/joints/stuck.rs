@@ -1,0 +1,199 @@
+//! The chain while no contact slides: a linear chain, in closed form.
+
+use super::model::Model;
+use super::size::{Size, add, at, set};
+use super::tree::Tree;
+use super::wave::Wave;
+use crate::Float;
+use crate::number::complex::Complex;
+use crate::number::matrix::SquareMatrix;
+
+/// The response while no contact slides, under loads of one frequency.
+#[derive(Clone, Debug)]
+pub struct StuckResponse<S: Float, Z: Size> {
+    /// Complex amplitude X of each mass: x = Re X exp(iωt).
+    pub displacements: Z::Masses<Complex<S>>,
+    /// Amplitude of the force of each contact.
+    pub forces: Z::Contacts<S>,
+    /// The factor by which all levels must be multiplied so that the contact that goes first just holds, and this
+    /// contact. `None` if no contact has a level.
+    pub limit: Option<(S, usize)>,
+}
+
+/// Real and imaginary parts of a complex amplitude of each node.
+struct Shape<S: Float, Z: Size> {
+    re: Z::Nodes<S>,
+    im: Z::Nodes<S>,
+}
+
+impl<S: Float, Z: Size> Shape<S, Z> {
+    fn of(model: &Model<S, Z>) -> Self {
+        let zeros = || model.size.nodes(S::constant(0.0));
+        Self {
+            re: zeros(),
+            im: zeros(),
+        }
+    }
+
+    /// Adds a complex amplitude at every node of a tree.
+    fn lift(&mut self, tree: &Tree<S, Z>, root: usize, (re, im): (S, S)) {
+        for node in 0..self.re.as_ref().len() {
+            if tree.root(node) == root {
+                add(self.re.as_mut(), node, re);
+                add(self.im.as_mut(), node, im);
+            }
+        }
+    }
+
+    /// Returns the sums over a tree.
+    fn sums(&self, tree: &Tree<S, Z>, root: usize) -> (S, S) {
+        let sum = |values: &[S]| {
+            let nodes = values.iter().enumerate();
+            let nodes = nodes.filter(|(node, _)| tree.root(*node) == root);
+            nodes.fold(S::constant(0.0), |sum, (_, value)| sum + *value)
+        };
+        (sum(self.re.as_ref()), sum(self.im.as_ref()))
+    }
+
+    /// Adds the amplitudes of the loads.
+    fn load(&mut self, model: &Model<S, Z>) {
+        for (mass, load) in model.loads.as_ref() {
+            let (re, im) = amplitude(load);
+            add(self.re.as_mut(), *mass, re);
+            add(self.im.as_mut(), *mass, im);
+        }
+    }
+
+    /// Returns the forces of springs, dampers and elastic contacts on a shape that vibrates.
+    fn pulls(&self, model: &Model<S, Z>, omega: S) -> Self {
+        let pulls = |place: &Z::Nodes<S>, quarter: &Z::Nodes<S>, rate: S| {
+            let mut speed = quarter.clone();
+            for speed in speed.as_mut() {
+                *speed = rate * *speed;
+            }
+            let zero = |_| S::constant(0.0);
+            let mut forces = model.forces(place.as_ref(), speed.as_ref(), zero, None);
+            for contact in model.contacts() {
+                if let Some(stiffness) = contact.stiffness.filter(|_| !contact.is_free()) {
+                    let force = stiffness * contact.across(place.as_ref());
+                    contact.pull(forces.as_mut(), force);
+                }
+            }
+            forces
+        };
+        Self {
+            re: pulls(&self.re, &self.im, -omega),
+            im: pulls(&self.im, &self.re, omega),
+        }
+    }
+}
+
+/// Returns the complex amplitude of the harmonic.
+fn amplitude<S: Float>(wave: &Wave<S>) -> (S, S) {
+    let (sin, cos) = (wave.phase * S::inverse_pi()).sin_cos_pi();
+    (wave.amplitude * cos, wave.amplitude * sin)
+}
+
+impl<S: Float, Z: Size> Model<S, Z> {
+    /// Returns the response while no contact with a level slides, under loads of the angular frequency ω. Constant
+    /// terms of the loads do not count. An elastic contact has no force from the past. Returns `None` on an undamped
+    /// resonance.
+    pub fn stuck(&self, omega: S) -> Option<StuckResponse<S, Z>> {
+        let free = |j: usize| self.contact(j).is_none_or(|contact| contact.is_free());
+        let tree = Tree::new(self, |j| !free(j));
+        let mut roots = self.size.masses(0);
+        let mut count = 0;
+        for node in (0..self.wall()).filter(|node| tree.root(*node) == *node) {
+            set(roots.as_mut(), count, node);
+            count += 1;
+        }
+        let roots = roots.as_ref().iter().take(count).copied();
+        let (zero, one) = (S::constant(0.0), S::constant(1.0));
+        // The real and the imaginary parts of the complex equations, one after the other.
+        let size = 2 * count;
+        let mut matrix = self.size.square(zero);
+        let mut known = self.size.unknowns(zero);
+        for (column, root) in roots.clone().enumerate() {
+            let mut unit = Shape::of(self);
+            unit.lift(&tree, root, (one, zero));
+            let forces = unit.pulls(self, omega);
+            for (row, own) in roots.clone().enumerate() {
+                let (mut re, im) = forces.sums(&tree, own);
+                if own == root {
+                    re = re + omega * omega * tree.mass(root);
+                }
+                for (row, column, value) in [
+                    (row, column, re),
+                    (count + row, count + column, re),
+                    (count + row, column, im),
+                    (row, count + column, -im),
+                ] {
+                    set(matrix.as_mut(), column * size + row, value);
+                }
+            }
+        }
+        let mut shape = Shape::of(self);
+        shape.lift(&tree, self.base_node(), amplitude(&self.base));
+        let mut loads = shape.pulls(self, omega);
+        loads.load(self);
+        for (row, root) in roots.clone().enumerate() {
+            let (re, im) = loads.sums(&tree, root);
+            set(known.as_mut(), row, re);
+            set(known.as_mut(), count + row, im);
+        }
+        // Every mass may be held by a support.
+        if !SquareMatrix::new(matrix.as_mut(), size).solve_shifted(zero, known.as_mut()) {
+            return None;
+        }
+        for (row, root) in roots.enumerate() {
+            let response = (at(known.as_ref(), row), at(known.as_ref(), count + row));
+            shape.lift(&tree, root, response);
+        }
+        let mut all = shape.re.as_ref().iter().chain(shape.im.as_ref());
+        if !all.all(|value| value.is_finite()) {
+            return None;
+        }
+        Some(self.stuck_with(&tree, &shape, omega))
+    }
+
+    /// Returns the forces of the contacts and the limit from the shape.
+    fn stuck_with(&self, tree: &Tree<S, Z>, shape: &Shape<S, Z>, omega: S) -> StuckResponse<S, Z> {
+        let zero = S::constant(0.0);
+        let mut pulls = shape.pulls(self, omega);
+        pulls.load(self);
+        let held = |forces: &Z::Nodes<S>, place: &Z::Nodes<S>| {
+            let mut holds = self.size.contacts(zero);
+            let base = -omega * omega * at(place.as_ref(), self.base_node());
+            tree.accelerate(self, forces.as_ref(), base, holds.as_mut());
+            holds
+        };
+        let (re, im) = (held(&pulls.re, &shape.re), held(&pulls.im, &shape.im));
+        let mut forces = self.size.contacts(zero);
+        let mut limit = None;
+        for (j, contact) in self.contacts().iter().enumerate() {
+            if contact.is_free() {
+                continue;
+            }
+            let across = |nodes: &Z::Nodes<S>| contact.across(nodes.as_ref());
+            let force = match contact.stiffness {
+                Some(stiffness) => stiffness * across(&shape.re).hypot(across(&shape.im)),
+                None => at(re.as_ref(), j).hypot(at(im.as_ref(), j)),
+            };
+            set(forces.as_mut(), j, force);
+            let factor = force / (contact.stiction * contact.level.constant);
+            if limit.is_none_or(|(most, _)| factor > most) {
+                limit = Some((factor, j));
+            }
+        }
+        let mut displacements = self.size.masses(Complex::new(zero, zero));
+        let parts = shape.re.as_ref().iter().zip(shape.im.as_ref());
+        for (own, (re, im)) in displacements.as_mut().iter_mut().zip(parts) {
+            *own = Complex::new(*re, *im);
+        }
+        StuckResponse {
+            displacements,
+            forces,
+            limit,
+        }
+    }
+}

@@ -1,0 +1,89 @@
+//! The unknowns of a steady state: displacements, velocities, and for each contact that moves its slider or its place.
+
+use super::run::Motion;
+use super::size::{Size, at, set, sign};
+use super::state::{FREE, STUCK};
+use crate::{Float, Scalar};
+
+/// Sizes of the unknowns, and the contacts that move. The unknowns are divided by their sizes.
+pub(super) struct Unknowns<'s, S: Float, Z: Size> {
+    /// Size of displacements, sliders and places.
+    pub(super) place: S,
+    /// Size of velocities.
+    pub(super) speed: S,
+    /// The contacts that slide in a period.
+    pub(super) moving: &'s Z::Contacts<bool>,
+}
+
+impl<S: Float, Z: Size> Unknowns<'_, S, Z> {
+    fn moves(&self, contact: usize) -> bool {
+        self.moving.as_ref().get(contact) == Some(&true)
+    }
+
+    /// Returns the unknowns of a state.
+    pub(super) fn read(&self, motion: &Motion<S, Z>) -> Z::Unknowns<S> {
+        let state = motion.state();
+        let masses = motion.model().masses().len();
+        let mut unknowns = motion.model().size.unknowns(S::constant(0.0));
+        let mut put = |index, value| set(unknowns.as_mut(), index, value);
+        let speeds = state.v.as_ref().iter();
+        for (mass, (x, v)) in state.x.as_ref().iter().zip(speeds).enumerate() {
+            put(mass, *x / self.place);
+            put(masses + mass, *v / self.speed);
+        }
+        for (j, contact) in motion.model().contacts().iter().enumerate() {
+            let place = motion.relative(j).1;
+            let index = 2 * masses + 2 * j;
+            match contact.stiffness {
+                _ if !self.moves(j) => {}
+                Some(stiffness) => {
+                    let slider = place - at(state.forces.as_ref(), j) / stiffness;
+                    put(index, slider / self.place);
+                }
+                None if state.phase(j) == STUCK => put(index + 1, place / self.place),
+                None => {}
+            }
+        }
+        unknowns
+    }
+
+    /// Returns a motion that starts with given unknowns. Contacts that do not move keep what they have.
+    pub(super) fn write(&self, motion: &Motion<S, Z>, unknowns: &Z::Unknowns<S>) -> Motion<S, Z> {
+        let model = motion.model();
+        let masses = model.masses().len();
+        let own = |index: usize| at(unknowns.as_ref(), index);
+        let mut moved = motion.clone();
+        let mut state = motion.state().clone();
+        for mass in 0..masses {
+            set(state.x.as_mut(), mass, own(mass) * self.place);
+            set(state.v.as_mut(), mass, own(masses + mass) * self.speed);
+        }
+        let of_contact = |j: usize, which: usize| own(2 * masses + 2 * j + which) * self.place;
+        let contacts = || model.contacts().iter().enumerate();
+        for (j, _) in contacts().filter(|(j, contact)| self.moves(*j) && contact.is_rigid()) {
+            set(state.places.as_mut(), j, of_contact(j, 1));
+        }
+        moved.restart(state);
+        let mut state = moved.state().clone();
+        for (j, contact) in contacts() {
+            let Some(stiffness) = contact.stiffness else {
+                continue;
+            };
+            let slider = if self.moves(j) {
+                of_contact(j, 0)
+            } else {
+                motion.relative(j).1 - at(motion.state().forces.as_ref(), j) / stiffness
+            };
+            let force = stiffness * (moved.relative(j).1 - slider);
+            let most = contact.stiction * contact.level.constant;
+            let force = match state.phase(j) {
+                FREE => S::constant(0.0),
+                STUCK => Scalar::max(-most, Scalar::min(force, most)),
+                side => sign::<S>(side) * contact.level.constant,
+            };
+            set(state.forces.as_mut(), j, force);
+        }
+        moved.restart(state);
+        moved
+    }
+}
