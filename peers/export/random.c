@@ -131,6 +131,43 @@ static void disturb(struct OF(stepper) *stepper, struct OF(input) input)
     expect(OF(stepper_restore)(stepper, &saved) == STATUS(OK), "restore");
 }
 
+/* Adds steady states from rest and from another state, and the Floquet multipliers. */
+static void add_orbits(void)
+{
+    const real r = (real)0.5;
+    const real beta = (real)0.125;
+    const real part = (real)0.25;
+    struct OF(orbit_start) start;
+    struct OF(orbit) rest;
+    struct OF(orbit) other;
+    struct OF(complex) multiplier;
+    real values[2 * MASSES];
+    uint32_t index;
+    int k;
+    for (k = 0; k < 2 * MASSES; k++) {
+        values[k] = part;
+    }
+    memcpy(&start, values, sizeof start);
+    expect(OF(orbit)(r, beta, &rest) == STATUS(OK), "orbit");
+    expect(OF(orbit_from)(r, beta, &start, &other) == STATUS(OK), "orbit_from");
+    expect(rest.multipliers > 0u, "the number of multipliers");
+    for (index = 0; index < rest.multipliers; index++) {
+        expect(OF(orbit_multiplier)(r, beta, index, &multiplier) == STATUS(OK), "orbit_multiplier");
+        add(&multiplier.re, sizeof multiplier.re);
+        add(&multiplier.im, sizeof multiplier.im);
+    }
+    expect(OF(orbit_multiplier)(r, beta, index, &multiplier) == STATUS(MULTIPLIER), "a multiplier too many");
+    add(&rest.stuck_fraction, sizeof rest.stuck_fraction);
+    add(&rest.stops, sizeof rest.stops);
+    add(&other.stuck_fraction, sizeof other.stuck_fraction);
+    add(&other.stops, sizeof other.stops);
+    values[0] = (real)NAN;
+    memcpy(&start, values, sizeof start);
+    rest = other;
+    expect(OF(orbit_from)(r, beta, &start, &other) == STATUS(STATE), "a start that is NaN");
+    expect(memcmp(&rest, &other, sizeof rest) == 0, "an error changed a steady state");
+}
+
 int main(int count, char **arguments)
 {
     static struct OF(stepper) stepper;
@@ -173,6 +210,7 @@ int main(int count, char **arguments)
         return 1;
     }
     expect(progress.steps == (uint64_t)steps, "the number of steps");
+    add_orbits();
     printf("%016llx %llu %llu %llu\n", (unsigned long long)hash, events, stuck, (unsigned long long)progress.exceeded);
     return 0;
 }

@@ -6,6 +6,7 @@ mod files;
 mod fmu;
 mod header;
 mod names;
+mod orbit;
 mod room;
 mod rust;
 mod status;

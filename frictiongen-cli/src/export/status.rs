@@ -28,7 +28,7 @@ const fn status(
 }
 
 /// All causes in the order of their numbers.
-pub const STATUSES: [Status; 32] = [
+pub const STATUSES: [Status; 33] = [
     status("OK", 0, "success", None),
     status("NULL_POINTER", 1, "a pointer is null", None),
     status(
@@ -206,6 +206,12 @@ pub const STATUSES: [Status; 32] = [
         None,
     ),
     status("UNSETTLED", 47, "the motion does not become periodic", None),
+    status(
+        "MULTIPLIER",
+        48,
+        "the steady state has no Floquet multiplier with this index",
+        None,
+    ),
 ];
 
 /// Returns the Rust functions that turn the library's errors into numbers.
@@ -234,7 +240,8 @@ pub fn conversions() -> String {
     format!(
         "    const NULL_POINTER: i32 = {null};\n    const NOT_STARTED: i32 = {not_started};\n    \
          const SELF_CHECK: i32 = {self_check};\n    const STUCK_RESONANCE: i32 = {resonance};\n    \
-         const OTHER: i32 = {other};\n\n    \
+         const OTHER: i32 = {other};\n    \
+         const NO_MULTIPLIER: i32 = {multiplier};\n\n    \
          fn domain(error: OutOfDomain) -> i32 {{\n        match error {{\n{domain}            _ => OTHER,\n        }}\n    }}\n\n    \
          fn not_continuous(error: NotContinuous) -> i32 {{\n        match error {{\n            \
          NotContinuous::StickSlip => {stick_slip},\n            NotContinuous::Stuck => {stuck},\n            \
@@ -251,6 +258,7 @@ pub fn conversions() -> String {
         self_check = number("SELF_CHECK"),
         resonance = number("STUCK_RESONANCE"),
         other = number("OTHER"),
+        multiplier = number("MULTIPLIER"),
         stick_slip = number("STICK_SLIP"),
         stuck = number("STUCK"),
         unbounded = number("UNBOUNDED"),

@@ -70,7 +70,7 @@ pub fn add(face: &mut Face, scene: &Scene) {
         stuck(face, scene);
     }
     if scene.provides(&Provide::Orbit) {
-        orbit(face, scene);
+        super::orbit::add(face, scene, unit(scene));
         let motion = Motions {
             name: "orbit",
             prepare: "let motion = Scene::at(r).map_err(domain)?.orbit(beta).map_err(no_orbit)?;",
@@ -277,46 +277,5 @@ fn stuck(face: &mut Face, scene: &Scene) {
         body: format!(
             "let found = Scene::at(r).map_err(domain)?.stuck().map_err(|_| STUCK_RESONANCE)?;\nstuck.write(Stuck {{ {written}}});\nOk(())"
         ),
-    });
-}
-
-fn orbit(face: &mut Face, _scene: &Scene) {
-    let flag = |name: &str, about: &str| Field::new(name, Kind::Int, about);
-    face.records.push(Record {
-        name: "orbit",
-        about: "A steady state in any regime.".to_owned(),
-        fields: vec![
-            Field::new(
-                "period",
-                Kind::Count,
-                "in cycles of the excitation; all counts are for one period",
-            ),
-            Field::new("stops", Kind::Count, "number of stops"),
-            Field::new(
-                "reversals",
-                Kind::Count,
-                "number of reversals without a stop",
-            ),
-            flag(
-                "is_symmetric",
-                "1 if the second half of a period is minus the first",
-            ),
-            flag("is_stable", "1 if small changes of the state decay"),
-            flag(
-                "is_marginal",
-                "1 if the state is one of a continuum, or is approached only algebraically",
-            ),
-            Field::new(
-                "stuck_fraction",
-                Kind::Real,
-                "fraction of the period in which the contact sticks",
-            ),
-        ],
-    });
-    face.functions.push(Function {
-        name: "orbit",
-        about: "Returns the steady state that motion from rest reaches, in any regime.".to_owned(),
-        parameters: vec![R, BETA, ("orbit", Passed::Output(Kind::Record("orbit")))],
-        body: "let found = Scene::at(r).map_err(domain)?.orbit(beta).map_err(no_orbit)?;\nlet count = |count: usize| u32::try_from(count).unwrap_or(u32::MAX);\norbit.write(Orbit {\n    period: found.period(),\n    stops: count(found.stops()),\n    reversals: count(found.reversals()),\n    is_symmetric: i32::from(found.is_symmetric()),\n    is_stable: i32::from(found.is_stable()),\n    is_marginal: i32::from(found.is_marginal()),\n    stuck_fraction: found.stuck_fraction(),\n});\nOk(())".to_owned(),
     });
 }

@@ -124,6 +124,8 @@ fn the_files() {
         "motion_at",
         "stuck",
         "orbit",
+        "orbit_from",
+        "orbit_multiplier",
         "orbit_motion",
         "orbit_harmonic",
         "orbit_at",

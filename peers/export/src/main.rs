@@ -51,6 +51,17 @@ macro_rules! run {
                 hash.bytes(&mass.velocity().to_ne_bytes());
             )*
         }
+        let at = $scene::at(0.5)?;
+        let start = [$(stringify!($mass)),*].map(|_| 0.25);
+        let (orbit, other) = (at.orbit(0.125)?, at.orbit_from(0.125, (&start, &start))?);
+        for multiplier in orbit.multipliers() {
+            hash.bytes(&multiplier.re.to_ne_bytes());
+            hash.bytes(&multiplier.im.to_ne_bytes());
+        }
+        for orbit in [orbit, other] {
+            hash.bytes(&orbit.stuck_fraction().to_ne_bytes());
+            hash.bytes(&(orbit.stops() as u32).to_ne_bytes());
+        }
         println!("{:016x} {events} {stuck} {}", hash.0, stepper.exceeded());
     }};
 }
