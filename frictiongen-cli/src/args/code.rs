@@ -142,7 +142,8 @@ pub struct PlayArguments {
     /// Argument for the scene description.
     #[command(flatten)]
     pub file: FileArgument,
-    /// The playground, as scripts/playground makes it [default: playground.html in the folder of this program]
+    /// File with the playground, which scripts/playground creates [default: playground.html in the folder of this
+    /// program]
     #[arg(long, value_name = "PAGE")]
     pub page: Option<PathBuf>,
     /// Write to this file instead of standard output

@@ -16,9 +16,10 @@ use frictiongen::{Of, System};
 const MOST_FRICTIONS: usize = 6;
 /// Largest number of masses for which the page shows every motion.
 const ALL_SHOWN: usize = 4;
-/// Bounds of the default range of frequencies, relative to the lowest and to the highest resonance.
+/// Range of frequencies if the user gives none. It begins at the first number times the lowest resonance, and ends at
+/// the second number times the highest resonance.
 const RANGE: [f64; 2] = [0.3, 1.5];
-/// Default frictions, relative to the median of β*_lim over the range.
+/// Default frictions, as fractions of the median of β*_lim over the range.
 const FRACTIONS: [f64; 3] = [0.1, 0.3, 0.7];
 /// Number of frequencies from which the command computes the median of β*_lim and the largest motion with the contact
 /// stuck.

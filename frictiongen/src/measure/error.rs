@@ -146,7 +146,7 @@ pub enum MeasureError {
     },
     /// The fit does not converge.
     NoFit,
-    /// The request does not apply to this scene, or an argument is out of range.
+    /// The request does not apply to this scene, or one of its arguments is out of range.
     Asked(&'static str),
     /// A free decay has too few peaks. The field is the number of peaks found.
     FewPeaks(usize),

@@ -74,7 +74,8 @@ pub(super) struct Node<S> {
     pub slope: S,
     /// sin τ at the node.
     pub sine: S,
-    /// cos τ at the node.
+    /// Evaluates the sum at all nodes. The function fills the grid in place, because a returned grid would be on the
+    /// stack twice.
     pub cosine: S,
 }
 

@@ -137,12 +137,12 @@ pub struct LimitsAtEnd {
     pub sliding: Sensed,
 }
 
-/// Lower bound of the default range, as a factor on the lowest resonance. The range never begins below `FAR_BELOW`
+/// Lower bound of the default range, as a multiple of the lowest resonance. The range never begins below `FAR_BELOW`
 /// times the highest resonance. It ends at `ABOVE` times the highest resonance.
 const BELOW: f64 = 0.55;
-/// Upper bound of the default range, as a factor on the highest resonance.
+/// Upper bound of the default range, as a multiple of the highest resonance.
 const ABOVE: f64 = 1.5;
-/// Smallest lower bound of the default range, as a factor on the highest resonance.
+/// Smallest lower bound of the default range, as a multiple of the highest resonance.
 const FAR_BELOW: f64 = 0.02;
 
 impl System {

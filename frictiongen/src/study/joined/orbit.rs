@@ -8,7 +8,7 @@ use crate::study::joints::{Chain, ContactCycle, Motion, Steady};
 use crate::{Complex, Regime};
 use std::f64::consts::TAU;
 
-/// Relative difference of two half periods below which a motion counts as symmetric.
+/// A motion counts as symmetric if the states of its two half periods differ relatively by less than this value.
 const SYMMETRIC: f64 = 1e-7;
 
 /// A steady state of a scene with several contacts.
@@ -117,7 +117,8 @@ impl<'a> JoinedOrbit<'a> {
         &self.steady.multipliers
     }
 
-    /// Returns true if every small deviation decays, except deviations along marginal directions.
+    /// Returns true if every small deviation decays, except along marginal directions. A deviation along a marginal
+    /// direction stays constant.
     #[must_use]
     pub fn is_stable(&self) -> bool {
         self.steady.is_stable()
@@ -246,7 +247,7 @@ impl<'a> JoinedOrbit<'a> {
     /// Returns true if the motion repeats with the opposite sign after half a period.
     ///
     /// # Errors
-    /// Those of the engine.
+    /// [`JoinedError::Engine`] if the solver does not support the chain.
     pub fn is_symmetric(&self) -> Result<bool, JoinedError> {
         if self.steady.period.is_multiple_of(2) {
             return Ok(false);

@@ -1,10 +1,12 @@
-//! Chains with several contacts, rigid and elastic, dashpots, and masses that no spring holds, at run time.
+//! Solver for chains with several contacts at run time. Contacts may be rigid or elastic, and the chain may have
+//! dashpots and masses without springs.
 //!
-//! All quantities are in the units of the description. A contact of the nodes `later - earlier` has the relative
-//! displacement z, which is that of the later mass minus that of the earlier one, or that of the mass minus that of
-//! the base or the wall. Its force f acts against z on the later mass. [`frictiongen_kernel::joints`] has the motion
-//! from event to event, which emitted code shares. This module has the check of a chain, its damping matrix, the closed
-//! form of the stuck state, and the steady states.
+//! All quantities are in the units of the description. The relative displacement z of a contact `later - earlier` is
+//! the displacement of the later mass minus that of the earlier one. For a contact with the base or the wall, it is the
+//! displacement of the mass minus that of the support. A positive contact force f acts on the later mass in the
+//! negative direction of z. [`frictiongen_kernel::joints`] computes the motion from event to event, also for emitted
+//! code. This module checks a chain, and computes its damping matrix, the closed form of its stuck state, and its
+//! steady states.
 
 mod damping;
 mod model;
@@ -24,13 +26,13 @@ use frictiongen_kernel::joints::{self, Halt, MAX_PATTERNS};
 use frictiongen_model::scene::Node;
 use std::fmt;
 
-/// A chain that has been checked, with its nodes numbered.
+/// A chain with valid numbers, whose nodes are numbered.
 pub type Model = joints::Model<f64, Heap>;
-/// The state of a chain.
+/// State of a chain at one instant.
 pub type State = joints::State<f64, Heap>;
-/// The motion over one stretch.
+/// Power series of the motion over one stretch (time interval).
 pub type Series = joints::Series<f64, Heap>;
-/// Collects the results of a period, stretch by stretch.
+/// Collects the results of a period, one stretch (time interval of a power series) after the other.
 pub type Watch = joints::Watch<f64, Heap>;
 /// Amplitudes of the masses, and results of each contact, over a period.
 pub type Cycle = joints::Cycle<f64, Heap>;
@@ -38,7 +40,7 @@ pub type Cycle = joints::Cycle<f64, Heap>;
 pub type ContactCycle = joints::ContactCycle<f64>;
 /// A straight line plus one harmonic: c + bt + a cos(ωt + φ).
 pub type Wave = joints::Wave<f64>;
-/// The trees of one pattern of sticking contacts.
+/// Groups of masses that sticking contacts connect.
 type Tree = joints::Tree<f64, Heap>;
 
 /// Largest number of contacts.
@@ -49,24 +51,24 @@ pub const MAX_MASSES: usize = 64;
 /// A contact of a chain.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Joint {
-    /// The two sides.
+    /// The two nodes between which the contact acts.
     pub ends: (Node, Node),
-    /// Level F of the kinetic friction. It may vary in time for a rigid contact, and must then stay positive.
+    /// Kinetic friction force F (level). For a rigid contact it may vary in time, and must then stay positive.
     pub level: Wave,
-    /// Static over kinetic friction μ, at least 1.
+    /// Ratio μ of the static to the kinetic friction force, at least 1.
     pub stiction: f64,
     /// Stiffness of the spring in series with the slider; `None` for a rigid contact.
     pub stiffness: Option<f64>,
 }
 
-/// A chain with its joints and its loads.
+/// A chain with its contacts and its loads.
 #[derive(Clone, Debug, PartialEq, Default)]
 pub struct Chain {
     /// The masses.
     pub masses: Vec<f64>,
-    /// The springs: two ends and a stiffness.
+    /// The springs, each with its two nodes and its stiffness.
     pub springs: Vec<(Node, Node, f64)>,
-    /// The dashpots: two ends and a coefficient.
+    /// The dashpots, each with its two nodes and its coefficient.
     pub dashpots: Vec<(Node, Node, f64)>,
     /// The matrix of modal or Rayleigh damping by rows, or no rows.
     pub damping: Vec<Vec<f64>>,
@@ -74,32 +76,33 @@ pub struct Chain {
     pub damping_from_base: bool,
     /// The contacts.
     pub contacts: Vec<Joint>,
-    /// Forces on masses.
+    /// Forces on masses, each with the index of the mass.
     pub loads: Vec<(usize, Wave)>,
     /// The displacement of the base.
     pub base: Wave,
 }
 
-/// A reason why there is no answer.
+/// Reason why the solver returns no result for a chain.
 #[derive(Clone, Debug, PartialEq)]
 pub enum JointError {
-    /// There is no mass, or there are more masses or contacts than fit.
+    /// There is no mass, or there are more masses or contacts than the solver supports.
     Size,
-    /// A number is not finite, or has a sign that it cannot have.
+    /// A number is not finite, or has an invalid sign.
     Number(&'static str),
-    /// A spring, a dashpot, a contact or a load names a mass that does not exist, or one node twice.
+    /// A spring, dashpot, contact or load refers to a mass that does not exist, or connects a node with itself.
     Ends(&'static str),
-    /// Rigid contacts that can stick together and whose forces are then not determined, by index.
+    /// Rigid contacts, by index, that can all stick at once and form a closed loop. Their forces are then not
+    /// determined.
     Redundant(Vec<usize>),
-    /// The decision which contacts stick needs more than [`MAX_PATTERNS`] patterns.
+    /// The solver would need more than [`MAX_PATTERNS`] patterns to decide which contacts stick.
     Patterns,
-    /// More than [`MAX_EVENTS`] events.
+    /// The motion has more than [`MAX_EVENTS`] events.
     Events,
-    /// More than [`MAX_STRETCHES`] stretches.
+    /// The motion needs more than [`MAX_STRETCHES`] stretches (time intervals of a power series).
     Stretches,
-    /// Events follow each other without any time between them.
+    /// The solver finds events without any time between them.
     Stalled,
-    /// The motion exceeds the range of numbers.
+    /// A displacement, velocity or force exceeds the range of `f64`.
     NotFinite,
     /// The motion does not settle on a period of at most [`MAX_PERIOD`] cycles.
     NotSteady,

@@ -1,10 +1,10 @@
-//! Motions of a chain as a whole that nothing resists.
+//! Counts the motions of a chain that no force resists.
 
 use super::Model;
 use frictiongen_kernel::joints::at;
 
-/// Returns in how many ways the chain may be moved as a whole without any change of forces: places of parts that
-/// neither a spring nor a contact that keeps its place holds, and velocities of parts that nothing holds.
+/// Returns the number of independent motions that change no force. These are displacements of parts that neither a
+/// spring nor a contact holds in position, and constant velocities of parts without any connection to a support.
 pub fn neutral(model: &Model, keeps: impl Fn(usize) -> bool) -> usize {
     let springs = model.springs.iter().map(|&(plus, minus, _)| (plus, minus));
     let contacts = |keeps: &dyn Fn(usize) -> bool| -> Vec<(usize, usize)> {
@@ -30,7 +30,7 @@ pub fn neutral(model: &Model, keeps: impl Fn(usize) -> bool) -> usize {
     floating(model, &held).len() + moving.iter().filter(|part| !damped(part)).count()
 }
 
-/// Returns the masses of each part of a graph that no support belongs to.
+/// Returns the masses of each connected part of a graph that contains no support.
 fn floating(model: &Model, links: &[(usize, usize)]) -> Vec<Vec<usize>> {
     let mut part: Vec<usize> = (0..model.masses.len() + 2).collect();
     for &(plus, minus) in links {

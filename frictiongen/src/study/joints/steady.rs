@@ -1,8 +1,9 @@
-//! Steady states: periodic motions, by shooting.
+//! Finds steady states, which are periodic motions, by the shooting method.
 //!
-//! The unknowns are displacements and velocities at a maximum of the load, the slider of each elastic contact, and the
-//! place of each rigid contact that sticks there. A contact that does not slide in the period keeps its slider or its
-//! place. These are then no unknowns: the steady state is *marginal*, it depends on what the motion before has left.
+//! The unknowns are displacements and velocities at a maximum of the load, and positions of contacts. For an elastic
+//! contact, the position is that of its slider. For a rigid contact that sticks at this instant, it is the relative
+//! displacement. If a contact does not slide in the period, its position stays constant and is not an unknown. The
+//! steady state is then *marginal*: it depends on the position that the earlier motion has left.
 
 use super::neutral::neutral;
 use super::run::Motion;
@@ -11,75 +12,77 @@ use frictiongen_kernel::joints::{FREE, Observe, STUCK, at, set};
 use nalgebra::{Complex, DMatrix, DVector};
 use std::f64::consts::TAU;
 
-/// Cycles from rest before the first attempt.
+/// Number of cycles from rest before the first attempt.
 const WARM: usize = 30;
-/// Attempts, with twice as many cycles before each.
+/// Largest number of attempts. Each attempt follows after twice as many cycles as the previous one.
 const ATTEMPTS: usize = 6;
-/// Largest period in cycles.
+/// Largest period of a steady state, in cycles of the load.
 pub const MAX_PERIOD: usize = 64;
-/// Newton's steps in an attempt.
+/// Largest number of Newton steps in an attempt.
 const NEWTON: usize = 12;
-/// Relative difference after a period that counts as none.
+/// Two states count as equal if their relative difference is below this value.
 const SAME: f64 = 2e-13;
-/// Step of the differences, relative to the size of the unknowns.
+/// Step of the finite differences, relative to the size of the unknowns.
 const STEP: f64 = 1e-6;
 
-/// Singular values below which a direction counts as neutral.
+/// A direction counts as neutral (without any effect on forces) if its singular value is below this value.
 const RANK: f64 = 1e-7;
-/// Largest distance from 1 of a multiplier of a neutral direction.
+/// A multiplier may belong to a neutral direction if its distance from 1 is at most this value.
 const SPLIT: f64 = 1e-3;
 
-/// Factor by which a difference must fall before a periodic motion is believed.
+/// The test of a periodic motion ends when the multipliers predict that the motion's distance from it has fallen to
+/// this fraction.
 const DECAY: f64 = 1e-3;
-/// Most cycles for that.
+/// Largest number of cycles that this test follows.
 const MAX_CONFIRM: usize = 256;
-/// Difference that is believed at once.
+/// The search accepts a periodic motion at once if the distance of the motion from it is below this value.
 const CLOSE: f64 = 1e-9;
 
-/// A periodic motion.
+/// A steady state: a motion that repeats after some cycles of the load.
 #[derive(Clone, Debug)]
 pub struct Steady {
     /// Length of the period in cycles of the load.
     pub period: usize,
-    /// The state at a maximum of the load.
+    /// The state at a maximum of the load, where the period begins.
     pub state: State,
-    /// Number of displacements and velocities of parts that nothing holds. The steady state keeps the values that the
-    /// motion from rest has reached.
+    /// Number of independent displacements and velocities of parts without a support. The steady state has the values
+    /// that the motion from rest has reached.
     pub neutral: usize,
-    /// Floquet multipliers of a period, largest first. The multipliers of 1 that belong to `marginal` and `neutral` are
-    /// left out.
+    /// Floquet multipliers of a period, in descending order of modulus. The list omits the multipliers 1 that belong to
+    /// `marginal` and `neutral`.
     pub multipliers: Vec<Complex<f64>>,
-    /// The contacts that do not slide in the period. The steady state depends on their place, or on the force that the
-    /// past left in them.
+    /// Indices of the contacts that do not slide in the period. The steady state depends on their positions, or on the
+    /// constant forces in them.
     pub marginal: Vec<usize>,
     /// Amplitudes of the masses and results of the contacts over a period.
     pub cycle: Cycle,
-    /// Largest difference after a period, relative to the size of the state.
+    /// Largest difference between the states at the start and at the end of a period, relative to the size of the
+    /// state.
     pub residual: f64,
 }
 
 impl Steady {
-    /// Returns true if every small change dies out, except for changes of `marginal` and `neutral`.
+    /// Returns true if every small deviation decays, except deviations that belong to `marginal` and `neutral`.
     pub fn is_stable(&self) -> bool {
         self.multipliers.iter().all(|m| m.norm() < 1.0 - 1e-9)
     }
 }
 
-/// Returns the steady state to which the motion from rest comes, under loads of one frequency.
+/// Returns the steady state that the motion from rest reaches, under loads of one frequency.
 ///
 /// # Errors
 ///
 /// [`JointError::NotSteady`] if the motion does not settle on a period of at most [`MAX_PERIOD`] cycles within some
-/// thousand cycles; and the errors of a motion.
+/// thousand cycles. Other [`JointError`]s if the motion itself fails.
 pub fn steady_state(chain: &Chain, omega: f64) -> Result<Steady, JointError> {
     steady_state_of(Motion::from_rest(chain)?, omega)
 }
 
-/// Returns the steady state to which a motion comes, as [`steady_state`] does.
+/// Returns the steady state that a given motion reaches, as [`steady_state`] does for the motion from rest.
 ///
 /// # Errors
 ///
-/// Those of [`steady_state`].
+/// Same errors as [`steady_state`].
 pub fn steady_state_of(mut motion: Motion, omega: f64) -> Result<Steady, JointError> {
     let mut shooting = Shooting {
         cycle: TAU / omega,
@@ -105,18 +108,19 @@ pub fn steady_state_of(mut motion: Motion, omega: f64) -> Result<Steady, JointEr
     Err(JointError::NotSteady)
 }
 
-/// Data of a search for a periodic motion.
+/// Search for a periodic motion by the shooting method.
 struct Shooting {
-    /// Length of a cycle of the load.
+    /// Duration of a cycle of the load.
     cycle: f64,
-    /// Size of each unknown.
+    /// Size of each unknown, by which the search divides differences.
     sizes: Vec<f64>,
-    /// The contacts that slide in a period.
+    /// For each contact, true if it slides in a period.
     moving: Vec<bool>,
 }
 
 impl Shooting {
-    /// Runs some cycles. Returns the shortest period after which the last states come back, if there is one.
+    /// Advances the motion by a number of cycles. Returns the shortest period after which the last states repeat, if
+    /// there is one.
     fn settle(&mut self, motion: &mut Motion, cycles: usize) -> Result<Option<usize>, JointError> {
         let mut states: Vec<State> = Vec::new();
         let mut watch = Watch::new(motion.model());
@@ -167,7 +171,7 @@ impl Shooting {
             .map(|place| place + 1))
     }
 
-    /// Runs some cycles from a maximum of the load, where time starts anew.
+    /// Advances the motion by a number of cycles, from a maximum of the load. The time of this maximum becomes 0.
     fn advance(
         &self,
         motion: &mut Motion,
@@ -182,7 +186,7 @@ impl Shooting {
         Ok(())
     }
 
-    /// Takes the constant velocities of masses that nothing holds out of their displacements.
+    /// Subtracts the constant velocities of masses without a support from their displacements.
     fn about_its_mean(&self, motion: &Motion, mut steady: Steady) -> Result<Steady, JointError> {
         if steady.neutral == 0 {
             return Ok(steady);
@@ -223,8 +227,8 @@ impl Shooting {
         Ok(after <= CLOSE || after <= 0.5 * (1.0 + expected) * before)
     }
 
-    /// Returns the largest difference from a periodic motion in the sizes of the unknowns. Where the chain may be moved
-    /// as a whole, only velocities count.
+    /// Returns the largest difference between a state and a periodic motion, relative to the sizes of the unknowns. For
+    /// parts that can move without a force, only the velocities count.
     fn away(&self, state: &State, steady: &Steady) -> f64 {
         let masses = state.x.len();
         let of = |state: &State| -> Vec<f64> { state.x.iter().chain(&state.v).copied().collect() };
@@ -235,8 +239,8 @@ impl Shooting {
         differences.skip(first).fold(0.0, f64::max)
     }
 
-    /// Returns the unknowns of a state: displacements, velocities, and for each contact that moves its slider or its
-    /// place.
+    /// Returns the unknowns of a state: all displacements and velocities, and the position of each contact that slides
+    /// in a period.
     fn unknowns(&self, motion: &Motion) -> DVector<f64> {
         let state = motion.state();
         let mut unknowns: Vec<f64> = state.x.iter().chain(&state.v).copied().collect();
@@ -259,7 +263,7 @@ impl Shooting {
         DVector::from_iterator(unknowns.len(), sized)
     }
 
-    /// Returns a motion that starts with given unknowns. Contacts that do not move keep what they have.
+    /// Returns a motion that starts with the given unknowns. Contacts that do not slide keep their positions.
     fn with(&self, motion: &Motion, unknowns: &DVector<f64>) -> Motion {
         let mut moved = motion.clone();
         let mut state = motion.state().clone();
@@ -304,7 +308,7 @@ impl Shooting {
         moved
     }
 
-    /// Seeks a periodic motion near a state by Newton's method.
+    /// Searches for a periodic motion near a state by Newton's method.
     fn newton(&mut self, motion: &Motion, period: usize) -> Result<Option<Steady>, JointError> {
         let mut start = motion.clone();
         let mut before = f64::INFINITY;
@@ -337,7 +341,7 @@ impl Shooting {
         Ok(None)
     }
 
-    /// Returns the derivatives of the unknowns after a period.
+    /// Returns the derivatives of the unknowns after a period with respect to the unknowns before it.
     fn derivatives(
         &self,
         start: &Motion,
@@ -358,7 +362,7 @@ impl Shooting {
         Ok(matrix)
     }
 
-    /// Returns the result for a periodic motion.
+    /// Returns the steady state that belongs to a periodic motion.
     fn found(
         &self,
         start: &Motion,

@@ -1,32 +1,32 @@
-//! The chain while no contact slides: a linear chain, in closed form.
+//! Response of a chain while no contact slides. The chain is then linear, and the response has a closed form.
 
 use super::{Chain, JointError, Model, Tree};
 use frictiongen_kernel::joints::{add, at};
 use nalgebra::{Complex, DMatrix, DVector};
 
-/// The response while no contact slides, under loads of one frequency.
+/// Response while no contact slides, under loads of one frequency.
 #[derive(Clone, Debug)]
 pub struct StuckResponse {
     /// Amplitude of each mass.
     pub amplitudes: Vec<f64>,
     /// Complex amplitude X of each mass: x = Re X exp(iωt).
     pub displacements: Vec<Complex<f64>>,
-    /// Amplitude of the force of each contact.
+    /// Amplitude of the force in each contact.
     pub forces: Vec<f64>,
-    /// The factor by which all levels must be multiplied so that the contact that goes first just holds, and this
-    /// contact. `None` if no contact has a level.
+    /// Factor on all friction forces at which the first contact is about to slide, and the index of this contact.
+    /// `None` if no contact has a friction force.
     pub limit: Option<(f64, usize)>,
 }
 
-/// A shape of the nodes as a complex amplitude.
+/// Complex amplitudes of the displacements of all nodes.
 #[derive(Clone)]
 struct Shape {
     re: Vec<f64>,
     im: Vec<f64>,
 }
 
-/// Returns the response while no contact slides. A constant part of the loads does not count. An elastic contact has no
-/// force from the past.
+/// Returns the response while no contact slides. The response does not include constant loads, and no earlier motion
+/// has left a constant force in an elastic contact.
 ///
 /// # Errors
 ///
@@ -105,7 +105,7 @@ pub fn stuck_response(chain: &Chain) -> Result<StuckResponse, JointError> {
     Ok(answer(&model, &tree, chain, &shape))
 }
 
-/// Returns the one frequency of all loads.
+/// Returns the common frequency of all loads.
 fn frequency(chain: &Chain) -> Result<f64, JointError> {
     let waves = chain
         .loads
@@ -123,14 +123,14 @@ fn frequency(chain: &Chain) -> Result<f64, JointError> {
     }
 }
 
-/// Multiplies a real shape with a complex amplitude.
+/// Multiplies real displacements by a complex amplitude.
 fn turn(shape: &mut Shape, amplitude: f64, phase: f64) {
     for (re, im) in shape.re.iter_mut().zip(&mut shape.im) {
         (*re, *im) = (*re * amplitude * phase.cos(), *re * amplitude * phase.sin());
     }
 }
 
-/// Returns the forces of springs, dampers and elastic contacts on a shape that vibrates.
+/// Returns the forces of springs, dashpots and elastic contacts for vibrating displacements.
 fn pulls(model: &Model, shape: &Shape, omega: f64) -> Shape {
     let speed = |values: &[f64], factor: f64| values.iter().map(|x| factor * x).collect::<Vec<_>>();
     let mut re = model.forces(&shape.re, &speed(&shape.im, -omega), |_| 0.0, None);
@@ -144,7 +144,7 @@ fn pulls(model: &Model, shape: &Shape, omega: f64) -> Shape {
     Shape { re, im }
 }
 
-/// Returns the forces of the contacts and the limit from the shape.
+/// Computes the contact forces and the limit of the stuck state from the displacements.
 fn answer(model: &Model, tree: &Tree, chain: &Chain, shape: &Shape) -> StuckResponse {
     let omega = frequency(chain).unwrap_or(0.0);
     let mut pulls = pulls(model, shape, omega);

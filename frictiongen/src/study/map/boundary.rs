@@ -93,8 +93,7 @@ impl System {
 const LOOKS: u32 = 2;
 /// Largest number of third patterns between two neighbouring β for which the search continues in both halves.
 const MOST_BRANCHES: u32 = 6;
-/// Distance from a limit at which the search evaluates the pattern, as a fraction of the interval between the limits
-/// within the step.
+/// Distance from a limit at which the search evaluates the pattern, as a fraction of the interval between the limits.
 const BESIDE: f64 = 1.0 / 64.0;
 
 /// A friction ratio β with the pattern of the contact.

@@ -148,7 +148,7 @@ impl<'a> Walk<'a> {
         }
     }
 
-    /// Returns to an earlier state.
+    /// Restores an earlier state.
     pub fn go(&mut self, place: &Place) -> Result<(), PeriodicError> {
         self.at = place.at;
         Ok(self.stepper.restore(&place.saved)?)
