@@ -62,7 +62,7 @@ fn of_modes(scene: &Scene, modal: &Modal) -> Vec<Vec<Dd>> {
     matrix
 }
 
-/// Returns aM + bK.
+/// Returns the damping matrix aM + bK of Rayleigh damping.
 fn rayleigh(scene: &Scene, mass: f64, stiffness: f64) -> Vec<Vec<Dd>> {
     let count = scene.masses.len();
     let mut matrix = vec![vec![Dd::from(0.0); count]; count];

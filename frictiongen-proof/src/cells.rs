@@ -34,7 +34,7 @@ pub(crate) const BENT: f64 = 0.15;
 pub(crate) struct CellData<'a> {
     pub chain: &'a IntervalChain,
     pub witness: &'a Witness,
-    /// The interval minus its centre.
+    /// The interval of r minus its centre.
     pub away: Interval,
     pub at: &'a ChainStage<ORDER>,
     pub over: &'a ChainStage<ORDER>,

@@ -285,7 +285,7 @@ impl<const N: usize> ChainStage<N> {
         self
     }
 
-    /// Returns the first `M` terms.
+    /// Returns the chain with the first `M` terms of each series.
     pub fn truncated<const M: usize>(&self) -> ChainStage<M> {
         let modes = self.modes.iter().map(|mode| ModeStage {
             oscillator: mode.oscillator,

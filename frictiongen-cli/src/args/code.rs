@@ -81,7 +81,7 @@ pub struct ExpandArguments {
 pub enum ExportTarget {
     /// A static library with a header of C99.
     C,
-    /// A unit of FMI 3.0 for co-simulation.
+    /// A functional mock-up unit (FMU) of FMI 3.0, for co-simulation.
     Fmu,
 }
 
@@ -154,7 +154,7 @@ pub struct PlayArguments {
 /// Arguments of `frictiongen completions`.
 #[derive(Debug, Args)]
 pub struct CompletionsArguments {
-    /// The shell
+    /// Shell for which the command prints the script
     pub shell: clap_complete::Shell,
 }
 

@@ -20,15 +20,15 @@ pub enum StartFrom {
 /// The axes of a picture that are logarithmic.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum LogAxes {
-    /// No axis.
+    /// No axis is logarithmic.
     #[default]
     #[value(skip)]
     None,
-    /// The frequency axis.
+    /// The frequency axis is logarithmic.
     X,
-    /// The axes of amplitudes.
+    /// The axes of amplitudes are logarithmic.
     Y,
-    /// The frequency axis and the axes of amplitudes.
+    /// The frequency axis and the axes of amplitudes are logarithmic.
     Xy,
 }
 

@@ -50,7 +50,7 @@ pub struct Answers {
     pub band: Option<(f64, f64)>,
     /// Largest differences, one for each kind of result.
     pub differences: Vec<Difference>,
-    /// Reasons why some comparison was not possible.
+    /// Reasons why some results were not compared.
     pub left_out: Vec<String>,
 }
 

@@ -28,7 +28,7 @@ struct Differences {
     code: Result<Code, String>,
 }
 
-/// Runs the command.
+/// Runs `frictiongen diff`.
 pub fn run(arguments: &DiffArguments, out: &mut dyn Write) -> Result<(), Failure> {
     let files = [&arguments.old, &arguments.new].map(|path| FileArgument {
         file: Some(path.clone()),

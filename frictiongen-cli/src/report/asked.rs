@@ -25,13 +25,13 @@ const FRACTIONS: [f64; 3] = [0.1, 0.3, 0.7];
 /// stuck.
 const PLACES: usize = 401;
 
-/// Content of the page.
+/// Scene, range, units and motions that the report page shows.
 pub struct Asked {
     /// The system of the results.
     pub system: System,
     /// Range of frequencies of the results.
     pub band: Band,
-    /// The units and their words.
+    /// The units of the numbers on the page.
     pub words: Words,
     /// The contact and masses whose motions the page shows.
     pub parts: Vec<Part>,

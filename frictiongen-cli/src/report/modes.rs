@@ -16,7 +16,7 @@ const MOST_LISTED: usize = 16;
 /// The participation of a mode counts as zero if it is below this fraction of the largest participation.
 const NONE: f64 = 1e-12;
 
-/// A mode.
+/// A vibration mode of the chain, as the page shows it.
 struct Mode {
     r: f64,
     hertz: f64,

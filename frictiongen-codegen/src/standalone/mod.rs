@@ -206,9 +206,9 @@ const STATUSES: [(&str, i32, &str); 5] = [
 struct Words {
     /// Meaning of β: F/P, or F/(k₁Y) if the base moves.
     beta: &'static str,
-    /// Meaning of an amplitude.
+    /// Explanation of an amplitude, for the comments of the file.
     amplitude: &'static str,
-    /// The load by which forces are divided.
+    /// The load by which forces are divided, as words for the comments of the file.
     load: &'static str,
 }
 

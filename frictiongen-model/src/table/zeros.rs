@@ -97,9 +97,9 @@ pub struct Zeros {
 
 /// A mode in double-double, with its contributions to V and to H.
 pub struct ContactMode {
-    /// Resonance, damping ratio and contribution to H.
+    /// Resonance and damping ratio of the mode, and its contribution to H.
     pub driven: Driven,
-    /// Contribution to V.
+    /// Contribution of the mode to V.
     pub residue: Dd,
 }
 

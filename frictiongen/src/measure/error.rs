@@ -37,7 +37,7 @@ pub enum MeasureError {
         place: String,
         /// The time step before this position, s.
         before: f64,
-        /// The other time step, s.
+        /// The time step after this position, s.
         after: f64,
     },
     /// Two channels have different numbers of samples. The field has the name of one of them.

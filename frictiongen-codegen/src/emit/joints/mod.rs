@@ -14,7 +14,7 @@ use frictiongen_model::scene::{Excitation, NamedContact, Node, Provide};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::format_ident;
 
-/// Data that all emitted items share.
+/// Data of a scene that the emission of its items needs.
 struct Emission<'a> {
     description: &'a Description,
     names: TypeNames,
@@ -92,7 +92,7 @@ impl<'a> Emission<'a> {
         code!((#plus, #minus, #value))
     }
 
-    /// Emits a constant as a function of time.
+    /// Emits a number as a constant function of time.
     fn constant(&self, value: f64) -> TokenStream {
         let (engine, value, zero) = (&self.engine, self.number(value), self.number(0.0));
         code!(#engine::Wave {

@@ -73,7 +73,7 @@ pub(in crate::table) fn unit<S: Float>() -> (f64, f64) {
 /// Bounds on the error and on the magnitude of a factor.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Bounds {
-    /// Largest relative error.
+    /// Largest relative error of the computed factor.
     pub error: f64,
     /// Lower bound on the factor.
     pub least: f64,

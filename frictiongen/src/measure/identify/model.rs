@@ -156,7 +156,7 @@ pub(super) fn changed(system: &System, unknowns: &[Unknown], values: &[f64]) -> 
     System::try_from(scene).ok()
 }
 
-/// The variable of a derivative.
+/// The variable with respect to which a derivative is taken.
 #[derive(Clone, Copy)]
 pub(super) enum Direction {
     /// The friction force, N.

@@ -48,7 +48,7 @@ impl Certainty {
     /// Number of steps for a sampled range.
     pub const STEPS: u32 = 8192;
 
-    /// Completeness of every sampled list.
+    /// Value for every list that a search by samples finds.
     pub const SAMPLED: Self = Self::Sampled { steps: Self::STEPS };
 }
 

@@ -198,7 +198,7 @@ impl<'a> JoinedAt<'a> {
         Ok(amplitudes.collect())
     }
 
-    /// Returns a motion from a state, or from rest.
+    /// Starts a motion from a given state, or from rest if no state is given.
     fn started(&self, chain: &Chain, state: Option<Start<'_>>) -> Result<Motion, JoinedError> {
         let Some((x, v)) = state else {
             return Ok(Motion::from_rest(chain)?);

@@ -10,7 +10,7 @@ use nalgebra::{Complex, DMatrix, DVector};
 /// Number of periods of the load from rest before the first attempt. Each further attempt follows twice as many
 /// periods.
 const WARM: usize = 8;
-/// Number of attempts.
+/// Number of attempts to find the periodic motion.
 const ATTEMPTS: usize = 9;
 /// Largest number of periods of the load after which the motion repeats.
 const MOST_PERIODS: usize = 64;

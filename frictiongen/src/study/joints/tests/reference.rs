@@ -39,7 +39,7 @@ pub fn read() -> Value {
     serde_json::from_str(include_str!("joints.json")).expect("JSON")
 }
 
-/// The chain of an entry, at one frequency.
+/// Returns the chain of an entry of the reference file, at one frequency.
 pub fn chain(value: &Value, omega: f64) -> Chain {
     let masses = numbers(&value["masses"]);
     let springs = links(&value["springs"]);
