@@ -48,7 +48,7 @@ fn ordered_sum(a: f64, b: f64) -> (f64, f64) {
     (sum, b - (sum - a))
 }
 
-/// Returns the value of the cubic at its minimum. Without a minimum, returns the present value.
+/// Splits a number into a sum of two numbers with at most 26 bits each (Dekker's splitting).
 #[inline]
 fn split(a: f64) -> (f64, f64) {
     const LARGE: f64 = 6.696928794914171e299;

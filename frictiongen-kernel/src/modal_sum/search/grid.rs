@@ -74,8 +74,7 @@ pub(super) struct Node<S> {
     pub slope: S,
     /// sin τ at the node.
     pub sine: S,
-    /// Evaluates the sum at all nodes. The function fills the grid in place, because a returned grid would be on the
-    /// stack twice.
+    /// cos τ at the node.
     pub cosine: S,
 }
 

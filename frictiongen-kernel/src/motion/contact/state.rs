@@ -43,7 +43,7 @@ impl Contact {
         }
     }
 
-    /// A segment of the motion whose end the search has found. The oscillators are still in their state at its start.
+    /// Returns the opposite direction of sliding. A stuck contact stays stuck.
     #[must_use]
     pub fn reversed(self) -> Self {
         match self {

@@ -88,7 +88,7 @@ pub(crate) fn safe<S: Float>(f: S, slope: S, curve: S, bound: S, most: S) -> S {
     }
 }
 
-/// Returns the value at the minimum of the function, or the present value if there is no minimum.
+/// Returns the value of the cubic at its minimum. Without a minimum, returns the present value.
 fn least<S: Float>(f: S, slope: S, curve: S, bound: S) -> S {
     let discriminant = curve * curve + (bound + bound) * slope;
     let zero = S::constant(0.0);
