@@ -163,8 +163,8 @@ impl<'a> HalfPeriodCells<'a> {
         (reach, least)
     }
 
-    /// Returns the instant t at a share of a side: t over all r, then the slope of t in r, then t at the centre of the
-    /// interval of r.
+    /// Returns the instant t at the position `share` of a side, in three forms: t over the whole interval of r, the
+    /// slope of t with respect to r, and t at the centre of the interval.
     pub fn instant(&self, side: Flank, share: Interval) -> (Interval, Interval, Interval) {
         let (path, slope) = (self.path_over.value(), self.path_over.term(1));
         match side {

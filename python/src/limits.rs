@@ -1,4 +1,4 @@
-//! Computes the stop limit and the gross-slip limit over frequency.
+//! Computes both limits over frequency: the limit of continuous motion β_lim and the limit of sliding β*_lim.
 
 use crate::asked::{Frequencies, FrequencyArguments, LoadArguments, check_size, measure, setting};
 use crate::columns::Columns;

@@ -37,7 +37,7 @@ pub struct Asked {
     pub parts: Vec<Part>,
     /// Friction ratios β that the user gave. `None` for the default frictions.
     pub frictions: Option<Vec<f64>>,
-    /// Sentences about the choices of the command, with the rules of these choices.
+    /// Sentences that tell the reader what the command has chosen, and by which rule.
     pub chosen: Vec<String>,
 }
 

@@ -176,7 +176,7 @@ fn piece_numbers<S: Float>(tables: &Tables<S>) -> Vec<f64> {
     pieces.map(|number| number.to_f64()).collect()
 }
 
-/// Returns the first step of the search for a piece within its bucket, in pieces.
+/// Returns the first step of the search for a piece within a bucket, as a number of pieces.
 fn first_step<S>(tables: &Tables<S>) -> usize {
     (1_usize << tables.index.halvings) >> 1
 }

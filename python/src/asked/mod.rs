@@ -55,8 +55,8 @@ pub fn setting<'a>(
     }
 }
 
-/// Adds the columns of an answer over frequency and friction: those of the frequencies, those of the frictions, and
-/// those of the points, with all frictions of the first frequency first.
+/// Adds the columns of an answer over frequency and friction: the frequencies, the frictions, and the results at the
+/// points. The points are in the order of the frequencies, and at each frequency in the order of the frictions.
 pub fn put_grid<R>(
     arrays: &mut Columns<'_>,
     (frequencies, frictions): (&Frequencies, &Frictions),

@@ -213,7 +213,7 @@ impl<'a> Refine<'a> {
         halved
     }
 
-    /// Returns true if two settled points belong to one state, however steep the curve is. They then do not scatter.
+    /// Returns true if two settled points certainly belong to one state, however steep the curve is between them.
     /// Either both belong to the closed form, or μ ≤ 1 and no other state exists.
     fn is_one_state(&self, a: &CurvePoint, b: &CurvePoint) -> bool {
         let slides = |point: &CurvePoint| point.regime == Regime::Continuous;
@@ -234,8 +234,8 @@ impl<'a> Refine<'a> {
         }
     }
 
-    /// Stores the middle of an interval and returns both halves. If the interval and the one before the last halving
-    /// are straight, returns no halves.
+    /// Stores the middle of an interval and returns both halves. Returns no halves if the curve is straight over this
+    /// interval and over the longer interval from which it came.
     fn halves(
         &self,
         interval: NodeInterval,

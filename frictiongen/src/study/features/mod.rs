@@ -35,9 +35,9 @@ pub enum Certainty {
     /// The search samples the range in `steps` equal steps over 1/r, and refines each change that it finds. It finds
     /// every interval longer than one step.
     ///
-    /// It finds a shorter interval only in two cases. In the first, the sampled function comes near its level at the
-    /// middle one of three samples. In the second, the interval is next to a resonance or an odd sub-harmonic of a
-    /// resonance.
+    /// It finds a shorter interval only in two cases. In the first, the middle one of three neighbouring samples is
+    /// closest to the value at which the feature begins. In the second, the interval is next to a resonance or to an
+    /// odd sub-harmonic of a resonance.
     Sampled {
         /// Number of equal steps of the range.
         steps: u32,

@@ -40,8 +40,8 @@ const DECAY: f64 = 0.1;
 const MOST_CONFIRMED: usize = 512;
 /// The motion has reached a steady state if its distance is below this fraction of the size of the motion.
 const REACHED: f64 = 1e-7;
-/// The motion has reached a state with a neutral direction if its distance is below this value. Such states form a
-/// continuum, and the initial state determines the member. The motion must therefore have settled in this member.
+/// Steady states may form a continuum, and the initial state decides in which of them the motion ends. The motion
+/// counts as having reached such a state if its distance from the state is below this value.
 const SETTLED: f64 = 1e-10;
 
 /// A state that repeats, with the multipliers of its period.

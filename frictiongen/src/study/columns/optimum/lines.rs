@@ -82,7 +82,8 @@ impl<'a> OptimumTable<'a> {
         self.lines_with(optimum, tuned, &[])
     }
 
-    /// Returns the answer as lines, with the largest value of each kept quantity. Each has its part, its bound and the value.
+    /// Returns the answer as lines, with further lines for the quantities in `kept`. Each entry of `kept` has the part,
+    /// the bound on its quantity, and the largest value of this quantity with the best friction.
     #[must_use]
     pub fn lines_with(
         &self,
