@@ -39,10 +39,11 @@ const LONGER: f64 = 1.4;
 /// First trial length of the range that a single bound covers from the start of the half period. The unit is a radian
 /// of the fastest mode. The value is tuned. A longer range saves cells, but its bound is wider.
 const EARLY: f64 = 0.3;
-/// Largest number of times that the code shortens this range after a failed bound. The value is tuned. The last range
-/// is about an eighth of the first.
+/// Largest number of times that the code shortens the range of [`EARLY`] after a failed bound. The value is tuned. The
+/// last range is about an eighth of the first.
 const EARLY_STEPS: usize = 6;
-/// Factor by which the code shortens this range after a failed bound. The value is tuned together with `EARLY_STEPS`.
+/// Factor by which the code shortens the range of [`EARLY`] after a failed bound. The value is tuned together with
+/// `EARLY_STEPS`.
 const EARLY_STEP: f64 = 0.7;
 
 /// Returns true if the proof succeeds: over the interval of r, every velocity constraint is below the witness's
