@@ -20,7 +20,8 @@ const PASSES: usize = 9;
 const ANOTHER: f64 = 1e-6;
 /// Number of additional frequencies on each side of the largest peak, all within one step of the grid.
 const DENSE: i32 = 100;
-/// Bound on the work of these evaluations. Motions that do not settle reach it after a few frequencies.
+/// Bound on the work of the evaluations close to the largest peak. Motions that do not settle reach it after a few
+/// frequencies.
 const WORK_BESIDE: usize = 60_000;
 /// Largest number of peaks that one search adds.
 const MOST: usize = 3;

@@ -10,7 +10,7 @@ const SCAN: usize = 40;
 /// Number of additional friction ratios in geometric steps. The first one is `LEAST` times the median of β*_lim over
 /// the band.
 const GEOMETRIC: usize = 24;
-/// Smallest of these friction ratios, as a multiple of the median of β*_lim over the band.
+/// Smallest of the friction ratios in geometric steps, as a multiple of the median of β*_lim over the band.
 const LEAST: f64 = 0.02;
 /// Additional friction ratios of the scan, as multiples of the friction from which on a stuck state exists over the
 /// whole band. With μ > 1 a motion from rest may still slide at these frictions.
@@ -22,7 +22,8 @@ const LONGER: usize = 12;
 /// A scan without an upper bound stops if each of its last four amplitudes rises with friction, or exceeds this
 /// multiple of the best amplitude.
 const FAR_ABOVE: f64 = 2.0;
-/// Additional friction ratios just above the friction that bounds all resonances, as fractions above this friction.
+/// Additional friction ratios of the scan, slightly above the friction that bounds all resonances. Each number is the
+/// relative distance from this friction.
 const BOUNDED: [f64; 8] = [1e-3, 0.01, 0.03, 0.06, 0.1, 0.2, 0.35, 0.5];
 /// The amplitude jumps if its relative change exceeds this multiple of the relative change of friction.
 const STEEPEST: f64 = 50.0;
