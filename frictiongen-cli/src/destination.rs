@@ -19,7 +19,7 @@ pub struct Extras {
 /// The format of an output.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Form {
-    /// A table for people, in this room.
+    /// A printed table for people, within the available width.
     Table(Fit),
     /// Comma-separated values.
     Csv(Extras),
@@ -39,7 +39,7 @@ impl FormatArguments {
         }
     }
 
-    /// Returns the room of a printed table.
+    /// Returns the available width of a printed table.
     fn fit(&self) -> Fit {
         match self.width {
             None => Fit::of_output(self.groups),

@@ -1,4 +1,5 @@
-//! Fits printed tables into the width of a terminal: the asked quantities first, and r and β only on request.
+//! Selects the columns of a printed table that fit into the width of a terminal. The requested quantities come first.
+//! The columns r and β appear only on request.
 
 use crate::layout::Layout;
 use crate::table;
@@ -12,17 +13,17 @@ const INDENT: usize = 29;
 /// Width of the gap between two columns.
 const GAP: usize = 2;
 
-/// The room of a printed table.
+/// Available width of a printed table, and the choice of its optional columns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Fit {
     /// Largest width in characters. `None` for a table of any width.
     pub width: Option<usize>,
-    /// True if the table has r and β beside Hz and N.
+    /// True if the table contains the columns r and β in addition to Hz and N.
     pub groups: bool,
 }
 
 impl Fit {
-    /// Returns the room on standard output: 100 characters on a terminal, otherwise any width.
+    /// Returns the available width on standard output: 100 characters on a terminal, otherwise any width.
     pub fn of_output(groups: bool) -> Self {
         let width = io::stdout().is_terminal().then_some(WIDTH);
         Self { width, groups }
@@ -80,7 +81,8 @@ impl Fit {
         (shown, left)
     }
 
-    /// Returns the order in which columns get room, 0 for those that every table has. `None` for columns without room.
+    /// Returns the rank of each column. Columns of rank 0 are in every table. The table takes columns of higher rank,
+    /// in ascending order, while they fit. It never contains columns with `None`.
     fn ranks<R>(self, columns: &[Column<'_, R>]) -> Vec<Option<usize>> {
         let mut part: Option<&str> = None;
         let mut place = 0;
@@ -139,7 +141,7 @@ impl Fit {
         Ok(())
     }
 
-    /// Writes which columns a table leaves out.
+    /// Writes the names of the columns that a table leaves out.
     pub fn note(self, left: &[String], out: &mut dyn Write) -> io::Result<()> {
         if left.is_empty() {
             return Ok(());
@@ -162,7 +164,7 @@ impl Fit {
 /// Blanks for the indentation.
 const BLANKS: &str = "                                        ";
 
-/// Returns true if a column has a frequency ratio or a friction ratio, beside a column with the same in Hz or N.
+/// Returns true if a column contains r or β, and another column contains the same quantity in Hz or N.
 fn is_group<R>(columns: &[Column<'_, R>], column: &Column<'_, R>) -> bool {
     let physical = match column.name() {
         "r" => "frequency_Hz".to_owned(),
@@ -174,7 +176,7 @@ fn is_group<R>(columns: &[Column<'_, R>], column: &Column<'_, R>) -> bool {
     others.any(|other| other.name() == physical || (column.name() == "r" && other.name() == rad))
 }
 
-/// Returns true for the columns of a row without which its numbers cannot be read.
+/// Returns true for a column without which a reader cannot interpret the numbers of a row.
 fn is_answer(name: &str) -> bool {
     let starts = [
         "regime",
@@ -193,7 +195,7 @@ fn heading<R>(column: &Column<'_, R>, layout: Layout) -> Vec<String> {
     part.chain(&column.title).cloned().collect()
 }
 
-/// Keeps the columns of every motion that are kept of the first one, because all motions have the same columns.
+/// Keeps for every motion the same columns as for the first motion.
 fn follow_first<R>(columns: &[Column<'_, R>], kept: &mut [bool]) {
     let first = columns.iter().find_map(|column| column.part.as_ref());
     let of_first: Vec<(String, bool)> = columns
@@ -211,8 +213,9 @@ fn follow_first<R>(columns: &[Column<'_, R>], kept: &mut [bool]) {
     }
 }
 
-/// Returns the width that a column of a motion adds to a table with one line for each motion. Only the first motion's
-/// columns add one, and the first of these adds the column of names too.
+/// Returns the width that a column adds to a table with one line for each motion. All motions share their columns, so
+/// that only the columns of the first motion add to the width. The first of them also adds the width of the column with
+/// the names.
 fn own_width<R>(columns: &[Column<'_, R>], column: &Column<'_, R>) -> usize {
     let first = columns.iter().find_map(|other| other.part.as_ref());
     if column.part.as_ref() != first {

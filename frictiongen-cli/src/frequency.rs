@@ -78,7 +78,7 @@ impl Band {
         self.unit.is_physical()
     }
 
-    /// Returns true if tables print Hz next to r.
+    /// Returns true if tables contain the frequency in Hz in addition to r.
     pub fn tells_hertz(&self) -> bool {
         self.unit.has_hertz()
     }

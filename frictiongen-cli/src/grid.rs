@@ -229,7 +229,7 @@ fn decimals(texts: [&str; 3]) -> Option<Decimals> {
     Decimals::new(first?, step?, last?)
 }
 
-/// Returns the number `more` of new points. Fails if the grid would have too many points.
+/// Checks that `more` new points fit into a grid that has `already` points. Returns `more` as an integer.
 fn room(already: usize, more: f64) -> Result<usize, String> {
     // Both conversions are exact, because the numbers are whole, and small if they fit.
     if more <= MOST_POINTS.saturating_sub(already) as f64 {

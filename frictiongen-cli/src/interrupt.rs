@@ -4,7 +4,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 static PRESSED: AtomicBool = AtomicBool::new(false);
 
-/// Starts to watch for Ctrl-C. A second Ctrl-C ends the program.
+/// Starts to watch for Ctrl-C. The first Ctrl-C asks the computation to end, the second ends the program.
 pub fn watch() {
     // If the program cannot catch signals, or already catches them, Ctrl-C ends it as usual.
     let _ = ctrlc::set_handler(|| {

@@ -9,7 +9,7 @@ use std::io::{self, Write};
 /// Version of the object's format. It increases when a field gets another name or another meaning.
 const VERSION: u32 = 1;
 
-/// Writes the object step by step.
+/// Writes a JSON object step by step.
 pub struct Writer<'a> {
     out: &'a mut dyn Write,
     empty: bool,

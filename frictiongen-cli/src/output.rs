@@ -25,7 +25,7 @@ pub trait Table {
     fn each(&self, visit: Visitor<'_, Self::Row>) -> Result<(), Failure>;
     /// Returns the columns of the table, from left to right.
     fn columns(&self) -> Vec<Column<'_, Self::Row>>;
-    /// Returns the arrangement of the motions of a row.
+    /// Returns the arrangement of the motions of a row in text and in JSON.
     fn layout(&self) -> Layout {
         Layout::Flat
     }

@@ -41,7 +41,7 @@ pub fn run(arguments: &PlayArguments, out: &mut dyn Write) -> Result<(), Failure
     }
 }
 
-/// Reads the page without a description.
+/// Reads the page of the playground, without a description.
 fn page(arguments: &PlayArguments) -> Result<String, Failure> {
     let beside = || Some(std::env::current_exe().ok()?.parent()?.join(PAGE));
     let path: PathBuf = match &arguments.page {

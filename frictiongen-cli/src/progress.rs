@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 
 /// Time from the start of the run to the first message.
 const PATIENCE: Duration = Duration::from_secs(1);
-/// Time between two messages.
+/// Time between two messages about the progress.
 const PACE: Duration = Duration::from_millis(200);
 
 /// The progress of a run, for messages to the user.

@@ -20,11 +20,11 @@ const TRIED_AT_LEAST: u32 = 25;
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 /// Phase τ, in rad, of the known displacement and velocity of each mass.
 pub const TAU: f64 = 1.0;
-/// Change of r, in rounding units, for a test of the answers. If the answers change too much, they depend on rounding.
+/// The code changes r by this number of rounding units to test whether the answers depend on rounding.
 const DISPLACED: f64 = 32.0;
-/// Largest change of an answer due to the change of r, as a fraction of the tolerance.
+/// The answers depend on rounding if this change of r changes one of them by more than this fraction of the tolerance.
 const SENSITIVE: f64 = 1.0 / 8.0;
-/// Smallest distance of β from a limit, divided by the limit. At this distance no rounding changes the regime.
+/// Smallest relative distance of β from a limit. At this distance no rounding changes the regime.
 const APART: f64 = 0.05;
 /// Largest modulus of a known phase, in rad. A larger phase could change from π to −π by rounding.
 const WRAPS: f64 = 3.0;

@@ -38,7 +38,7 @@ pub fn pretty(description: &Description) -> Result<String, String> {
 }
 
 #[cfg(feature = "pretty")]
-/// Returns emitted tokens as formatted source text.
+/// Formats emitted tokens as source text.
 ///
 /// # Errors
 /// Returns a message if the tokens are not valid Rust.

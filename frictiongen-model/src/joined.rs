@@ -4,7 +4,8 @@ use crate::modal::Modal;
 use crate::scene::{Damping, Node, Scene};
 use frictiongen_kernel::number::dd::Dd;
 
-/// Fraction of the largest natural frequency. A lower natural frequency belongs to a motion without deformation.
+/// A natural frequency belongs to a motion without deformation if it is below this fraction of the largest natural
+/// frequency.
 const RIGID: f64 = 1e-13;
 
 /// Returns the modal data with natural frequencies of exactly 0 for motions of the chain without deformation.
@@ -61,7 +62,7 @@ fn of_modes(scene: &Scene, modal: &Modal) -> Vec<Vec<Dd>> {
     matrix
 }
 
-/// Returns aM + bK.
+/// Returns the damping matrix aM + bK of Rayleigh damping.
 fn rayleigh(scene: &Scene, mass: f64, stiffness: f64) -> Vec<Vec<Dd>> {
     let count = scene.masses.len();
     let mut matrix = vec![vec![Dd::from(0.0); count]; count];
@@ -90,9 +91,9 @@ fn rayleigh(scene: &Scene, mass: f64, stiffness: f64) -> Vec<Vec<Dd>> {
     matrix
 }
 
-/// Numbers the two ends of a spring, dashpot or contact: the masses, then the wall, then the base. The positive end is
-/// first: the later mass, or the mass if the other end is a support. Returns `None` unless the ends are two nodes of the
-/// chain, one of them a mass.
+/// Returns the numbers of the two ends of a spring, dashpot or contact. Numbers count the masses, then the wall, then
+/// the base. The end that counts as positive comes first: the later mass, or the mass if the other end is a support.
+/// Returns `None` unless the ends are two nodes of the chain, one of them a mass.
 #[must_use]
 pub fn numbered(masses: usize, from: Node, to: Node) -> Option<(usize, usize)> {
     let number = |node| match node {

@@ -8,8 +8,8 @@ use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::response::Ends;
 
-/// Largest residue that counts as rounding noise, as a fraction of the largest value that the residue can have. A
-/// smaller residue is set to exactly zero.
+/// A residue counts as rounding noise if it is at most this fraction of the largest value that it can have. The code
+/// sets such a residue to exactly zero.
 pub(crate) const NOISE: f64 = 1e-26;
 
 /// A scene in modal coordinates (section 2 of `docs/derivation.md`), to about 30 digits. The type `T` is a number, or a

@@ -130,7 +130,7 @@ impl<S: Float> Steps<S> {
 /// Returns the number and length of the sub-intervals into which the kernel divides a step of a scene.
 ///
 /// # Errors
-/// [`OutOfDomain`] for a step that the kernel refuses.
+/// [`OutOfDomain`] for a step that the kernel does not accept.
 pub fn pace<S: Float, K: ContactChain<S>>(
     scene: &StepScene<'_, S, K>,
     step: S,
@@ -152,9 +152,9 @@ pub fn pace<S: Float, K: ContactChain<S>>(
     )
 }
 
-/// Returns the reason why a stepper refuses the step of a scene. The first number is the angle in rad by which the
-/// fastest oscillator advances in one step. The second is the range of angles that a stepper accepts. Returns `None` if
-/// the stepper accepts the step.
+/// Returns the reason why a stepper does not accept the step of a scene. The first number is the angle in rad by which
+/// the fastest oscillator advances in one step. The second is the range of angles that a stepper accepts. Returns
+/// `None` if the stepper accepts the step.
 #[must_use]
 pub fn refused_step(scene: &Scene, modal: &Modal) -> Option<(f64, [f64; 2])> {
     let step = scene.stepping.step?;

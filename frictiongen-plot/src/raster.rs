@@ -10,7 +10,7 @@ use crate::legend::Legend;
 use crate::palette::Fill;
 use crate::svg::{Canvas, CellGrid};
 
-/// Fraction of a cell. At the frame, the code clips a cell only if more than this fraction lies outside.
+/// At the frame, the code clips a cell only if more than this fraction of the cell lies outside.
 const CUT: f64 = 0.01;
 /// Number of colours of a map of values.
 const SHADES: f64 = 96.0;

@@ -13,17 +13,19 @@ use std::f64::consts::PI;
 /// Number of instants through which the polynomial of a witness passes. The value is tuned. Each instant costs a
 /// search. Five instants give a polynomial of degree 4 in r.
 const NODES: usize = 5;
-/// Distance in half-turns above which two instants belong to different maxima, and so not to one witness. The value is
-/// tuned. A polynomial through two maxima would be near neither of them.
+/// Two instants belong to different maxima, and so not to one witness, if their distance exceeds this value, in
+/// half-turns. The value is tuned. A polynomial through two maxima would be near neither of them.
 const JUMP: f64 = 0.05;
-/// Distance of an instant from the start of the half period, in radians of the fastest mode, below which a witness may
-/// use the Taylor series in τ (module `early`). The series is valid for all instants of such a witness.
+/// A witness may use the Taylor series in τ (module `early`) if its instant is closer to the start of the half period
+/// than this distance. The unit is a radian of the fastest mode. The series is valid for all instants of such a
+/// witness.
 const EARLY: f64 = 1.2;
-/// Distance from the start of the half period, in radians of the fastest mode, below which a witness uses only the
-/// Taylor series in τ. The value is tuned. Closer to the start, F/sin τ is a quotient of two small intervals.
+/// A witness uses only the Taylor series in τ if its instant is closer to the start of the half period than this
+/// distance, in radians of the fastest mode. The value is tuned. So close to the start, F/sin τ is a quotient of two
+/// small intervals.
 const SURELY: f64 = 0.3;
-/// Distance from the start of the half period, in radians of the fastest mode, below which the start itself is also a
-/// candidate. The value is tuned. A maximum this close may reach the start within the interval of r.
+/// The start of the half period itself is also a candidate if an instant is closer to it than this distance, in radians
+/// of the fastest mode. The value is tuned. A maximum this close may reach the start within the interval of r.
 const START: f64 = 0.05;
 
 /// Returns the candidates for the instant of the largest constraint, from exact searches at several r.

@@ -10,8 +10,8 @@ use crate::witness::{Witness, WitnessInstant};
 use frictiongen_model::interval::Interval;
 use std::f64::consts::PI;
 
-/// Length of a step that widens the region about a witness, as a fraction of √(N/D″). The value is tuned. A longer step
-/// widens the region faster, but gives wider bounds of D″.
+/// Length of a step that widens the region about a witness, as a fraction of √(N/D″) (module `cells`). The value is
+/// tuned. A longer step widens the region faster, but gives wider bounds of D″.
 const TUBE_STEP: f64 = 0.3;
 /// Largest number of steps that widen the region about a witness. The value is tuned. The number limits the work for
 /// one region.
@@ -25,8 +25,8 @@ const TUBE_MOST: f64 = 0.9;
 /// Allowance for the rounding of a position, of the end of a region, or of r. It is thousands of rounding units.
 pub(crate) const ROUNDING: f64 = 1e-12;
 
-/// Smallest D″ in the region, relative to D″ at the witness or at a second maximum. The value is tuned. A smaller
-/// fraction makes the region wider, but its parabola flatter.
+/// In the region, D″ must stay above this fraction of its value at the witness or at a second maximum. The value is
+/// tuned. A smaller fraction makes the region wider, but its parabola flatter.
 pub(crate) const BENT: f64 = 0.15;
 
 /// The chain and the witness over an interval of r: at its centre (fields `at`), and over the whole interval (fields
@@ -34,7 +34,7 @@ pub(crate) const BENT: f64 = 0.15;
 pub(crate) struct CellData<'a> {
     pub chain: &'a IntervalChain,
     pub witness: &'a Witness,
-    /// The interval minus its centre.
+    /// The interval of r minus its centre.
     pub away: Interval,
     pub at: &'a ChainStage<ORDER>,
     pub over: &'a ChainStage<ORDER>,
@@ -163,8 +163,8 @@ impl<'a> HalfPeriodCells<'a> {
         (reach, least)
     }
 
-    /// Returns the instant t at a share of a side: t over all r, then the slope of t in r, then t at the centre of the
-    /// interval of r.
+    /// Returns the instant t at the position `share` of a side, in three forms: t over the whole interval of r, the
+    /// slope of t with respect to r, and t at the centre of the interval.
     pub fn instant(&self, side: Flank, share: Interval) -> (Interval, Interval, Interval) {
         let (path, slope) = (self.path_over.value(), self.path_over.term(1));
         match side {

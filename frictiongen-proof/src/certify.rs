@@ -18,8 +18,8 @@ use std::f64::consts::PI;
 /// Length of the first cell of a side, in radians of the fastest mode. The value is tuned. A longer cell has wider
 /// bounds of D″.
 const CELL: f64 = 1.0;
-/// Relative difference of N from the witness's constraint above which N counts as far above. The value is tuned. D is
-/// then clearly positive at the witness.
+/// N counts as far above the witness's constraint if their relative difference exceeds this value. The value is tuned.
+/// D is then clearly positive at the witness.
 const FAR_ABOVE: f64 = 0.01;
 /// Larger fraction of D″ for the region about the witness, which the code tries if `BENT` does not suffice. The value
 /// is tuned. It gives a steeper parabola in a narrower region.
@@ -27,22 +27,23 @@ const MORE_BENT: f64 = 0.5;
 /// Shortest cell, as a fraction of its side. The value is tuned. It limits the work on a side whose proof fails. The
 /// prover then halves the interval of r.
 const SHORTEST: f64 = 1e-3;
-/// Length of a cell, in radians of the fastest mode, below which the code searches for another instant with nearly the
-/// witness's constraint. The value is tuned. Cells become short where D is small.
+/// The code searches for another instant with nearly the witness's constraint if a cell becomes shorter than this
+/// length, in radians of the fastest mode. The value is tuned. Cells become short where D is small.
 const COMPETE: f64 = 0.1;
 /// Largest number of searches for another instant with nearly the same constraint as the witness. The value is tuned.
 /// It limits the work of the searches.
 const MOST_TRIED: usize = 4;
-/// Ratio of the next cell's length to the length of a proven cell. The value is tuned. Fast growth saves cells, but a
+/// After a proven cell, the next cell is longer by this factor. The value is tuned. Fast growth saves cells, but a
 /// failed cell is lost work.
 const LONGER: f64 = 1.4;
-/// First trial for the length of the range that a single bound covers from the start of the half period, in radians of
-/// the fastest mode. The value is tuned. A longer range saves cells, but its bound is wider.
+/// First trial length of the range that a single bound covers from the start of the half period. The unit is a radian
+/// of the fastest mode. The value is tuned. A longer range saves cells, but its bound is wider.
 const EARLY: f64 = 0.3;
-/// Largest number of times that the code shortens this range after a failed bound. The value is tuned. The last range
-/// is about an eighth of the first.
+/// Largest number of times that the code shortens the range of [`EARLY`] after a failed bound. The value is tuned. The
+/// last range is about an eighth of the first.
 const EARLY_STEPS: usize = 6;
-/// Factor by which the code shortens this range after a failed bound. The value is tuned together with `EARLY_STEPS`.
+/// Factor by which the code shortens the range of [`EARLY`] after a failed bound. The value is tuned together with
+/// `EARLY_STEPS`.
 const EARLY_STEP: f64 = 0.7;
 
 /// Returns true if the proof succeeds: over the interval of r, every velocity constraint is below the witness's

@@ -23,19 +23,19 @@ const SHORTEST: f64 = 1e-7;
 const SHORTEST_OF_MOTION: f64 = 2e-3;
 /// Shortest interval for the motion near a zero of β_lim, as a fraction of the distance from the zero.
 const SHORTEST_BESIDE_ZERO: f64 = 0.02;
-/// Length of a piece over the length of its first interval. The value is tuned. The prover halves an interval that is
-/// too long.
+/// The first interval of a piece is the length of the piece, divided by this number. The value is tuned. The prover
+/// halves an interval that is too long.
 const FIRST: f64 = 4.0;
-/// Ratio of the next interval's length to the length of a proven interval. The value is tuned. Fast growth saves
+/// After a proven interval, the next interval is longer by this factor. The value is tuned. Fast growth saves
 /// intervals, but a failed interval is lost work.
 const LONGER: f64 = 1.15;
 /// Shortest trial after an open interval, as a fraction of the length that stays open if the trial fails. The value is
 /// tuned. It limits the trials to four halvings of that length.
 const FINER: f64 = 1.0 / 16.0;
-/// Bound on the ratio of the rest of a piece to the next interval. Up to this ratio, the interval covers the whole
-/// rest. The value is tuned. A short last interval takes as much work as a long one.
+/// An interval covers the whole rest of a piece if the rest is at most this multiple of the interval. The value is
+/// tuned. A short last interval would take as much work as a long one.
 const NO_STUB: f64 = 1.2;
-/// Largest κ at a zero of β_lim that counts as zero. It is tens of rounding units of a cosine.
+/// A κ at a zero of β_lim counts as zero if it is at most this value. It is tens of rounding units of a cosine.
 const VANISHES: f64 = 1e-14;
 
 /// State of the proof of one piece.

@@ -14,11 +14,10 @@ use std::f64::consts::PI;
 /// Number of Newton steps towards another instant. The value is tuned. It limits the work if Newton's method does not
 /// converge.
 const STEPS: usize = 8;
-/// Step length, in half-turns, below which Newton's method has converged. The value is tuned. Convergence is quadratic,
-/// so that the next step would be far below a rounding unit.
+/// Newton's method has converged if a step is shorter than this value, in half-turns. The value is tuned. Convergence
+/// is quadratic, so that the next step would be far below a rounding unit.
 const FOUND: f64 = 1e-9;
-/// Largest shift of an instant over an interval of r, in half-turns. A larger shift means that the instant belongs to
-/// another minimum.
+/// An instant belongs to another minimum if it shifts by more than this value over an interval of r, in half-turns.
 const JUMP: f64 = 0.1;
 /// Number of subintervals of r in which the code bounds D. The value is tuned. More subintervals give narrower bounds,
 /// but need more work.

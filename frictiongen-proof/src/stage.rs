@@ -131,11 +131,11 @@ pub(crate) struct ChainStage<const N: usize> {
     pub break_away: IntervalSeries<N>,
 }
 
-/// Absolute value of the cosine of an undamped mode below which κ contains this cosine. The value is tuned. A quotient
+/// κ contains the cosine of an undamped mode if its absolute value is below this bound. The value is tuned. A quotient
 /// by a smaller cosine is wide over an interval of r, but each factor of κ costs products.
 const SINGULAR: f64 = 0.2;
-/// Distance of x from 1 below which the pole of V and the zero of the cosine cancel. At larger distances x² − 1 is not
-/// small, so that the code may divide by it.
+/// The code uses the form in which the pole of V and the zero of the cosine cancel if x is closer to 1 than this
+/// distance. At larger distances x² − 1 is not small, so that the code may divide by it.
 const RESONANT: f64 = 0.5;
 
 /// Returns one flag for each mode. The flag is true if κ contains the cosine of the mode near r.
@@ -285,7 +285,7 @@ impl<const N: usize> ChainStage<N> {
         self
     }
 
-    /// Returns the first `M` terms.
+    /// Returns the chain with the first `M` terms of each series.
     pub fn truncated<const M: usize>(&self) -> ChainStage<M> {
         let modes = self.modes.iter().map(|mode| ModeStage {
             oscillator: mode.oscillator,

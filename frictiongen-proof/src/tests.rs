@@ -21,7 +21,7 @@ fn limit_of<S: Float>(tables: &Tables<S>, modal: &Modal, work: Work) -> Proof {
     limit
 }
 
-/// At random r outside the open intervals, the table must agree with the exact search within the proven bound.
+/// Checks that the table agrees with the exact search within the proven bound, at random r outside the open intervals.
 #[test]
 fn the_bound_holds() {
     let mut points = 0;
@@ -74,7 +74,7 @@ fn the_bound_holds() {
     assert!(points > 7 * 3 * 1800, "{points}");
 }
 
-/// A piece with one coefficient wrong by ten times the accuracy must not be proven where the error matters.
+/// Checks that a piece with one coefficient wrong by ten times the accuracy is not proven where the error matters.
 #[test]
 fn a_wrong_coefficient_is_not_proven() {
     let mut found = 0;
@@ -119,7 +119,7 @@ fn a_wrong_coefficient_is_not_proven() {
     assert_eq!(found, 3 * (4 + 6 + 6 + 6));
 }
 
-/// With `side: safe`, a table above β_lim must not be proven either, even if it is above by less than its accuracy.
+/// Checks that with `side: safe` a table above β_lim is not proven, even if it is above by less than its accuracy.
 #[test]
 fn above_the_limit_is_not_safe() {
     let accuracy = 1e-3;
@@ -142,7 +142,7 @@ fn above_the_limit_is_not_safe() {
     }
 }
 
-/// In single precision the roundings of the evaluation must be included.
+/// Checks that a proof in single precision includes the rounding errors of the evaluation.
 #[test]
 fn single_precision() {
     let modal = scene("Wall", 1, 0.02, 1.2);
@@ -160,7 +160,8 @@ fn single_precision() {
     }
 }
 
-/// A table must report that it is only checked in two cases: without work for a proof, and at an accuracy below 1e-6.
+/// Checks that a table reports that it is only checked in two cases: without work for a proof, and at an accuracy below
+/// 1e-6.
 #[test]
 fn what_is_not_proven_says_so() {
     let modal = scene("Wall", 1, 0.02, 1.2);
@@ -184,8 +185,8 @@ fn what_is_not_proven_says_so() {
     assert!(fine.proof.told().starts_with("Checked, not proven"));
 }
 
-/// The proof must refuse a witness that is not near the largest constraint, at any r. It must accept most witnesses at
-/// the largest constraint.
+/// Checks that the proof rejects a witness that is not near the largest constraint, at any r, and accepts most
+/// witnesses at the largest constraint.
 #[test]
 fn witnesses_that_are_none() {
     let (mut refused, mut accepted, mut largest) = (0, 0, 0);
@@ -256,8 +257,8 @@ fn witnesses_that_are_none() {
     );
 }
 
-/// The series near the start of the half period must agree with the sum itself. The test has modes of every kind, and
-/// includes slopes in r.
+/// Checks that the series near the start of the half period agrees with the sum itself. The test has modes of every
+/// kind of damping, and includes slopes in r.
 #[test]
 fn early_as_anywhere() {
     let mut state = 5;

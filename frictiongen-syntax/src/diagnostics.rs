@@ -60,7 +60,7 @@ pub struct Problem {
     pub message: String,
 }
 
-/// Return value of a function that has already reported its error. The caller must not report the error again.
+/// Mark that a function has already reported its error. The caller must not report the error again.
 #[derive(Clone, Copy, Debug)]
 pub struct Reported;
 

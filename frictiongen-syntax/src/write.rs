@@ -36,7 +36,7 @@ pub fn written(scene: &Scene) -> String {
     text
 }
 
-/// Fields of a scene that differ from their defaults, in the order in which descriptions have them.
+/// Returns the fields of a scene that differ from their defaults, in the order in which descriptions have them.
 fn fields(scene: &Scene) -> Vec<(&'static str, String)> {
     let node = |node: Node| scene.node_name(node);
     let pair = |from, to| format!("{} - {}", node(from), node(to));
@@ -173,7 +173,7 @@ fn emitted(scene: &Scene, fields: &mut Vec<(&'static str, String)>) {
     }
 }
 
-/// The law of one of several contacts, with the braces of the description.
+/// The law of one of several contacts. Its text is the braces in the description.
 struct Law(JointLaw);
 
 impl Display for Law {

@@ -141,7 +141,7 @@ impl<F: FrictionSystem> RegimeChanges<'_, F> {
         self.system.at(r).ok()?.regime(self.beta).ok()
     }
 
-    /// Returns the next frequency ratio at which the iterator evaluates the regime, or `None` at the end of the range.
+    /// Returns the next frequency ratio at which the iterator evaluates the regime, or `None` beyond the range.
     fn next_place(&mut self) -> Option<F::Scalar> {
         if self.steps <= self.step {
             return None;

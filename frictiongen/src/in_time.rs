@@ -84,8 +84,8 @@ pub trait SteadyState {
     /// Returns the Floquet multipliers: the complex factors by which small deviations from the motion change in a
     /// period.
     fn multipliers(&self) -> &[Complex<Self::Scalar>];
-    /// Calls `question` with the motion of the contact or of a mass, and returns the result of `question`. Returns
-    /// `None` if the scene has no such mass.
+    /// Calls `question` with the motion of the contact or of a mass, and returns its result. Returns `None` if the
+    /// scene has no such mass.
     fn ask<T>(
         &self,
         of: Of,
@@ -94,8 +94,8 @@ pub trait SteadyState {
 }
 
 /// Methods of the kernel's steady state, as a separate trait. [`SteadyState`] has an implementation for every type that
-/// derefs to a type with `Kept`. A direct implementation for the kernel's type would conflict with it, if the kernel's
-/// type implemented `Deref` in a later version.
+/// derefs to a type with `Kept`. The separate trait avoids a conflict of implementations, if the kernel's type itself
+/// implements `Deref` in a later version.
 #[doc(hidden)]
 pub trait Kept {
     type Scalar: Float;

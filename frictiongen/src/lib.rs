@@ -69,8 +69,8 @@
 //! | `masses` | `{ name: number, … }`, the first is m₁ | required |
 //! | `springs` | `{ node - node: number, … }`, node = a mass, `base` or `wall`; the first is k₁ | required, except with `contacts` or `dampers` |
 //! | `contact` | `mass - wall`, `mass - mass`, `mass - base` | required, or `contacts` |
-//! | `contacts` | `{ name: node - node { stiffness: k, stiction: μ, share: s }, … }`: several contacts, of a run-time `System` alone | |
-//! | `dampers` | `{ node - node: c, … }`: dashpots in N·s/m, of a run-time `System` alone | |
+//! | `contacts` | `{ name: node - node { stiffness: k, stiction: μ, share: s }, … }`: several contacts. The macro emits only `stepper` and `simulation` for them | |
+//! | `dampers` | `{ node - node: c, … }`: dashpots in N·s/m. The macro emits only `stepper` and `simulation` for them | |
 //! | `excitation` | a mass, or `base` | required |
 //! | `damping` | `none`, `modal(ζ)`, `modal[ζ₁, …]`, `rayleigh(a, b)` | `none` |
 //! | `damping_from` | `rest` (damping acts on absolute velocities), `base` (on velocities relative to the moving base) | `rest` |
@@ -100,7 +100,7 @@
 //! | `amplitude`, `phase`, `largest` of a mass | one search |
 //! | a search | [`at.most_evaluations()`](kernel::response::At::most_evaluations) evaluations of the modal sum: somewhat more than 256 or 1024, depending on the scene and the least r. If these did not suffice, [`Effort`] reports it, and the answer is the best value found: a limit on the unsafe side, or an amplitude that is too small |
 //! | `simulation`'s `advance` | two segments of [`MAX_STEPS`](kernel::simulation::MAX_STEPS) steps each. With `friction: stribeck`, [`MAX_STRETCHES`](kernel::simulation::MAX_STRETCHES) stretches of at most 128 steps, or of `MAX_STEPS` where the kinetic friction is constant |
-//! | `stepper`'s `advance` | for each part of a step: one product with the tables, or [`MAX_EVENTS`](kernel::stepper::MAX_EVENTS) events in [`MAX_STRETCHES`](kernel::stepper::MAX_STRETCHES) stretches. The emitted method's documentation gives the number of parts. If a part has more events, the contact sticks for the rest of that part, and `exceeded` counts the step |
+//! | `stepper`'s `advance` | for each part of a step: one product with the tables, or [`MAX_EVENTS`](kernel::stepper::MAX_EVENTS) events in [`MAX_STRETCHES`](kernel::stepper::MAX_STRETCHES) stretches. The emitted method's documentation gives the number of parts. If a part has more events, the stepper ignores events in the rest of that part, and `exceeded` counts the step |
 //! | `orbit` | about [`MAX_CYCLES`](kernel::orbit::MAX_CYCLES) cycles, and [`orbit::MAX_STEPS`](kernel::orbit::MAX_STEPS) steps in all; otherwise it returns [`NoOrbit`] |
 //!
 //! # Conventions

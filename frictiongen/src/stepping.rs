@@ -1,4 +1,5 @@
-//! Traits for fixed-step steppers. Emitted solvers and the run-time `System` both implement them.
+//! Traits for steppers, which advance the motion by time steps of one length. Emitted solvers and the run-time `System`
+//! both implement them.
 
 use crate::OutOfDomain;
 use frictiongen_kernel::Float;
@@ -142,8 +143,8 @@ pub trait Stepping {
     fn set_stiction(&mut self, mu: Self::Scalar) -> Result<(), OutOfDomain>;
 }
 
-/// Implements [`Steps`] for an emitted scene and [`Stepping`] for its stepper. The macro passes only the masses on
-/// which the stepper accepts a force. The kernel's types contain all other data.
+/// Implements [`Steps`] for an emitted scene and [`Stepping`] for its stepper. The argument of the macro lists the
+/// masses on which the stepper accepts a force. The kernel's types contain all other data.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! emitted_stepper {

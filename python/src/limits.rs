@@ -1,4 +1,4 @@
-//! Computes the stop limit and the gross-slip limit over frequency.
+//! Computes both limits over frequency: the limit of continuous motion β_lim and the limit of sliding β*_lim.
 
 use crate::asked::{Frequencies, FrequencyArguments, LoadArguments, check_size, measure, setting};
 use crate::columns::Columns;
@@ -11,7 +11,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use rayon::prelude::*;
 
-/// Number of limits that are computed between two checks for an interrupt.
+/// Number of limits that the code computes between two checks for an interrupt.
 const PORTION: usize = 4096;
 
 fn all(
@@ -29,8 +29,8 @@ fn all(
     Ok(portions.into_iter().flatten().collect())
 }
 
-/// Computes both limits over frequency. With `estimates` the answer contains the estimates too. Without `search` it
-/// contains no searched limit.
+/// Computes both limits over frequency. With `estimates` the answer also contains the two bounds on β_lim. Without
+/// `search` it contains no limit that needs a search.
 #[pyfunction]
 pub fn limits<'py>(
     py: Python<'py>,

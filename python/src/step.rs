@@ -129,7 +129,7 @@ impl Recording {
     }
 }
 
-/// Computes the motion under a load of which every sample is given.
+/// Computes the motion under a load that is given at every sample.
 #[pyfunction]
 pub fn step<'py>(
     system: &Bound<'py, NativeSystem>,

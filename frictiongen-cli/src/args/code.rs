@@ -81,7 +81,7 @@ pub struct ExpandArguments {
 pub enum ExportTarget {
     /// A static library with a header of C99.
     C,
-    /// A unit of FMI 3.0 for co-simulation.
+    /// A functional mock-up unit (FMU) of FMI 3.0, for co-simulation.
     Fmu,
 }
 
@@ -142,7 +142,8 @@ pub struct PlayArguments {
     /// Argument for the scene description.
     #[command(flatten)]
     pub file: FileArgument,
-    /// The playground, as scripts/playground makes it [default: playground.html in the folder of this program]
+    /// File with the playground, which scripts/playground creates [default: playground.html in the folder of this
+    /// program]
     #[arg(long, value_name = "PAGE")]
     pub page: Option<PathBuf>,
     /// Write to this file instead of standard output
@@ -153,7 +154,7 @@ pub struct PlayArguments {
 /// Arguments of `frictiongen completions`.
 #[derive(Debug, Args)]
 pub struct CompletionsArguments {
-    /// The shell
+    /// Shell for which the command prints the script
     pub shell: clap_complete::Shell,
 }
 

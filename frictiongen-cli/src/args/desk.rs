@@ -20,15 +20,15 @@ pub enum StartFrom {
 /// The axes of a picture that are logarithmic.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum LogAxes {
-    /// No axis.
+    /// No axis is logarithmic.
     #[default]
     #[value(skip)]
     None,
-    /// The frequency axis.
+    /// The frequency axis is logarithmic.
     X,
-    /// The axes of amplitudes.
+    /// The axes of amplitudes are logarithmic.
     Y,
-    /// The frequency axis and the axes of amplitudes.
+    /// The frequency axis and the axes of amplitudes are logarithmic.
     Xy,
 }
 
@@ -65,8 +65,8 @@ pub struct CurveArguments {
     /// Print also velocities and accelerations
     #[arg(long)]
     pub rates: bool,
-    /// Initial state of each point: rest, or the state of the previous point (up or down in frequency); several with
-    /// commas [default: rest]
+    /// Initial state at each point: rest, or the state at the previous point while the frequency rises (up) or falls
+    /// (down); several with commas draw several curves [default: rest]
     #[arg(long, value_enum, value_delimiter = ',')]
     pub from: Vec<StartFrom>,
     /// Use logarithmic axes in a picture: the frequency axis (x), the amplitude axes (y) or both (xy)

@@ -29,9 +29,10 @@ Units:
 pub const LIMITS: &str = "\
 Quantities:
   continuous limit  beta_lim, exact. Below beta_lim a motion exists in which the contact slides all the time
-  without search    upper bound on beta_lim. It assumes that the contact would first stop at a reversal
-  per mode          lower bound on beta_lim. It adds the maxima of the modes' velocity constraints
-  sliding limit     beta*_lim. At or above it a state exists in which the contact never slides (it locks)
+  without search    upper bound on beta_lim, from the assumption that the contact is closest to stopping
+                    at a reversal
+  per mode          lower bound on beta_lim, from the sum of the largest velocity constraints of each mode
+  sliding limit     beta*_lim. At or above it a steady state exists in which the contact never slides
   With stiction 1 the contact slides all the time below beta_lim, and is stuck from beta*_lim on. With
   a larger stiction other states may exist as well. `orbit --states` lists them.
 
@@ -43,8 +44,8 @@ Regimes:
   stick-slip  the contact sticks and slides in turn. The values belong to the steady state that motion
               from rest reaches
   stuck       the contact never slides (it locks). The output has amplitude and phase of each mass
-  unbounded   the amplitude grows without limit, on an undamped resonance; the contact slides if the
-              margin is negative, otherwise it is stuck
+  unbounded   the excitation is on an undamped resonance, and the amplitude grows without limit. The
+              contact slides if the margin is negative. Otherwise it is stuck
   If several states exist, the answer is the state that motion from rest reaches. At rest, every mass is
   at 0 without velocity, and the excitation is at its maximum. A moving base is then at Y, so that a
   contact with the base may stick away from its centre.
@@ -53,18 +54,20 @@ Answers:
   closed form  an exact formula, for a contact that always slides or never slides
   orbit        an exact steady state, computed from event to event; the next word is its stability, as
                in `orbit`
-  not from rest  motion from rest does not settle; this is another stable state
+  not from rest  motion from rest does not become periodic. The values belong to another stable state
   subharmonic  a stable state, computed from event to event, that repeats after several cycles
-  last 64 cycles  the motion does not settle; the values belong to its last 64 cycles, and the
+  last 64 cycles  the motion does not become periodic. The values belong to its last 64 cycles, and the
                amplitude is the largest of these cycles
-  no cycle     between the limits there is no answer at a frequency ratio of 0 or infinity
-  other words  the reason why there is no answer, in the words of `orbit`; the cells are empty (JSON: null)
+  no cycle     at a frequency ratio of 0 or infinity, with a friction between the limits, there is no
+               steady state
+  any other word is the reason why there is no answer. `orbit --help` explains these words. The cells of
+               such a line are empty (JSON: null)
 
 Quantities:
   margin      beta/min(beta_lim, beta*_lim) - 1. It is negative below both limits. The closed form exists
               there, and with stiction 1 no other state exists
-  offset      middle of the contact's motion, (max + min)/2, divided by P/k1 (by Y for base motion);
-              with a load, in m
+  offset      mean of the largest and the smallest displacement of the contact, (max + min)/2, divided
+              by P/k1 (by Y for base motion); with a load, in m
   amplitude   largest displacement in the cycle, divided by P/k1 (by Y for base motion); with a load, in m
   centred     half the difference between the largest and the smallest displacement
   phase       lag of the largest displacement behind the maximum of the excitation, in rad, from -pi to
@@ -80,24 +83,26 @@ Regimes:
   continuous, stick-slip or stuck; unbounded if there is no steady state
 
 States:
-  stable     small deviations die out
-  marginal   some deviation does not die out, or dies out more slowly than exponentially; the state
-             belongs to a continuum of steady states, or is the end of one; a stuck state is also marginal
+  stable     small deviations from the steady state die out
+  marginal   some small deviation does not die out, or dies out more slowly than exponentially. The
+             state belongs to a continuum of steady states, or is the end of one. A stuck state is also
+             marginal
   These words mean that there is no steady state:
   unbounded  the excitation is on an undamped resonance
   undamped   the load drives a mode that has no damping and on which the contact does not act
-  unstable   deviations grow in every state that was found
-  unsettled  the motion from rest repeats neither after one cycle nor after up to 64; the values belong
-             to its last 64 cycles, and the amplitude is the largest of these cycles
-  crowded    a cycle has more than 64 segments
+  unstable   small deviations grow in every steady state that the search found
+  unsettled  motion from rest does not repeat after any number of cycles up to 64. The values belong to
+             its last 64 cycles, and the amplitude is the largest of these cycles
+  crowded    between two events the contact slides or sticks, and a cycle has more than 64 such segments
 
 Quantities:
-  period      number of cycles after which the motion repeats: 1, or more for a subharmonic state
+  period      number of cycles of the excitation after which the motion repeats: 1, or more for a
+              subharmonic state
   stops       number of stops of the contact in a period
   reversals   number of changes of the sliding direction without a stop, in a period
   stuck       fraction of the period during which the contact sticks
-  offset      middle of the contact's motion, (max + min)/2, divided by P/k1 (by Y for base motion);
-              with a load, in m
+  offset      mean of the largest and the smallest displacement of the contact, (max + min)/2, divided
+              by P/k1 (by Y for base motion); with a load, in m
   multiplier  factor by which the deviation that dies out most slowly changes in a period (Floquet
               multiplier)
   amplitude   largest displacement in the period, divided by P/k1 (by Y for base motion); with a load,
@@ -136,9 +141,9 @@ Motions:
   The output has the contact and every mass, or the motions of --of. Each motion has a displacement,
   divided by P/k1 (by Y for base motion), and a velocity, the derivative with respect to tau = omega t.
   With a load they are in m and m/s. Motions of masses are absolute. The motion of the contact is relative.
-  tau is 0 at a maximum of the excitation, before the skipped cycles
-  contact.friction  the friction force, divided by P (by k1 Y for base motion); with a load, in N. It
-                    opposes sliding; while the contact sticks, it keeps the contact at rest
+  tau is 0 at a maximum of the excitation, at the start of the run (before the cycles that --skip omits)
+  contact.friction  the friction force, divided by P (by k1 Y for base motion); with a load, in N. While
+                    the contact sticks, it is the force that keeps the contact at rest
   contact.state     stuck, forward or backward; the direction is the sign of the relative velocity
   A description with `friction: stribeck` needs a load, --force or --base, because its speeds have units.
 
@@ -180,8 +185,8 @@ Curves:
   piece ends where the regime changes, at a pole, at a jump, and at a point without an answer.
   --from up and --from down sweep the frequency, as in a laboratory. Each point starts from the state of
   the previous point, with the same displacements and velocities. --from up,down gives both sweeps.
-  answer   closed form, orbit, or last 64 cycles of a motion that does not settle; any other word is the
-           reason why there is no answer, in the words of `orbit`
+  answer   closed form; orbit; or last 64 cycles, of a motion that does not become periodic. Any other
+           word is the reason why there is no answer. `orbit --help` explains these words
   force    largest friction force in the cycle, divided by P (by k1 Y for base motion); with a load, in N
   work     energy that friction dissipates in a cycle, divided by P^2/k1 (by k1 Y^2 for base motion);
            with a load, the mean power in W
@@ -201,14 +206,14 @@ Regions:
   continuous        the contact slides all the time
   stuck             the contact never slides: it locks
   n stops           the contact stops n times in a cycle of the excitation
-  sliding reversals the contact reverses and never stops, but the motion is not the closed form
-  subharmonic       the motion repeats after several cycles
+  sliding reversals the contact reverses without a stop, but the motion is not that of the closed form
+  subharmonic       the motion repeats after several cycles of the excitation
   unsettled         the motion does not repeat
-  other words       the reason why there is no answer, in the words of `orbit`
+  any other word is the reason why there is no answer. `orbit --help` explains these words
 A map shows the state in which motion from rest ends. With stiction 1 the boundaries of the continuous
 and the stuck region are the exact limits. With a larger stiction, motion from rest may continue to
 slide above both limits. --boundaries finds the boundaries of the other regions by bisection. Each additional
-digit takes longer, because the motion settles more slowly near a boundary. Pictures use 3 digits.
+digit takes longer than the one before, because the motion settles more slowly near a boundary. Pictures use 3 digits.
 Ctrl-C keeps the frequencies that are already computed.
 
 ";
@@ -236,11 +241,12 @@ What is searched:
 
 Quantities:
   friction     the best friction, in N with a load, otherwise as beta
-  what limits it  `equal peaks`: more friction raises one peak and lowers another; or `one peak at its least`:
-                  more friction and less friction both raise this peak
-  how the search ended  converged; or at a jump to a larger steady state; or the best so far, because the
-                  search reached its limit of work or Ctrl-C stopped it. If the search did not converge, the
-                  output has an interval of frictions that contains the best friction
+  what limits it  why no other friction is better. `equal peaks`: two peaks are equal, and more friction
+                  raises one and lowers the other. `one peak at its least`: more friction and less friction
+                  both raise the only largest peak
+  how the search ended  it converged; or the best friction is at a jump, beyond which the amplitude is larger;
+                  or the search stopped early, at its limit of work or by Ctrl-C, and prints the best friction
+                  so far. If it did not converge, an interval of frictions contains the best friction
   beyond the jump  largest amplitude with a friction just beyond the jump
   above the best  ranges of friction in which the largest amplitude is at most 1, 5 or 10 per cent larger
                   than the best
@@ -266,11 +272,12 @@ Exit status:
 
 pub const FEATURES: &str = "\
 Features:
-  resonance                 a resonance of the chain. Without damping, the friction is that from which the amplitude is
-                            bounded (6.2). With damping, the contact slides all the time up to this friction
+  resonance                 a resonance of the chain, and a friction. Without damping, the amplitude is bounded from
+                            this friction on (6.2). With damping, the contact slides all the time up to this friction
   resonance if stuck        a resonance of the chain with its contact stuck. At this frequency the contact slides up to
                             the given friction
-  limit for r -> 0, inf     the two frictions up to which the contact slides, and slides all the time, for r -> 0 or inf
+  limit for r -> 0, inf     for r -> 0 or inf, the friction up to which the contact slides (beta*_lim), and the
+                            friction up to which it slides all the time (beta_lim)
   antiresonance             a frequency at which the amplitude is zero without friction
   invariant point           a frequency with the same amplitude, or fundamental component, for every friction up to
                             the given one. Exact for the contact and for fundamentals, otherwise an estimate (6.9, 6.10)
@@ -285,10 +292,11 @@ With two frictions or more:
   same amplitude            frequencies at which two neighbouring frictions have exactly the same amplitude
 
 Found:
-  exact    from a closed form
-  estimate from the monoharmonic formula (7.60). The next line has the exact peak
-  all      by interval arithmetic. The list contains all features in the range
-  sampled  by samples with small steps, then refined. The search may miss two features within one step
+  exact    a formula gives the feature
+  estimate the formula (7.60) for the fundamental component gives the peak. The next line has the exact peak
+  all      a search by interval arithmetic finds the feature. It misses no feature in the range
+  sampled  the search looks for the feature in small steps of the frequency, and then refines it. It may miss two
+           features within one step
 
 Ranges:
   A range is a:b, above 0. The default is from 0.55 times the lowest resonance to 1.5 times the highest. Towards
@@ -316,16 +324,18 @@ Parameters:
 Answers:
   exact       exact derivatives of the closed form, of the steady state with stops, or of the stuck response
   These words mean that there is no derivative:
-  bend        an event of the contact is about to appear or to vanish, or the friction equals a limit
-  marginal    the steady state is one of a continuum
-  degenerate  two modes coincide, and a change of the parameter separates them; or it makes the contact
-              drive a mode that the contact does not drive now
-  other words there is no steady state; `orbit` gives the same reason
+  bend        the answer has a corner here, because the friction equals a limit, or because a small change
+              of a parameter adds or removes an event (a stop, a break-away or a reversal of the contact)
+  marginal    the steady state is one of a continuum of steady states
+  degenerate  two modes have the same frequency, and a change of the parameter separates them; or the
+              contact does not act on a mode, and a change of the parameter makes it act on this mode
+  any other word is the reason why there is no steady state. `orbit --help` explains these words
 
 Quantities:
   X, d/dp     first line: the value X of the answer; other lines: its derivative dX/dp by the parameter p
   (p/X) d/dp  relative sensitivity (p/X) dX/dp: per cent of X for one per cent of p; for a phase, p dX/dp
-  limits      beta_lim and beta*_lim at this frequency; with a load, in N
+  limits      the continuous limit beta_lim and the sliding limit beta*_lim at this frequency; with a load,
+              in N
 
 ";
 

@@ -83,7 +83,7 @@ pub enum Command {
     #[cfg(feature = "report")]
     #[command(after_help = format!("{}{UNITS}{}", report::REPORTS, report::RANGES))]
     Report(ReportArguments),
-    /// Write a page that answers in a browser while its reader changes the description
+    /// Write a page that computes in a browser: its reader changes the description and sees new results
     Play(PlayArguments),
     /// Print derivatives of amplitude, phase and limits with respect to every parameter, in every regime
     #[command(after_help = format!("{SENSITIVITIES}{UNITS}{GRIDS_IN_TIME}"))]

@@ -32,7 +32,7 @@ pub struct PeriodicArguments {
     /// Print the motion over a period instead of its extremes
     #[arg(long)]
     pub motion: bool,
-    /// Column and unit of the load, as base=COLUMN:UNIT or force=COLUMN:UNIT [default: the column with this name]
+    /// Column and unit of the load, as base=COLUMN:UNIT or force=COLUMN:UNIT [default: the column base or force]
     #[arg(long, value_name = "NAME=COLUMN:UNIT")]
     pub channel: Vec<String>,
     /// Samples per second, for a table without a time column

@@ -14,7 +14,7 @@ pub struct RecordingArguments {
     #[arg(value_name = "RECORDING", required = true)]
     pub recordings: Vec<PathBuf>,
     /// Column and unit of the base motion, of the force or of a mass, as NAME=COLUMN:UNIT; may be given more than once
-    /// [default: the column with this name]
+    /// [default: the column NAME]
     #[arg(long, value_name = "NAME=COLUMN:UNIT")]
     pub channel: Vec<String>,
     /// Samples per second, for recordings without a time column

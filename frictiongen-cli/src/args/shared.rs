@@ -25,10 +25,11 @@ pub struct FormatArguments {
     /// In CSV, print comment lines (#) first: the scene, its natural frequencies, the load
     #[arg(long, conflicts_with = "json")]
     pub comments: bool,
-    /// Print also r and beta, beside Hz and N, where a table has to fit the width
+    /// Print the columns r and beta in addition to Hz and N. Without this option, a table that must fit a width leaves
+    /// them out
     #[arg(long)]
     pub groups: bool,
-    /// Widest line of a printed table in characters; 0 for any width [default: 100 on a terminal, otherwise 0]
+    /// Largest width of a printed table in characters; 0 for any width [default: 100 on a terminal, otherwise 0]
     #[arg(long, value_name = "N")]
     pub width: Option<u16>,
 }

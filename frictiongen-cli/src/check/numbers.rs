@@ -8,7 +8,7 @@ use frictiongen::study::units::{Load, hertz};
 use serde_json::{Map, Value as Json, json};
 use std::io::{self, Write};
 
-/// Base motion for the printed static displacement, in m.
+/// Amplitude of the base motion for the printed static displacement, in m.
 const BASE: f64 = 1e-3;
 /// Force for the printed static displacement, in N.
 const FORCE: f64 = 1.0;

@@ -29,7 +29,7 @@ const LIMITS: Limits = Limits {
 /// Error message if the accuracy of the tables is missing.
 const NO_ACCURACY: &str = "the accuracy of the tables is missing; give --accuracy 1e-4 or --budget 4096, or declare one of the two in the description";
 
-/// Runs the command.
+/// Runs `frictiongen compile`.
 pub fn run(arguments: &CompileArguments, out: &mut dyn Write) -> Result<(), Failure> {
     let (description, text) = arguments.file.constant_level_with_text(&LIMITS)?;
     arguments.file.check_rigid(&description)?;

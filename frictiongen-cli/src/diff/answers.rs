@@ -4,12 +4,12 @@ use frictiongen::System;
 use frictiongen::study::scene::{Excitation, FrictionLaw};
 use frictiongen::study::units::{Load, hertz};
 
-/// Number of frequencies for the comparison.
+/// Number of compared frequencies.
 pub const FREQUENCIES: u32 = 400;
-/// Bounds of the frequencies for the comparison: the lowest over the lowest natural frequency, and the highest over the
-/// highest natural frequency.
+/// Range of the compared frequencies. It begins at the first number times the lowest natural frequency, and ends at the
+/// second number times the highest natural frequency.
 const BAND: (f64, f64) = (0.2, 1.5);
-/// Friction for the comparison of motions, relative to the smaller limit of the old scene.
+/// Friction for the comparison of motions, as a fraction of the smaller limit of the old scene.
 const FRICTION: f64 = 0.5;
 
 /// Words for the frequencies at which both limits are finite.
@@ -50,7 +50,7 @@ pub struct Answers {
     pub band: Option<(f64, f64)>,
     /// Largest differences, one for each kind of result.
     pub differences: Vec<Difference>,
-    /// Reasons why some comparison was not possible.
+    /// Reasons why some results were not compared.
     pub left_out: Vec<String>,
 }
 

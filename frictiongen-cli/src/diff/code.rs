@@ -7,13 +7,13 @@ use similar::{ChangeTag, TextDiff};
 /// Sizes of the emitted code of two descriptions (old, new), and its differences.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Code {
-    /// Lines of source.
+    /// Number of lines of the emitted code, for the old and the new description.
     pub lines: (usize, usize),
     /// Number of lines in only the old source, and number of lines in only the new source.
     pub differing: (usize, usize),
-    /// Bytes of source.
+    /// Number of bytes of the emitted code, for the old and the new description.
     pub bytes: (usize, usize),
-    /// Bytes of tables with a declared accuracy.
+    /// Number of bytes of the tables of a declared accuracy, for the old and the new description.
     pub tables: (usize, usize),
     /// Functions with a different number of operations: name, old operations and new operations. `None` if a source
     /// does not contain the function.

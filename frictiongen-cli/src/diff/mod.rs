@@ -28,7 +28,7 @@ struct Differences {
     code: Result<Code, String>,
 }
 
-/// Runs the command.
+/// Runs `frictiongen diff`.
 pub fn run(arguments: &DiffArguments, out: &mut dyn Write) -> Result<(), Failure> {
     let files = [&arguments.old, &arguments.new].map(|path| FileArgument {
         file: Some(path.clone()),
@@ -125,7 +125,8 @@ fn unified(
     Ok(out.flush()?)
 }
 
-/// Largest relative difference that rounding in both scenes can cause.
+/// Two results count as equal if their relative difference is at most this value. Rounding in both scenes can cause
+/// such a difference.
 const ROUNDINGS: f64 = 1e-12;
 
 /// Formats a relative change in per cent, with its sign.

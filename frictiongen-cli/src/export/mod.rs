@@ -33,7 +33,7 @@ const EXPORTED: &str = "limits, motion, stuck, orbit, stepper or self_check";
 struct Asked<'a> {
     arguments: &'a ExportArguments,
     description: &'a Description,
-    /// Begins the names in C.
+    /// Prefix of all names in C.
     prefix: &'a str,
     /// Text of the description, and the command.
     origin: Origin<'a>,

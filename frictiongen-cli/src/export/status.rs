@@ -1,6 +1,6 @@
 //! The causes of an error, each with its number in C.
 
-/// A cause: its name in C, its number, its meaning and the Rust patterns that mean it.
+/// Cause of an error: its name and number in C, its meaning, and the error in Rust to which it corresponds.
 #[derive(Debug)]
 pub struct Status {
     /// Name without the prefix.

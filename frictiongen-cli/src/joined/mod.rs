@@ -52,7 +52,7 @@ pub struct Asked<'a> {
     of: &'a [String],
 }
 
-/// Request in the units of the answers.
+/// Frequencies, frictions and load that the user requests, in the units of the answers.
 struct Question<'s> {
     system: &'s System,
     joined: &'s Joined<'s>,

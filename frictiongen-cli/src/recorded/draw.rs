@@ -155,7 +155,7 @@ pub fn spectrum(
 /// A motion: its index, its name, and its values over time.
 type Track<'d> = (usize, &'d Part, Vec<(f64, f64)>);
 
-/// Returns the upper end of an axis that shows all values of some motions and the same values with opposite sign.
+/// Returns the upper bound of a symmetric axis that contains all values of the given motions.
 fn edge<'t>(tracks: impl Iterator<Item = &'t [(f64, f64)]>) -> f64 {
     let values = tracks.flatten().map(|(_, value)| value.abs());
     let most = values.fold(0.0, f64::max);

@@ -16,27 +16,28 @@ use frictiongen::{Of, System};
 const MOST_FRICTIONS: usize = 6;
 /// Largest number of masses for which the page shows every motion.
 const ALL_SHOWN: usize = 4;
-/// Bounds of the default range of frequencies, relative to the lowest and to the highest resonance.
+/// Range of frequencies if the user gives none. It begins at the first number times the lowest resonance, and ends at
+/// the second number times the highest resonance.
 const RANGE: [f64; 2] = [0.3, 1.5];
-/// Default frictions, relative to the median of β*_lim over the range.
+/// Default frictions, as fractions of the median of β*_lim over the range.
 const FRACTIONS: [f64; 3] = [0.1, 0.3, 0.7];
 /// Number of frequencies from which the command computes the median of β*_lim and the largest motion with the contact
 /// stuck.
 const PLACES: usize = 401;
 
-/// Content of the page.
+/// Scene, range, units and motions that the report page shows.
 pub struct Asked {
     /// The system of the results.
     pub system: System,
     /// Range of frequencies of the results.
     pub band: Band,
-    /// The units and their words.
+    /// The units of the numbers on the page.
     pub words: Words,
     /// The contact and masses whose motions the page shows.
     pub parts: Vec<Part>,
     /// Friction ratios β that the user gave. `None` for the default frictions.
     pub frictions: Option<Vec<f64>>,
-    /// Sentences about the choices of the command, with the rules of these choices.
+    /// Sentences that tell the reader what the command has chosen, and by which rule.
     pub chosen: Vec<String>,
 }
 

@@ -13,10 +13,10 @@ use serde_json::{Value as Json, json};
 const MOST_DRAWN: usize = 5;
 /// Largest number of modes in the table. The JSON data contain all modes.
 const MOST_LISTED: usize = 16;
-/// Participation of a mode, relative to the largest, below which it counts as zero.
+/// The participation of a mode counts as zero if it is below this fraction of the largest participation.
 const NONE: f64 = 1e-12;
 
-/// A mode.
+/// A vibration mode of the chain, as the page shows it.
 struct Mode {
     r: f64,
     hertz: f64,

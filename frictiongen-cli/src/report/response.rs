@@ -25,7 +25,7 @@ const ROWS: usize = 31;
 const MOST_STRETCHES: usize = 6;
 /// Bound on the work of one curve, in units of about 10 µs. A page has up to eight curves.
 const WORK: usize = 60_000;
-/// Smallest amplitude on an axis, relative to the largest. With this ratio the axis has four decades.
+/// Smallest amplitude on an axis, as a fraction of the largest. With this fraction the axis has four decades.
 const DECADES: f64 = 1e-4;
 
 /// A curve at one friction, with its name.

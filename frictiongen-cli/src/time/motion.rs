@@ -82,7 +82,7 @@ impl<'a> Motion<'a> {
         frequency.chain(friction)
     }
 
-    /// Returns fields that JSON contains once.
+    /// Returns the fields of the JSON object that belong to the whole motion, not to one sample.
     pub fn head(&self) -> Vec<(String, Json)> {
         let history = &self.history;
         let point = self.point();

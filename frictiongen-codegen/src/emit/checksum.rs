@@ -46,7 +46,7 @@ fn crc(bytes: &[u8]) -> u32 {
 mod tests {
     use super::{about, crc};
 
-    /// Checks the check value in the catalogue of CRC algorithms.
+    /// Checks the CRC-32 of a text against its value in the catalogue of CRC algorithms.
     #[test]
     fn check_value() {
         assert_eq!(crc(b"123456789"), 0xcbf4_3926);

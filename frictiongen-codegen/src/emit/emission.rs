@@ -16,7 +16,7 @@ use proc_macro2::{Ident, TokenStream, TokenTree};
 /// modes, each mass has its own straight-line code.
 const SUMS_FROM: usize = 3;
 
-/// Data that all emitted items share.
+/// Data of a scene that the emission of its items needs.
 pub(super) struct Emission<'a> {
     pub description: &'a Description,
     pub scene: &'a Scene,

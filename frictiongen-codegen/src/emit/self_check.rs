@@ -10,8 +10,8 @@ use frictiongen_kernel::number::dd::Dd;
 use frictiongen_model::scene::Precision;
 use proc_macro2::{Literal, TokenStream};
 
-/// Largest error of an answer of the exact formulas, in rounding units. The known frequencies are such that a change of
-/// r by 32 rounding units changes no answer by more than an eighth of this error.
+/// Largest allowed error of an answer of the exact formulas, in rounding units. The known answers are at frequencies at
+/// which a change of r by 32 rounding units changes an answer by at most an eighth of this error.
 const ROUNDINGS: f64 = 4096.0;
 /// Range of the frequency ratios of the known answers. The first number is a multiple of the lowest resonance, and the
 /// second is a multiple of the highest resonance.

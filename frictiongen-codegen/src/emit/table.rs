@@ -216,7 +216,7 @@ pub(super) fn quotient_over<S: Float>(
     }
 }
 
-/// Emits factors as an array.
+/// Emits the factors of a product as an array.
 pub(super) fn factors<S: Float>(emission: &Emission<'_>, factors: &[Factor<S>]) -> TokenStream {
     let number = |value: S| emission.literal(value.to_f64());
     let factors = factors.iter().map(|factor| match *factor {

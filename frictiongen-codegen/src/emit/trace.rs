@@ -14,7 +14,7 @@ use frictiongen_model::modal::Modal;
 use frictiongen_model::reduced::Reduced;
 use frictiongen_model::scene::{Precision, Scene};
 
-/// Recording of one function.
+/// Records the operations of one function in a graph.
 pub(super) struct Tracer<'g> {
     pub graph: &'g Graph,
     pub reduced: Reduced<Expr<'g>>,

@@ -17,7 +17,7 @@ pub enum Expr<'g> {
 /// Result of a comparison. It is known when the code is emitted, or the emitted code computes it.
 #[derive(Clone, Copy)]
 pub enum Condition<'g> {
-    /// A known outcome.
+    /// An outcome that is known while the operations are recorded.
     Known(bool),
     /// A recorded comparison.
     Node(&'g Graph, Id),

@@ -17,7 +17,7 @@ pub(super) enum Form {
 }
 
 impl Form {
-    /// Returns the names of the numbers.
+    /// Returns the names of the numbers that a constant of this form contains.
     pub fn fields(self) -> &'static [&'static str] {
         match self {
             Self::Number => &[],
@@ -131,7 +131,7 @@ impl Constants {
         each.collect()
     }
 
-    /// Writes the types of those forms that occur.
+    /// Writes the type definitions of the forms of constants that the file contains.
     pub fn types(&self) -> String {
         let Numbers { real, language, .. } = self.numbers;
         let forms = [Form::Zero, Form::Pair, Form::RootPair];

@@ -176,7 +176,7 @@ fn piece_numbers<S: Float>(tables: &Tables<S>) -> Vec<f64> {
     pieces.map(|number| number.to_f64()).collect()
 }
 
-/// Returns the first step of the search for a piece within its bucket, in pieces.
+/// Returns the first step of the search for a piece within a bucket, as a number of pieces.
 fn first_step<S>(tables: &Tables<S>) -> usize {
     (1_usize << tables.index.halvings) >> 1
 }
@@ -206,9 +206,9 @@ const STATUSES: [(&str, i32, &str); 5] = [
 struct Words {
     /// Meaning of β: F/P, or F/(k₁Y) if the base moves.
     beta: &'static str,
-    /// Meaning of an amplitude.
+    /// Explanation of an amplitude, for the comments of the file.
     amplitude: &'static str,
-    /// The load by which forces are divided.
+    /// The load by which forces are divided, as words for the comments of the file.
     load: &'static str,
 }
 

@@ -56,7 +56,7 @@ impl UnitConstants {
         }
     }
 
-    /// Returns all numbers, in the order of a checksum.
+    /// Returns all numbers, in the order in which the checksum reads them.
     pub(super) fn numbers(&self) -> Vec<f64> {
         let mut numbers = vec![self.k1, self.m1, self.reference];
         numbers.extend(&self.hertz);

@@ -11,7 +11,7 @@ use crate::contact::sums::{Chain, ContactAt, ModeAt};
 use crate::number::scalar::Float;
 use crate::oscillator::mode::Mode;
 
-/// Number of rounding errors of its largest terms below which a modal sum counts as zero.
+/// A modal sum counts as zero if it is below this number of rounding errors of its largest term.
 const ROUNDINGS: f64 = 64.0;
 
 /// Returns the largest relative distance from an absorber frequency at which the series is more accurate than the

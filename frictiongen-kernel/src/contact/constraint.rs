@@ -11,15 +11,17 @@ use crate::number::scalar::Float;
 use crate::oscillator::decay::Decay;
 use crate::oscillator::mode::Mode;
 
-/// Margin in rounding units. If β is below a computed β_lim by more than this margin, β is also below the exact β_lim.
-/// A search may be off by four units. The other units cover the rounding errors of β_lim.
+/// Safety margin of a comparison of β with β_lim, in rounding units. If β is below the computed β_lim by more than this
+/// margin, β is below the exact β_lim as well. The search contributes an error of up to four units, the formula of
+/// β_lim the rest.
 const CLEAR: f64 = 32.0;
-/// Largest phase error of a mode that the rounding of r may cause, as a fraction of a half turn. Beyond this error, two
-/// searches at the same r may give different results.
+/// Upper bound on the phase error of a mode due to the rounding of r, as a fraction of a half turn. A mode with a
+/// larger error is so fast that two searches at the same r may differ. The code then does not use the cheaper search.
 const UNTURNED: f64 = 1e-4;
 
-/// Largest relative tolerance of a search for the velocity constraint S. Where β_lim hardly depends on S, a larger
-/// tolerance would suffice for β_lim, but not for the amplitude of the motion at β_lim.
+/// Upper bound on the relative tolerance of a search for the velocity constraint S. Some β_lim hardly depend on S, so
+/// that a larger tolerance would suffice for β_lim itself. The amplitude of the motion at β_lim would then be
+/// inaccurate.
 const MOST_TOLERANCE: f64 = 1.0 / 4096.0;
 
 impl<S: Float> Chain<S> {

@@ -1,10 +1,5 @@
 //! Limits β_lim and β*_lim of an undamped chain for a run-time `System`, without the search for the velocity constraint
-//! S. Before the first frequency, the code copies the constants of the modes into packed arrays.
-//!
-//! In emitted code the constants of a scene are part of the instructions. At run time this module stores the constants
-//! of the modes in pairs, so that the compiler uses packed instructions. The module leaves out the modes that the
-//! contact does not drive, because they contribute to no sum. The formulas are those of [`Chain`], and the sums add one
-//! mode after the other. The results therefore have the same bits as those of all other modules.
+//! S. The code first copies the constants of the modes into packed arrays, which serve every frequency.
 
 use crate::contact::regime::Limits;
 use crate::contact::sums::{Chain, ContactAt};
@@ -27,8 +22,8 @@ struct Driven<S> {
     contact_squared: S,
 }
 
-/// The number x² − 1 and the damping function u of a mode. The code stores u multiplied by R² and by |x² − 1|. This u
-/// does not yet contain the scale E of the chain.
+/// The number x² − 1 and the damping function u of a mode, with x = √λ/r = 1/R. The code stores u multiplied by R² and
+/// by |x² − 1|. This u does not yet contain the scale E of the chain.
 type Own<S> = [S; 2];
 
 /// Terms of a mode in V (response to the load), H (receptance) and U (damping function) of the contact, in this order.

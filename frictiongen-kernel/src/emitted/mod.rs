@@ -40,8 +40,9 @@ pub use locals::*;
 pub use shapes::transposed;
 
 /// Writes those items of the trait `Scene` that are the same in every emitted scene. The scene must have the constants
-/// `NUMBERS` and `MODES` and the function `functions`. It needs no `functions` if it writes its own frequency stage
-/// (`in passes`). In a damped scene, a constant parameter of `functions` selects whether the function computes G.
+/// `NUMBERS` and `MODES` and the function `functions`. The frequency stage computes the functions of all modes and of
+/// the contact at one r. A scene that writes its own frequency stage (`in passes`) needs no `functions`. In a damped
+/// scene, a constant parameter of `functions` selects whether the function computes G.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! scene_items {
@@ -70,7 +71,7 @@ macro_rules! scene_items {
             Self::NUMBERS
         }
 
-        /// Returns empty working space for the searches and for the waves of a motion.
+        /// Returns working space with one entry for each mode, which the searches and a motion fill.
         #[inline]
         fn idle(&self) -> Self::Waves {
             Self::MODES.map(|mode| $crate::emitted::Wave::idle(&mode))

@@ -6,7 +6,8 @@ use core::fmt;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Halt {
-    /// The friction force of a contact cannot have the value.
+    /// The caller gave a friction force that the contact cannot have. It is negative or not finite, or it changes with
+    /// time at an elastic contact.
     Level,
     /// The load is not finite, or the load does not exist.
     Load,
@@ -15,11 +16,12 @@ pub enum Halt {
     Patterns,
     /// The motion has more events than the solver follows.
     Events,
-    /// The motion needs more stretches of the power series than the solver follows.
+    /// The motion needs more stretches than the solver follows. A stretch is a time interval over which the solver uses
+    /// one power series.
     Stretches,
-    /// Events follow each other without any time between them.
+    /// The solver finds events without any time between them.
     Stalled,
-    /// The motion exceeds the range of numbers.
+    /// A displacement, velocity or force exceeds the range of the number type.
     NotFinite,
 }
 

@@ -1,10 +1,11 @@
-//! Which rigid contacts stick and which go, where their relative velocity is 0.
-//!
-//! A pattern fits if no contact that sticks has more force than it can hold and every contact that goes accelerates
-//! against its friction. What broke away goes, in the direction of its holding force. Of the patterns that fit, the one
-//! with the most contacts that stick counts; of those, the first in the order of the description (contacts that come
-//! first stick, and go forwards before they go backwards). If none fits in which everything that broke away goes, all
-//! patterns are asked.
+//! Decides which rigid contacts stick and which slide, at an instant at which their relative velocities are 0. A
+//! *pattern* gives each of these contacts a phase: it sticks, or it starts to slide in one of two directions. A pattern
+//! *fits* under two conditions. No sticking contact needs a force above its static friction force. Each sliding contact
+//! accelerates in its direction of sliding. A contact that has just broken away slides in the direction of the force
+//! that held it. If several patterns fit, the solver takes the one with the most sticking contacts. Among equal
+//! numbers, contacts that come first in the description stick. A contact that slides tries the positive direction
+//! first. If no pattern fits in which every contact that broke away slides, the solver also tries patterns in which
+//! such a contact sticks.
 
 use super::model::{Contact, Model};
 use super::size::{Size, add, at, set, sign};
@@ -12,46 +13,48 @@ use super::tree::Tree;
 use crate::Float;
 use crate::errors::Halt;
 
-/// Largest number of patterns that are tried at one instant. Eight contacts that act on each other have 6561, ten 59049.
-/// Where the static friction of all of them is the kinetic one, sixteen take a few dozen.
+/// Largest number of patterns that the solver tries at one instant. A pattern gives each contact a phase: it sticks, or
+/// it slides forward or backward. Eight contacts that act on each other have 3⁸ = 6561 patterns, ten have 59049. If μ =
+/// 1 for all contacts, sixteen contacts need a few dozen patterns only.
 pub const MAX_PATTERNS: usize = 100_000;
 
-/// Returns the rounding of a force, relative to the sum of the absolute values of all forces.
+/// Returns the rounding error of a force, relative to the sum of the absolute values of all forces.
 fn rounding<S: Float>() -> S {
     S::constant(if S::EPSILON < 1e-10 { 1e-13 } else { 2e-5 })
 }
 
-/// A question: the instant at which contacts have no relative velocity.
+/// The instant at which several rigid contacts have the relative velocity 0, with all numbers that decide which of them
+/// stick.
 #[derive(Clone, Debug)]
 pub struct Decision<'a, S: Float, Z: Size> {
     /// The chain.
     pub model: &'a Model<S, Z>,
-    /// All forces by node, without those of the contacts asked.
+    /// Sum of the forces on each node, without the forces of the contacts in `asked`.
     pub forces: Z::Nodes<S>,
-    /// Sum of their absolute values.
+    /// Sum of the absolute values of all these forces.
     pub size: S,
     /// The acceleration of the base.
     pub base: S,
-    /// Level of each contact.
+    /// Kinetic friction force of each contact.
     pub levels: Z::Contacts<S>,
-    /// True for the contacts that are asked.
+    /// True for each contact whose phase this decision determines.
     pub asked: Z::Contacts<bool>,
-    /// The direction of the force of a contact that broke away, and 0 for the others.
+    /// Sign of the force of a contact that has just broken away, and 0 for all other contacts.
     pub broke: Z::Contacts<i8>,
 }
 
-/// Result of one pattern.
+/// Result of the test of one pattern.
 struct Outcome {
     fits: bool,
-    /// The first contact that does not fit, and the phase with which `pivot` tries it next.
+    /// The first contact that contradicts the pattern, and the phase that `pivot` gives to it next.
     first_wrong: Option<(usize, i8)>,
 }
 
-/// Contacts that act on each other, and what is known of them.
+/// Contacts that act on each other through common masses, and the phases that are already known.
 struct Group<Z: Size> {
     /// True for the contacts of the group.
     members: Z::Contacts<bool>,
-    /// The direction in which a contact must go, and 0 for a contact whose phase is open.
+    /// Direction in which a contact must slide, or 0 for a contact whose phase is still open.
     fixed: Z::Contacts<i8>,
 }
 
@@ -60,7 +63,8 @@ impl<Z: Size> Group<Z> {
         holds(&self.members, contact)
     }
 
-    /// Returns the phases of a contact that a search tries, if `going` open contacts must go.
+    /// Returns the phases that the search tries for a contact. `going` is the number of contacts with an open phase
+    /// that must slide.
     fn choices(&self, contact: usize, going: usize) -> &'static [i8] {
         match phase::<Z>(&self.fixed, contact) {
             1 => &[1],
@@ -70,7 +74,7 @@ impl<Z: Size> Group<Z> {
         }
     }
 
-    /// Returns the number of contacts from `first` on whose phase is open.
+    /// Returns the number of contacts with an open phase, from the index `first` on.
     fn open(&self, first: usize) -> usize {
         let members = self.members.as_ref().iter().zip(self.fixed.as_ref());
         let open = members.skip(first);
@@ -84,13 +88,13 @@ fn phase<Z: Size>(pattern: &Z::Contacts<i8>, contact: usize) -> i8 {
     pattern.as_ref().get(contact).copied().unwrap_or(0)
 }
 
-/// Returns true if a set has a contact.
+/// Returns true if a set contains a contact.
 pub(super) fn holds(set: &impl AsRef<[bool]>, contact: usize) -> bool {
     set.as_ref().get(contact) == Some(&true)
 }
 
 impl<S: Float, Z: Size> Decision<'_, S, Z> {
-    /// Returns the phases of the contacts asked.
+    /// Returns the phase of each contact in `asked`: 0 if it sticks, or the sign of its direction of sliding.
     ///
     /// # Errors
     ///
@@ -115,7 +119,8 @@ impl<S: Float, Z: Size> Decision<'_, S, Z> {
         Err(Halt::Stalled)
     }
 
-    /// Gives each contact asked the number of the first contact that acts on it by way of common masses.
+    /// Labels each contact in `asked` with the index of the first contact that acts on it, directly or through other
+    /// contacts. Two contacts act on each other if they share a mass.
     fn labels(&self) -> Z::Contacts<usize> {
         let wall = self.model.wall();
         let meets = |a: &Contact<S>, b: &Contact<S>| {
@@ -143,7 +148,8 @@ impl<S: Float, Z: Size> Decision<'_, S, Z> {
         labels
     }
 
-    /// Returns the contacts with a label, with all that broke away going if `goes` is set.
+    /// Returns the group of the contacts with the given label. If `goes` is true, every contact that has just broken
+    /// away must slide.
     fn group(&self, labels: &Z::Contacts<usize>, label: usize, goes: bool) -> Group<Z> {
         let mut group: Group<Z> = Group {
             members: self.model.size.contacts(false),
@@ -160,7 +166,7 @@ impl<S: Float, Z: Size> Decision<'_, S, Z> {
         group
     }
 
-    /// Writes the phases of a group into a pattern. Returns false if none fits.
+    /// Finds the phases of the contacts in a group, and writes them into the pattern. Returns false if no pattern fits.
     fn decide_group(
         &self,
         group: &Group<Z>,
@@ -195,8 +201,9 @@ impl<S: Float, Z: Size> Decision<'_, S, Z> {
         Ok(false)
     }
 
-    /// Murty's rule of the least index, which ends where static and kinetic friction are equal: there the pattern is
-    /// that of the minimum of a strictly convex function.
+    /// Searches for a fitting pattern by Murty's rule of the least index: it corrects the first contact that
+    /// contradicts the pattern, and repeats. The method ends if static and kinetic friction are equal, because the
+    /// pattern then belongs to the minimum of a strictly convex function.
     fn pivot(&self, group: &Group<Z>, mut pattern: Z::Contacts<i8>) -> Option<Z::Contacts<i8>> {
         let members = group.members.as_ref().iter();
         for _ in 0..64 * members.filter(|member| **member).count() {
@@ -210,7 +217,7 @@ impl<S: Float, Z: Size> Decision<'_, S, Z> {
         None
     }
 
-    /// Tries all patterns with a given number of contacts that go beside those that broke away. The depth of the
+    /// Tries all patterns in which `going` contacts slide, in addition to those that broke away. The depth of the
     /// recursion is at most the number of contacts.
     fn enumerate(
         &self,
@@ -274,12 +281,12 @@ impl<S: Float, Z: Size> Decision<'_, S, Z> {
         outcome
     }
 
-    /// Rounding of a force.
+    /// Returns the rounding error of a force.
     pub fn rounding(&self) -> S {
         rounding::<S>() * self.size
     }
 
-    /// Rounding of the relative acceleration of a contact.
+    /// Returns the rounding error of the relative acceleration of a contact.
     pub fn noise(&self, contact: usize) -> S {
         let zero = S::constant(0.0);
         let Some(contact) = self.model.contact(contact) else {
@@ -290,8 +297,8 @@ impl<S: Float, Z: Size> Decision<'_, S, Z> {
         self.rounding() * (inverse(contact.plus) + inverse(contact.minus))
     }
 
-    /// Returns all accelerations by node, and the forces of the contacts that stick by contact, for a pattern of some
-    /// contacts. The others have no force.
+    /// Returns the acceleration of each node, and the force of each sticking contact, if the given contacts follow a
+    /// pattern. All other contacts have no force.
     pub fn accelerations(
         &self,
         contacts: &Z::Contacts<bool>,
@@ -313,7 +320,7 @@ impl<S: Float, Z: Size> Decision<'_, S, Z> {
     }
 }
 
-/// Adds the force of a contact to those of the nodes, and its absolute value to the sums.
+/// Adds the force of a contact to the forces on its two nodes, and its absolute value to the sums of absolute values.
 pub(super) fn add_contact<S: Float>(
     contact: &Contact<S>,
     force: S,

@@ -1,4 +1,4 @@
-//! Events: which phases contacts have after them.
+//! Decides the phase of each contact (sticking or sliding) after an event.
 
 use super::decide::{Decision, add_contact, holds};
 use super::run::Motion;
@@ -9,7 +9,8 @@ use crate::Float;
 use crate::errors::Halt;
 
 impl<S: Float, Z: Size> Motion<S, Z> {
-    /// Changes the phases at an event. `hits` has the side of each contact that has an event.
+    /// Changes the phases of the contacts at an event. For each contact with an event, `hits` contains the sign of the
+    /// force or velocity that the event concerns.
     pub(super) fn pass(
         &mut self,
         series: &Series<S, Z>,
@@ -47,7 +48,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         self.ask(&arrived, &broke)
     }
 
-    /// Sets the phases of the first instant.
+    /// Determines the phases of all contacts at the first instant.
     pub(super) fn begin(&mut self) -> Result<(), Halt> {
         let zero = S::constant(0.0);
         let (x, v) = self.nodes();
@@ -65,13 +66,14 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         self.decide_at_once()
     }
 
-    /// Decides between the contacts that stick, without an event.
+    /// Decides which of the sticking contacts continue to stick, at an instant without an event.
     pub(super) fn decide_at_once(&mut self) -> Result<(), Halt> {
         let size = self.model.size.clone();
         self.ask(&size.contacts(false), &size.contacts(0))
     }
 
-    /// Decides all rigid contacts without relative velocity together: those that stick, and those that arrive.
+    /// Decides the phases of all rigid contacts whose relative velocity is 0. These are the sticking contacts, and the
+    /// contacts that have just stopped.
     fn ask(&mut self, arrived: &Z::Contacts<bool>, broke: &Z::Contacts<i8>) -> Result<(), Halt> {
         let mut asked = self.model.size.contacts(false);
         for (j, contact) in self.model.contacts().iter().enumerate() {
@@ -117,7 +119,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         Ok(())
     }
 
-    /// Returns the question at this instant.
+    /// Returns the data for the decision at this instant.
     fn decision(&self, asked: Z::Contacts<bool>, broke: Z::Contacts<i8>) -> Decision<'_, S, Z> {
         let model = &self.model;
         let (x, v) = self.nodes();

@@ -1,15 +1,15 @@
-//! The first instant at which a polynomial on [0, 1] becomes negative.
+//! Finds the first instant at which a polynomial on [0, 1] becomes negative.
 
 use super::series::{Poly, TERMS, terms_of};
 use crate::Float;
 
-/// Halvings of the interval, after which its two ends are neighbours within rounding.
+/// Number of bisections after which both bounds of the interval are equal within rounding.
 fn halvings<S: Float>() -> u32 {
     if S::EPSILON < 1e-10 { 52 } else { 23 }
 }
 
-/// Returns the first τ in [0, 1] from which on the polynomial is negative. `zeros` says how many of its first terms are
-/// 0 by what has happened at the start, whatever rounding makes of them.
+/// Returns the first τ in [0, 1] after which the polynomial is negative. The first `zeros` coefficients are exactly 0
+/// by the event at the start. The function therefore ignores their rounding errors.
 pub fn first_negative<S: Float>(terms: &Poly<S>, zeros: usize) -> Option<S> {
     let zero = S::constant(0.0);
     let terms = terms.get(zeros..terms_of::<S>())?;
@@ -28,9 +28,9 @@ pub fn first_negative<S: Float>(terms: &Poly<S>, zeros: usize) -> Option<S> {
     search(terms)
 }
 
-/// Halves [0, 1] in Bernstein's form until each part has no root or one. A part is the interval from index/2^depth to
-/// (index + 1)/2^depth. Its form is computed anew from that of [0, 1] when the search returns to it, so that no stack of
-/// forms is necessary.
+/// Bisects [0, 1], with the polynomial in Bernstein form, until each subinterval has at most one root. A subinterval
+/// extends from index/2^depth to (index + 1)/2^depth. The code computes its Bernstein form again from the form on [0,
+/// 1] when the search returns to it, so that no stack is needed.
 fn search<S: Float>(terms: &[S]) -> Option<S> {
     let half = S::constant(0.5);
     let whole = Form::new(terms);
@@ -64,7 +64,7 @@ fn search<S: Float>(terms: &[S]) -> Option<S> {
     }
 }
 
-/// A polynomial by Bernstein's coefficients.
+/// Bernstein coefficients of a polynomial on an interval.
 #[derive(Clone, Copy)]
 struct Form<S> {
     values: [S; TERMS],
@@ -72,7 +72,8 @@ struct Form<S> {
 }
 
 impl<S: Float> Form<S> {
-    /// Returns the form on [0, 1]: b_i = Σ_k≤i C(i, k)/C(n, k) a_k.
+    /// Returns the Bernstein coefficients b_i = Σ_{k≤i} C(i, k)/C(n, k) a_k on [0, 1], from the coefficients a_k of the
+    /// powers.
     fn new(terms: &[S]) -> Self {
         // Differences are undone one after the other: the triangle of a_k/C(n, k) by sums.
         let degree = terms.len().saturating_sub(1);
@@ -108,14 +109,14 @@ impl<S: Float> Form<S> {
             .is_some_and(|value| *value > S::constant(0.0))
     }
 
-    /// Returns the number of changes of sign.
+    /// Returns the number of sign changes in the coefficients, which bounds the number of roots.
     fn changes(&self) -> usize {
         let zero = S::constant(0.0);
         let pairs = self.used().zip(self.used().skip(1));
         pairs.filter(|(a, b)| (**a > zero) != (**b > zero)).count()
     }
 
-    /// Divides the form at the middle (de Casteljau).
+    /// Divides the interval in the middle, and returns the coefficients for both halves (de Casteljau).
     fn halves(mut self) -> (Self, Self) {
         let half = S::constant(0.5);
         let (mut left, mut right) = (self, self);
@@ -139,7 +140,7 @@ impl<S: Float> Form<S> {
         (left, right)
     }
 
-    /// Returns the form of one of 2^depth equal parts of the interval.
+    /// Returns the coefficients for the subinterval `index` of 2^`depth` equal ones.
     fn part(self, depth: u32, index: u64) -> Self {
         (0..depth).rev().fold(self, |form, level| {
             let (left, right) = form.halves();
@@ -148,7 +149,7 @@ impl<S: Float> Form<S> {
     }
 }
 
-/// Bisects a change of sign from positive.
+/// Finds by bisection the point at which the polynomial changes its sign from positive to negative.
 fn bisect<S: Float>(terms: &[S], mut low: S, mut high: S) -> S {
     for _ in 0..halvings::<S>() + 8 {
         let middle = S::constant(0.5) * (low + high);
@@ -164,7 +165,7 @@ fn bisect<S: Float>(terms: &[S], mut low: S, mut high: S) -> S {
     high
 }
 
-/// Evaluates a polynomial.
+/// Evaluates a polynomial at a point.
 pub fn value<S: Float>(terms: &[S], at: S) -> S {
     let terms = terms.iter().rev();
     terms.fold(S::constant(0.0), |sum, term| sum * at + *term)

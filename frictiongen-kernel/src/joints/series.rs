@@ -1,4 +1,4 @@
-//! The power series of the motion over one stretch.
+//! Power series of the motion over one stretch (time interval).
 
 use super::model::Model;
 use super::roots::value;
@@ -7,29 +7,31 @@ use super::state::{FREE, STUCK, State};
 use super::tree::Tree;
 use crate::Float;
 
-/// Terms of a series in `f64`. Over one radian the first term left out is below 1/22! = 1e-21 of the first.
+/// Number of coefficients of a power series in `f64`. Over one radian the first neglected term is below 1/22! = 1e-21
+/// of the first term.
 pub const TERMS: usize = 22;
 
-/// Returns the number of terms that a precision needs. In `f32`, the first term left out is below 1/12! = 2e-9 of the
-/// first.
+/// Returns the number of coefficients that the number type needs. In `f32`, the first neglected term is below 1/12! =
+/// 2e-9 of the first term.
 pub(super) fn terms_of<S: Float>() -> usize {
     if S::EPSILON < 1e-10 { TERMS } else { 12 }
 }
 
-/// The terms of one quantity over a stretch, in the fraction of the stretch.
+/// Coefficients of the power series of one quantity over a stretch. The variable is the elapsed fraction of the
+/// stretch, from 0 to 1.
 pub type Poly<S> = [S; TERMS];
 
-/// Returns the terms of the quantity 0.
+/// Returns the coefficients of the quantity 0.
 fn nothing<S: Float>() -> Poly<S> {
     [S::constant(0.0); TERMS]
 }
 
-/// The motion over one stretch.
+/// Power series of the motion of all nodes over one stretch.
 #[derive(Clone, Debug)]
 pub struct Series<S: Float, Z: Size> {
-    /// Start of the stretch.
+    /// Time at the start of the stretch.
     pub start: S,
-    /// Length of the stretch.
+    /// Duration of the stretch.
     pub length: S,
     x: Z::Nodes<Poly<S>>,
     v: Z::Nodes<Poly<S>>,
@@ -37,7 +39,7 @@ pub struct Series<S: Float, Z: Size> {
 }
 
 impl<S: Float, Z: Size> Series<S, Z> {
-    /// Computes the series from a state.
+    /// Computes the power series from the state at the start of the stretch.
     pub fn new(
         model: &Model<S, Z>,
         state: &State<S, Z>,
@@ -119,27 +121,27 @@ impl<S: Float, Z: Size> Series<S, Z> {
         value(&self.force_terms(contact), fraction)
     }
 
-    /// Returns the terms of the force of a contact.
+    /// Returns the power series of the force of a contact.
     pub fn force_terms(&self, contact: usize) -> Poly<S> {
         terms(self.forces.as_ref(), contact)
     }
 
-    /// Returns the terms of the relative velocity of two nodes.
+    /// Returns the power series of the relative velocity of two nodes.
     pub fn speed_terms(&self, plus: usize, minus: usize) -> Poly<S> {
         difference(self.v.as_ref(), plus, minus)
     }
 
-    /// Returns the terms of the displacement of a mass.
+    /// Returns the power series of the displacement of a mass.
     pub fn displacement_terms(&self, mass: usize) -> Poly<S> {
         terms(self.x.as_ref(), mass)
     }
 
-    /// Returns the terms of the velocity of a mass.
+    /// Returns the power series of the velocity of a mass.
     pub fn velocity_terms(&self, mass: usize) -> Poly<S> {
         terms(self.v.as_ref(), mass)
     }
 
-    /// Returns the terms of the relative displacement of two nodes.
+    /// Returns the power series of the relative displacement of two nodes.
     pub fn place_terms(&self, plus: usize, minus: usize) -> Poly<S> {
         difference(self.x.as_ref(), plus, minus)
     }
@@ -150,18 +152,18 @@ impl<S: Float, Z: Size> Series<S, Z> {
     }
 }
 
-/// Returns the terms of one entry.
+/// Returns the coefficients of one node, or zeros for an invalid index.
 fn terms<S: Float>(series: &[Poly<S>], index: usize) -> Poly<S> {
     series.get(index).copied().unwrap_or(nothing())
 }
 
-/// Returns one term of one entry.
+/// Returns one coefficient of one node, or 0 for an invalid index.
 fn term<S: Float>(series: &[Poly<S>], index: usize, order: usize) -> S {
     let terms = series.get(index);
     terms.map_or(S::constant(0.0), |terms| at(terms, order))
 }
 
-/// Subtracts the terms of two nodes.
+/// Returns the coefficients of one node minus those of another.
 fn difference<S: Float>(nodes: &[Poly<S>], plus: usize, minus: usize) -> Poly<S> {
     let mut difference = terms(nodes, plus);
     for (order, term) in nodes.get(minus).into_iter().flatten().enumerate() {
@@ -170,14 +172,15 @@ fn difference<S: Float>(nodes: &[Poly<S>], plus: usize, minus: usize) -> Poly<S>
     difference
 }
 
-/// Stores one order of all nodes.
+/// Stores the coefficients of one order for all nodes.
 fn keep<S: Float>(series: &mut [Poly<S>], order: usize, values: &[S]) {
     for (terms, value) in series.iter_mut().zip(values) {
         set(terms, order, *value);
     }
 }
 
-/// Returns the terms of the forces that are known beforehand: those of sliding contacts, and the first of elastic ones.
+/// Returns the power series of the contact forces that do not depend on the motion: the forces of sliding contacts, and
+/// the initial forces of sticking elastic contacts.
 fn contact_levels<S: Float, Z: Size>(
     model: &Model<S, Z>,
     state: &State<S, Z>,

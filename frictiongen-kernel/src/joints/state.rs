@@ -1,4 +1,4 @@
-//! The state of a chain, and its events.
+//! State of a chain with several contacts: its motion, and the phase of each contact.
 
 use super::model::Model;
 use super::size::{Size, add, set};
@@ -6,29 +6,29 @@ use crate::Float;
 
 /// Phase of a contact that sticks.
 pub const STUCK: i8 = 0;
-/// Phase of a contact without force.
+/// Phase of a contact without force, whose kinetic friction force is 0.
 pub const FREE: i8 = 2;
 
-/// The state of a chain.
+/// State of a chain with several contacts at one instant.
 #[derive(Clone, Debug, PartialEq)]
 pub struct State<S: Float, Z: Size> {
     /// Displacement of each mass.
     pub x: Z::Masses<S>,
     /// Velocity of each mass.
     pub v: Z::Masses<S>,
-    /// Force of each elastic contact; 0 for rigid ones.
+    /// Force of each elastic contact, and 0 for each rigid contact.
     pub forces: Z::Contacts<S>,
-    /// Relative displacement at which each rigid contact sticks.
+    /// Relative displacement of each rigid contact while it sticks.
     pub places: Z::Contacts<S>,
-    /// −1 and 1 for a contact that slides with that sign of ż, 0 for one that sticks, 2 for one without force.
+    /// Phase of each contact: −1 or 1 while it slides with this sign of ż, 0 while it sticks, and 2 if it has no force.
     pub phases: Z::Contacts<i8>,
-    /// For each contact, the number of leading terms that are 0 in the polynomial of its next event, and the direction
-    /// of sliding to which that polynomial belongs.
+    /// For each contact, the polynomial whose root is its next event may begin with coefficients that are exactly 0.
+    /// The first number counts these coefficients. The second is the direction of sliding for which they are 0.
     pub zeros: Z::Contacts<(usize, i8)>,
 }
 
 impl<S: Float, Z: Size> State<S, Z> {
-    /// Returns the state of rest.
+    /// Returns the state in which all displacements, velocities and forces are 0.
     pub fn at_rest(size: &Z) -> Self {
         let zero = S::constant(0.0);
         Self {
@@ -41,7 +41,7 @@ impl<S: Float, Z: Size> State<S, Z> {
         }
     }
 
-    /// Returns the phase of a contact.
+    /// Returns the phase of a contact: −1 or 1 while it slides, 0 while it sticks, 2 without force.
     pub fn phase(&self, contact: usize) -> i8 {
         self.phases.as_ref().get(contact).copied().unwrap_or(FREE)
     }
@@ -62,14 +62,14 @@ impl<S: Float, Z: Size> State<S, Z> {
         (of(self.x.as_ref(), 0), of(self.v.as_ref(), 1))
     }
 
-    /// Takes the velocities of the masses from those of the nodes.
+    /// Sets the velocities of the masses from the velocities of the nodes.
     pub(super) fn keep_speeds(&mut self, v: &[S]) {
         for (mass, node) in self.v.as_mut().iter_mut().zip(v) {
             *mass = *node;
         }
     }
 
-    /// Takes the displacements of the masses from those of the nodes.
+    /// Sets the displacements of the masses from the displacements of the nodes.
     pub(super) fn keep_places(&mut self, x: &[S]) {
         for (mass, node) in self.x.as_mut().iter_mut().zip(x) {
             *mass = *node;

@@ -1,19 +1,20 @@
-//! Masses that rigid contacts join while they stick. Such contacts never close a loop, so they make trees.
+//! Groups of masses that sticking rigid contacts connect, so that they move together. Such contacts never form a loop,
+//! so that each group is a tree.
 
 use super::model::{Contact, Model};
 use super::size::{Size, add, at, set};
 use crate::Float;
 
-/// Root of a node that the construction has not reached yet.
+/// Mark for a node that does not belong to a tree yet.
 const NONE: usize = usize::MAX;
 
-/// A contact of a tree, from the side of the node that is farther from the root.
+/// A contact in a tree, between a node (child) and its neighbour on the way to the root (parent).
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Branch {
     child: usize,
     parent: usize,
     contact: usize,
-    /// True if the child counts positive in z.
+    /// True if the child is the contact's node `plus`.
     child_is_plus: bool,
 }
 
@@ -23,21 +24,22 @@ impl Branch {
     }
 }
 
-/// The trees of one pattern of sticking contacts.
+/// The trees for one set of sticking contacts.
 #[derive(Clone, Debug)]
 pub struct Tree<S: Float, Z: Size> {
-    /// Branches, those near a root first, then unused entries.
+    /// Contacts of all trees, each after the contacts between it and the root. Unused entries follow.
     branches: Z::Contacts<Branch>,
     /// Number of branches.
     count: usize,
-    /// Root of each node.
+    /// Root of the tree that contains each node.
     roots: Z::Nodes<usize>,
-    /// Mass of each tree, at its root.
+    /// Total mass of each tree, stored at its root.
     masses: Z::Nodes<S>,
 }
 
 impl<S: Float, Z: Size> Tree<S, Z> {
-    /// Joins the masses of the contacts that stick. A support is always a root.
+    /// Builds the trees of the masses that sticking contacts connect. If a tree contains the wall or the base, this
+    /// support is its root.
     pub fn new(model: &Model<S, Z>, sticks: impl Fn(usize) -> bool) -> Self {
         let unused = Branch {
             child: NONE,
@@ -58,7 +60,8 @@ impl<S: Float, Z: Size> Tree<S, Z> {
         tree
     }
 
-    /// Visits everything that hangs on a root. The branches of this root are the queue of the nodes to visit.
+    /// Adds all nodes that sticking contacts connect to a root. The contacts of this root serve as the queue of nodes
+    /// to visit.
     fn grow(&mut self, model: &Model<S, Z>, sticks: &impl Fn(usize) -> bool, root: usize) {
         if self.root_of(root) != NONE {
             return;
@@ -81,7 +84,7 @@ impl<S: Float, Z: Size> Tree<S, Z> {
         }
     }
 
-    /// Adds the branch of a contact at a node, if the other end is new.
+    /// Adds a contact as a branch at a node, unless its other node already belongs to a tree.
     fn hang(&mut self, index: usize, contact: &Contact<S>, node: usize) {
         let (child, child_is_plus) = match node {
             node if node == contact.plus => (contact.minus, false),
@@ -110,17 +113,18 @@ impl<S: Float, Z: Size> Tree<S, Z> {
         self.roots.as_ref().get(node).copied().unwrap_or(node)
     }
 
-    /// Returns the root of a node.
+    /// Returns the root of the tree that contains a node.
     pub fn root(&self, node: usize) -> usize {
         self.root_of(node)
     }
 
-    /// Returns the mass of the tree of a root.
+    /// Returns the total mass of the tree with the given root.
     pub fn mass(&self, root: usize) -> S {
         at(self.masses.as_ref(), root)
     }
 
-    /// Sets the displacements of all nodes from those of the roots, and makes velocities in a tree equal to the root's.
+    /// Computes the displacements of all nodes from those of the roots, and gives all nodes of a tree the velocity of
+    /// the root.
     pub fn place(&self, x: &mut [S], v: &mut [S], places: &[S]) {
         for branch in self.branches() {
             let (place, speed) = (at(x, branch.parent), at(v, branch.parent));
@@ -130,7 +134,8 @@ impl<S: Float, Z: Size> Tree<S, Z> {
         }
     }
 
-    /// Gives every tree without a support the velocity that keeps its momentum.
+    /// Gives all nodes of a tree one velocity, so that the momentum of the tree does not change. A tree with a support
+    /// gets the velocity of the support.
     pub fn meet(&self, model: &Model<S, Z>, v: &mut [S]) {
         let mut moments = model.size.nodes(S::constant(0.0));
         let mut differ = model.size.nodes(false);
@@ -153,7 +158,7 @@ impl<S: Float, Z: Size> Tree<S, Z> {
         }
     }
 
-    /// Returns the accelerations of all nodes, and adds the forces of the contacts that stick to `holds`, by contact.
+    /// Returns the acceleration of each node. Writes the force of each sticking contact to `holds`.
     pub fn accelerate(
         &self,
         model: &Model<S, Z>,

@@ -1,4 +1,4 @@
-//! Functions of time: a straight line plus one harmonic.
+//! A function of time: a straight line plus one harmonic.
 
 use super::series::{Poly, TERMS, terms_of};
 use super::size::at;
@@ -26,7 +26,7 @@ impl<S: Float> Wave<S> {
         Self::constant(S::constant(0.0))
     }
 
-    /// Returns a value that does not change.
+    /// Returns a function with the same value at all times.
     #[must_use]
     pub fn constant(constant: S) -> Self {
         let zero = S::constant(0.0);
@@ -39,7 +39,7 @@ impl<S: Float> Wave<S> {
         }
     }
 
-    /// Returns a cos ωt.
+    /// Returns the function a cos ωt.
     #[must_use]
     pub fn harmonic(amplitude: S, omega: S) -> Self {
         Self {
@@ -78,19 +78,20 @@ impl<S: Float> Wave<S> {
         numbers.iter().all(|number| number.is_finite())
     }
 
-    /// Measures time from another instant.
+    /// Moves the origin of time to the instant `time`.
     pub(super) fn shift(&mut self, time: S) {
         self.constant = self.constant + self.slope * time;
         self.phase = self.phase + self.omega * time;
     }
 
-    /// Returns the value at an instant of a derivative: 0 for the function itself, 1, or 2.
+    /// Returns the function (`derivative` 0) or its first or second derivative at an instant.
     #[must_use]
     pub fn value(&self, time: S, derivative: usize) -> S {
         at(&self.terms(time, S::constant(0.0), derivative), 0)
     }
 
-    /// Returns the terms of the function or of a derivative over a stretch, in the fraction of the stretch.
+    /// Returns the power series of the function, or of its first or second derivative, over a stretch. The variable is
+    /// the elapsed fraction of the stretch.
     #[must_use]
     pub fn terms(&self, time: S, length: S, derivative: usize) -> Poly<S> {
         let mut terms = [S::constant(0.0); TERMS];
@@ -118,12 +119,12 @@ impl<S: Float> Wave<S> {
         terms
     }
 
-    /// Returns the longest stretch over which the series of the function converges as fast as that of the motion.
+    /// Returns the longest stretch over which the power series of the function converges as fast as that of the motion.
     pub(super) fn longest_stretch(&self) -> S {
         S::constant(1.0) / self.fastest()
     }
 
-    /// Returns |ω| of the harmonic, and 0 without a harmonic.
+    /// Returns |ω| of the harmonic, or 0 if the function has no harmonic.
     pub(super) fn fastest(&self) -> S {
         if self.amplitude.is_zero() {
             S::constant(0.0)

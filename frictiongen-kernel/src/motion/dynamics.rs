@@ -20,8 +20,8 @@ pub struct HeldMode<S> {
     pub q: S,
     /// Contact force per unit of the mode's displacement y, with opposite sign.
     pub force: S,
-    /// Symmetric matrix [m₁₁, m₁₂, m₂₂] for `state`. The matrix converts two products into y and u. Each product
-    /// multiplies a motion with one of the mode's two states.
+    /// Symmetric matrix [m₁₁, m₁₂, m₂₂] from which `state` computes y and u. The matrix multiplies two scalar products:
+    /// those of the chain's motion with the mode's two state vectors.
     pub inverse: [S; 3],
 }
 

@@ -141,8 +141,8 @@ impl<S: Float> Part<S> {
         turn(self.kind, self.zeta, self.q, self.x, (t, tau))
     }
 
-    /// Returns the state [y, u] of a free motion a time later. `free` is the state before, and `turn` has the
-    /// coefficients for this time.
+    /// Returns the state [y, u] of a free motion after a time. `free` is the state before, and `turn` has the
+    /// coefficients of the free motion for this time.
     #[inline]
     pub(crate) fn turned(&self, free: [S; 2], turn: &Turn<S>) -> [S; 2] {
         turn.moved(self.zeta, free)

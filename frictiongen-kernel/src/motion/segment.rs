@@ -61,8 +61,8 @@ pub(crate) fn seek<S: Float, K: ContactChain<S>>(
 }
 
 /// Adds derivatives to the instant `tau` at which a sum reaches its level, if the scalar carries derivatives. One
-/// Newton step from the known instant gives the derivatives. Without a level, no event ends the segment. `tau` then
-/// keeps the derivatives of the reach if it equals the reach, and otherwise has none.
+/// Newton step from the known instant gives the derivatives. Without a level, no event ends the segment. `tau` then has
+/// the derivatives of the searched length if it equals this length, and otherwise none.
 fn carried<S: Float>(sum: &OscillatorSum<'_, S>, tau: S, level: Option<S>) -> S {
     let Some(level) = level else {
         return if tau < sum.reach {

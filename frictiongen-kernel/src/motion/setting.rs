@@ -12,7 +12,7 @@ use crate::number::scalar::Float;
 #[derive(Clone, Copy, Debug)]
 pub struct Setting<'a, S, K = Chain<S>> {
     pub(crate) dynamics: Dynamics<'a, S, K>,
-    /// Frequency ratio r, within the range in which the formulas are evaluated.
+    /// Frequency ratio r, clamped to the range in which the formulas can be evaluated.
     pub(crate) r: S,
     /// Friction ratio β.
     pub(crate) beta: S,

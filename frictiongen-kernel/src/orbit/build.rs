@@ -23,7 +23,8 @@ where
     C: AsRef<[Complex<S>]> + AsMut<[Complex<S>]>,
     K: ContactChain<S>,
 {
-    /// Computes a steady state as [`answer`](Self::answer) does, with arguments that suit emitted code.
+    /// Computes a steady state as [`answer`](Self::answer) does, with the arguments in the order in which emitted code
+    /// passes them.
     ///
     /// # Errors
     /// Same errors as [`answer`](Self::answer).

@@ -8,7 +8,8 @@ use crate::errors::NoOrbit;
 use crate::motion::{ContactChain, ContactState};
 use crate::number::scalar::Float;
 
-/// Distance from the unit circle below which a Floquet multiplier counts as lying on the circle, in rounding units.
+/// A Floquet multiplier counts as lying on the unit circle if its distance from the circle is below this number of
+/// rounding units.
 pub(super) const ON_CIRCLE: f64 = 4096.0;
 
 /// Upper bound on the period of a subharmonic motion, in cycles of the excitation.
@@ -17,28 +18,28 @@ pub const MAX_PERIOD: u32 = 64;
 /// Largest number of cycles over which the test follows a motion to see whether it approaches a fixed point.
 const MOST_FOLLOWED: u32 = 64;
 
-/// Largest allowed ratio of two sizes: of a marginal steady state, and of the motion that converges to it. The size of
-/// the motion counts as at least P/k₁. Away from a resonance both sizes are of the order of the excitation.
+/// Largest allowed size of a marginal steady state, divided by the size of the motion that converges to it. A marginal
+/// state belongs to a continuum of steady states. The size of the motion counts as at least P/k₁. Away from a resonance
+/// both sizes are of the order of the excitation.
 const MOST_GROWN: f64 = 64.0;
 
 /// Number of successive equal half cycles after which a motion counts as converging to a member of a continuum of
-/// steady states. Each cycle may have at most two stops or reversals. A motion with more events may still converge to
-/// another state.
+/// steady states. This applies to motions with at most two stops or reversals in a cycle. A motion with more events may
+/// still converge to another state.
 const CALM: u32 = 64;
 
-/// Fraction of the initial distance from the fixed point at which the test stops. The multipliers predict the instant
-/// at which the distance reaches this fraction.
+/// The test ends when the distance from the fixed point has fallen to this fraction of its initial value. The
+/// multipliers predict the instant at which this happens.
 const FAR_ENOUGH: f64 = 0.01;
-/// Tolerance of the test. The distance from the fixed point may fall by this fraction less than the multipliers
-/// predict.
+/// Tolerance of the test. The distance from the fixed point may exceed the prediction of the multipliers by this
+/// fraction.
 const SPARE: f64 = 0.1;
-/// Largest relative difference of the sticking times of two motions whose stops count as the same.
+/// The stops of two motions count as the same if their sticking times differ relatively by at most this value.
 const STICKS_ALIKE: f64 = 0.25;
-/// Distance from the fixed point, relative to the size of the state, below which the motion counts as having reached
-/// it.
+/// The motion counts as having reached the fixed point if their distance is below this fraction of the size of the
+/// state.
 const REACHED: f64 = 1e-9;
-/// Distance from the fixed point, in P/k₁, below which the contact hardly moves. Rounding then decides the motion of
-/// the contact.
+/// The contact hardly moves within this distance from the fixed point, in P/k₁. Rounding then decides its motion.
 const HARDLY_MOVES: f64 = 1e-6;
 /// Smallest number of cycles that the search follows before it selects a member of a continuum of steady states.
 const LEAST_FOLLOWED: u32 = 64;

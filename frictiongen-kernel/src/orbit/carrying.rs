@@ -19,15 +19,15 @@ use crate::number::pairs::pairs;
 use crate::number::scalar::Float;
 use core::fmt;
 
-/// Relative distance from a graze below which the derivative of an event's instant is unreliable. At a graze, an event
-/// of the contact appears or vanishes.
+/// Relative distance from a graze within which the derivative of an event's instant is unreliable. A graze is a motion
+/// at which an event of the contact appears or vanishes.
 const GRAZE: f64 = 1e-9;
-/// Largest relative difference between the derivatives from two successive Newton steps.
+/// The derivatives of two successive Newton steps count as equal if their relative difference is at most this value.
 const ALIKE: f64 = 1e-6;
 
 /// Rounding error of the state's derivative in `f64`, relative to the size of the state.
 const ROUNDING: f64 = 1e-14;
-/// Relative difference below which the given r and β count as equal to those of the steady state.
+/// The given r and β count as equal to those of the steady state if their relative differences are below this value.
 const SAME: f64 = 1e-12;
 
 /// Reason why a steady state has no derivatives.

@@ -18,7 +18,7 @@ use crate::number::scalar::Float;
 const ROUNDINGS: f64 = 256.0;
 /// Number of bisections in the search for the end of a continuum of steady states.
 const BISECTIONS: u32 = 60;
-/// Largest number of times that the search for the end of a continuum doubles the amplitude of the free vibration.
+/// A search for the end of a continuum doubles the amplitude of the free vibration at most this number of times.
 const DOUBLINGS: u32 = 20;
 /// Difference from 1 of the shift in the inverse iteration. The iteration finds the eigenvector of the half-period map
 /// for the multiplier 1.

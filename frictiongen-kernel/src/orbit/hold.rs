@@ -17,10 +17,10 @@ const QUIET: u32 = 256;
 const UNDYING: u32 = 64;
 /// Rounding error of the force in a contact that barely sticks, in rounding units of μβ.
 const ROUNDINGS: f64 = 64.0;
-/// Largest ratio at which the offset counts as approaching its limit from one side. With μ = 1 the slips become ever
-/// smaller, and the offset converges to the value at which the contact barely sticks. The ratio compares the slip of a
-/// cycle and the free vibration with the distance of the offset from this value. The code expresses all three as
-/// forces.
+/// The offset counts as approaching its limit from one side if two forces are below this fraction of a third force.
+/// With μ = 1 the slips become ever smaller, and the offset converges to the value at which the contact barely sticks.
+/// The two forces are those of a cycle's slip and of the free vibration. The third is the force of the offset's
+/// distance from this value.
 const ONE_SIDED: f64 = 0.1;
 
 /// Observer of a motion with β ≥ β*_lim. It finds the instant after which the contact sticks for ever.

@@ -173,7 +173,7 @@ where
         S::constant(f64::from(self.period))
     }
 
-    /// Subtracts whole periods from a phase in half-turns.
+    /// Returns a phase minus whole periods of the motion, in half-turns.
     fn within(&self, t: S) -> S {
         let whole = self.cycles() * S::constant(2.0);
         t - (t / whole).floor() * whole

@@ -11,10 +11,10 @@ use crate::number::complex::{self, Complex};
 use crate::number::phase::{within_cycle, wrapped};
 use crate::number::scalar::Float;
 
-/// Difference below which two amplitudes count as equal, in rounding units.
+/// Two amplitudes count as equal if they differ by less than this number of rounding units.
 const ROUNDINGS: f64 = 64.0;
-/// Difference below which two lags count as equal, in rad. In `f32` the tolerance is [`ROUNDINGS`] rounding units,
-/// which is larger.
+/// Two lags count as equal if they differ by less than this value, in rad. In `f32` the tolerance is [`ROUNDINGS`]
+/// rounding units, which is larger.
 const SAME_LAG: f64 = 1e-9;
 
 /// The steady motion of the contact or of a mass, in an [`Orbit`].

@@ -10,22 +10,22 @@ use crate::number::scalar::Float;
 
 const NEWTON_STEPS: u32 = 12;
 
-/// Relative difference below which two computations of the same state or instant count as equal.
+/// Two computations of the same state or instant count as equal if their relative difference is below this value.
 const AGREEMENT: f64 = 1e-9;
-/// Lower bound on the difference below which two computations count as equal, in rounding units. It is so large because
-/// the rounding errors of all events of a cycle add up. This bound exceeds `AGREEMENT` in `f32` only.
+/// Smallest tolerance at which two computations count as equal, in rounding units. It is large because the rounding
+/// errors of all events of a cycle add up. Only in `f32` it exceeds `AGREEMENT`.
 const AGREEING_ROUNDINGS: f64 = 1024.0;
-/// Size of a Newton step, relative to the state, below which the step is small.
+/// A Newton step counts as small if it is below this fraction of the state.
 const SMALL_STEP: f64 = 1e-11;
-/// Lower bound on the size below which a Newton step is small, in rounding units. This bound exceeds `SMALL_STEP` in
-/// `f32` only.
+/// Smallest bound below which a Newton step counts as small, in rounding units. Only in `f32` it exceeds `SMALL_STEP`.
 const SMALL_ROUNDINGS: f64 = 256.0;
 /// Shortest meaningful Newton step, in rounding units of the state.
 const LEAST_ROUNDINGS: f64 = 4.0;
-/// Ratio of two successive Newton steps above which a small step is only rounding. The method then ends.
+/// The method ends if a small Newton step is more than this fraction of the previous step. Such a step is only rounding
+/// error.
 const STALLED: f64 = 0.25;
-/// Size of a Newton step, relative to the state, below which quadratic convergence may end the method. The step must
-/// also be no larger than the square of the previous step.
+/// Quadratic convergence may end the method if a Newton step is below this fraction of the state. The step must also be
+/// no larger than the square of the previous step.
 const QUADRATIC: f64 = 1e-9;
 /// Lower bound on the size of a state, so that a division by that size stays finite.
 const SMALLEST_SCALE: f64 = 1e-290;

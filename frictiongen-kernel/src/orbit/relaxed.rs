@@ -18,7 +18,7 @@ use crate::number::scalar::Float;
 const MOST_STEPS: u32 = 64;
 /// Upper bound on the Newton steps within one Euler step.
 const NEWTON_STEPS: u32 = 10;
-/// Ratio of a Newton step to the whole Euler step, below which the Newton step is small enough.
+/// A Newton step is small enough if it is below this fraction of the whole Euler step.
 const SMALL: f64 = 1e-3;
 /// First value of σ. The Euler step is then 16 half cycles long.
 const FIRST_SHIFT: f64 = 0.0625;
@@ -28,8 +28,8 @@ const LONGER: f64 = 0.25;
 const SHORTER: f64 = 8.0;
 /// Largest σ. An Euler step with this σ is shorter than half a cycle.
 const LARGEST_SHIFT: f64 = 64.0;
-/// Change of the state over half a cycle, relative to the state, below which the search changes to Newton's method on
-/// the half-cycle map.
+/// The search changes to Newton's method on the half-cycle map if the state changes by less than this fraction over
+/// half a cycle.
 const NEAR: f64 = 1e-11;
 
 /// Moves the cycle map towards the symmetric steady state that repeats after one cycle. `last` has room for one state.

@@ -9,7 +9,8 @@ use crate::number::scalar::Float;
 use crate::response::{At, Scene};
 use core::ops::Deref;
 
-/// Relative difference of amplitudes and stuck fractions below which two steady states count as the same.
+/// Two steady states count as the same if their amplitudes and stuck fractions differ relatively by less than this
+/// value.
 const ALIKE: f64 = 1e-6;
 
 /// Numbers of a steady state for a comparison with another steady state.

@@ -19,11 +19,11 @@ const MAX_CYCLES_NEAR: u32 = 128;
 const MOST_TRIED: u32 = 3;
 /// Number of cycles after which the search first tests for a subharmonic state.
 const FIRST_ASKED: u32 = 16;
-/// Distance between two states n cycles apart below which n cycles is a possible period. The distance is relative to
-/// the size of the motion.
+/// A number n of cycles is a possible period if two states n cycles apart differ by less than this fraction of the size
+/// of the motion.
 const NEARLY_BACK: f64 = 1e-2;
-/// Largest ratio of two distances at which a number of cycles counts as a possible period. The first distance lies
-/// between the states this number of cycles apart. The second is the smallest such distance for fewer cycles.
+/// A number of cycles counts as a possible period if the motion comes back much closer than after any smaller number of
+/// cycles: the distance of the states is at most this fraction of the smallest earlier distance.
 const NEARER: f64 = 0.1;
 
 impl<S> Start<'_, S> {

@@ -23,7 +23,7 @@ pub enum Start<'s, S> {
     /// The state of the closed form at this friction ratio. At the given β the motion from this state may differ from
     /// the closed form.
     ClosedForm(S),
-    /// State of a motion from rest that runs at this neighbouring friction ratio for some cycles.
+    /// State of a motion from rest that has run at this neighbouring friction ratio for some cycles.
     Neighbour(S),
 }
 

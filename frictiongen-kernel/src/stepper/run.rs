@@ -13,8 +13,8 @@ use crate::motion::{Contact, steepest};
 use crate::number::scalar::Float;
 use core::marker::PhantomData;
 
-/// Largest relative change of the contact's velocity that a friction law may cause in a sub-interval. With a steeper
-/// law a power series would converge over only a small fraction of the sub-interval.
+/// Upper bound on the relative change of the contact's velocity that a friction law may cause in a sub-interval. With a
+/// steeper law a power series would converge over only a small fraction of the sub-interval.
 const STEEPEST: f64 = 16.0;
 
 impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepContact<S>>

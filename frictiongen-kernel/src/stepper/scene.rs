@@ -32,7 +32,7 @@ pub struct StepScene<'a, S, K = Chain<S>> {
     /// Interpolation of the input between two samples.
     pub input: Input,
     /// Points (v, f) of Stribeck's law, with v ascending. v is the speed in the scene's unit. f is the kinetic friction
-    /// Indices, in the description, of the masses on which a force acts.  The excited mass is the first.
+    /// force at this speed over that at speed zero. Without points the kinetic friction is constant.
     pub law: &'a [[S; 2]],
 }
 

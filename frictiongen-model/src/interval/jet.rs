@@ -17,7 +17,7 @@ pub trait Number:
     fn number(value: f64) -> Self;
     /// Returns π in this arithmetic.
     fn pi() -> Self;
-    /// Returns (sin πh, cos πh).
+    /// Returns (sin πh, cos πh) with h = `self`.
     fn sine_cosine(self) -> (Self, Self);
     /// Returns the square of the number or function.
     #[must_use]

@@ -9,16 +9,17 @@ use super::worst::Worst;
 use frictiongen_kernel::Float;
 
 /// The search for the longest piece ends if the shortest length that is too long is at most this multiple of the
-/// longest length that is possible. More fits would reduce the number of pieces by at most a tenth.
+/// longest acceptable length. More fits would reduce the number of pieces by at most a tenth.
 const LONGEST: f64 = 1.1;
 /// Step to which the code rounds the end of a polynomial piece for human readers, as a fraction of the length of the
 /// piece. The code does not round the end at a kink of β_lim or at a bound of the range.
 const END: f64 = 0.02;
-/// Error divided by the allowed error above which a piece probably contains a kink. The search then locates the kink.
-/// The error of a piece with a kink is proportional to its length. The error of a smooth piece falls with a high power
-/// of the length.
+/// A piece probably contains a kink if its error exceeds the allowed error by this factor. The search then locates the
+/// kink. The error of a piece with a kink is proportional to its length. The error of a smooth piece falls with a high
+/// power of the length.
 const KINK: f64 = 30.0;
-/// The search for a kink ends if a length that is too long is at most this multiple of a length that is possible.
+/// The search for a kink ends if the shortest length that is too long is at most this multiple of the longest
+/// acceptable length.
 const KINK_FOUND: f64 = 1.0 + 1e-3;
 /// Largest number of polynomial pieces that the code fits again after the check. Each repetition adds a point to the
 /// comparison of later fits. Beyond this number the construction fails, because it would probably never end.
@@ -35,7 +36,7 @@ const MOST_FITS: usize = 200;
 const AIM: f64 = 0.8;
 /// Target error of the next trial, divided by the allowed error, if the last trial was too long.
 const AIM_AGAIN: f64 = 0.7;
-/// Smallest error of a fit, divided by the allowed error, from which the code extrapolates the next trial length. A
+/// The code extrapolates the next trial length only if the error of a fit exceeds this fraction of the allowed error. A
 /// smaller error gives no information about the best length.
 const TINY: f64 = 1e-6;
 /// Bounds on the factor by which the trial length of a piece grows after a fit within the allowed error. The factor

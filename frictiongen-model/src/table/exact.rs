@@ -15,7 +15,7 @@ use std::collections::HashMap;
 pub const ANGLE: usize = 3;
 /// Index of |V|, if it is one of the functions.
 pub const SIZE: usize = 4;
-/// Size of a sum, as a fraction of its terms, below which the sum has lost significant digits.
+/// A sum has lost significant digits if it is below this fraction of its terms.
 const CANCELS: f64 = 1e-2;
 
 /// Exact functions at one frequency ratio: β_lim, a = β_lim·U/|V|, g = β_lim·G/|V| and arg V. V is the response of the

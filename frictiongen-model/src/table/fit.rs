@@ -9,11 +9,11 @@ use std::f64::consts::PI;
 
 /// Step to which the code rounds the origin of a polynomial piece, as a fraction of half the length of the piece.
 const ORIGIN: f64 = 0.1;
-/// Smallest allowed relative error at which polynomials with four coefficients give the smallest table.
+/// Polynomials with four coefficients give the smallest table if the allowed relative error is at least this value.
 const FOUR_TERMS: f64 = 3e-3;
-/// Smallest allowed relative error at which polynomials with six coefficients give the smallest table.
+/// Polynomials with six coefficients give the smallest table if the allowed relative error is at least this value.
 const SIX_TERMS: f64 = 1e-7;
-/// Smallest allowed relative error at which polynomials with eight coefficients give the smallest table.
+/// Polynomials with eight coefficients give the smallest table if the allowed relative error is at least this value.
 const EIGHT_TERMS: f64 = 1e-10;
 
 /// Polynomial piece of a table. On its interval of r, each function is a polynomial, whose coefficients are in a

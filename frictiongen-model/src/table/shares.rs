@@ -11,11 +11,11 @@ use crate::scene::Side;
 use frictiongen_kernel::Float;
 use frictiongen_kernel::table::Quotient;
 
-/// Fraction of the accuracy that the fit of a polynomial may use. The rest is for frequency ratios between the points
-/// of the fit.
+/// Fraction of the accuracy that the error of a fitted polynomial may use at the points of the fit. The rest is for
+/// frequency ratios between these points.
 const SHARE: f64 = 0.75;
-/// Fraction of the accuracy that the check of a table allows. The rest is for larger errors between the points of the
-/// check.
+/// Fraction of the accuracy that the error may use at the points of the check. The rest is for larger errors between
+/// these points.
 const CHECKED: f64 = 0.9;
 /// Fraction of the accuracy that the fit may use with `side: safe`. The table then lies half the accuracy away from the
 /// exact limit.

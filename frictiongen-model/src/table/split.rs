@@ -32,11 +32,11 @@ impl Edge {
 const BESIDE: [f64; 13] = [
     0.0, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-6, 1e-5, 1e-4, 1e-3, 3e-3, 1e-2,
 ];
-/// Largest distance of a zero of β_lim from the range of r, relative to the zero, at which the zero still influences
-/// the table.
+/// A zero of β_lim outside the range of r still influences the table if its relative distance from the range is at most
+/// this value.
 const OUTSIDE: f64 = 1e-2;
-/// Largest damping at which a resonance, a sub-harmonic or a zero causes a narrow feature of β_lim. For a sub-harmonic
-/// of a mode the damping is ζ times the order. For a complex zero x + iy of V it is |x|/y.
+/// A resonance, a sub-harmonic or a zero causes a narrow feature of β_lim if its damping is at most this value. For a
+/// sub-harmonic of a mode the damping is ζ times the order. For a complex zero x + iy of V it is |x|/y.
 const BROAD: f64 = 0.5;
 /// Largest number of sub-harmonics that the code considers for each mode.
 const MOST: usize = 10_000;

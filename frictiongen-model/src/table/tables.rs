@@ -19,9 +19,9 @@ use crate::rounded;
 use crate::scene::{Accuracy, Provide, Proving, Scene};
 use frictiongen_kernel::Float;
 
-/// Divisor of the allowed bytes. The responses with the contact stuck may use at most the quotient.
+/// The responses with the contact stuck may use the allowed bytes divided by this number.
 const STUCK_PART: usize = 4;
-/// Length of the range of r, divided by the trial length of the first piece.
+/// First trial length of a piece: the length of the range of r, divided by this number.
 const FIRST: f64 = 16.0;
 /// Largest number of pieces for which one byte can store an index.
 const IN_A_BYTE: usize = 1 << u8::BITS;

@@ -7,19 +7,19 @@ use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::table::Factor;
 use frictiongen_kernel::{Complex, Float};
 
-/// Relative size below which the real or imaginary part of a zero or pole, or a coefficient, counts as zero. The number
+/// The real or imaginary part of a zero or pole, or a coefficient, counts as zero below this relative size. The number
 /// is far larger than the rounding error of a double-double sum, 10⁻³², and far smaller than the precision of a scene
 /// in doubles.
 pub(super) const NONE: f64 = 1e-20;
-/// Largest relative difference between the constants of two modes (resonance or damping ratio) that count as equal. The
-/// constants of such modes differ only by rounding in double-double.
+/// The constants of two modes (resonance or damping ratio) count as equal if their relative difference is at most this
+/// value. They then differ only by rounding in double-double.
 pub(super) const EQUAL: f64 = 1e-24;
-/// Largest relative distance between two zeros that count as one common zero of V and H, the responses of the contact
-/// to the load and to a contact force. A scene in doubles cannot separate them.
+/// Two zeros count as one common zero of V and H if their relative distance is at most this value. V and H are the
+/// responses of the contact to the load and to a contact force. A scene in doubles cannot separate such zeros.
 const COMMON: f64 = 1e-13;
-/// Smallest modulus from which the search for a zero starts, relative to the lowest resonance.
+/// The search for a zero starts from moduli of at least this multiple of the lowest resonance.
 const BELOW: f64 = 0.6;
-/// Largest modulus from which the search for a zero starts, relative to the highest resonance. Zeros lie between
+/// The search for a zero starts from moduli of at most this multiple of the highest resonance. Zeros lie between
 /// resonances or slightly beyond.
 const ABOVE: f64 = 1.4;
 /// Smallest angle between the imaginary axis and a starting point of the search for a zero, in rad. From a point on an
@@ -97,9 +97,9 @@ pub struct Zeros {
 
 /// A mode in double-double, with its contributions to V and to H.
 pub struct ContactMode {
-    /// Resonance, damping ratio and contribution to H.
+    /// Resonance and damping ratio of the mode, and its contribution to H.
     pub driven: Driven,
-    /// Contribution to V.
+    /// Contribution of the mode to V.
     pub residue: Dd,
 }
 

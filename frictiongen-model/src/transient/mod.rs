@@ -16,9 +16,8 @@ use frictiongen_kernel::oscillator::mode::Mode;
 use frictiongen_kernel::{Float, Scalar};
 use plain::{EQUAL, Plain, close, driven, in_contact, plain_modes, sorted, turned};
 
-/// Modal damping ratio above which the frequencies of the held modes may be close to one another. Held modes are the
-/// modes of the chain with its contact stuck. Below this damping ratio, chains of up to 64 masses have rounding errors
-/// of only a few units.
+/// If a modal damping ratio exceeds this value, the frequencies of the held modes (modes of the chain with its contact
+/// stuck) may be close to one another. Below it, chains of up to 64 masses have rounding errors of only a few units.
 const NEAR_CRITICAL: f64 = 0.9;
 
 /// Returns the largest relative rounding error in a motion of the scene if the contact sticks and is released at once

@@ -5,12 +5,12 @@ use crate::roots::Driven;
 use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
 
-/// Largest relative difference between the constants of two modes (resonance or damping ratio) that count as equal.
-/// Rounding can cause such a difference.
+/// The constants of two modes (resonance or damping ratio) count as equal if their relative difference is at most this
+/// value. Rounding can cause such a difference.
 pub(super) const EQUAL: f64 = 1e-24;
 
-/// Largest component of a mode that counts as rounding noise, relative to the largest value that the component can
-/// have.
+/// A component of a mode counts as rounding noise if it is at most this fraction of the largest value that the
+/// component can have.
 const NOISE: f64 = 1e-26;
 
 /// Constants of one mode of the sliding chain in double-double, with or without derivatives.

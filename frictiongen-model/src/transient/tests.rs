@@ -133,11 +133,11 @@ fn a_loss_is_seen() {
     );
 }
 
-/// Compliances k₁/k of an elastic contact from 1e-6 to 1e9 times the stiffness of the springs.
+/// Stiffnesses k of an elastic contact over k₁, from 1e-6 to 1e9. The compliance of the contact is k₁/k.
 const STIFFNESSES: [f64; 6] = [1e-6, 1e-3, 0.3, 1e2, 1e5, 1e9];
 
-/// Without damping the stuck chain with an elastic contact is a chain with one more spring.  Its natural frequencies come
-/// from the modal analysis of that chain, which solves no secular equation.
+/// Checks that an undamped chain with a stuck elastic contact equals a chain with one more spring. The natural
+/// frequencies of that chain come from its modal analysis, which does not use the equation under test.
 #[test]
 fn an_elastic_contact_is_one_more_spring() {
     let uneven = [1.0, 2.5, 0.3, 1.7, 0.9, 4.0];
@@ -177,8 +177,8 @@ fn an_elastic_contact_is_one_more_spring() {
     assert!(compared > 150, "{compared}");
 }
 
-/// In every mode of the stuck chain the displacement of the contact is the compliance times its force, for all kinds of
-/// damping, equal modes and both number types.
+/// Checks that in every mode of the stuck chain the displacement of the contact is the compliance times its force. The
+/// test covers all kinds of damping, equal modes and both number types.
 #[test]
 fn the_spring_of_an_elastic_contact_has_the_contact_force() {
     let uneven = [1.0, 2.5, 0.3, 1.7, 0.9, 4.0];

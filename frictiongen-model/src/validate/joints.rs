@@ -108,7 +108,7 @@ fn check_sides(
     errors.len() == before
 }
 
-/// Returns `words` followed by the sum. Returns an empty text if a term of the sum could not be read.
+/// Returns `words` followed by the sum as text. Returns an empty text if a term of the sum could not be read.
 fn told(sum: f64, words: &str) -> String {
     if sum.is_finite() {
         format!("{words} {sum:?}")
@@ -268,7 +268,7 @@ fn check_loops(scene: &Scene, errors: &mut Vec<SceneError>) {
     }
 }
 
-/// Returns the contacts on the path between two nodes of a forest.
+/// Returns the contacts on the path between two nodes of a graph without loops.
 fn path(tree: &[(usize, usize, usize)], from: usize, to: usize) -> Option<Vec<usize>> {
     let mut reached: Vec<(usize, Vec<usize>)> = vec![(from, Vec::new())];
     let mut next = 0;

@@ -10,10 +10,10 @@ use crate::scene::{Precision, Scene};
 /// Largest number of masses for which the code checks the modes. Larger scenes exist only at run time, in double
 /// precision.
 const MOST_ANALYSED: usize = 64;
-/// Smallest relative difference of two frequencies that single precision can separate. It is a few rounding units of
-/// single precision.
+/// Single precision can separate two frequencies if their relative difference is at least this value. It is a few
+/// rounding units of single precision.
 const SINGLE_GAP: f64 = 1e-6;
-/// Relative difference below which double-double cannot separate two frequencies.
+/// Double-double cannot separate two frequencies if their relative difference is below this value.
 const SAME: f64 = 1e-28;
 
 /// Returns the largest ratio between two masses, or between two stiffnesses, that a scene may have.

@@ -37,11 +37,12 @@ pub struct Drawn<'a> {
     pub colour: Colour,
 }
 
-/// Largest difference of phase, in radians, between neighbouring points that are joined by a line.
+/// Neighbouring points of a phase curve are joined by a line if their difference of phase is at most this value, in
+/// rad.
 const TURN: f64 = 0.6;
-/// Smallest amplitude at which the figure shows a phase, relative to the median amplitude over the range of the piece.
-/// At a smaller amplitude the phase is mostly rounding error. The amplitude itself has an error of about 1e-13 of the
-/// largest term of its sum.
+/// The figure shows a phase only if the amplitude is at least this fraction of the median amplitude over the range of
+/// the piece. At a smaller amplitude the phase is mostly rounding error. The amplitude itself has an error of about
+/// 1e-13 of the largest term of its sum.
 const VANISHING: f64 = 1e-10;
 
 /// Returns the stroke in which a regime is drawn.

@@ -5,7 +5,7 @@ use crate::{Across, Axis, Colour, Figure, Guide, Label, Line, Panel, Point, Stro
 use frictiongen::study::history::{History, Spectrum, Track};
 use std::f64::consts::PI;
 
-/// Smallest spectral line that is drawn, relative to the largest one.
+/// The figure shows a spectral line if it is at least this fraction of the largest line.
 const FLOOR: f64 = 1e-5;
 
 /// Returns a figure of displacements and friction force over time, with phase portraits. If the contact is among the

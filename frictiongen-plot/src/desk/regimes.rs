@@ -6,7 +6,7 @@ use frictiongen::study::map::LimitLines;
 
 /// Name of the regime above β*_lim and below β_lim, in which the motion depends on the initial state.
 const BISTABLE: &str = "sliding or stuck, by the start";
-/// Smallest height of an area that is drawn, relative to the height of the axis.
+/// The figure shows an area if its height is at least this fraction of the height of the axis.
 const SEEN: f64 = 1e-3;
 
 /// Returns β_lim and β*_lim as lines, up to a friction ratio somewhat above `top`.

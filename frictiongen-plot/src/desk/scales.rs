@@ -4,10 +4,10 @@ use crate::{Axis, Label};
 use frictiongen::study::{response::Size, scene::Excitation, units::LoadScale};
 use frictiongen::{Of, System};
 
-/// Smallest value on a logarithmic axis, as a fraction of the largest.
+/// Smallest value on a logarithmic axis, as a fraction of the largest value.
 const DECADES: f64 = 1e-6;
-/// Factor from the largest value to the upper end of a logarithmic amplitude axis, and from its lower end to the
-/// smallest value.
+/// Margin of a logarithmic amplitude axis, as a factor. The upper end is the largest value times this factor, and the
+/// lower end is the smallest value divided by it.
 const LOG_ROOM: f64 = 1.2;
 
 /// Units in which a figure shows frequencies, frictions, displacements and times.

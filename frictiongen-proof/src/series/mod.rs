@@ -19,8 +19,8 @@ pub struct IntervalSeries<const N: usize> {
 
 /// Number of summed terms of the series of sin(πz)/(πz). The next term is below 10⁻²⁹ for |z| ≤ 1.
 const SINC_TERMS: usize = 21;
-/// Bound on the neglected terms of the kth derivative of this series, divided by k!. It is valid for each k below the
-/// number of terms of an [`IntervalSeries`].
+/// Bound on the neglected terms of the kth derivative of the series of sin(πz)/(πz), divided by k!. It is valid for
+/// each k below the number of terms of an [`IntervalSeries`].
 const SINC_REST: f64 = 1e-17;
 
 impl<const N: usize> IntervalSeries<N> {

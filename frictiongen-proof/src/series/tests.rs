@@ -23,7 +23,7 @@ fn formula_at(h: Dd) -> Dd {
         - turned / angle
 }
 
-/// By Taylor's formula, a joined series must enclose the function everywhere in its interval.
+/// Checks that a joined series contains the function everywhere in its interval. Taylor's formula predicts this.
 #[test]
 fn series_hold_what_they_should() {
     let mut numbers = Numbers(7);
@@ -50,8 +50,8 @@ fn series_hold_what_they_should() {
     assert!(widest < 1e-2, "{widest:e}");
 }
 
-/// Each coefficient of a series over an interval is an interval. It must contain the divided differences of that order
-/// between points of the interval.
+/// Checks the coefficients of a series over an interval, which are intervals. Each must contain the divided differences
+/// of the same order between points of the interval.
 #[test]
 fn coefficients() {
     let mut numbers = Numbers(9);
@@ -82,7 +82,8 @@ fn coefficients() {
     }
 }
 
-/// Products of series with terms that are 0, narrow, wide or unbounded must contain the products of numbers in them.
+/// Checks products of series whose terms are 0, narrow, wide or unbounded. They must contain the products of numbers in
+/// the terms.
 #[test]
 fn products() {
     let mut numbers = Numbers(11);
@@ -127,7 +128,7 @@ fn products() {
     assert!(100_000 < bounded, "{bounded}");
 }
 
-/// A term that is exactly 0 stays exactly 0, because sums leave such terms out.
+/// Checks that a term that is exactly 0 stays exactly 0, because sums leave out such terms.
 #[test]
 fn products_with_nothing() {
     let nothing = IntervalSeries::<6>::fixed(Interval::ZERO);
@@ -142,8 +143,8 @@ fn products_with_nothing() {
     assert!(!square.term(2).is_nothing());
 }
 
-/// Coefficients tightened by `refined` must contain the values at any point. They must lie within the coefficients
-/// without tightening, and be narrower.
+/// Checks coefficients that `refined` has made narrower. They must contain the values at any point, and lie within the
+/// original coefficients.
 #[test]
 fn refined() {
     let mut numbers = Numbers(13);

@@ -221,7 +221,7 @@ fn field(
 /// friction later, for each computation.
 const AMOUNTS: [&str; 4] = ["friction_force", "friction_ratio", "beta", "coulomb"];
 
-/// Other words that a description must not contain. Each group of words has its message.
+/// Words that users write by mistake as the name of a field. Each group of words has its own message.
 const ASKED: [(&[&str], &str); 2] = [
     (
         &["frequency", "frequency_ratio", "omega", "r"],

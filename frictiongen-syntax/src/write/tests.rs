@@ -1,4 +1,4 @@
-//! A description that is written from a scene has the same scene.
+//! Tests that a description that is written from a scene defines the same scene.
 
 use super::written;
 use crate::read_scene;

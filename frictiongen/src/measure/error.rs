@@ -37,7 +37,7 @@ pub enum MeasureError {
         place: String,
         /// The time step before this position, s.
         before: f64,
-        /// The other time step, s.
+        /// The time step after this position, s.
         after: f64,
     },
     /// Two channels have different numbers of samples. The field has the name of one of them.
@@ -146,7 +146,7 @@ pub enum MeasureError {
     },
     /// The fit does not converge.
     NoFit,
-    /// The request does not apply to this scene, or an argument is out of range.
+    /// The request does not apply to this scene, or one of its arguments is out of range.
     Asked(&'static str),
     /// A free decay has too few peaks. The field is the number of peaks found.
     FewPeaks(usize),

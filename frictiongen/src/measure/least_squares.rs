@@ -8,16 +8,15 @@ use nalgebra::{DMatrix, DVector};
 
 /// Largest number of steps of a fit. Rejected steps count too.
 const MOST_STEPS: usize = 200;
-/// Relative bound at which the fit ends. It ends when the last step changes every parameter by less than this fraction.
-/// It also ends when the last step changes all residuals together by less than this fraction of a standard deviation.
+/// The fit ends when the last step changes every parameter by less than this fraction. It also ends when the last step
+/// changes all residuals together by less than this fraction of a standard deviation.
 const SMALL: f64 = 1e-10;
 /// Factor by which the damping grows after a rejected step and shrinks after an accepted one (Marquardt's choice).
 const GROWTH: f64 = 10.0;
-/// Ratio of a singular value to the largest one, below which the data do not determine its direction in parameter
-/// space.
+/// The data do not determine a direction in parameter space if its singular value is below this fraction of the largest
+/// singular value.
 const RANK: f64 = 1e-12;
-/// Largest component of a parameter along an undetermined direction of length 1, for which the data still determine the
-/// parameter.
+/// The data determine a parameter if its component in every undetermined direction of length 1 is at most this value.
 const APART: f64 = 1e-6;
 
 /// Residuals of a fit, and their derivatives with respect to the parameters: one column of the Jacobian for each

@@ -13,7 +13,7 @@ use super::statistics::student;
 use super::{MeasureError, Recording};
 use nalgebra::{DMatrix, DVector};
 
-/// Fraction of the largest speed below which the direction of sliding counts as uncertain.
+/// The direction of sliding counts as uncertain below this fraction of the largest speed.
 const SLOW: f64 = 0.02;
 /// Smallest number of windows that determines the four unknowns and their scatter.
 const FEWEST: usize = 12;

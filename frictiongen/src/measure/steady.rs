@@ -11,17 +11,17 @@ const BLOCK: f64 = 2.0;
 const MOST_BLOCKS: usize = 40;
 /// Smallest number of blocks from which the code decides that the motion is steady.
 const FEWEST_BLOCKS: usize = 4;
-/// Largest phase deviation of the excitation from a constant frequency, in rad. It corresponds to a variation of the
-/// frequency by 1/30 of the width of a spectral line.
+/// The frequency of the excitation counts as constant if its phase deviates from that of a constant frequency by at
+/// most this value, in rad. This corresponds to a variation of the frequency by 1/30 of the width of a spectral line.
 const STRAY: f64 = 0.05;
-/// Largest relative change of the excitation's amplitude at which the excitation counts as steady.
+/// The excitation counts as steady if its amplitude changes relatively by at most this value.
 const SWELL: f64 = 0.05;
-/// Number of standard deviations up to which a change counts as noise.
+/// A change counts as noise up to this number of standard deviations.
 const SURE: f64 = 6.0;
-/// Largest relative changes of the fundamental at which the motion counts as steady. The search first tries the smaller
-/// value, and then the larger one, which allows for friction that changes slowly.
+/// The motion counts as steady if its fundamental changes relatively by at most this value. The search first tries the
+/// smaller value, and then the larger one, which allows for friction that changes slowly.
 const STEADY: [f64; 2] = [2e-3, 2e-2];
-/// Largest relative scatter of a fundamental about its mean at which the motion counts as steady.
+/// The motion counts as steady if its fundamental scatters about its mean by at most this fraction.
 const SCATTER: f64 = 0.1;
 
 /// Complex fundamental of a channel in each block of samples. All blocks have the same origin of time for their phases.

@@ -14,8 +14,8 @@ pub const HARMONICS: usize = 5;
 /// Half-width of the frequency band for the noise, divided by the driving frequency. A wider band would include half
 /// and one and a half times the driving frequency, where a contact may cause components.
 const BESIDE: f64 = 0.45;
-/// Distance from a harmonic, in bins of a Hann window, within which a bin belongs to the harmonic and not to the
-/// noise.
+/// A bin of the spectrum belongs to a harmonic, and not to the noise, if it is within this distance of the harmonic.
+/// The unit is one bin.
 const LINE: f64 = 3.0;
 /// Number of bins for an estimate of the noise with an error below a tenth. If the band has fewer bins, the code also
 /// uses the bins between the harmonics.

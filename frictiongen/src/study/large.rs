@@ -11,9 +11,9 @@ use nalgebra::DMatrix;
 
 /// Largest number of masses for which the modal analysis is in double-double arithmetic.
 pub(super) const LARGEST_EXACT: usize = 64;
-/// Fraction of its largest possible size below which a residue counts as rounding error.
+/// A residue counts as rounding error if it is below this fraction of its largest possible size.
 const NOISE: f64 = 1e-13;
-/// Cosine of the angle between two columns below which they count as orthogonal.
+/// Two columns count as orthogonal if the cosine of the angle between them is below this value.
 const ORTHOGONAL: f64 = 1e-15;
 /// Largest number of sweeps of rotations.
 const MAX_SWEEPS: usize = 12;

@@ -321,10 +321,11 @@ fn groups(
     }
 }
 
-/// Largest relative difference between the offset of a motion and the offset of a contact that has never slid.
+/// The offset of a motion counts as that of a contact that has never slid if their relative difference is at most this
+/// value.
 const SAME_OFFSET: f64 = 1e-9;
 
-/// Fraction of X, or of 1 if X is larger, below which the change p·dX/dp counts as 0. With numbers of 30 digits,
+/// A change p·dX/dp counts as 0 if it is below this fraction of X (of 1 if X is larger). With numbers of 30 digits,
 /// rounding causes changes of this size.
 const NOTHING: f64 = 1e-24;
 

@@ -9,8 +9,8 @@ use crate::{Error, Given, NoOrbit, NotContinuous, OutOfDomain, Regime, StuckReso
 use frictiongen_kernel::oscillator::mode::{Kind, Mode};
 use frictiongen_kernel::response::Scene as _;
 
-/// Tolerance within which √λ_i/r counts as an even integer, in units of the machine epsilon. The same tolerance decides
-/// whether a Floquet multiplier is on the unit circle.
+/// √λ_i/r counts as an even integer within this multiple of the machine epsilon. The same tolerance decides whether a
+/// Floquet multiplier is on the unit circle.
 const ON_CIRCLE: f64 = 4096.0;
 
 /// The state of a steady motion at a maximum of the excitation: displacement and velocity of every mass.

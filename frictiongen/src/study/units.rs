@@ -46,7 +46,7 @@ impl<S: Copy> Load<S> {
         !matches!(self, Self::Force(_) | Self::Unbalance(_))
     }
 
-    /// Returns the exponent n of the load, whose amplitude P or Y is proportional to ω⁻ⁿ. It is 0 for a constant
+    /// Returns the exponent n if the amplitude P or Y of the load is proportional to ω⁻ⁿ. It is 0 for a constant
     /// amplitude.
     #[doc(hidden)]
     #[must_use]

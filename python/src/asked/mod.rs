@@ -18,10 +18,10 @@ pub use frictiongen::study::columns::{CONTACT, Part};
 use pyo3::prelude::*;
 use pyo3::types::PyString;
 
-/// Number of frequencies with which the package covers a frequency range.
+/// Number of frequencies in a frequency range `(from, to)` that the caller gives.
 const ACROSS: u32 = 161;
 
-/// Number of frictions with which the package covers a friction range.
+/// Number of frictions in a friction range `(from, to)` that the caller gives.
 const UP: u32 = 81;
 
 /// Largest number of points of an answer. The command has the same limit.
@@ -55,8 +55,8 @@ pub fn setting<'a>(
     }
 }
 
-/// Adds the columns of an answer over frequency and friction: those of the frequencies, those of the frictions, and
-/// those of the points, with all frictions of the first frequency first.
+/// Adds the columns of an answer over frequency and friction: the frequencies, the frictions, and the results at the
+/// points. The points are in the order of the frequencies, and at each frequency in the order of the frictions.
 pub fn put_grid<R>(
     arrays: &mut Columns<'_>,
     (frequencies, frictions): (&Frequencies, &Frictions),
@@ -137,7 +137,7 @@ pub fn harmonics(given: Option<&Bound<'_, PyAny>>) -> PyResult<u32> {
     given.map_or(Ok(0), |given| whole("harmonics", given, 1..=MOST_HARMONICS))
 }
 
-/// Returns an error if an answer of `points` points with `numbers` numbers each is too large.
+/// Fails if an answer of `points` points with `numbers` numbers each is too large.
 pub fn check_size(points: usize, numbers: usize) -> PyResult<()> {
     if points <= MOST_POINTS && points.saturating_mul(numbers) <= MOST_NUMBERS {
         return Ok(());

@@ -11,7 +11,7 @@ use frictiongen::measure::{MeasureError, Measured};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// Evaluates the steady motion in each recording.
+/// Finds the steady motion in each recording.
 pub fn measured(
     py: Python<'_>,
     system: &System,

@@ -94,7 +94,7 @@ impl Archive {
     }
 }
 
-/// A binary has megabytes, the format permits four gigabytes.
+/// Converts a size to 32 bits. A binary has some megabytes, and the format permits four gigabytes.
 fn bounded(size: usize) -> u32 {
     u32::try_from(size).unwrap_or(u32::MAX)
 }

@@ -120,7 +120,7 @@ fn start_values_and_limits() {
     assert!(xml.contains("fixedInternalStepSize=\"0.001\""), "{xml}");
 }
 
-/// Lines of cargo's output: only the shared library counts.
+/// Checks that the path of the binary comes from the line of cargo's output that describes the shared library.
 #[test]
 fn finds_the_binary() {
     let ending = std::env::consts::DLL_EXTENSION;

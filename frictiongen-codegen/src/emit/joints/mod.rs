@@ -14,7 +14,7 @@ use frictiongen_model::scene::{Excitation, NamedContact, Node, Provide};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::format_ident;
 
-/// Data that all emitted items share.
+/// Data of a scene that the emission of its items needs.
 struct Emission<'a> {
     description: &'a Description,
     names: TypeNames,
@@ -25,9 +25,9 @@ struct Emission<'a> {
     /// The masses on which a force acts, with the field of the input. The excited mass is the first.
     loads: Vec<(usize, Ident)>,
     scalar: TokenStream,
-    /// The type of the arrays.
+    /// Type that gives the lengths of all arrays.
     size: TokenStream,
-    /// Path of the engine.
+    /// Path of the kernel's module for scenes with several contacts.
     engine: TokenStream,
 }
 
@@ -79,7 +79,7 @@ impl<'a> Emission<'a> {
         self.description.scene.provide.contains(what)
     }
 
-    /// Numbers the two ends of a part of the chain.
+    /// Returns the numbers of the two nodes of a spring, dashpot or contact.
     fn ends(&self, from: Node, to: Node) -> [Literal; 2] {
         let masses = self.description.scene.masses.len();
         let (plus, minus) = numbered(masses, from, to).unwrap_or_default();
@@ -92,7 +92,7 @@ impl<'a> Emission<'a> {
         code!((#plus, #minus, #value))
     }
 
-    /// Emits a function of time that is constant.
+    /// Emits a number as a constant function of time.
     fn constant(&self, value: f64) -> TokenStream {
         let (engine, value, zero) = (&self.engine, self.number(value), self.number(0.0));
         code!(#engine::Wave {
@@ -104,7 +104,8 @@ impl<'a> Emission<'a> {
         })
     }
 
-    /// Emits the chain. The level of each contact is its share.
+    /// Emits the constants of the chain. In them, the kinetic friction force of each contact is its share of the common
+    /// friction force.
     fn chain(&self, modal: &Modal) -> TokenStream {
         let (scene, engine, size) = (&self.description.scene, &self.engine, &self.size);
         let scalar = &self.scalar;
@@ -236,7 +237,7 @@ fn scene_type(emission: &Emission<'_>) -> TokenStream {
     scene_struct(description, lines)
 }
 
-/// Emits a type that wraps one of the engine.
+/// Emits a type that wraps a type of the kernel.
 fn wrapper(emission: &Emission<'_>, name: &Ident, target: &str, about: &str) -> TokenStream {
     let Emission {
         scalar,

@@ -113,7 +113,7 @@ fn units<S: Float>(source: &Source<'_, S>, words: &Words) -> String {
     text
 }
 
-/// The attribute of a constant with all its digits.
+/// The attribute of an emitted constant that is written with all its digits.
 const DIGITS: &str = "#[allow(clippy::approx_constant, clippy::unreadable_literal, clippy::excessive_precision, reason = \"all digits, as they are printed\")]\n";
 
 /// Writes the limits.

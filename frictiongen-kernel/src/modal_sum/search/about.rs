@@ -11,9 +11,9 @@ use super::{Search, Weight};
 use crate::number::scalar::Float;
 use crate::oscillator::decay::Decay;
 
-/// First value tried for the factor ρ. If the proof fails with this value, the code tries the smaller `REACH`. A local
-/// maximum closes cells around it only if the sum is concave within ρ times the last Newton step. A larger ρ can close
-/// cells around a flatter maximum.
+/// Factor ρ of the first attempt to close the cells around a local maximum. The attempt requires a concave sum within ρ
+/// times the last Newton step. If it fails, the code tries the smaller factor `REACH`. A larger ρ can close the cells
+/// around a flatter maximum.
 const FAR: f64 = 97.0;
 
 /// Excess E of a modal sum over a level, near a local maximum. E is ±sum − level, or ±sum − level·sin τ. A cell of the

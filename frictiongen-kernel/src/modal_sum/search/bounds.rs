@@ -9,8 +9,8 @@ use crate::modal_sum::wave::{Sum, Wave};
 use crate::number::scalar::Float;
 use crate::oscillator::decay::{Basis, Decay, Instant};
 
-/// Distance of x from the resonance x = 1 below which the code does not split a mode into free and forced motion. Close
-/// to x = 1 both motions are large and nearly cancel. Their sum would be mainly rounding error.
+/// The code does not split a mode into free and forced motion if its x is closer to the resonance x = 1 than this
+/// distance. Close to x = 1 both motions are large and nearly cancel. Their sum would be mainly rounding error.
 const NEAR_EXCITATION: f64 = 0.125;
 /// Bound on the rounding error of a mode at a grid node, in rounding units of the mode's amplitude. The same bound
 /// applies to sin τ and cos τ. The matrix of one step from node to node has three roundings, and its fourth power has

@@ -32,8 +32,8 @@ const OVER_SINE: u32 = 256;
 /// Upper bound on the evaluations in a search of a motion if all modes are slow. The bound is three times the largest
 /// measured number. A search of a motion needs more evaluations because the terms of the modes may nearly cancel.
 const OF_MOTION: u32 = 1024;
-/// Number of half turns of the fastest mode that allow a search one more evaluation. Measured searches need at most one
-/// evaluation for 120 half turns.
+/// A search may make one more evaluation for this number of half turns of the fastest mode. Measured searches need at
+/// most one evaluation for 120 half turns.
 const HALF_TURNS: usize = 16;
 
 /// Returns the upper bound on the number of evaluations in one search. `fastest` is the largest √λ(1 + 2ζ)/r of the
@@ -51,12 +51,12 @@ pub fn most_evaluations<S: Float>(weight: Weight, fastest: S) -> u32 {
     few.saturating_add(turns).min(MAX_EVALUATIONS)
 }
 
-/// Relative difference within which two maxima count as equal, as a multiple of the resolution of the scalar type.
+/// Two maxima count as equal if their relative difference is below this multiple of the scalar type's resolution.
 const EQUAL: f64 = 64.0;
-/// Factor by which the search multiplies the rounding error of a sum that it divides by sin τ, for τ > π/2.
+/// Safety factor on the rounding error of a sum that is divided by sin τ, for τ > π/2.
 const NOISE: f64 = 16.0;
-/// Distance in τ below which two positions belong to the same maximum. Around a maximum the sum falls with the square
-/// of the distance. At this distance it has fallen by far more than the tolerance for equal maxima.
+/// Two positions belong to the same maximum if their distance in τ is below this value. Around a maximum the sum falls
+/// with the square of the distance. At this distance it has fallen by far more than the tolerance for equal maxima.
 const SAME_MAXIMUM: f64 = 0.05;
 
 /// Divisor of the modal sum in a search: 1 or sin τ.

@@ -9,8 +9,8 @@ use crate::oscillator::decay::{Decay, Instant};
 
 /// Largest number of evaluations of the modal sum in one Newton iteration to a local maximum.
 pub(super) const EVALUATIONS: u32 = 5;
-/// Number of lengths of the last Newton step within which the neglected terms must be small. If they are not, another
-/// Newton step follows.
+/// The neglected terms must be small within this number of lengths of the last Newton step. Otherwise another Newton
+/// step follows.
 pub(super) const REACH: f64 = 7.0;
 
 /// Position from which one Newton step leads to a local maximum, with the modal sum and its derivatives at this
@@ -42,7 +42,7 @@ impl<S: Float> Summit<S> {
 }
 
 impl<S: Float> Cubic<S> {
-    /// Returns the distance to the local maximum, by a Newton step that the third derivative corrects.
+    /// Returns the distance to the local maximum, by a Newton step with a correction from the third derivative.
     pub fn step(&self) -> S {
         let half = S::constant(0.5);
         let newton = -(self.slope / self.curvature);

@@ -100,10 +100,11 @@ pub trait ContactChain<S: Float>: Copy + Debug {
         S::constant(0.0)
     }
 
-    /// Derives the contact's state from the motion alone, at the phase `t`.
+    /// Derives the state of the contact (stuck, or its direction of sliding) from the state of the modes at the phase
+    /// `t`.
     fn contact_state(setting: &Setting<'_, S, Self>, parts: &[Part<S>], t: S) -> ContactState<S>;
 
-    /// Derives the contact's state from the motion and from a state in which the contact slides.
+    /// Derives the state of the contact from the state of the modes, if the contact slid before.
     #[inline]
     fn sliding_state(
         setting: &Setting<'_, S, Self>,
@@ -178,9 +179,9 @@ pub trait ContactChain<S: Float>: Copy + Debug {
     /// the next state.
     fn break_away(setting: &Setting<'_, S, Self>, contact: Contact, end: &mut SegmentEnd<S>);
 
-    /// Advances deviations through a segment, one column after another. A column has y and u of each mode in turn.
-    /// `modes` and `stuck_modes` are the oscillators after the segment. The function overwrites the states in
-    /// `stuck_modes`.
+    /// Advances small deviations of the state through a segment (the motion between two events), one column after
+    /// another. A column has y and u of each mode in turn. `modes` and `stuck_modes` are the oscillators after the
+    /// segment. The function overwrites the states in `stuck_modes`.
     fn carry_deviations(
         setting: &Setting<'_, S, Self>,
         oscillators: (&[Part<S>], &mut [Part<S>]),

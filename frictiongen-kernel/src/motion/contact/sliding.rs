@@ -45,7 +45,8 @@ impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {
         self.sliding_away(t, self.law().slide(contact, force))
     }
 
-    /// Derives the contact's state from the motion alone.
+    /// Derives the state of the contact (stuck, or its direction of sliding) from the state of the modes at the phase
+    /// `t`.
     pub(crate) fn contact_state(&self, parts: &[Part<S>], t: S) -> ContactState<S> {
         K::contact_state(self, parts, t)
     }

@@ -43,7 +43,7 @@ impl Contact {
         }
     }
 
-    /// Returns the opposite direction of sliding.  A stuck contact stays stuck.
+    /// Returns the opposite direction of sliding. A stuck contact stays stuck.
     #[must_use]
     pub fn reversed(self) -> Self {
         match self {
@@ -111,7 +111,7 @@ pub struct SegmentEnd<S> {
     pub steps: u32,
 }
 
-/// A segment whose end the search has found. The oscillators are still at the start.
+/// A segment of the motion whose end the search has found. The oscillators are still in their state at its start.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Sought<S> {
     /// State of the contact at the segment's start.

@@ -7,8 +7,8 @@ use crate::number::scalar::Float;
 
 impl<S: Float, K: ContactChain<S>> Dynamics<'_, S, K> {
     /// Computes y and u of the stuck chain's modes from the state (y, u) of the chain's modes. `z` is the displacement
-    /// of the contact, and `rate` its rate in the time t√(k₁/m₁). The function first subtracts the static shape that
-    /// belongs to z, times z and times `rate`.
+    /// of the contact, and `rate` its rate in the time t√(k₁/m₁). The function first subtracts the static displacements
+    /// that z causes from y, and the velocities that `rate` causes from u.
     pub(crate) fn project<'s>(
         &self,
         receptance: S,
@@ -32,8 +32,9 @@ impl<S: Float, K: ContactChain<S>> Dynamics<'_, S, K> {
         }
     }
 
-    /// Computes the two components of the drive of a mode of the chain with its contact stuck, times r. `base` is the
-    /// base coefficient s.
+    /// Computes the excitation of a mode of the stuck chain, multiplied by r. The first result is the complex amplitude
+    /// of the term that the excitation adds to the mode's velocity, the second that of the force on the mode. `base` is
+    /// the coefficient s: 1 if the contact rubs on the moving base, otherwise 0.
     pub(crate) fn stuck_drive(
         &self,
         (mode, participations): (&HeldMode<S>, &[[S; 2]]),

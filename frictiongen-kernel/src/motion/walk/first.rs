@@ -6,11 +6,11 @@ use super::step;
 use crate::motion::series::{Local, LocalSeries, ROUNDINGS, Walked};
 use crate::number::scalar::Float;
 
-/// Amount by which a force must exceed the break-away level, in units of the rounding error. This amount applies after
-/// the contact has just failed to start sliding.
+/// The contact has just failed to start sliding. In this case a force counts as above the break-away level only if it
+/// exceeds the level by this multiple of the rounding error.
 const WEDGED: f64 = 16.0;
-/// The search continues at least this many rounding units after an instant at which the function touches zero without a
-/// change of sign.
+/// If the function touches zero without a change of sign, the search continues at least this number of rounding units
+/// later.
 const PAST: f64 = 4.0;
 
 /// Result of a *walk*, a search for a zero in steps that skip no zero.

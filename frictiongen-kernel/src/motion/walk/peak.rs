@@ -5,11 +5,12 @@ use super::first::{Walk, WalkStart, first_reach};
 use crate::motion::series::OscillatorSum;
 use crate::number::scalar::Float;
 
-/// Difference below which two values count as equal, in rounding units.
+/// Two values count as equal if they differ by less than this number of rounding units.
 const EQUAL: f64 = 64.0;
 /// Largest number of peaks in a segment that the search refines.
 const MAX_CLIMBS: u32 = 256;
-/// Decrease after a peak at which the search continues, as a multiple of the difference that counts as equal.
+/// Decrease of the value after a peak at which the search for the next peak starts. The unit is the difference below
+/// which two values count as equal.
 const BELOW: f64 = 4.0;
 /// Largest number of Newton steps to a peak. Shortened steps count as well.
 const CLIMB_STEPS: usize = 60;

@@ -4,8 +4,8 @@ use crate::number::scalar::Float;
 
 /// Upper bound on the number of Newton steps towards a root of the cubic.
 const STEPS: usize = 12;
-/// Relative Newton step below which the root of the cubic counts as found. A smaller tolerance would only cost time,
-/// because the search continues from the root.
+/// The root of the cubic counts as found if a relative Newton step is below this value. A smaller tolerance would only
+/// cost time, because the search continues from the root.
 const CLOSE: f64 = 0.1;
 
 /// Returns a step over which a function f stays positive if |f‴| ≤ B.
@@ -88,7 +88,7 @@ pub(crate) fn safe<S: Float>(f: S, slope: S, curve: S, bound: S, most: S) -> S {
     }
 }
 
-/// Returns the value at the minimum of the function, or the present value if there is no minimum.
+/// Returns the value of the cubic at its minimum. Without a minimum, returns the present value.
 fn least<S: Float>(f: S, slope: S, curve: S, bound: S) -> S {
     let discriminant = curve * curve + (bound + bound) * slope;
     let zero = S::constant(0.0);
@@ -100,7 +100,8 @@ fn least<S: Float>(f: S, slope: S, curve: S, bound: S) -> S {
     }
 }
 
-/// Finds the root of a convex, decreasing function by Newton's method from 0. The steps never pass the root.
+/// Finds the root of a convex, decreasing function by Newton's method, starting at 0. For such a function no step
+/// passes the root.
 fn from_left<S: Float>(value: impl Fn(S) -> S, tangent: impl Fn(S) -> S) -> S {
     let zero = S::constant(0.0);
     let mut h = zero;

@@ -21,7 +21,7 @@ pub(super) struct Ball {
 }
 
 impl Ball {
-    /// Returns a double-double number without error.
+    /// Creates a ball that contains only one double-double number.
     pub fn exact(at: Dd) -> Self {
         Self { at, off: 0.0 }
     }

@@ -9,7 +9,7 @@ use frictiongen_kernel::table::Factor;
 
 /// Factor on a sum of small relative errors. It covers the products of these errors.
 pub(super) const UP: f64 = 1.03;
-/// Largest sum of relative errors that counts as small. [`UP`] covers the products of errors of this size.
+/// A sum of relative errors counts as small up to this value. [`UP`] covers the products of errors of this size.
 const SMALL: f64 = 0.02;
 /// Smallest normal number in single precision, up to rounding.
 const NORMAL_SINGLE: f64 = 1.2e-38;
@@ -31,8 +31,9 @@ const DIFFERENCE: f64 = 1e-9;
 /// Bound on the ratio of a factor's relative change to d/D, if the zero moves by d. D is the distance of r from the
 /// zero. To first order the ratio is four, from ±ir − z and the conjugate terms. The excess covers the second order.
 const MOVED: f64 = 4.1;
-/// A number slightly below ½. The nearest number of the scalar type to `at` is within half a spacing. Every other
-/// number of the type is at least half a spacing away from `at`. If r − at is not exact, |r − at| exceeds half of `at`.
+/// A number slightly below ½. `at` is the number of the scalar type nearest to y, so that y is within half a spacing of
+/// `at`. Every other number of the type is at least half a spacing away from y. If r − at is not exact, |r − at|
+/// exceeds half of `at`.
 const WITHIN_HALF: f64 = 0.45;
 /// Bound on |B|/(B² + 4x²y²) in units of 1/(xy), slightly enlarged. Because B² + 4x²y² ≥ 4xy|B|, this quotient is at
 /// most ¼/(xy), and 2x²|B|/(B² + 4x²y²) is at most ½x/y.
@@ -72,7 +73,7 @@ pub(in crate::table) fn unit<S: Float>() -> (f64, f64) {
 /// Bounds on the error and on the magnitude of a factor.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Bounds {
-    /// Largest relative error.
+    /// Largest relative error of the computed factor.
     pub error: f64,
     /// Lower bound on the factor.
     pub least: f64,

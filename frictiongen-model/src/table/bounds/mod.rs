@@ -27,8 +27,8 @@ use frictiongen_kernel::table::Factor;
 use roots::{Factored, Sum};
 
 /// Largest fraction of the accuracy that the uncertainty of a zero may use, at the number of the scalar type nearest to
-/// the zero. With more uncertainty, the proof leaves out that number. The value is a compromise. A larger fraction
-/// leaves out fewer numbers, but leaves less of the accuracy for other errors.
+/// the zero. If the uncertainty is larger, the proof omits that number. A larger fraction omits fewer numbers, but
+/// leaves less of the accuracy for other errors.
 const UNCERTAIN: f64 = 0.1;
 /// Largest relative error of a product that the proof accepts. For such errors the factor `UP` covers the neglected
 /// terms.
@@ -48,8 +48,7 @@ struct Meant {
     gain: Ball,
     numerator: Vec<Known>,
     denominator: Vec<Known>,
-    /// Zeros with their weights. The remainder at a zero, divided by the distance of r from the zero, is a relative
-    /// error.
+    /// Zeros with their weights. A weight, divided by the distance of r from its zero, is a relative error.
     weights: Vec<(Known, f64)>,
     tail: f64,
 }

@@ -20,7 +20,7 @@ struct Term {
     residue: Ball,
 }
 
-/// The sum direct + Σρ/d.
+/// A sum over the modes: direct + Σρ/d, with the residues ρ and the denominators d.
 pub(super) struct Sum {
     damped: bool,
     direct: Dd,
@@ -68,7 +68,7 @@ impl Sum {
         }
     }
 
-    /// Returns the polynomial N at v.
+    /// Returns the numerator N of the sum at v.
     fn numerator(&self, v: Disc) -> Disc {
         let mut sum = Disc::real(Ball::exact(self.direct));
         let mut all = Disc::real(Ball::number(1.0));

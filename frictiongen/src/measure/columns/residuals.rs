@@ -53,8 +53,8 @@ impl Row for FittedRow<'_> {}
 impl Row for ExtremeRow {}
 
 impl ResidualRow<'_> {
-    /// Returns the residual divided by its standard deviation. The residual belongs to the measured quantity: complex
-    /// value, amplitude or phase.
+    /// Returns the residual of the measured quantity (complex value, amplitude or phase), divided by its standard
+    /// deviation.
     fn over_deviation(&self) -> f64 {
         let apart = match self.known {
             MotionKnown::Amplitude => (self.datum.value.norm() - self.model.norm()).abs(),

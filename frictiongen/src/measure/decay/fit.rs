@@ -9,11 +9,11 @@ use std::f64::consts::PI;
 
 /// Step of a finite difference, relative to the scale of the parameter.
 const DIFFERENCE: f64 = 1e-6;
-/// Index in [`Shape`] of the number of samples in a half cycle.
+/// Index of the parameter “number of samples in a half cycle” in [`Shape`].
 const HALF: usize = 3;
-/// Index in [`Shape`] of the decrement of a half cycle.
+/// Index of the parameter “decrement of a half cycle” in [`Shape`].
 const DECREMENT: usize = 4;
-/// Index in [`Shape`] of F/k.
+/// Index of the parameter F/k in [`Shape`].
 const LENGTH: usize = 5;
 
 /// Parameters of the decay, in samples and m: position and value of the first extreme, the middle, the half cycle, the

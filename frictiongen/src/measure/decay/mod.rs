@@ -21,7 +21,7 @@ use fit::DecayFit;
 use std::f64::consts::PI;
 use swings::{Swings, noise};
 
-/// Fraction of a swing. A decrease in a half cycle below this fraction counts as rounding error.
+/// A decrease in a half cycle counts as rounding error if it is below this fraction of a swing.
 const ROUNDING: f64 = 1e-9;
 
 /// Friction, damping and natural frequency found in a free vibration.
@@ -155,8 +155,8 @@ fn of(
     })
 }
 
-/// Returns the estimate of a monotone function of a fitted parameter. The pair contains the value of the parameter and
-/// the half width of its interval.
+/// Returns the estimate of a quantity that is a monotone function of a fitted parameter. The pair contains the value of
+/// the parameter and the half width of its interval.
 fn between((value, reach): (f64, f64), of: &dyn Fn(f64) -> f64) -> Estimate {
     let (a, b) = if reach.is_finite() {
         (of(value - reach), of(value + reach))

@@ -5,10 +5,11 @@ use crate::measure::MeasureError;
 
 /// Smallest number of extremes, which is one more than the number of unknowns of the decay.
 const FEWEST: usize = 4;
-/// Smallest motion in the opposite direction that ends a swing, in standard deviations of the noise. A swing is the
-/// motion from one extreme to the next. The motion must also exceed [`PART`].
+/// A swing (the motion from one extreme to the next) ends when the motion in the opposite direction exceeds this number
+/// of standard deviations of the noise. It must also exceed [`PART`].
 const TURN: f64 = 8.0;
-/// Smallest motion in the opposite direction that ends a swing, as a fraction of the whole range of the samples.
+/// A swing ends when the motion in the opposite direction exceeds this fraction of the whole range of the samples. It
+/// must also exceed [`TURN`].
 const PART: f64 = 0.02;
 
 /// Swings of a free vibration. A swing is the motion from one extreme to the next.

@@ -5,7 +5,7 @@ use crate::Complex;
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::PI;
 
-/// Largest standard deviation of a phase, in rad. The fit ignores phases with a larger deviation.
+/// The fit ignores a phase if its standard deviation exceeds this value, in rad.
 const VAGUE: f64 = 0.3;
 
 /// The quantities of one observation that the fit compares, with the covariance of their errors.

@@ -9,16 +9,16 @@ use crate::study::System;
 use crate::study::units::polar;
 use std::f64::consts::PI;
 
-/// Smallest ratio of two root mean squares at which a measurement counts as not explained. The ratio is that of the
-/// unexplained to the measured motion.
+/// A measurement counts as not explained if the root mean square of the unexplained motion is at least this fraction of
+/// that of the measured motion.
 const GROSS: f64 = 0.5;
-/// Largest ratio of two root mean squares at which a measurement with a corrected unit counts as explained. The ratio
-/// is that of the unexplained to the measured motion.
+/// A measurement with a corrected unit counts as explained if the root mean square of the unexplained motion is at most
+/// this fraction of that of the measured motion.
 const MENDED: f64 = 0.2;
-/// Fraction of the scene's largest motion over all friction forces. A measured motion below this fraction may have a
-/// wrong unit.
+/// A measured motion may have a wrong unit if it is below this fraction of the scene's largest motion over all friction
+/// forces.
 const TINY: f64 = 0.01;
-/// Smallest root mean square of the phase differences at which phases count as not explained, in rad (15°).
+/// Phases count as not explained if the root mean square of their differences is at least this value, in rad (15°).
 const TURNED: f64 = PI / 12.0;
 
 impl IdentifyProblem<'_> {

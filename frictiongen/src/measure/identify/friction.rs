@@ -17,7 +17,8 @@ pub(super) const PLACES: u32 = 96;
 const SECTIONS: usize = 44;
 /// Number of steps of a bisection. They narrow an interval to 1e-12 of its width.
 const HALVINGS: usize = 40;
-/// Largest width of an interval, relative to the force, at which the measurement still counts as determining the force.
+/// The measurement determines the friction force if the width of the 95 % interval is at most this multiple of the
+/// force.
 const WIDE: f64 = 1.0;
 
 /// Measurements, and the scene for the comparison with them.

@@ -64,8 +64,8 @@ pub(super) fn answer(
     })
 }
 
-/// Upper bound of the scan, as a multiple of the largest limit at other frequencies. At an antiresonance of the contact
-/// no finite force makes it stick, so that the scan needs a bound.
+/// Upper bound of the scan, as a multiple of the largest limit at other frequencies. The scan needs this bound because
+/// no finite force makes the contact stick at its antiresonance.
 const FAR: f64 = 20.0;
 
 /// Returns two forces in N: the smallest force at which the contact is stuck, and the upper bound of the scan. The
@@ -156,7 +156,7 @@ pub(super) fn changed(system: &System, unknowns: &[Unknown], values: &[f64]) -> 
     System::try_from(scene).ok()
 }
 
-/// The variable of a derivative.
+/// The variable with respect to which a derivative is taken.
 #[derive(Clone, Copy)]
 pub(super) enum Direction {
     /// The friction force, N.

@@ -7,21 +7,22 @@ use std::f64::consts::PI;
 
 /// Smallest number of samples in a usable recording.
 const FEWEST: usize = 16;
-/// Number of equal successive samples that count as a flat interval.
+/// An interval of a signal counts as flat if it has this number of equal successive samples.
 const FLAT: usize = 4;
-/// Number of flat intervals that count as clipping. A smaller number may be due to chance.
+/// A channel counts as clipped if it has this number of flat intervals at one value. A smaller number may be due to
+/// chance.
 const PLACES: i32 = 2;
-/// Length of the interval before a flat interval from which the code computes the slope of the signal, in cycles.
+/// Length, in cycles, of the interval from which the code computes the slope of the signal before a flat interval.
 const BEFORE: f64 = 0.02;
-/// Smallest slope before a flat interval at which clipping is possible, as a fraction of the largest slope in a cycle.
+/// Clipping is possible if the slope before a flat interval is at least this fraction of the largest slope in a cycle.
 const STEEP: f64 = 0.1;
-/// Smallest ratio of two slopes that indicates clipping. The ratio is the slope just before a flat interval, divided by
-/// the slope over twice that distance. Before a stop of the contact the ratio is a half, because the motion is then a
-/// parabola. Before clipping the ratio is nearly 1. For a sinusoid clipped at 0.99 of its amplitude it is 0.75.
+/// A signal is clipped if the slope just before a flat interval is at least this fraction of the slope over twice that
+/// distance. Before a stop of the contact the fraction is a half, because the motion is then a parabola. Before
+/// clipping it is nearly 1. For a sinusoid clipped at 0.99 of its amplitude it is 0.75.
 const STRAIGHT: f64 = 0.7;
-/// Largest acceleration next to a flat interval that rounding of the samples can cause, as a multiple of ω²A. The
-/// number follows from the parabola next to the interval. With the acceleration a, the slope of the parabola is
-/// √(2ag/A), where g is the distance to the next rounded value.
+/// Largest acceleration next to a flat interval that rounding of the samples can explain, as a multiple of ω²A for a
+/// sinusoid of amplitude A. The code computes the acceleration a from the parabola next to the interval. The slope of
+/// this parabola is √(2ag/A), where g is the distance to the next rounded value.
 const HARD: f64 = 10.0;
 
 /// Fails unless the channels are a usable recording: enough finite samples, no constant channel and no clipped channel.

@@ -2,8 +2,8 @@
 
 use crate::measure::MeasureError;
 
-/// Largest difference between two time steps that count as equal, as a fraction of the mean step. The rounding of a
-/// clock with six digits causes such differences.
+/// Two time steps count as equal if they differ by at most this fraction of the mean step. The rounding of a clock with
+/// six digits causes such differences.
 const EVEN: f64 = 1e-2;
 
 /// Returns the sampling rate of times in s. Fails if the times are not evenly spaced. `place` returns the name of a

@@ -13,7 +13,8 @@ use std::fmt::Write as _;
 const TIME_RESPONSE: i64 = 1;
 /// Abscissa type 17: time.
 const TIME: i64 = 17;
-/// Largest relative difference of two time steps that count as equal. The file contains six digits of each time.
+/// Two time steps count as equal if their relative difference is at most this value. The file contains six digits of
+/// each time.
 const SAME: f64 = 2e-5;
 
 /// One data set of the file. It contains one channel.

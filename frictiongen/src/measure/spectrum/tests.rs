@@ -28,7 +28,8 @@ fn integrated(omega: f64, zeta: f64, steps: &[[f64; 2]], dt: f64, parts: u32) ->
     all
 }
 
-/// The step is exact, so that only the rounding of both and the error of Runge-Kutta remain: (ωh)⁴ of a part, 1e-10.
+/// Compares one step with the classical Runge-Kutta method. The step is exact, so that only rounding and the error of
+/// Runge-Kutta remain: (ωh)⁴ of a part, 1e-10.
 #[test]
 fn a_step_is_exact_for_a_line() {
     let values = [0.0, 3.0, -1.0, 4.0, 4.0, -2.5, 0.0];
@@ -71,8 +72,8 @@ fn half_sine(samples: u32, rest: u32) -> Recording {
     Recording::inputs_from_csv(&text, &CsvRequest::default()).unwrap()
 }
 
-/// The undamped response to a half sine of length 1 and amplitude 1 has a closed form. With Ω = π, while the pulse lasts,
-/// u = (sin Ωt − (Ω/ω) sin ωt)/(Ω² − ω²), and afterwards a free vibration.
+/// Compares the undamped response to a half sine of length 1 and amplitude 1 with its closed form. With Ω = π it is u =
+/// (sin Ωt − (Ω/ω) sin ωt)/(Ω² − ω²) while the pulse lasts, and a free vibration afterwards.
 #[test]
 fn a_half_sine_has_its_shock_spectrum() {
     let samples = 4000;

@@ -14,16 +14,16 @@ const TWO: [f64; 7] = [0.3, 0.5, 0.7, 1.0, 1.4, 2.0, 3.3];
 const THREE: [f64; 3] = [0.7, 1.0, 1.4];
 /// Number of starting points from which the code makes a fit. They have the smallest sums of squares.
 const STARTS: usize = 6;
-/// Misfit below which the code accepts a fit from the scene's own parameters. The misfit is the sum of squared
-/// residuals over the degrees of freedom.
+/// The code accepts a fit from the scene's own parameters if its misfit is below this value. The misfit is the sum of
+/// squared residuals over the degrees of freedom.
 const GOOD: f64 = 2.0;
 /// Factors by which the code multiplies each parameter of the best fit to get further starting points. The code repeats
 /// this at most [`ROUNDS`] times, as long as the result improves.
 const HOPS: [f64; 4] = [0.97, 0.99, 1.01, 1.03];
 const ROUNDS: usize = 4;
 const BETTER: f64 = 0.999;
-/// Relative distance from the best fit within which another fit ends early. Such a fit would lead to the best fit
-/// again.
+/// A fit ends early if its parameters come within this relative distance of the best fit so far. It would only lead to
+/// the best fit again.
 const BACK: f64 = 1e-5;
 
 impl Sweep<'_> {

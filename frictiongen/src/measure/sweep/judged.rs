@@ -10,7 +10,7 @@ use crate::measure::{MeasureError, SweepPoint};
 use crate::study::units::hertz;
 use nalgebra::DVector;
 
-/// Fraction of the amplitudes that may remain unexplained. If more remains, the fit has failed.
+/// The fit has failed if more than this fraction of the amplitudes remains unexplained.
 const GROSS: f64 = 0.5;
 /// Step of a finite difference, relative to the parameter that it changes.
 const DIFFERENCE: f64 = 1e-6;

@@ -12,7 +12,8 @@ use frictiongen_kernel::{Float, Scalar};
 use frictiongen_model::modal::Modal;
 use nalgebra::{DMatrix, DVector};
 
-/// Bound on the difference of the logarithms of two amplitudes. The fit replaces a larger difference by this bound.
+/// Upper bound on the difference of the logarithms of two amplitudes. The fit replaces a larger difference by this
+/// bound, so that no single point dominates.
 const FAR: f64 = 3.0;
 /// Starting value of the damping ratio if the scene has no damping.
 const SOME_DAMPING: f64 = 0.005;

@@ -181,8 +181,8 @@ impl<'a, R: Row + 'a> Columns<'a, R> {
         }
     }
 
-    /// Sets the condition for a line of the last column. Only an output as lines uses it. The output then contains the
-    /// line only if the condition is true.
+    /// Sets a condition for the last column. Text output with one line for each value prints the value of this column
+    /// only if the condition is true.
     pub fn say_if(&mut self, says: impl Fn(&R) -> bool + 'a) {
         if let Some(last) = self.all.last_mut() {
             last.says = Some(Box::new(says));

@@ -123,7 +123,7 @@ impl From<&'static str> for Head {
 /// Function that reads a column's cell from a row.
 pub(super) type ReadCell<'a, Row> = Box<dyn for<'r> Fn(&'r Row) -> Cell<'r> + 'a>;
 
-/// Function that returns true if an output with one line for each value contains this value.
+/// Function that returns true if text output with one line for each value prints this value.
 type Says<'a, Row> = Box<dyn Fn(&Row) -> bool + 'a>;
 
 /// Function that returns a value's derivatives with respect to the parameters.
@@ -160,7 +160,7 @@ impl<Row> Column<'_, Row> {
         (self.read)(row)
     }
 
-    /// Returns true if an output with one line for each value contains this value. Such an output omits, for example, a
+    /// Returns true if text output with one line for each value prints this value. Such output omits, for example, a
     /// bound that was not reached.
     pub fn says(&self, row: &Row) -> bool {
         self.says.as_ref().is_none_or(|says| says(row))

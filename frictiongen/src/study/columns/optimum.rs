@@ -96,8 +96,8 @@ impl<'a> OptimumTable<'a> {
         rows.collect()
     }
 
-    /// Returns an operating point that gives names and units to the parameters. The numbers of this point have no
-    /// influence.
+    /// Returns an operating point from which the parameters take their names and units. The numbers of this point have
+    /// no influence.
     fn point(&self) -> Option<OperatingPoint> {
         Some(OperatingPoint::Physical {
             hertz: 1.0,

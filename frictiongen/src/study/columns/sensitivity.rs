@@ -247,7 +247,8 @@ impl<'a> SensitivityTable<'a> {
         });
     }
 
-    /// Returns a word with the length of the longest symbol of a parameter. It sets the width of the column.
+    /// Returns a word that is as long as the longest symbol of a parameter. The table uses it to set the width of the
+    /// column.
     fn widest(&self) -> String {
         let scene = self.setting.system.scene();
         let masses = scene.masses.iter().map(|mass| mass.name.len() + 2);

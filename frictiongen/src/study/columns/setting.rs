@@ -70,7 +70,7 @@ impl Part {
         }
     }
 
-    /// Returns the contact.
+    /// Returns the part that denotes the contact.
     #[must_use]
     pub fn contact() -> Self {
         Self {
@@ -110,7 +110,7 @@ impl FrequencyUnit {
         matches!(self, Self::Hertz | Self::AngularFrequency)
     }
 
-    /// Returns true if tables contain Hz next to r.
+    /// Returns true if tables contain the frequency in Hz in addition to r.
     #[must_use]
     pub fn has_hertz(self) -> bool {
         self != Self::Ratio

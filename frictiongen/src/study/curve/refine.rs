@@ -15,24 +15,25 @@ use crate::study::work::work;
 use crate::{Error, OutOfDomain, Regime};
 use rayon::prelude::*;
 
-/// Relative distance of neighbouring points at which the refinement stops. If their values still differ, the difference
-/// counts as a jump.
+/// The refinement stops if the relative distance of neighbouring points is below this value. If their values still
+/// differ, the difference counts as a jump.
 pub(super) const NARROW: f64 = 1e-7;
 /// Relative distance that replaces `NARROW` in intervals with scattered amplitudes. Amplitudes scatter if motions do
 /// not settle, or if motion from rest ends in different steady states at neighbouring points.
 pub(super) const NARROW_SCATTERED: f64 = 1e-3;
-/// Largest number of open intervals between two frequency ratios of the first grid. With more open intervals the motion
-/// counts as scattered.
+/// A motion counts as scattered if more than this number of intervals are open between two frequency ratios of the
+/// first grid. An interval is open while a straight line does not represent the curve in it.
 const MOST_BENT: usize = 32;
-/// Relative width of an interval at which the search stops locating a change in the contact's pattern of stops.
+/// The search stops locating a change in the contact's pattern of stops if the relative width of the interval is below
+/// this value.
 pub(super) const NARROW_PATTERN: f64 = 1e-4;
-/// Relative width of an interval at which the search stops locating the end of a gap.
+/// The search stops locating the end of a gap if the relative width of the interval is below this value.
 const NARROW_GAP: f64 = 1e-7;
-/// Fraction of the median amplitude over the first grid. The refinement ignores bends of a smaller amplitude.
+/// The refinement ignores bends whose amplitude is below this fraction of the median amplitude over the first grid.
 const SMALL: f64 = 1e-3;
 /// Number of less important frequency ratios that the code computes between two checks of the work.
 const AT_ONCE: usize = 16;
-/// Fraction of another motion's amplitude. A motion with a smaller amplitude counts as rounding.
+/// A motion counts as rounding if its amplitude is below this fraction of another motion's amplitude.
 const ROUNDING: f64 = 1e-6;
 
 /// An interval between two nodes that may have to be halved.
@@ -40,8 +41,8 @@ const ROUNDING: f64 = 1e-6;
 struct NodeInterval {
     left: usize,
     right: usize,
-    /// True if the interval before the last halving was straight. A single test may miss a bend, because the middle may
-    /// be on the line by chance.
+    /// True if the interval from whose halving this one comes was straight as well. A single test may miss a bend,
+    /// because the middle may be on the line by chance.
     was_straight: bool,
     /// Index of the interval of the first grid that contains this interval.
     part: usize,
@@ -212,7 +213,7 @@ impl<'a> Refine<'a> {
         halved
     }
 
-    /// Returns true if two settled points belong to one state, however steep the curve is. They then do not scatter.
+    /// Returns true if two settled points certainly belong to one state, however steep the curve is between them.
     /// Either both belong to the closed form, or μ ≤ 1 and no other state exists.
     fn is_one_state(&self, a: &CurvePoint, b: &CurvePoint) -> bool {
         let slides = |point: &CurvePoint| point.regime == Regime::Continuous;
@@ -233,8 +234,8 @@ impl<'a> Refine<'a> {
         }
     }
 
-    /// Stores the middle of an interval and returns both halves. If the interval and the one before the last halving
-    /// are straight, returns no halves.
+    /// Stores the middle of an interval and returns both halves. Returns no halves if the curve is straight over this
+    /// interval and over the longer interval from which it came.
     fn halves(
         &self,
         interval: NodeInterval,

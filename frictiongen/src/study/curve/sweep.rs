@@ -13,8 +13,8 @@ use crate::study::settled::Carried;
 use crate::study::work::work;
 use crate::{Error, OutOfDomain};
 
-/// Largest number of jumps that the sweep locates between two frequency ratios of its first grid. With more jumps the
-/// motion counts as scattered.
+/// A motion counts as scattered if the sweep finds more than this number of jumps between two frequency ratios of its
+/// first grid.
 const MOST_JUMPS: u32 = 4;
 
 /// A point of a sweep, with the state from which the next point starts.

@@ -309,7 +309,7 @@ impl ChainNumbers<Interval> {
     }
 }
 
-/// Relative distance within which poles of different modes count as one pole.
+/// Poles of different modes count as one pole if their relative distance is below this value.
 const SAME: f64 = 4e-15;
 
 impl Target<Dd> {

@@ -90,10 +90,10 @@ pub struct Antiresonance {
     pub frequency: Sensed,
 }
 
-/// Value of β_lim below which the contact cannot slide with any friction. The contact's motion V without friction is
-/// then 0 to rounding.
+/// The contact counts as unable to slide if β_lim is below this value. Its motion V without friction is then 0 to
+/// rounding.
 const STILL: f64 = 1e-10;
-/// Relative distance within which points of two conditions count as one point.
+/// Points of two conditions count as one point if their relative distance is below this value.
 const SAME: f64 = 1e-13;
 
 fn targets(measured: Measured, is_contact: bool) -> &'static [(Condition, Target<Dd>)] {

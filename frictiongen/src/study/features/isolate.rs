@@ -17,18 +17,18 @@ use frictiongen_model::modal::Modal;
 pub(super) const MOST_POLES: usize = 20_000;
 /// Largest number of intervals that the search stores.
 const MOST_INTERVALS: usize = 20 * MOST_POLES;
-/// Relative distance between a zero and a pole of the function below which the two cancel. The search then finds
+/// A zero and a pole of the function cancel if their relative distance is below this value. The search then finds
 /// neither.
 const CANCELLED: f64 = 1e-13;
-/// Distance within which two zeros count as one point at which the function touches 0. The distance is relative to y,
-/// or to the distance from a pole.
+/// Two zeros count as one point at which the function touches 0 if their distance is below this value. The distance is
+/// relative to y, or to the distance from a pole.
 const TOUCH: f64 = 1e-9;
-/// Relative distance within which two zeros count as one, if the function touches 0 at them.
+/// Two points at which the function touches 0 count as one if their relative distance is below this value.
 const ONE_TOUCH: f64 = 1e-6;
 /// Position at which the search divides an interval, as a fraction of its width. It is not the middle, because the
 /// middle is often a special point of a symmetric scene.
 const CUT: f64 = 0.487_3;
-/// Relative width to which the search halves a bracket before Newton's method replaces the halving.
+/// Newton's method replaces the bisection of a bracket if the relative width of the bracket is below this value.
 const NEAR: f64 = 1e-6;
 
 /// The range has too many poles, or needs too many intervals.

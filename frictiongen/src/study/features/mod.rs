@@ -35,9 +35,9 @@ pub enum Certainty {
     /// The search samples the range in `steps` equal steps over 1/r, and refines each change that it finds. It finds
     /// every interval longer than one step.
     ///
-    /// It finds a shorter interval only in two cases. In the first, the sampled function comes near its level at the
-    /// middle one of three samples. In the second, the interval is next to a resonance or an odd sub-harmonic of a
-    /// resonance.
+    /// It finds a shorter interval only in two cases. In the first, the middle one of three neighbouring samples is
+    /// closest to the value at which the feature begins. In the second, the interval is next to a resonance or to an
+    /// odd sub-harmonic of a resonance.
     Sampled {
         /// Number of equal steps of the range.
         steps: u32,
@@ -48,7 +48,7 @@ impl Certainty {
     /// Number of steps for a sampled range.
     pub const STEPS: u32 = 8192;
 
-    /// Completeness of every sampled list.
+    /// Value for every list that a search by samples finds.
     pub const SAMPLED: Self = Self::Sampled { steps: Self::STEPS };
 }
 
@@ -137,12 +137,12 @@ pub struct LimitsAtEnd {
     pub sliding: Sensed,
 }
 
-/// Lower bound of the default range, as a factor on the lowest resonance. The range never begins below `FAR_BELOW`
+/// Lower bound of the default range, as a multiple of the lowest resonance. The range never begins below `FAR_BELOW`
 /// times the highest resonance. It ends at `ABOVE` times the highest resonance.
 const BELOW: f64 = 0.55;
-/// Upper bound of the default range, as a factor on the highest resonance.
+/// Upper bound of the default range, as a multiple of the highest resonance.
 const ABOVE: f64 = 1.5;
-/// Smallest lower bound of the default range, as a factor on the highest resonance.
+/// Smallest lower bound of the default range, as a multiple of the highest resonance.
 const FAR_BELOW: f64 = 0.02;
 
 impl System {

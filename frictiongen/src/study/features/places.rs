@@ -115,7 +115,8 @@ fn bisected([mut low, mut high]: [f64; 2], at_low: f64, f: impl Fn(f64) -> f64) 
 mod tests {
     use super::{changes, samples};
 
-    /// Checks that the search finds two sign changes between neighbouring samples, from the sample nearest to them.
+    /// Checks that the search finds two sign changes between the same two samples, because a sample next to them is
+    /// closest to 0.
     #[test]
     fn a_narrow_pair() {
         let places = samples([1.0, 2.0], 16, &[]);

@@ -54,8 +54,8 @@ impl Sensed {
     }
 }
 
-/// Fraction of X below which the change p·dX/dp counts as 0. With numbers of 30 digits, rounding causes changes of this
-/// size.
+/// A change p·dX/dp counts as 0 if it is below this fraction of X. With numbers of 30 digits, rounding causes changes
+/// of this size.
 const NOTHING: f64 = 1e-18;
 
 /// The scene and its units, with derivatives with respect to one parameter.
@@ -71,7 +71,8 @@ pub(super) struct Variation {
     pub frequency: Sensitive,
 }
 
-/// The scene with derivatives with respect to each parameter in turn, under a load or in non-dimensional form.
+/// The scene with derivatives, once for each parameter. The numbers are in physical units under a load, otherwise
+/// non-dimensional.
 pub(super) struct Variations {
     pub scale: Option<LoadScale>,
     pub all: Vec<Variation>,

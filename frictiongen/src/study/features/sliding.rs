@@ -36,7 +36,7 @@ pub struct SlidingRange {
     pub to_frequency: Option<Sensed>,
 }
 
-/// Relative accuracy of the comparison of β*_lim on a resonance with β.
+/// Relative tolerance of a comparison of β*_lim with β on a resonance.
 const ON_POLE: f64 = 1e-13;
 
 /// A frequency at which β_lim or β*_lim equals β.

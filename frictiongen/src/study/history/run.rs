@@ -8,7 +8,8 @@ use crate::study::{System, simulation::SystemSimulation};
 use frictiongen_kernel::simulation::Event;
 use std::f64::consts::TAU;
 
-/// Distance in τ within which an instant counts as the instant of a sample. It is a few rounding units of a phase.
+/// An instant counts as the instant of a sample if their distance in τ is below this value. It is a few rounding units
+/// of a phase.
 const NEAR: f64 = 16.0 * f64::EPSILON;
 
 impl System {

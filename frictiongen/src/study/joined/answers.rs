@@ -7,7 +7,7 @@ use crate::Complex;
 use crate::study::error::UnknownMass;
 use crate::study::joints::StuckResponse;
 
-/// Linear response, with the complex amplitude of each mass.
+/// Response of a linear chain to the load, with the complex amplitude of each mass.
 #[derive(Clone, Debug)]
 pub struct LinearResponse<'a> {
     joined: Joined<'a>,

@@ -12,9 +12,9 @@ use crate::study::joints::{
 use crate::{Given, OutOfDomain};
 use frictiongen_model::scene::Excitation;
 
-/// Number of cycles that are skipped in a motion that does not settle.
+/// If a motion does not settle, the code skips this number of cycles.
 const SKIPPED: usize = 512;
-/// Number of cycles after the skipped ones, from which the amplitude is taken.
+/// Number of cycles after the skipped ones from which the code takes the amplitude.
 const KEPT: usize = 64;
 
 /// Displacements and velocities of all masses, in the units of the answers.
@@ -24,7 +24,7 @@ type Start<'s> = (&'s [f64], &'s [f64]);
 #[derive(Clone, Debug)]
 pub struct JoinedAt<'a> {
     joined: Joined<'a>,
-    /// The chain with its load. The friction level of each contact is its share.
+    /// The chain with its load. The friction force of each contact in it is the contact's share of the common friction.
     chain: Chain,
     omega: f64,
     units: Units,
@@ -119,7 +119,8 @@ impl<'a> JoinedAt<'a> {
         self.units
     }
 
-    /// Returns the chain of the engine, with its load and with the levels of this common friction.
+    /// Returns the chain that the solver uses, with its load and with the friction force of each contact under this
+    /// common friction.
     ///
     /// # Errors
     /// [`OutOfDomain`] for a friction that is negative or not finite.
@@ -197,7 +198,7 @@ impl<'a> JoinedAt<'a> {
         Ok(amplitudes.collect())
     }
 
-    /// Returns a motion from a state, or from rest.
+    /// Starts a motion from a given state, or from rest if no state is given.
     fn started(&self, chain: &Chain, state: Option<Start<'_>>) -> Result<Motion, JoinedError> {
         let Some((x, v)) = state else {
             return Ok(Motion::from_rest(chain)?);
@@ -266,8 +267,8 @@ impl<'a> JoinedAt<'a> {
     }
 }
 
-/// Converts the error of a linear response. Only a resonance is possible, because all loads of a scene have one valid
-/// frequency.
+/// Converts the error of a linear response. All loads of a scene have one valid frequency, so that only a resonance can
+/// cause an error.
 fn resonance(error: JointError) -> JoinedError {
     match error {
         JointError::Number(_) => JoinedError::Resonance,

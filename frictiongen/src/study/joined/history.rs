@@ -56,7 +56,7 @@ impl<'a> JoinedOrbit<'a> {
     /// Starts the motion in time in this steady state, at a maximum of the load.
     ///
     /// # Errors
-    /// Those of the engine.
+    /// [`JoinedError::Engine`] if the solver does not support the chain.
     pub fn simulation(&self) -> Result<JoinedSimulation<'a>, JoinedError> {
         let (joined, omega, units) = self.setting();
         Ok(JoinedSimulation::new(

@@ -39,9 +39,9 @@ impl Joined<'_> {
     /// stuck at every frequency. The search tries no such friction.
     ///
     /// # Errors
-    /// [`JoinedError::UnknownMass`] if no mass has this name. [`OutOfDomain::Range`] for a band whose ends do not
-    /// ascend. [`JoinedError::Engine`] if a motion has too many events. Where the motion from rest does not settle, the
-    /// largest amplitude of its last 64 of 576 cycles counts.
+    /// [`JoinedError::UnknownMass`] if no mass has this name. [`OutOfDomain::Range`] if the upper bound of the band
+    /// does not exceed the lower one. [`JoinedError::Engine`] if a motion has too many events. Where the motion from
+    /// rest does not settle, the largest amplitude of its last 64 of 576 cycles counts.
     pub fn optimum(
         &self,
         mass: &str,
@@ -93,18 +93,18 @@ impl Joined<'_> {
     }
 }
 
-/// Accuracy with which the search finds the largest amplitude over the band.
+/// Accuracy with which the search computes the largest amplitude over the band.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Closely {
-    /// At every second frequency of the grid.
+    /// Evaluates every second frequency of the grid.
     Roughly,
-    /// At every frequency of the grid.
+    /// Evaluates every frequency of the grid.
     OnGrid,
-    /// Also between the frequencies of the grid.
+    /// Evaluates every frequency of the grid, and searches between them.
     Refined,
 }
 
-/// The search for the best friction.
+/// A search for the best common friction.
 struct Search<'j, 'a> {
     joined: &'j Joined<'a>,
     mass: usize,
@@ -114,7 +114,7 @@ struct Search<'j, 'a> {
 }
 
 impl Search<'_, '_> {
-    /// Returns the largest limit of the stuck state over the grid.
+    /// Returns the largest limit of the stuck state over the frequencies of the grid.
     fn most(&self) -> Result<f64, JoinedError> {
         let mut most = 0.0_f64;
         for r in &self.grid {

@@ -14,9 +14,9 @@ use frictiongen_model::scene::{FrictionLaw, Scene};
 #[derive(Clone, Debug)]
 pub struct Joined<'a> {
     scene: &'a Scene,
-    /// The chain without loads. The friction level of each contact is its share.
+    /// The chain without loads. The friction force of each contact in it is the contact's share of the common friction.
     chain: Chain,
-    /// √(k₁/m₁) in rad per unit of time.
+    /// Reference angular frequency √(k₁/m₁), in rad per unit of time.
     reference: f64,
 }
 
@@ -70,13 +70,14 @@ impl<'a> Joined<'a> {
         }
     }
 
-    /// Returns the scene.
+    /// Returns the scene that the answers describe.
     #[must_use]
     pub fn scene(&self) -> &'a Scene {
         self.scene
     }
 
-    /// Returns the chain without loads. The friction level of each contact is its share.
+    /// Returns the chain without loads. The friction force of each contact in it is the contact's share of the common
+    /// friction.
     #[must_use]
     pub fn chain(&self) -> &Chain {
         &self.chain
@@ -109,7 +110,7 @@ impl<'a> Joined<'a> {
         })
     }
 
-    /// Returns √(k₁/m₁) in rad per unit of time.
+    /// Returns the reference angular frequency √(k₁/m₁), in rad per unit of time.
     pub(super) fn reference(&self) -> f64 {
         self.reference
     }

@@ -22,7 +22,7 @@ pub struct JoinedEvent {
     pub contact: usize,
     /// Name of the contact.
     pub name: String,
-    /// The event.
+    /// The event: a stop, a break-away or a reversal.
     pub event: Event,
 }
 
@@ -41,7 +41,7 @@ pub struct JoinedContactNow {
     pub is_sticking: bool,
 }
 
-/// An exact motion in time.
+/// An exact motion in time of a scene with several contacts.
 #[derive(Clone, Debug)]
 pub struct JoinedSimulation<'a> {
     joined: Joined<'a>,

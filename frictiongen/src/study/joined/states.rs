@@ -4,9 +4,10 @@ use super::at::JoinedAt;
 use super::error::JoinedError;
 use super::orbit::JoinedOrbit;
 
-/// Factors on the states of linear responses. The products are further initial states.
+/// Factors by which the states of linear responses are multiplied. Each product is one more initial state of the
+/// search.
 const FACTORS: [f64; 3] = [1.0, -1.0, 3.0];
-/// Relative difference of amplitudes within which two steady states count as the same.
+/// Two steady states count as the same if their amplitudes differ relatively by less than this value.
 const SAME: f64 = 1e-6;
 
 impl<'a> JoinedAt<'a> {

@@ -9,7 +9,7 @@ mod stepper;
 
 use crate::System;
 
-/// A frame of two floors with a brace, a pair of pads and a dashpot.
+/// Description of a frame of two floors with a brace, a pair of friction pads and a dashpot.
 pub const FRAME: &str = "struct Frame {
     masses: { lower: 2.0, upper: 1.5 },
     springs: { base - lower: 1500.0, lower - upper: 1200.0 },
@@ -27,7 +27,7 @@ pub fn system(text: &str) -> System {
         .unwrap_or_else(|error| panic!("{error}\n{text}"))
 }
 
-/// Difference of two numbers over the second one.
+/// Returns the difference of two numbers, divided by the second one.
 pub fn apart(got: f64, expected: f64) -> f64 {
     (got - expected).abs() / expected.abs()
 }

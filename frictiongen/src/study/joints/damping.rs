@@ -1,4 +1,4 @@
-//! The damping matrix of a chain from damping ratios, or from Rayleigh's two factors.
+//! Computes the damping matrix of a chain from damping ratios, or from Rayleigh's two factors.
 
 use super::{Chain, JointError};
 use frictiongen_kernel::joints::at;
@@ -10,12 +10,12 @@ use frictiongen_model::scene::{
 };
 
 impl Chain {
-    /// Gives each mode of the chain without joints its damping ratio, in the order of natural frequencies. A motion
-    /// without deformation has its entry too, without effect.
+    /// Sets the damping ratio of each mode of the chain without contacts, in ascending order of natural frequency. A
+    /// motion without deformation also has an entry, which has no effect.
     ///
     /// # Errors
     ///
-    /// Those of [`Chain::model`], and [`JointError::Number`] if there is not one ratio for each mode.
+    /// Same errors as [`Chain::model`], and [`JointError::Number`] if there is not one ratio for each mode.
     pub fn damp_modes(&mut self, ratios: &[f64]) -> Result<(), JointError> {
         if ratios.len() != self.masses.len() || ratios.iter().any(|ratio| !(*ratio >= 0.0)) {
             return Err(JointError::Number("a damping ratio"));
@@ -27,7 +27,7 @@ impl Chain {
     ///
     /// # Errors
     ///
-    /// Those of [`Chain::model`].
+    /// Same errors as [`Chain::model`].
     pub fn damp_by_rayleigh(&mut self, mass: f64, stiffness: f64) -> Result<(), JointError> {
         self.damp(Damping::Rayleigh { mass, stiffness })
     }

@@ -1,4 +1,4 @@
-//! A chain is checked, and its nodes are numbered.
+//! Checks a chain and numbers its nodes.
 
 use super::{Chain, Heap, Joint, JointError, MAX_CONTACTS, MAX_MASSES, Model};
 use frictiongen_kernel::joints::{Contact, Link};
@@ -9,7 +9,7 @@ impl Chain {
     ///
     /// # Errors
     ///
-    /// [`JointError`] for a chain that cannot be.
+    /// [`JointError`] for an invalid chain.
     pub fn model(&self) -> Result<Model, JointError> {
         let count = self.masses.len();
         if !(1..=MAX_MASSES).contains(&count) || self.contacts.len() > MAX_CONTACTS {
@@ -47,7 +47,7 @@ impl Chain {
         Ok(model)
     }
 
-    /// Returns the damping matrix row after row, each with an entry for every mass.
+    /// Returns the damping matrix row by row, with one entry for each mass in a row.
     fn damping_by_rows(&self) -> Vec<f64> {
         let rows = self.damping.iter().flat_map(|row| {
             let entry = |column| row.get(column).copied().unwrap_or(0.0);
@@ -57,7 +57,7 @@ impl Chain {
     }
 }
 
-/// Numbers the nodes of a contact.
+/// Converts a contact to one with numbered nodes.
 fn numbered(masses: usize, joint: &Joint) -> Result<Contact<f64>, JointError> {
     let (plus, minus) = ends(masses, joint.ends, "a contact")?;
     Ok(Contact {
@@ -69,7 +69,7 @@ fn numbered(masses: usize, joint: &Joint) -> Result<Contact<f64>, JointError> {
     })
 }
 
-/// Refuses rigid contacts that close a loop, the wall and the base counted as one.
+/// Fails if rigid contacts form a closed loop. Wall and base count as one node.
 fn check_redundant(model: &Model) -> Result<(), JointError> {
     let ground = |node: usize| node.min(model.wall());
     let mut tree: Vec<(usize, usize, usize)> = Vec::new();
@@ -88,7 +88,7 @@ fn check_redundant(model: &Model) -> Result<(), JointError> {
     Ok(())
 }
 
-/// Numbers two ends, the positive one first.
+/// Returns the numbers of two nodes, beginning with the node that counts as positive.
 fn ends(
     masses: usize,
     (from, to): (Node, Node),
@@ -97,7 +97,7 @@ fn ends(
     frictiongen_model::joined::numbered(masses, from, to).ok_or(JointError::Ends(what))
 }
 
-/// Refuses numbers that cannot be.
+/// Fails if a number of the chain is invalid.
 fn check_numbers(chain: &Chain) -> Result<(), JointError> {
     let positive = |value: f64| value > 0.0 && value.is_finite();
     let checks = [
@@ -144,7 +144,7 @@ fn check_numbers(chain: &Chain) -> Result<(), JointError> {
     }
 }
 
-/// Returns true if a contact can have its level.
+/// Returns true if the friction force of a contact is valid.
 fn level_fits(joint: &Joint) -> bool {
     let contact = Contact {
         plus: 0,
@@ -156,7 +156,7 @@ fn level_fits(joint: &Joint) -> bool {
     contact.fits(&joint.level)
 }
 
-/// Returns the contacts on the way between two nodes of a forest.
+/// Returns the contacts on the path between two nodes of a graph without loops.
 fn path(tree: &[(usize, usize, usize)], from: usize, to: usize) -> Option<Vec<usize>> {
     let mut ways = vec![(from, Vec::<usize>::new())];
     while let Some((node, way)) = ways.pop() {

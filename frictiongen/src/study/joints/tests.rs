@@ -11,7 +11,8 @@ mod steady;
 use super::{Chain, Joint, Wave};
 use frictiongen_model::scene::Node;
 
-/// Eigenvalues and orthonormal eigenvectors (columns) of a symmetric matrix by Jacobi's rotations, ascending.
+/// Returns eigenvalues in ascending order and orthonormal eigenvectors (columns) of a symmetric matrix, by Jacobi
+/// rotations.
 pub fn eigen(mut a: Vec<Vec<f64>>) -> (Vec<f64>, Vec<Vec<f64>>) {
     let n = a.len();
     let mut v: Vec<Vec<f64>> = (0..n)
@@ -47,7 +48,7 @@ pub fn eigen(mut a: Vec<Vec<f64>>) -> (Vec<f64>, Vec<Vec<f64>>) {
     (values, vectors.collect())
 }
 
-/// The stiffness matrix of springs.
+/// Returns the stiffness matrix of a list of springs.
 pub fn stiffness(masses: usize, springs: &[(Node, Node, f64)]) -> Vec<Vec<f64>> {
     let mut k = vec![vec![0.0; masses]; masses];
     for &(from, to, value) in springs {
@@ -64,7 +65,7 @@ pub fn stiffness(masses: usize, springs: &[(Node, Node, f64)]) -> Vec<Vec<f64>> 
     k
 }
 
-/// The matrix of modal damping: M Φ diag(2ζσ) Φᵀ M.
+/// Returns the matrix of modal damping, M Φ diag(2ζσ) Φᵀ M.
 pub fn modal(masses: &[f64], springs: &[(Node, Node, f64)], zeta: &[f64]) -> Vec<Vec<f64>> {
     let n = masses.len();
     let mut k = stiffness(n, springs);
@@ -91,7 +92,7 @@ pub fn modal(masses: &[f64], springs: &[(Node, Node, f64)], zeta: &[f64]) -> Vec
     c
 }
 
-/// A rigid contact.
+/// Creates a rigid contact.
 pub fn rigid(ends: (Node, Node), level: f64, stiction: f64) -> Joint {
     Joint {
         ends,
@@ -101,7 +102,7 @@ pub fn rigid(ends: (Node, Node), level: f64, stiction: f64) -> Joint {
     }
 }
 
-/// A generator of pseudo-random numbers (xorshift), the same in every run.
+/// A generator of pseudo-random numbers (xorshift) that returns the same numbers in every run.
 pub struct Random(u64);
 
 impl Random {
@@ -109,7 +110,7 @@ impl Random {
         Self(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) | 1)
     }
 
-    /// A number in [0, 1).
+    /// Returns a number in [0, 1).
     pub fn unit(&mut self) -> f64 {
         self.0 ^= self.0 << 13;
         self.0 ^= self.0 >> 7;
@@ -126,7 +127,8 @@ impl Random {
     }
 }
 
-/// A random chain of 1 to 6 masses, some springs left out in free ones, with 1 to 4 contacts of both kinds.
+/// Creates a random chain of 1 to 6 masses with 1 to 4 contacts of both kinds. In chains without a support, some
+/// springs are missing.
 pub fn random_chain(random: &mut Random) -> (Chain, f64) {
     let n = 1 + random.below(6);
     let free = random.unit() < 0.3;

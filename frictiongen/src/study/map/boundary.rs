@@ -91,10 +91,10 @@ impl System {
 
 /// Number of times that the search halves an interval whose bounds have the same pattern.
 const LOOKS: u32 = 2;
-/// Largest number of third patterns between two neighbouring β for which the search continues in both halves.
+/// If the pattern at the middle of an interval differs from the patterns at both bounds (a third pattern), the search
+/// continues in both halves, but at most this number of times between two neighbouring β.
 const MOST_BRANCHES: u32 = 6;
-/// Distance from a limit at which the search evaluates the pattern, as a fraction of the interval between the limits
-/// within the step.
+/// Distance from a limit at which the search evaluates the pattern, as a fraction of the interval between the limits.
 const BESIDE: f64 = 1.0 / 64.0;
 
 /// A friction ratio β with the pattern of the contact.
@@ -105,7 +105,7 @@ struct Trace<'s> {
     at: &'s SystemAt<'s>,
     r: f64,
     precision: f64,
-    /// Remaining number of times that the search may continue in both halves.
+    /// Number of times that the search may still continue in both halves of an interval.
     branches: u32,
     found: Vec<Boundary>,
 }

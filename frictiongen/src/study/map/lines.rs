@@ -8,7 +8,7 @@ const PLACES: usize = 400;
 /// Largest number of odd sub-harmonics of a resonance that become points. Without damping β_lim is 0 at these
 /// sub-harmonics.
 const MOST_SUBHARMONICS: usize = 25;
-/// Relative width below which an interval is not halved.
+/// The code does not halve an interval if its relative width is below this value.
 const NARROW: f64 = 1e-9;
 
 /// Both limits over frequency.

@@ -17,7 +17,7 @@ pub enum OptimumKind {
     /// The answer is trivial: the contact is stuck over the whole band, so that the requested quantity rests. For the
     /// contact force, there is no friction.
     Trivial,
-    /// A bound on another quantity keeps the friction from a smaller amplitude.
+    /// A bound on another quantity excludes frictions with a smaller amplitude.
     Bounded,
     /// Several quantities are equal multiples of their values. With more friction one rises and another falls.
     Balanced,

@@ -4,16 +4,15 @@ use super::creep::meeting;
 use super::scan::Scanned;
 use std::cmp::Ordering;
 
-/// Factor on the best amplitude. The search examines an interval of the scan if the tangents at its bounds meet below
-/// this value.
+/// The search examines an interval of the scan if the tangents at its two points meet below this multiple of the best
+/// amplitude.
 const WORTH: f64 = 1.05;
 /// Largest number of intervals that the search examines. It begins with the smallest expected amplitude.
 const MOST_LOOKED_INTO: usize = 6;
-/// Fraction of the smaller amplitude at the bounds of an interval. The search assumes that no minimum in the interval
-/// is lower.
+/// The search assumes that no minimum in an interval is below this fraction of the smaller amplitude at its two points.
 const SHARE: f64 = 0.7;
-/// Relative tolerance within which two amplitudes count as equal. If a closer evaluation of the band exceeds the
-/// earlier amplitude by more, the evaluation has found a higher peak.
+/// Two amplitudes count as equal if their relative difference is at most this value. If a closer evaluation of the band
+/// exceeds the earlier amplitude by more, it has found a higher peak.
 pub(super) const HOLDS: f64 = 1e-9;
 
 /// A friction ratio that may be the best, with its largest amplitude over the band.

@@ -10,7 +10,7 @@ use super::scan::{Scanned, slope, with_slope};
 const MOST_FOLLOWED: usize = 6;
 /// Largest number of steps towards a minimum.
 const STEPS: usize = 40;
-/// Relative difference within which the heights of two peaks count as equal.
+/// The heights of two peaks count as equal if their relative difference is below this value.
 const EQUAL: f64 = 2e-13;
 
 /// Returns the friction ratio at which the tangents of two points of the scan meet, and the amplitude there.

@@ -12,21 +12,21 @@ use super::peaks::AmplitudeBand;
 const FINE: f64 = 0.0025;
 /// Largest number of intervals of the grid.
 const MOST_INTERVALS: f64 = 1500.0;
-/// Smallest amplitude of a peak of the grid that the search adds, as a fraction of the largest known amplitude.
+/// The search adds a peak of the grid if its amplitude is at least this fraction of the largest known amplitude.
 const WORTH: f64 = 0.98;
 /// Number of passes over the grid. Each pass takes every ninth frequency.
 const PASSES: usize = 9;
-/// Relative difference of two amplitudes from which they belong to two peaks.
+/// Two amplitudes belong to two peaks if their relative difference is at least this value.
 const ANOTHER: f64 = 1e-6;
-/// Number of frequencies within one grid width on each side of the largest peak that are evaluated in addition to the
-/// grid.
+/// Number of additional frequencies on each side of the largest peak, all within one step of the grid.
 const DENSE: i32 = 100;
-/// Bound on the work of these evaluations. Motions that do not settle reach it after a few frequencies.
+/// Bound on the work of the evaluations close to the largest peak. Motions that do not settle reach it after a few
+/// frequencies.
 const WORK_BESIDE: usize = 60_000;
 /// Largest number of peaks that one search adds.
 const MOST: usize = 3;
-/// Fraction of the largest amplitude at one friction ratio. A peak is added to the evaluations at other friction ratios
-/// if its amplitude is at least this fraction.
+/// A peak is added to the evaluations at other friction ratios if its amplitude is at least this fraction of the
+/// largest amplitude.
 const LEARNED: f64 = 0.9;
 /// Number of grid points on each side of a peak that the search adds to all later evaluations. They are necessary
 /// because the peak moves with friction.

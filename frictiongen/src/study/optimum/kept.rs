@@ -23,7 +23,7 @@ const NARROW: f64 = 1e-9;
 /// Largest number of friction ratios that are checked over the whole band. If a check finds a violated bound, the search
 /// continues.
 const CHECKS: usize = 12;
-/// Factor on the smallest value of the points that satisfy all bounds. The search examines points up to this value.
+/// The search examines points up to this multiple of the smallest amplitude among the points that satisfy all bounds.
 const NEARLY: f64 = 1.5;
 /// Largest number of points that the search examines.
 const MOST_POINTS: usize = 6;
@@ -31,31 +31,31 @@ const MOST_POINTS: usize = 6;
 /// A quantity whose largest value over the band must not exceed a bound.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Kept {
-    /// The motion.
+    /// The motion whose quantity has a bound.
     pub of: Of,
-    /// The quantity of the motion.
+    /// The quantity of the motion: displacement, velocity, acceleration, or a quantity of the contact.
     pub size: Size,
-    /// The bound, in the unit in which [`Optimum::amplitude`] is for this quantity.
+    /// The bound, in the same unit as [`Optimum::amplitude`] has for this quantity.
     pub most: f64,
 }
 
-/// The best friction within bounds.
+/// The best friction among those that satisfy all bounds.
 #[derive(Clone, Debug)]
 pub struct KeptOptimum {
-    /// The best friction.
+    /// The best friction, with its peaks and tolerances.
     pub optimum: Optimum,
     /// The largest value over the band of each kept quantity with this friction, in the order of the bounds.
     pub largest: Vec<f64>,
 }
 
 impl System {
-    /// Returns the friction with which the largest value of a quantity over a band is smallest, among the frictions with
-    /// which other quantities stay within their bounds over the whole band.
+    /// Returns the friction with which the largest value of a quantity over a band is smallest, among the frictions
+    /// with which other quantities stay within their bounds over the whole band.
     ///
     /// The search calls `watch` after each evaluation. If `watch` returns false once, it must return false from then on.
     ///
     /// # Errors
-    /// Same errors as [`optimum`](System::optimum), [`OptimumError::Unreachable`] if the bounds cannot hold together, and
+    /// Same errors as [`optimum`](System::optimum), [`OptimumError::Unreachable`] if no friction satisfies all bounds, and
     /// [`OptimumError::Stopped`] if `watch` returned false.
     pub fn kept_optimum(
         &self,
@@ -112,7 +112,7 @@ impl System {
     }
 }
 
-/// A search with the bands of all quantities.
+/// A search with one frequency band for each quantity.
 struct KeptSearch<'s> {
     band: AmplitudeBand<'s>,
     others: Vec<AmplitudeBand<'s>>,
@@ -132,7 +132,7 @@ impl<'s> KeptSearch<'s> {
         }
     }
 
-    /// Returns the best friction, and true if a bound moved it.
+    /// Returns the best friction. The flag is true if a bound excluded a better one.
     fn best(
         &self,
         others: &[OptimumProblem<'s>],
@@ -273,7 +273,7 @@ impl<'s> KeptSearch<'s> {
         Ok(found)
     }
 
-    /// Returns true if all bounds hold at the frequencies of a first evaluation.
+    /// Returns true if all bounds hold at the frequencies of a first, incomplete evaluation.
     fn seems_to_hold(&self, beta: f64) -> bool {
         self.others.iter().zip(&self.most).all(|(band, most)| {
             let found = scanned_at(band, beta, *most);

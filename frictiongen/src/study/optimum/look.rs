@@ -9,12 +9,13 @@ use super::places::BandPlace;
 
 /// Relative tolerance in r of a refined maximum. The amplitude at the maximum is then exact to rounding.
 pub(super) const PLACE: f64 = 2e-9;
-/// Two numbers: a ratio of two friction ratios, and the largest expected change of the amplitude within this ratio, as
-/// a factor.
+/// Expected change of the amplitude with friction, as two numbers. If the friction ratio changes by at most the first
+/// factor, the amplitude changes by at most the second factor.
 const FIRST: [f64; 2] = [1.5, 2.0];
-/// Ratio and factor as in `FIRST`, for an evaluation at all frequencies of the band.
+/// The same two numbers as in `FIRST`, for an evaluation at all frequencies of the band.
 const WHOLE: [f64; 2] = [1.1, 4.0];
-/// Factor on the expected amplitude, if the nearest friction ratio with a known amplitude is farther away.
+/// Factor on the expected amplitude, if all friction ratios with a known amplitude are farther away than the first
+/// factor of `FIRST` or `WHOLE`.
 const UNKNOWN: f64 = 5.0;
 
 /// A local maximum of the amplitude over the band.

@@ -17,9 +17,10 @@ use super::places::{BandPlace, places};
 use crate::study::system::System;
 use std::cell::{Cell, RefCell};
 
-/// Fraction of the largest amplitude. The search does not refine a local maximum below it.
+/// The search refines a local maximum if it is at least this fraction of the largest amplitude.
 const WORTH: f64 = 0.7;
-/// Fraction of the largest amplitude. The search refines a local maximum below it only roughly.
+/// The search refines a local maximum precisely if it is at least this fraction of the largest amplitude, and otherwise
+/// roughly.
 const WORTH_FINELY: f64 = 0.95;
 /// Largest number of refined local maxima of motions in time (outside the closed forms).
 const MOST_TOPS: usize = 8;
@@ -29,10 +30,10 @@ const NEARLY: f64 = 1e-5;
 const ROUGHLY: f64 = 1e-3;
 /// Relative width of the first bracket of a maximum whose position at another friction ratio is known.
 const NEIGHBOUR: f64 = 2e-3;
-/// Smallest amplitude that counts as infinite.
+/// An amplitude counts as infinite if it is at least this value.
 pub(super) const POLE: f64 = 1e9;
 
-/// Relative difference within which two amplitudes count as equal.
+/// Two amplitudes count as equal if their relative difference is at most this value.
 const SAME: f64 = 1e-9;
 
 /// A band of frequencies, with all known amplitudes in the band.

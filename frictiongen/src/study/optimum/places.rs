@@ -10,8 +10,8 @@ use crate::study::system::System;
 /// Smallest relative distance from a pole at which the code evaluates a function to detect the pole. The value at this
 /// distance is ten times the value at ten times the distance.
 const BESIDE: f64 = 1e-9;
-/// Value of a function at the distance `BESIDE` below which the value is only rounding error and the function has no
-/// pole.
+/// A function has no pole if its value at the distance `BESIDE` is below this value. The value is then only rounding
+/// error.
 const DRIVEN: f64 = 1e-3;
 /// Number of intervals of the grid of frequencies.
 const GRID: usize = 96;

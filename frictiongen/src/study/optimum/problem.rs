@@ -19,7 +19,7 @@ use crate::study::units::{Load, angular_frequency};
 const WORK_OF_A_REPORT: usize = 60_000;
 /// Excesses over the best amplitude, as fractions, for which the result has a friction interval.
 const EXCESSES: [f64; 3] = [0.01, 0.05, 0.1];
-/// Relative difference within which a peak counts as equal to the largest peak.
+/// A peak counts as equal to the largest peak if their relative difference is at most this value.
 const EQUAL: f64 = 1e-9;
 
 /// A request for the best friction after all checks, with the system and the band of frequencies.
@@ -266,7 +266,7 @@ pub(super) fn weights(all: &[ResponseSensitivities]) -> Option<Vec<f64>> {
     }
 }
 
-/// Returns the peaks that are as high as the highest peak, up to rounding.
+/// Returns the peaks that are as high as the highest peak to rounding.
 pub(super) fn equal_peaks(
     band: &AmplitudeBand<'_>,
     (at, kind): (&Scanned, MinimumKind),

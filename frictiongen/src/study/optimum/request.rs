@@ -65,14 +65,14 @@ pub enum OptimumError {
     Size,
     /// Several quantities need a value each, above 0 and finite.
     Weight,
-    /// A bound on another quantity cannot hold together with the bounds before it.
+    /// No friction satisfies this bound together with the bounds before it in the request.
     Unreachable {
-        /// The bound, by its place in the request.
+        /// Index of the bound in the request.
         index: usize,
-        /// The least largest value over the band that this quantity reaches while the bounds before it hold, in the unit
-        /// of the bound.
+        /// Smallest possible value of the bounded quantity (largest value over the band), while the bounds before it
+        /// hold. It is in the unit of the bound.
         least: f64,
-        /// The friction ratio at which it reaches this value.
+        /// Friction ratio at which the quantity has this smallest value.
         beta: f64,
     },
 }

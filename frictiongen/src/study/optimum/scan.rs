@@ -10,7 +10,7 @@ const SCAN: usize = 40;
 /// Number of additional friction ratios in geometric steps. The first one is `LEAST` times the median of β*_lim over
 /// the band.
 const GEOMETRIC: usize = 24;
-/// Smallest of these friction ratios, relative to the median of β*_lim over the band.
+/// Smallest of the friction ratios in geometric steps, as a multiple of the median of β*_lim over the band.
 const LEAST: f64 = 0.02;
 /// Additional friction ratios of the scan, as multiples of the friction from which on a stuck state exists over the
 /// whole band. With μ > 1 a motion from rest may still slide at these frictions.
@@ -19,23 +19,23 @@ const BEYOND: [f64; 6] = [1.05, 1.15, 1.3, 1.6, 2.5, 4.0];
 const DIFFERENCE: f64 = 1e-6;
 /// Largest number of times that a scan without an upper bound doubles its range.
 const LONGER: usize = 12;
-/// Factor on the best amplitude that ends a scan without an upper bound. The scan stops when each of its last four
-/// amplitudes rises with friction or exceeds this value.
+/// A scan without an upper bound stops if each of its last four amplitudes rises with friction, or exceeds this
+/// multiple of the best amplitude.
 const FAR_ABOVE: f64 = 2.0;
-/// Additional friction ratios just above the friction that bounds all resonances, as fractions above this friction.
+/// Additional friction ratios of the scan, slightly above the friction that bounds all resonances. Each number is the
+/// relative distance from this friction.
 const BOUNDED: [f64; 8] = [1e-3, 0.01, 0.03, 0.06, 0.1, 0.2, 0.35, 0.5];
-/// Largest plausible ratio of the relative change of the amplitude to the relative change of friction. A larger change
-/// is a jump.
+/// The amplitude jumps if its relative change exceeds this multiple of the relative change of friction.
 const STEEPEST: f64 = 50.0;
 /// Number of rounds that halve intervals of the scan which may hide a minimum.
 const CLOSER: usize = 5;
-/// Factor on the best amplitude. The search halves an interval only if the smaller amplitude at its bounds is below
-/// this value.
+/// The search halves an interval of the scan only if the smaller amplitude at its two points is below this multiple of
+/// the best amplitude.
 const NEARLY: f64 = 1.2;
 /// Largest number of intervals that one round halves.
 const MOST_CLOSER: usize = 8;
-/// Factor on the best amplitude so far. The search rejects a friction ratio as soon as an amplitude exceeds this value.
-/// The factor exceeds every excess for which the result has a tolerance.
+/// The search rejects a friction ratio as soon as an amplitude exceeds this multiple of the best amplitude so far. The
+/// factor exceeds every excess for which the result has a tolerance.
 const MARGIN: f64 = 1.2;
 
 /// The largest amplitude over the band at one friction ratio, with its slope and its peaks.

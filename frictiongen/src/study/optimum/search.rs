@@ -29,13 +29,13 @@ const SECTIONS: usize = 40;
 const NARROW: f64 = 1e-7;
 /// Smaller of the two fractions into which a golden section divides an interval.
 const GOLDEN: f64 = 0.381_966_011_250_105_1;
-/// Ratio of the relative change of a peak to the relative change of friction below which the peak counts as stationary.
+/// A peak counts as stationary if its relative change is below this fraction of the relative change of friction.
 const STATIONARY: f64 = 1e-4;
 /// Bound on the work of one of the many searches of a tuned optimum. It corresponds to a few seconds.
 pub(super) const WORK_OF_ONE: usize = 300_000;
-/// Divisor of the search's bound on work. The quotient is the additional work for the final check.
+/// The final check may do additional work: the bound on the work of the search, divided by this number.
 const OF_A_CHECK: usize = 6;
-/// Multiple of the best amplitude up to which the search checks the scan. It exceeds every amplitude for which the
+/// The search checks the scan up to this multiple of the best amplitude. It exceeds every amplitude for which the
 /// result has a tolerance of friction.
 const HIGHEST_TOLERANCE: f64 = 1.12;
 

@@ -12,18 +12,18 @@ use super::peaks::AmplitudeBand;
 use super::scan::{Scanned, scanned_at, slope, with_slope};
 use super::search::minima;
 
-/// Largest number of friction ratios that are evaluated on the grid in one round.
+/// Largest number of friction ratios that one round evaluates on the grid.
 const MOST: usize = 24;
-/// Fraction of the lowest checked amplitude. A friction ratio of the scan is checked only if its lower bound is below
-/// this value. The minima between such friction ratios are checked even if they improve the amplitude by less.
+/// The search checks a friction ratio of the scan only if its lower bound is below this fraction of the lowest checked
+/// amplitude. It checks the minima between such friction ratios even if they improve the amplitude by less.
 const BETTER: f64 = 0.999;
-/// Number of rounds in which friction ratios are added around the best one.
+/// Number of rounds that add friction ratios around the best one.
 const ABOUT: usize = 3;
-/// Number of bisections for the least friction ratio with an amplitude of 0.
+/// Number of bisections in the search for the least friction ratio with an amplitude of 0.
 const HALVINGS: u32 = 12;
 /// Bound on the work of the bisections for an amplitude of 0.
 const WORK_OF_TRIVIAL: usize = 100_000;
-/// Number of equal pieces into which a round cuts the interval on each side of the best friction ratio.
+/// A round divides the interval on each side of the best friction ratio into this number of equal pieces.
 const PARTS: u32 = 4;
 
 /// A friction ratio with a lower bound of its largest amplitude.

@@ -8,7 +8,8 @@ use crate::{Complex, Of};
 use frictiongen_kernel::motion::Contact;
 use frictiongen_kernel::stepper::Work;
 
-/// Largest distance of a multiplier from the unit circle that can result from rounding in the differences.
+/// A Floquet multiplier counts as lying on the unit circle if its distance from the circle is at most this value,
+/// because of rounding in the differences.
 const ON_CIRCLE: f64 = 1e-7;
 
 /// Steady state under a periodic load, over one of its periods, in the units of the scene.

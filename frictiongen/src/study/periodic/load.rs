@@ -14,10 +14,10 @@ const MOST_STEPS: usize = 65_536;
 /// Largest phase advance of the fastest mode in a step, in rad. It limits the error of the cubics that give the largest
 /// displacements between steps.
 const ANGLE: f64 = 0.1;
-/// Relative difference within which the last sample of a table counts as equal to the first one.
+/// The last sample of a table counts as equal to the first one if their relative difference is at most this value.
 const SAME: f64 = 1e-9;
-/// Ratio of the mean of the base's acceleration or velocity to the largest value. A smaller ratio counts as rounding in
-/// the table.
+/// The mean of the base's acceleration or velocity counts as rounding in the table if it is below this fraction of the
+/// largest value.
 const MEAN: f64 = 1e-6;
 /// Number of iterations for the spline through displacements. Each iteration divides the error by more than 2.
 const SWEEPS: usize = 64;

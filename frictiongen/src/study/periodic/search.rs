@@ -10,35 +10,38 @@ use nalgebra::{Complex, DMatrix, DVector};
 /// Number of periods of the load from rest before the first attempt. Each further attempt follows twice as many
 /// periods.
 const WARM: usize = 8;
-/// Number of attempts.
+/// Number of attempts to find the periodic motion.
 const ATTEMPTS: usize = 9;
 /// Largest number of periods of the load after which the motion repeats.
 const MOST_PERIODS: usize = 64;
-/// Relative tolerance for a return of the motion, as a fraction of its largest distance. If the motion returns within
-/// this tolerance after a number of periods, the search tries this number.
+/// The search tries a number of periods if the motion returns to its state within this fraction of its largest
+/// distance.
 const NEARLY: f64 = 0.02;
 /// Largest number of Newton's steps in an attempt.
 const NEWTON: usize = 14;
-/// Relative difference after a period that counts as rounding.
+/// Two states one period apart count as equal if their relative difference is below this value.
 const SAME: f64 = 1e-13;
-/// Largest relative difference after a period at which Newton's method may end, if a step no longer reduces the
-/// difference.
+/// Newton's method may end if the relative difference after a period is below this value, and a step no longer reduces
+/// the difference.
 const ENOUGH: f64 = 1e-11;
 /// Step of the central differences, relative to the size of the motion. Their relative error is about the square of
 /// this step.
 const STEP: f64 = 1e-5;
-/// Singular value below which a direction counts as neutral.
+/// A direction counts as neutral (a deviation along it does not change after a period) if its singular value is below
+/// this value.
 const RANK: f64 = 1e-7;
-/// Largest distance of a multiplier from the unit circle that can result from rounding in the differences.
+/// A Floquet multiplier counts as lying on the unit circle if its distance from the circle is at most this value,
+/// because of rounding in the differences.
 const ON_CIRCLE: f64 = 1e-7;
-/// Factor by which the distance from a steady state must fall before the motion counts as approaching it.
+/// The test of a steady state ends when the multipliers predict that the motion's distance from it has fallen to this
+/// fraction.
 const DECAY: f64 = 0.1;
-/// Largest number of periods of the load in which the motion must approach the steady state.
+/// Largest number of periods of the load that this test follows.
 const MOST_CONFIRMED: usize = 512;
-/// Distance from a steady state within which the motion has reached the state, relative to the size of the motion.
+/// The motion has reached a steady state if its distance is below this fraction of the size of the motion.
 const REACHED: f64 = 1e-7;
-/// Distance from a state with a neutral direction within which the motion has reached the state. Such states form a
-/// continuum, and the initial state determines the member. The motion must therefore have settled in this member.
+/// Steady states may form a continuum, and the initial state decides in which of them the motion ends. The motion
+/// counts as having reached such a state if its distance from the state is below this value.
 const SETTLED: f64 = 1e-10;
 
 /// A state that repeats, with the multipliers of its period.

@@ -1,4 +1,4 @@
-//! Tests of periodic loads: their samples, and the tables that are refused.
+//! Tests of periodic loads: their samples, and tables that are invalid.
 #![allow(
     clippy::unwrap_used,
     clippy::indexing_slicing,
@@ -17,7 +17,8 @@ fn block(excited: &str) -> System {
     BLOCK.replace("EXCITED", excited).parse().unwrap()
 }
 
-/// A table of a sine's accelerations, velocities or displacements is nearly the same motion of the base, and each closes.
+/// Checks that tables of a sine's accelerations, velocities and displacements give nearly the same motion of the base,
+/// and that each motion is periodic.
 #[test]
 fn tables_of_the_base_agree() {
     let system = block("base");

@@ -45,7 +45,7 @@ impl Numbers {
         pairs.fold(0.0, |most, (a, b)| most.max((a - b).abs()))
     }
 
-    /// Returns the largest absolute number.
+    /// Returns the largest absolute value among the numbers.
     pub fn size(&self) -> f64 {
         let values = self.values.iter();
         values.fold(0.0, |most, value| most.max(value.abs()))
@@ -148,7 +148,7 @@ impl<'a> Walk<'a> {
         }
     }
 
-    /// Returns to an earlier state.
+    /// Restores an earlier state.
     pub fn go(&mut self, place: &Place) -> Result<(), PeriodicError> {
         self.at = place.at;
         Ok(self.stepper.restore(&place.saved)?)

@@ -11,8 +11,9 @@ use crate::motion::setting::Setting;
 use crate::number::pairs::{pairs, pairs_mut};
 use crate::number::scalar::Float;
 
-/// Advances deviations through a segment, one column after another. `modes` and `stuck_modes` are the oscillators after
-/// the segment. The function overwrites the states in `stuck_modes`.
+/// Advances small deviations of the state through a segment (the motion between two events), one column after another.
+/// `modes` and `stuck_modes` are the oscillators after the segment. The function overwrites the states in
+/// `stuck_modes`.
 pub(super) fn carry<S: Float>(
     setting: &Setting<'_, S, ElasticChain<S>>,
     (modes, stuck_modes): (&[Part<S>], &mut [Part<S>]),
@@ -48,8 +49,8 @@ pub(super) fn carry<S: Float>(
     }
 }
 
-/// Advances deviations while the contact sticks. The deviation of the slider's displacement stays constant. The rest of
-/// a deviation moves with the modes of the chain with its contact stuck.
+/// Advances small deviations of the state while the contact sticks. The deviation of the slider's displacement stays
+/// constant. The rest of a deviation moves with the modes of the chain with its contact stuck.
 fn stuck<S: Float>(
     setting: &Setting<'_, S, ElasticChain<S>>,
     stuck_modes: &mut [Part<S>],

@@ -19,7 +19,7 @@ use crate::number::scalar::Float;
 /// Upper bound on the rate at which the friction law changes the motion, as a multiple of the fastest mode's rate.
 pub const MAX_STEEPNESS: u32 = 4096;
 
-/// Length below which a piece of motion counts as having no length, in rounding units.
+/// A piece of motion counts as having no length if it is shorter than this number of rounding units.
 const STILL: f64 = 64.0;
 
 impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {

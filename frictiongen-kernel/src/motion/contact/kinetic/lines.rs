@@ -37,7 +37,7 @@ pub struct Lines<'a, S> {
     unit: S,
     /// Index of the straight line of the law that contains the speed.
     place: usize,
-    /// Crossing at the end of the piece that the last search has found.
+    /// Line crossing at the end of the piece that the last search has found.
     next: LineCrossing,
     /// Number of successive pieces of length zero. `cut` counts the runs of such pieces that the code has ended.
     still: u32,
@@ -55,8 +55,8 @@ pub(crate) enum LineCrossing {
     Slower,
 }
 
-/// Number of successive pieces of length zero that the code allows. The next piece then continues along its line, even
-/// across a point of the law.
+/// Largest number of successive pieces of length zero. The piece after them continues along its line of the friction
+/// law, even across a point of the law.
 const STILL: u32 = 4;
 
 /// Largest number of doublings of the length of such a forced piece. The longest forced piece has 2²⁰ times the square

@@ -13,7 +13,7 @@ use crate::study::{
 /// Method that found a feature. It determines how certain the feature is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ground {
-    /// A closed form.
+    /// A formula gives the feature.
     Exact,
     /// The monoharmonic formula (7.60), which is close to the peak but not equal to it.
     Estimate,

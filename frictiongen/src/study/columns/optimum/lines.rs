@@ -23,9 +23,10 @@ pub struct OptimumLine {
     pub value: Cell<'static>,
     /// Unit of the value, empty for a ratio.
     pub unit: &'static str,
-    /// Unit of the parameter's change, for a value that is a relative change of the amplitude.
+    /// Unit of the parameter, if the value is the relative change of the amplitude per unit of this parameter.
     pub per: Option<&'static str>,
-    /// Excess over the best amplitude, as a fraction, for a value that is a tolerance of friction.
+    /// If the value is a tolerance of the friction: excess of the amplitude over the best amplitude at the bounds of
+    /// the tolerance, as a fraction.
     pub excess: Option<f64>,
 }
 
@@ -75,7 +76,7 @@ impl LineEntry<'_> {
         });
     }
 
-    /// Adds a line for each column whose condition for a line is true in this row.
+    /// Adds one line for each column of a row, except for columns whose condition is false in this row.
     fn lines<R>(&mut self, columns: &[Column<'_, R>], row: &R) {
         for column in columns.iter().filter(|column| column.says(row)) {
             let title = column.title.first().map_or("", String::as_str);
@@ -92,7 +93,8 @@ impl<'a> OptimumTable<'a> {
         self.lines_with(optimum, tuned, Further::None)
     }
 
-    /// Returns the answer as lines, with the largest value of each further quantity.
+    /// Returns the answer as lines, with further lines for the quantities in `further`. Each of them has its part, its
+    /// bound or the value that divides it, and its largest value with the best friction.
     #[must_use]
     pub fn lines_with(
         &self,

@@ -1,10 +1,11 @@
-//! Energy: what the load puts in is what contacts, dashpots and damping take out.
+//! Checks the energy balance: the work of the load equals the energy that contacts, dashpots and damping dissipate.
 
 use super::{FRAME, system};
 use crate::study::joints::Series;
 use frictiongen_model::scene::Node;
 
-/// Points and weights of Gauss's rule of 20 points on [0, 1], from Legendre's polynomial by Newton's method.
+/// Returns points and weights of the Gaussian rule of 20 points on [0, 1]. Newton's method finds the roots of
+/// Legendre's polynomial.
 fn gauss() -> Vec<(f64, f64)> {
     let count = 20;
     let nodes = (0..count).map(|index| {
@@ -25,7 +26,7 @@ fn gauss() -> Vec<(f64, f64)> {
     nodes.collect()
 }
 
-/// Scenes of every kind: a moving base, a force, dashpots, rigid and elastic contacts.
+/// Checks the energy balance of various scenes: with a moving base, a force, dashpots, and rigid and elastic contacts.
 #[test]
 fn energies_of_contacts_are_the_work_of_the_load_without_damping() {
     let forced = FRAME.replace("excitation: base", "excitation: upper");

@@ -1,4 +1,4 @@
-//! Chains that nothing holds, and chains without springs.
+//! Tests of chains without a support, and of chains without springs.
 
 use super::{apart, system};
 use crate::answer::Event;
@@ -7,7 +7,8 @@ use crate::study::joined::JoinedError;
 const BLOCK: &str =
     "struct Block { masses: { block: 2.0 }, contacts: { floor: block - wall }, excitation: block }";
 
-/// A block on a floor. It starts at once, with the velocity (P sin θ − Fθ)/(mω), and stops where P sin θ = Fθ.
+/// Compares the motion of a block on a floor with its closed form. The block starts at once with the velocity (P sin θ
+/// − Fθ)/(mω), and stops when P sin θ = Fθ.
 #[test]
 fn a_block_on_a_floor() {
     let block = system(BLOCK);
@@ -41,7 +42,8 @@ fn a_block_on_a_floor() {
     assert!(slip > place(low) && run.contact_named("floor").expect("a contact").force == -friction);
 }
 
-/// Two masses and a dashpot that nothing holds: half the distance of the extremes is the linear amplitude.
+/// Checks two masses with a dashpot and without a support. Half the distance between the extremes must equal the
+/// amplitude of the linear response.
 #[test]
 fn a_free_pair_vibrates_about_its_mean_place() {
     let pair = system(
@@ -76,7 +78,7 @@ fn a_free_pair_vibrates_about_its_mean_place() {
     assert!(apart(got, body) < 1e-12, "{got} {body}");
 }
 
-/// The natural frequencies of a free chain are exactly 0 and √(k(1/m + 1/n)).
+/// Checks that the natural frequencies of a free chain of two masses are exactly 0 and √(k(1/m + 1/n)).
 #[test]
 fn natural_frequencies_of_a_free_chain() {
     let pair = system(
@@ -89,7 +91,7 @@ fn natural_frequencies_of_a_free_chain() {
     assert!(system(BLOCK).natural_frequencies() == [0.0]);
 }
 
-/// Several states of a scene with static friction: each repeats after its period.
+/// Checks that each steady state of a scene with μ > 1 repeats after its period.
 #[test]
 fn states_repeat() {
     let frame = system(super::FRAME);
@@ -107,7 +109,7 @@ fn states_repeat() {
     }
 }
 
-/// Samples of a period: the first and the last are the same, and the events are those of the contacts.
+/// Checks the samples of a period: the first and the last sample are equal, and the events are those of the contacts.
 #[test]
 fn a_period_sample_by_sample() {
     let frame = system(super::FRAME);

@@ -1,4 +1,5 @@
-//! The scenes of `joints.json` as descriptions. A plain program made that file, with matrix exponentials and bisection.
+//! Compares results with the scenes of `joints.json`. A separate program with matrix exponentials and bisection wrote
+//! that file.
 
 use super::system;
 use crate::answer::Event;
@@ -25,7 +26,7 @@ fn read() -> Value {
     serde_json::from_str(include_str!("../../joints/tests/joints.json")).expect("JSON")
 }
 
-/// The description of an entry. The share of each contact is its level.
+/// Returns the description of a scene in the file. The friction force of each contact becomes its share.
 fn text(scene: &Value) -> String {
     let masses = list(&scene["masses"]).iter().enumerate();
     let masses: Vec<_> = masses
@@ -70,7 +71,7 @@ fn text(scene: &Value) -> String {
     )
 }
 
-/// The events of an entry: time, contact and kind.
+/// Returns the events of a scene in the file: time, contact and kind of event.
 fn events(scene: &Value) -> Vec<(f64, usize, Event)> {
     let mut events = Vec::new();
     for event in list(&scene["events"]) {

@@ -1,10 +1,11 @@
-//! Questions without a closed form, each refused by name.
+//! Checks that a scene with several contacts rejects questions without an answer, and that the message names the
+//! reason.
 
 use super::{FRAME, system};
 use crate::study::scene::JointLaw;
 use crate::{System, Unsupported};
 
-/// Every other call of a system names `contacts`.
+/// Checks that every other method of a system returns an error that names `contacts`.
 #[test]
 fn other_calls_name_the_fields() {
     let frame = system(FRAME);
@@ -70,7 +71,7 @@ fn curves_maps_and_histories_name_the_fields() {
     );
 }
 
-/// A builder gives the same scene as a text, and the same errors.
+/// Checks that a builder creates the same scene as a text, and returns the same errors.
 #[test]
 fn builders_take_contacts_and_dashpots() {
     let builder = || {
@@ -131,7 +132,7 @@ fn builders_take_contacts_and_dashpots() {
     assert!(told.contains("exclude each other"), "{told}");
 }
 
-/// Bad numbers of a question.
+/// Checks the errors for numbers outside their domain.
 #[test]
 fn bad_numbers_are_refused() {
     let frame = system(FRAME);
@@ -154,7 +155,7 @@ fn bad_numbers_are_refused() {
     assert!(system(stribeck).joined().is_err());
 }
 
-/// Recordings need one contact, too.
+/// Checks that evaluations of recordings require a single contact.
 #[cfg(feature = "measure")]
 #[test]
 fn recordings_name_the_fields() {

@@ -1,4 +1,4 @@
-//! A list with one rigid contact against the solver of a single contact.
+//! Compares a list with one rigid contact with the solver for a single contact.
 
 use super::{FRAME, apart, system};
 use crate::Regime;
@@ -15,7 +15,7 @@ fn listed() -> String {
     SINGLE.replace("contact: upper - wall", "contacts: { pads: upper - wall }")
 }
 
-/// Steady states, from continuous sliding to six stops in a cycle.
+/// Compares steady states, from continuous motion to six stops in a cycle.
 #[test]
 fn steady_states_are_those_of_a_single_contact() {
     let (one, many) = (system(SINGLE), system(&listed()));
@@ -74,7 +74,7 @@ fn steady_states_are_those_of_a_single_contact() {
     );
 }
 
-/// The limit of the stuck state, and the amplitudes while the contact sticks.
+/// Compares the limit of the stuck state, and the amplitudes while the contact sticks.
 #[test]
 fn stuck_states_are_those_of_a_single_contact() {
     let (one, many) = (system(SINGLE), system(&listed()));
@@ -97,7 +97,7 @@ fn stuck_states_are_those_of_a_single_contact() {
     }
 }
 
-/// A single elastic contact without and with the list.
+/// Compares the steady state of an elastic contact, described as a single contact and in a list.
 #[test]
 fn an_elastic_contact_has_the_same_steady_state() {
     let elastic = SINGLE.replace(
@@ -123,7 +123,7 @@ fn an_elastic_contact_has_the_same_steady_state() {
     }
 }
 
-/// A scene with a single `contact` has the same answers, and its contact is called `contact`.
+/// Checks that a scene with a single `contact` has the same results, and that the name of this contact is `contact`.
 #[test]
 fn a_single_contact_has_these_answers_too() {
     let one = system(SINGLE);
@@ -145,7 +145,7 @@ fn a_single_contact_has_these_answers_too() {
     );
 }
 
-/// All regimes: below every limit, between, and above.
+/// Checks the regime below every limit, between the limits, and above all limits.
 #[test]
 fn regimes_are_told_with_the_contacts_that_stick() {
     let system = system(FRAME);
@@ -174,7 +174,7 @@ fn regimes_are_told_with_the_contacts_that_stick() {
     assert_eq!(sliding.expect("an orbit").regime(), Regime::Continuous);
 }
 
-/// Without friction the steady state is the linear response, in closed form.
+/// Compares the steady state without friction with the closed form of the linear response.
 #[test]
 fn the_response_without_friction_is_linear() {
     let system = system(FRAME);
@@ -190,7 +190,7 @@ fn the_response_without_friction_is_linear() {
     }
 }
 
-/// A dashpot to the resting base is modal damping ζ = c/(2√(km)) of a single mass, beside one `contact`.
+/// Checks that a dashpot between a mass and the resting base acts as modal damping ζ = c/(2√(km)).
 #[test]
 fn a_dashpot_beside_one_contact_is_modal_damping_of_one_mass() {
     let modal = system(

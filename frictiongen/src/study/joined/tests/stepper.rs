@@ -1,9 +1,10 @@
-//! Steps with a friction force of its own for each contact.
+//! Tests of steps in which each contact has a separate friction force.
 
 use super::{FRAME, system};
 use crate::study::joined::JoinedInput;
 
-/// A block under a force, first held, then let go, then without any contact.
+/// Checks a block under a force. The contact first holds the block, then releases it, and finally has no friction
+/// force.
 #[test]
 fn friction_forces_change_from_step_to_step() {
     let block = system(
@@ -50,7 +51,7 @@ fn friction_forces_change_from_step_to_step() {
     assert_eq!(floor.force, 0.0);
 }
 
-/// A bad input changes nothing.
+/// Checks that an input with an error leaves the stepper unchanged.
 #[test]
 fn bad_inputs_change_nothing() {
     let forced = FRAME.replace("excitation: base", "excitation: upper");

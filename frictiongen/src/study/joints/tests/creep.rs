@@ -1,10 +1,10 @@
-//! A contact that sticks neither moves nor creeps.
+//! Tests that a sticking contact neither moves nor creeps.
 
 use super::super::Motion;
 use super::{Chain, Joint, Wave, rigid};
 use frictiongen_model::scene::Node::{Mass, Wall};
 
-/// On a free chain, contacts are loaded constantly with 0.2, 0.3 and 0.95 of their grip, while others slide.
+/// Checks that the contacts in `stuck` neither move nor creep over a number of cycles, while other contacts slide.
 fn creeps(chain: &Chain, stuck: &[usize], cycles: usize) {
     let mut motion = Motion::from_rest(chain).expect("a chain");
     let period = std::f64::consts::TAU / 31.0;
@@ -28,7 +28,7 @@ fn contacts_that_stick_do_not_creep() {
     creep_under_constant_loads(300);
 }
 
-/// Long form of the test above: 20,000 cycles.
+/// Long form of the test above, with 20,000 cycles.
 #[test]
 #[ignore = "half a minute"]
 fn contacts_that_stick_do_not_creep_long() {
@@ -62,7 +62,7 @@ fn creep_under_constant_loads(cycles: usize) {
     }
 }
 
-/// Masses stuck to each other travel together, with one velocity to the last bit.
+/// Checks that masses with a sticking contact between them have the same velocity to the last bit.
 #[test]
 fn masses_that_stick_together_travel_together() {
     let chain = Chain {

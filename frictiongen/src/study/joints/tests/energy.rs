@@ -1,11 +1,12 @@
-//! Energy: what loads and base put in is kept, or dissipated by damping, dashpots and sliders.
+//! Tests of the energy balance: the work of loads and base equals the stored energy plus the energy that damping,
+//! dashpots and sliders dissipate.
 
 use super::super::{JointError, Motion, Series, State};
 use super::{Chain, Random, random_chain};
 use frictiongen_model::scene::Node;
 use std::f64::consts::TAU;
 
-/// Nodes and weights of Gauss on [0, 1], ten of them by Newton's method.
+/// Returns nodes and weights of the Gaussian rule of ten points on [0, 1], computed by Newton's method.
 pub fn gauss() -> Vec<(f64, f64)> {
     let n = 10;
     let nodes = (1..=n).map(|i| {
@@ -25,7 +26,7 @@ pub fn gauss() -> Vec<(f64, f64)> {
     nodes.collect()
 }
 
-/// Energy of masses, springs and elastic contacts.
+/// Returns the energy of masses, springs and elastic contacts.
 fn energy(chain: &Chain, motion: &Motion, forces: &[f64]) -> f64 {
     let (x, v) = (&motion.state().x, &motion.state().v);
     let base = chain.base.amplitude * (chain.base.omega * motion.time()).cos();
@@ -49,7 +50,7 @@ fn energy(chain: &Chain, motion: &Motion, forces: &[f64]) -> f64 {
     kinetic + springs + contacts.sum::<f64>()
 }
 
-/// Work in and dissipation over a stretch.
+/// Returns the power of the loads and the dissipated power at an instant of a stretch.
 fn powers(chain: &Chain, motion: &super::super::Model, series: &Series, at: f64) -> (f64, f64) {
     let (x, v) = series.motion(motion, at);
     let (y, dy) = series.base(at);
@@ -78,7 +79,8 @@ fn powers(chain: &Chain, motion: &super::super::Model, series: &Series, at: f64)
     (input, lost)
 }
 
-/// The balance of one scene over some cycles, over all energy that load or base put in or took out.
+/// Returns the error of the energy balance of one scene over some cycles. The error is relative to the energy that load
+/// or base put in or took out. Also returns the number of events.
 fn balance(chain: &Chain, omega: f64, cycles: f64) -> Result<(f64, usize), JointError> {
     let mut motion = Motion::from_rest(chain)?;
     let model = motion.model().clone();
@@ -120,7 +122,7 @@ fn balance(chain: &Chain, omega: f64, cycles: f64) -> Result<(f64, usize), Joint
     Ok(((put - lost - (end - start)).abs() / (start + moved), events))
 }
 
-/// Runs random scenes of 1 to 6 masses, a third of them free, and returns the number of events.
+/// Runs random scenes of 1 to 6 masses, a third of them without a support. Returns the number of events.
 fn random_scenes(count: usize) -> usize {
     let mut random = Random::new(7);
     let (mut worst, mut events) = (0.0_f64, 0);
@@ -149,14 +151,14 @@ fn random_scenes_keep_their_energy() {
     assert!(random_scenes(40) > 1000);
 }
 
-/// Long form of the test above.
+/// Long form of the test above, with more random scenes.
 #[test]
 #[ignore = "minutes"]
 fn random_scenes_keep_their_energy_long() {
     assert!(random_scenes(10_000) > 200_000);
 }
 
-/// Sixteen contacts of both kinds among 64 masses, also elastic ones with μ > 1: no failure.
+/// Checks that a chain of 64 masses with sixteen contacts of both kinds runs without an error, also with μ > 1.
 #[test]
 fn the_largest_chain_runs() {
     let mut random = Random::new(9);

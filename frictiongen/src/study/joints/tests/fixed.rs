@@ -1,4 +1,5 @@
-//! Arrays of fixed length, as in emitted code, against vectors: the same engine, so the same bits; and `f32`.
+//! Compares arrays of fixed length, as in emitted code, with vectors. Both run the same code, so that the bits must be
+//! equal. Also tests `f32`.
 
 use super::super::{Chain, Model, Motion, Wave};
 use super::{Joint, rigid};
@@ -6,7 +7,8 @@ use frictiongen_kernel::Float;
 use frictiongen_kernel::joints::{self, Bounds, Contact, Fixed, Observe, Series, Size, State};
 use frictiongen_model::scene::Node::{Base, Mass, Wall};
 
-/// Three masses, a rigid contact on the wall, another one between masses, an elastic one, and one load.
+/// Size of a chain with three masses, three contacts and one load. One rigid contact is on the wall, another between
+/// two masses, and the third contact is elastic.
 type Small = Fixed<3, 5, 3, 1>;
 
 fn scene(amplitude: f64) -> Chain {
@@ -120,7 +122,7 @@ fn arrays_and_vectors_give_the_same_bits() {
     assert!(events > 40, "{events}");
 }
 
-/// The events of `f32` are those of `f64` while rounding has not grown.
+/// Checks that the events in `f32` are those in `f64`, as long as rounding errors are small.
 #[test]
 fn single_precision_follows_double_precision() {
     let chain = scene(3.0);

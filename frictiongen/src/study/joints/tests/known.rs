@@ -1,4 +1,4 @@
-//! Cases whose answers are published or follow from a formula.
+//! Compares motions with published results and with formulas.
 
 use super::super::{JointError, Motion, Series, State};
 use super::energy::gauss;
@@ -6,7 +6,8 @@ use super::{Chain, Joint, Wave, rigid};
 use frictiongen_model::scene::Node::{self, Base, Mass, Wall};
 use std::f64::consts::{PI, TAU};
 
-/// `CoupledClutches` of the Modelica Standard Library, the reference of that language for friction.
+/// Compares a motion with the example `CoupledClutches` of the Modelica Standard Library, which is a reference for
+/// friction.
 #[test]
 fn coupled_clutches() {
     let clutch = |index| Joint {
@@ -74,7 +75,8 @@ fn coupled_clutches() {
     assert!((momentum - torque).abs() < 1e-12, "{momentum} {torque}");
 }
 
-/// Siconos' oscillator: the amplitude falls by 2F/k in each half period.
+/// Compares a decaying oscillator with an example of the program Siconos. The amplitude falls by 2F/k in each half
+/// period.
 #[test]
 fn oscillator_that_comes_to_rest() {
     let chain = Chain {
@@ -91,7 +93,7 @@ fn oscillator_that_comes_to_rest() {
     assert_eq!(motion.state().v, [0.0]);
 }
 
-/// The loop of one elastic contact that is moved through ±5: force over displacement, and the area 4F(X − F/k).
+/// Checks the loop of force over displacement of an elastic contact that moves through ±5, and its area 4F(X − F/k).
 #[test]
 fn loop_of_an_elastic_contact() {
     // The mass is so heavy that it stands still; the base moves as 5 sin t.
@@ -147,7 +149,8 @@ fn loop_of_an_elastic_contact() {
     }
 }
 
-/// Two identical halves with one contact each, and a mass between them: both do the same at the same instants.
+/// Checks a chain of two identical halves, with one contact in each and a mass between them. Both contacts must have
+/// their events at the same instants.
 #[test]
 fn symmetric_halves_share_their_events() {
     let chain = Chain {
@@ -191,7 +194,8 @@ fn symmetric_halves_share_their_events() {
     assert!((whole.state().x[0] - half.state().x[0]).abs() < 1e-12);
 }
 
-/// A constant force of 0.3 of the grip on a free block moves nothing; one of 1.3 moves it as t².
+/// Checks a free block under a constant force. A force of 0.3 of the static friction force does not move it. A force of
+/// 1.3 moves it in proportion to t².
 #[test]
 fn block_on_the_floor() {
     for (share, expected) in [(0.3, 0.0), (1.3, 0.3 * 4.0 / 2.0 / 2.0 * 9.0)] {

@@ -1,4 +1,5 @@
-//! Which contacts stick: against all 3^m patterns, and with μ = 1 against the minimum of a convex function.
+//! Compares the decision on which contacts stick with a test of all 3^m patterns. For μ = 1 also compares it with the
+//! minimum of a convex function.
 
 use super::super::{Heap, Model};
 use super::{Chain, Random, rigid};
@@ -7,7 +8,7 @@ use frictiongen_model::scene::Node::{self, Mass, Wall};
 
 type Decision<'a> = joints::Decision<'a, f64, Heap>;
 
-/// A random question of m contacts on a random tree of m + 0..2 masses.
+/// Creates a random decision for m contacts on a random chain of m to m + 2 masses.
 fn question(random: &mut Random, count: usize, kinetic: bool) -> (Chain, Vec<f64>) {
     let extra = random.below(2);
     let masses: Vec<f64> = (0..count + extra)
@@ -41,7 +42,7 @@ fn question(random: &mut Random, count: usize, kinetic: bool) -> (Chain, Vec<f64
     )
 }
 
-/// Solves a linear system by elimination with pivots.
+/// Solves a linear system by elimination with pivoting.
 fn solve(mut a: Vec<Vec<f64>>, mut b: Vec<f64>) -> Vec<f64> {
     let n = b.len();
     for i in 0..n {
@@ -66,7 +67,7 @@ fn solve(mut a: Vec<Vec<f64>>, mut b: Vec<f64>) -> Vec<f64> {
     b
 }
 
-/// Accelerations and holding forces of a pattern, from W_SᵀM⁻¹W_S: joints.md, section 2, written anew with matrices.
+/// Returns accelerations and contact forces of a pattern from dense matrices, W_SᵀM⁻¹W_S.
 fn dense(chain: &Chain, model: &Model, forces: &[f64], pattern: &[i8]) -> (Vec<f64>, Vec<f64>) {
     let n = chain.masses.len();
     let w = |j: usize| {
@@ -111,7 +112,8 @@ fn dense(chain: &Chain, model: &Model, forces: &[f64], pattern: &[i8]) -> (Vec<f
     )
 }
 
-/// All patterns in the order of the rule: the most contacts that stick, then the order of the description.
+/// Returns all patterns in the order in which the rule prefers them: first by the number of sticking contacts, then in
+/// the order of the description.
 fn all(count: usize) -> Vec<Vec<i8>> {
     let mut all: Vec<Vec<i8>> = (0..3_usize.pow(count as u32))
         .map(|code| {
@@ -161,7 +163,7 @@ fn decide(decision: &Decision) -> Vec<i8> {
     decision.decide().expect("a pattern")
 }
 
-/// Decides random questions, with and without contacts that broke away.
+/// Compares random decisions with the test of all patterns, with and without contacts that have just broken away.
 fn against_all(count: usize) {
     let mut random = Random::new(41);
     let (mut several, mut retried) = (0, 0);
@@ -217,7 +219,7 @@ fn decisions_are_those_of_all_patterns_long() {
     against_all(100_000);
 }
 
-/// With μ = 1 the accelerations minimise Σ ½ m a² − Σ R a + Σ F |wᵀa|.
+/// Checks that for μ = 1 the accelerations minimise Σ ½ m a² − Σ R a + Σ F |wᵀa|.
 #[test]
 fn accelerations_are_those_of_the_convex_minimum() {
     let mut random = Random::new(5);
@@ -252,7 +254,8 @@ fn accelerations_are_those_of_the_convex_minimum() {
     }
 }
 
-/// At the instant of break-away with μ = 1 the acceleration is 0 but for rounding: the holding force has the direction.
+/// Checks the direction of sliding at a break-away with μ = 1. The acceleration is then 0 to rounding, so that the
+/// force in the contact determines the direction.
 #[test]
 fn what_breaks_away_goes_where_its_force_points() {
     for side in [1.0, -1.0] {
@@ -273,7 +276,7 @@ fn what_breaks_away_goes_where_its_force_points() {
     }
 }
 
-/// A chain of sixteen contacts on each other is decided, by pivots with μ = 1.
+/// Checks that the solver decides a chain of sixteen contacts that act on each other, with μ = 1.
 #[test]
 fn sixteen_contacts_are_decided() {
     let mut random = Random::new(3);

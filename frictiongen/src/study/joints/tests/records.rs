@@ -1,10 +1,11 @@
-//! Loads by samples, with straight lines between them.
+//! Tests of loads that consist of straight lines between samples.
 
 use super::super::Motion;
 use super::{Chain, Joint, Random, Wave, rigid};
 use frictiongen_model::scene::Node::{Base, Mass, Wall};
 
-/// A free block under a rising force: it goes where the force is F, and then as the third power of time.
+/// Checks a free block under a rising force. It starts to move when the force reaches F, and then moves in proportion
+/// to the third power of time.
 #[test]
 fn block_under_a_rising_force() {
     for (stiction, side) in [(1.0, 1.0), (1.0, -1.0), (1.5, 1.0)] {
@@ -31,7 +32,7 @@ fn block_under_a_rising_force() {
     }
 }
 
-/// Five storeys with a braced damper on each, under a force by samples on each floor.
+/// Creates a chain of five storeys with a friction damper in a brace on each, and a sampled force on each floor.
 fn storeys() -> Chain {
     let node = |i: usize| if i == 0 { Base } else { Mass(i - 1) };
     let mut chain = Chain {
@@ -52,7 +53,8 @@ fn storeys() -> Chain {
     chain
 }
 
-/// Runs a record, each of its steps in some parts. Returns the last state and the number of events.
+/// Applies a record, with each of its steps divided into `parts` steps. Returns the last state and the number of
+/// events.
 fn run(chain: &Chain, record: &[f64], step: f64, parts: usize) -> (Motion, usize) {
     let mut motion = Motion::from_rest(chain).expect("a chain");
     let mut events = 0;
@@ -89,7 +91,8 @@ fn parts_of_a_step_do_not_change_a_motion() {
     }
 }
 
-/// A load that jumps beyond the grip moves the contact at once, one that jumps back does not stop it.
+/// Checks a load that jumps. A jump above the static friction force moves the contact at once. A jump back does not
+/// stop it at once.
 #[test]
 fn a_load_that_jumps() {
     let chain = Chain {

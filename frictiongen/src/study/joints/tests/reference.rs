@@ -39,7 +39,7 @@ pub fn read() -> Value {
     serde_json::from_str(include_str!("joints.json")).expect("JSON")
 }
 
-/// The chain of an entry, at one frequency.
+/// Returns the chain of an entry of the reference file, at one frequency.
 pub fn chain(value: &Value, omega: f64) -> Chain {
     let masses = numbers(&value["masses"]);
     let springs = links(&value["springs"]);
@@ -78,7 +78,7 @@ pub fn chain(value: &Value, omega: f64) -> Chain {
     chain
 }
 
-/// Raises the largest |x| of each mass by what a stretch has.
+/// Increases the largest |x| of each mass to the largest value in a stretch.
 fn largest(amplitudes: &mut [f64], series: &Series, end: f64) {
     for (mass, amplitude) in amplitudes.iter_mut().enumerate() {
         let (x, v) = (series.displacement_terms(mass), series.velocity_terms(mass));
@@ -90,7 +90,7 @@ fn largest(amplitudes: &mut [f64], series: &Series, end: f64) {
     }
 }
 
-/// Amplitudes and stuck fractions of one period, after some.
+/// Returns amplitudes and stuck fractions over one period, after a number of cycles.
 fn steady(chain: &Chain, omega: f64, cycles: usize) -> (Vec<f64>, Vec<f64>) {
     let mut motion = Motion::from_rest(chain).expect("a chain");
     let period = TAU / omega;

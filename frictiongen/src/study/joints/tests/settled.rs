@@ -1,10 +1,10 @@
-//! Steady states of random scenes, a third of them free, of any period.
+//! Tests steady states of random scenes, a third of them without a support, with any period.
 
 use super::super::{JointError, Motion, State, steady_state};
 use super::{Chain, Random, random_chain};
 use std::f64::consts::TAU;
 
-/// Runs cycles, and returns the state after each.
+/// Advances by a number of cycles, and returns the state after each cycle.
 fn states(chain: &Chain, start: &State, omega: f64, cycles: usize) -> Vec<State> {
     let mut motion = Motion::from_rest(chain).expect("a chain");
     motion.restart(start.clone());
@@ -18,13 +18,13 @@ fn states(chain: &Chain, start: &State, omega: f64, cycles: usize) -> Vec<State>
     states.collect()
 }
 
-/// Largest difference of displacements.
+/// Returns the largest difference between the displacements of two states.
 fn away(a: &State, b: &State) -> f64 {
     let differences = a.x.iter().zip(&b.x).map(|(a, b)| (a - b).abs());
     differences.fold(0.0, f64::max)
 }
 
-/// Returns the number of scenes without an answer, and of those with a period of several cycles.
+/// Returns two numbers of scenes: those without a result, and those with a period of several cycles.
 fn settle(count: usize) -> (usize, usize) {
     let mut random = Random::new(99);
     let (mut open, mut several, mut compared) = (0, 0, 0);
@@ -82,7 +82,7 @@ fn random_scenes_settle() {
     assert_eq!(open, 0);
 }
 
-/// Long form of the test above. It has periods of several cycles.
+/// Long form of the test above. It includes periods of several cycles.
 #[test]
 #[ignore = "half a minute"]
 fn random_scenes_settle_long() {

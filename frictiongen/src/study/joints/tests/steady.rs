@@ -1,4 +1,5 @@
-//! Steady states against the reference, against formulas and against motions in time; and the chain that does not slide.
+//! Compares steady states with the reference, with formulas and with motions in time. Also tests the chain while no
+//! contact slides.
 
 use super::super::{Motion, stuck_response};
 use super::super::{Steady, steady_state};
@@ -9,7 +10,7 @@ use frictiongen_model::scene::Node::{Base, Mass, Wall};
 use serde_json::Value;
 use std::f64::consts::TAU;
 
-/// Largest difference from the reference, amplitudes relative to the largest.
+/// Returns the largest difference from the reference. Differences of amplitudes are relative to the largest amplitude.
 fn differs(steady: &Steady, expected: &Value) -> f64 {
     let amplitudes = numbers(&expected["amplitude"]);
     let largest = amplitudes.iter().fold(0.0_f64, |m, x| m.max(*x));
@@ -59,7 +60,7 @@ fn steady_states_are_those_of_the_reference() {
     println!("{worst:.1e}");
 }
 
-/// One elastic contact that stops twice dissipates 4F(X − F/k).
+/// Checks that an elastic contact with two stops in a cycle dissipates 4F(X − F/k).
 #[test]
 fn energy_of_a_cycle_is_the_area_of_the_loop() {
     let all = read();
@@ -85,7 +86,7 @@ fn energy_of_a_cycle_is_the_area_of_the_loop() {
     assert!(seen >= 3);
 }
 
-/// A small change decays with the largest multiplier.
+/// Checks that a small deviation decays as the largest multiplier predicts.
 #[test]
 fn changes_decay_with_the_multipliers() {
     let all = read();
@@ -120,7 +121,7 @@ fn changes_decay_with_the_multipliers() {
     assert!(steady.is_stable());
 }
 
-/// A chain whose contacts all hold is linear: its closed form is the steady state with levels that are never reached.
+/// Compares the steady state with very large friction forces with the closed form of the chain while no contact slides.
 #[test]
 fn the_stuck_chain_is_the_steady_state_with_large_levels() {
     let mut random = Random::new(77);
@@ -179,7 +180,7 @@ fn the_stuck_chain_is_the_steady_state_with_large_levels() {
     println!("{worst:.1e}");
 }
 
-/// Just above the limit nothing slides, just below it the contact that it names does.
+/// Checks that no contact slides just above the limit, and that the named contact slides just below it.
 #[test]
 fn the_limit_names_the_contact_that_goes_first() {
     let make = |factor: f64| Chain {
@@ -223,7 +224,8 @@ fn the_limit_names_the_contact_that_goes_first() {
     }
 }
 
-/// In random scenes whose contacts alone dissipate, the energies of the contacts are the work of the load.
+/// Checks random scenes in which only the contacts dissipate energy. The energies of the contacts must equal the work
+/// of the load.
 #[test]
 fn energies_of_contacts_are_what_the_load_puts_in() {
     let mut random = Random::new(123);
@@ -269,7 +271,7 @@ fn energies_of_contacts_are_what_the_load_puts_in() {
     assert!(seen >= 3, "{seen}");
 }
 
-/// Damping matrices against those of the tests, which have an eigensolver of their own.
+/// Compares damping matrices with those from a separate eigensolver in the tests.
 #[test]
 fn damping_matrices_are_those_of_another_eigensolver() {
     let mut random = Random::new(31);

@@ -10,16 +10,16 @@ use std::sync::atomic::Ordering;
 
 /// Number of intervals of the scan over the number.
 const STEPS: usize = 16;
-/// Factor on the best amplitude. The search examines an interval of the scan if the tangents at its bounds meet below
-/// this value.
+/// The search examines an interval of the scan if the tangents at its two points meet below this multiple of the best
+/// amplitude.
 const WORTH: f64 = 1.05;
 /// Largest number of intervals that the search examines. It begins with the smallest expected amplitude.
 const MOST_LOOKED_INTO: usize = 3;
 /// Largest number of steps towards a minimum.
 const MOST_STEPS: usize = 40;
-/// Tolerance of the position of a minimum, relative to an interval of the scan.
+/// Tolerance of the position of a minimum, as a fraction of an interval of the scan.
 const NEAR: f64 = 1e-10;
-/// Relative gain of the amplitude below which the search ends.
+/// The search ends if a step reduces the amplitude relatively by less than this value.
 const GAIN: f64 = 2e-13;
 /// Largest number of repeated searches. A search repeats if another friction is better at the minimum.
 const AGAIN: usize = 3;

@@ -14,13 +14,13 @@ use crate::study::units::{Load, angular_frequency};
 use frictiongen_model::scene::Excitation;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// Largest relative slope of a peak over a variable at which the peak counts as stationary. A steeper peak has no
+/// A peak counts as stationary over a variable if its relative slope is at most this value. A steeper peak has no
 /// derivative.
 const STATIONARY: f64 = 1e-4;
 /// Step of a finite difference, relative to the number's value.
 const DIFFERENCE: f64 = 1e-5;
-/// Smallest relative distance by which the searched friction interval extends beyond the best frictions of both
-/// neighbours.
+/// The searched friction interval extends beyond the best frictions of both neighbours by at least this relative
+/// distance.
 const MARGIN: f64 = 1e-3;
 
 /// A checked request for the best friction together with one number of the description.
