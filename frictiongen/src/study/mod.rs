@@ -41,6 +41,7 @@ mod steady_state;
 pub mod stepper;
 mod system;
 pub mod units;
+mod varied_steps;
 #[doc(hidden)]
 pub mod words;
 mod work;

@@ -17,6 +17,7 @@ use frictiongen_kernel::{Float, Scalar};
 use frictiongen_model::modal::Modal;
 use frictiongen_model::scene::{Damping, Scene};
 pub use frictiongen_model::sensitivity::Quantity;
+use frictiongen_model::stepping::Steps;
 use frictiongen_model::transient::Transient;
 use std::sync::OnceLock;
 
@@ -54,7 +55,8 @@ pub type Sensitive = Dual<Dd>;
 /// # }
 /// ```
 ///
-/// Steady states with stops also have derivatives ([`orbit`](Self::orbit)). Simulations in time do not.
+/// Steady states with stops also have derivatives ([`orbit`](Self::orbit)), and so have steppers
+/// ([`stepper`](Self::stepper)). Simulations in time do not.
 #[derive(Clone, Debug)]
 pub struct Varied {
     system: System<Sensitive>,
@@ -63,6 +65,9 @@ pub struct Varied {
     /// (`transient`). The first use of each computes it.
     plain: OnceLock<System>,
     transient: OnceLock<Option<Transient<Sensitive>>>,
+    /// The varied quantity, and the settings of a stepper with derivatives, which the first use computes.
+    pub(super) quantity: Option<Quantity>,
+    pub(super) steps: OnceLock<Steps<Sensitive>>,
 }
 
 impl Varied {
@@ -123,7 +128,7 @@ impl Varied {
         r: Sensitive,
         beta: Sensitive,
     ) -> Result<SystemOrbit<'_, Sensitive>, NoDerivative> {
-        let plain = self.plain.get_or_init(|| self.system.without_derivatives());
+        let plain = self.plain();
         let orbit = plain.at(r.value.to_f64())?.orbit(beta.value.to_f64())?;
         self.orbit_along(&orbit, r, beta)
     }
@@ -160,6 +165,16 @@ impl Varied {
             from_rest: true,
             slides: false,
         })
+    }
+
+    /// Returns the system without derivatives.
+    pub(super) fn plain(&self) -> &System {
+        self.plain.get_or_init(|| self.system.without_derivatives())
+    }
+
+    /// Returns the system with derivatives.
+    pub(super) fn system(&self) -> &System<Sensitive> {
+        &self.system
     }
 
     /// Returns the data for motion in time, with derivatives. Returns `None` if modes have the same frequency and the
@@ -202,16 +217,17 @@ impl<S: Float> System<S> {
     /// quantity.
     #[must_use]
     pub fn along(&self, quantity: Quantity) -> Option<Varied> {
-        Some(self.varied(self.modal.along(&self.scene, quantity)?))
+        let data = self.modal.along(&self.scene, quantity)?;
+        Some(self.varied(data, Some(quantity)))
     }
 
     /// Returns the same scene without a varied quantity, for derivatives with respect to r or β.
     #[must_use]
     pub fn unvaried(&self) -> Varied {
-        self.varied(self.modal.fixed())
+        self.varied(self.modal.fixed(), None)
     }
 
-    fn varied(&self, data: Modal<Sensitive>) -> Varied {
+    fn varied(&self, data: Modal<Sensitive>, quantity: Option<Quantity>) -> Varied {
         let system =
             System::with_data(self.scene.clone(), self.modal.clone(), &data, |value| value);
         Varied {
@@ -219,6 +235,8 @@ impl<S: Float> System<S> {
             data,
             plain: OnceLock::new(),
             transient: OnceLock::new(),
+            quantity,
+            steps: OnceLock::new(),
         }
     }
 

@@ -3,12 +3,13 @@
 use super::error::{StudyError, UnknownMass};
 use super::system::System;
 use crate::{OutOfDomain, StepLoad, Stepping, Steps};
-use frictiongen_kernel::motion::AnyContact;
+use frictiongen_kernel::motion::{AnyContact, Dynamics};
 use frictiongen_kernel::stepper::{
     Channel, ContactNow, HeldLoad, HeldStep, MassNow, ModeStep, Pace, Sample, Saved, StepScene,
     Stepped, Stepper, Store, StoreMut, StoreRef, Tables, View, Work, fill, image_step,
 };
 use frictiongen_kernel::{Float, Plain};
+use frictiongen_model::stepping::Steps as Settings;
 use std::ops::{Deref, DerefMut};
 
 /// Number of polynomial coefficients of the input over one step. It is large enough for each kind of input.
@@ -127,6 +128,7 @@ pub type SystemStepSaved<S = f64> = Saved<S, SystemStepStore<S>>;
 #[derive(Clone, Debug)]
 pub struct SystemStepper<'a, S = f64> {
     pub(super) system: &'a System<S>,
+    settings: &'a Settings<S>,
     stepper: KernelStepper<'a, S>,
     /// One force for each mass, because a run-time system accepts a force on every mass. The excited mass comes first.
     forces: Vec<S>,
@@ -257,19 +259,11 @@ impl<S: Plain> System<S> {
         dt: S,
         state: Option<(&[S], &[S])>,
     ) -> Result<SystemStepper<'_, S>, OutOfDomain> {
-        let dynamics = self.dynamics_in_time()?;
-        let scene = self.steps().scene(dynamics);
-        let tables = SystemStepTables::new(&scene, dt)?;
-        let store = SystemStepStore::new(&scene);
-        Ok(SystemStepper {
-            system: self,
-            forces: vec![S::constant(0.0); scene.forces.len()],
-            stepper: Stepper::new(scene, tables, store, state)?,
-        })
+        SystemStepper::new((self, self.steps()), self.dynamics_in_time()?, dt, state)
     }
 }
 
-impl<'a, S: Plain> SystemStepper<'a, S> {
+impl<S: Plain> SystemStepper<'_, S> {
     /// Returns the state as bytes, for a file. [`System::stepper_from_image`] continues from them. A run-time system
     /// accepts forces on all masses, so that only a run-time system of the same scene reads its images.
     #[must_use]
@@ -277,6 +271,26 @@ impl<'a, S: Plain> SystemStepper<'a, S> {
         let mut bytes = vec![0; self.stepper.image_len()];
         self.stepper.write_image(&mut bytes);
         bytes
+    }
+}
+
+impl<'a, S: Float> SystemStepper<'a, S> {
+    /// Creates a stepper from the settings and the data for motion in time of a system.
+    pub(super) fn new(
+        (system, settings): (&'a System<S>, &'a Settings<S>),
+        dynamics: Dynamics<'a, S, AnyContact<S>>,
+        dt: S,
+        state: Option<(&[S], &[S])>,
+    ) -> Result<Self, OutOfDomain> {
+        let scene = settings.scene(dynamics);
+        let tables = SystemStepTables::new(&scene, dt)?;
+        let store = SystemStepStore::new(&scene);
+        Ok(Self {
+            system,
+            settings,
+            forces: vec![S::constant(0.0); scene.forces.len()],
+            stepper: Stepper::new(scene, tables, store, state)?,
+        })
     }
 
     /// Sets the input at the start of the first step. The default is no input. [`contact`](Self::contact) then returns
@@ -313,7 +327,7 @@ impl<'a, S: Plain> SystemStepper<'a, S> {
 
     /// Writes the forces of an input to `forces`. Returns the motion of the base and the friction force.
     fn lay(&mut self, input: &SystemInput<'_, S>) -> Result<([S; 2], S), StudyError> {
-        let steps = self.system.steps();
+        let steps = self.settings;
         self.forces.fill(S::constant(0.0));
         let base = match (input.excitation, self.forces.first_mut()) {
             (ExcitationLoad::Base(base), _) if steps.on_base => base,
@@ -350,7 +364,7 @@ impl<'a, S: Plain> SystemStepper<'a, S> {
     }
 
     fn sample(&mut self, load: &StepLoad<'_, S>) -> Result<(), OutOfDomain> {
-        let steps = self.system.steps();
+        let steps = self.settings;
         load.spread(&steps.forces, steps.on_base, &mut self.forces)
     }
 }

@@ -1,0 +1,114 @@
+//! Steppers whose results have derivatives.
+
+#[cfg(test)]
+mod tests;
+
+use super::sensitivity::{NoDerivative, Quantity, Sensitive, Varied};
+use super::stepper::SystemStepper;
+use frictiongen_kernel::Scalar;
+use frictiongen_kernel::number::dd::Dd;
+use frictiongen_kernel::stepper::Units;
+use frictiongen_model::scene::{Node, Scene};
+use frictiongen_model::stepping::Steps;
+
+impl Varied {
+    /// Returns a stepper with time steps of `dt` seconds, from rest without load. Every result has a derivative with
+    /// respect to the varied quantity: displacements, velocities, forces and works.
+    ///
+    /// For derivatives with respect to the friction force or to the input, pass `Dual::variable` in a sample to a
+    /// stepper of an [`unvaried`](super::System::unvaried) system. A friction force that is constant in time is then a
+    /// variable in every sample. Derivatives are at constant samples, in the scene's units.
+    ///
+    /// The derivatives pass through stops, break-aways and reversals, whose instants move with the quantity. At a value
+    /// of the quantity at which an event appears or vanishes, the motion grazes this event. It then has no derivative,
+    /// and the stepper returns the derivative of one side. Plain steppers on both sides of such a value count different
+    /// numbers of events.
+    ///
+    /// ```
+    /// use frictiongen::study::{System, SystemInput, sensitivity::Sensitive};
+    ///
+    /// # use frictiongen::scalar::Float;
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// let block: System = "struct Block {
+    ///     masses: { block: 1 },
+    ///     springs: { base - block: 400 },
+    ///     contact: block - wall,
+    ///     excitation: block,
+    /// }"
+    /// .parse()?;
+    /// let unvaried = block.unvaried();
+    /// let mut stepper = unvaried.stepper(1e-3)?;
+    /// let (mut low, mut high) = (block.stepper(1e-3)?, block.stepper(1e-3)?);
+    /// for step in 1..=200_u32 {
+    ///     let force = 4.0 * (18e-3 * f64::from(step)).sin();
+    ///     let varied = SystemInput::force(Sensitive::fixed(force.into()));
+    ///     stepper.advance(varied.friction(Sensitive::variable(1.0.into())))?;
+    ///     for (friction, plain) in [(0.999, &mut low), (1.001, &mut high)] {
+    ///         plain.advance(SystemInput::force(force).friction(friction))?;
+    ///     }
+    /// }
+    /// // Displacement of the block per newton of friction, m/N.
+    /// let slope = stepper.mass("block")?.displacement().slope.to_f64();
+    /// let [low, high] = [low, high].map(|plain| plain.mass_at(0).displacement());
+    /// assert!((slope - (high - low) / 0.002).abs() < 1e-5 * slope.abs());
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// # Errors
+    /// [`NoDerivative::Degenerate`] if the modes have no derivative. Otherwise the errors of
+    /// [`System::stepper`](super::System::stepper).
+    pub fn stepper(&self, dt: f64) -> Result<SystemStepper<'_, Sensitive>, NoDerivative> {
+        let transient = self.transient().ok_or(NoDerivative::Degenerate)?;
+        // The plain system refuses scenes that have no stepper.
+        self.plain().stepper(dt)?;
+        let settings = self.steps.get_or_init(|| self.settings());
+        let dt = Sensitive::fixed(dt.into());
+        let dynamics = transient.contact_dynamics();
+        Ok(SystemStepper::new(
+            (self.system(), settings),
+            dynamics,
+            dt,
+            None,
+        )?)
+    }
+
+    /// Returns the settings of a stepper, with the derivatives of the units.
+    fn settings(&self) -> Steps<Sensitive> {
+        let (scene, modal) = (self.system().scene(), self.modal());
+        let fixed = Sensitive::fixed;
+        let mut steps = Steps::of(scene, &self.system().modal, 0..scene.masses.len(), fixed);
+        let stiffness = fixed(Dd::from(scene.first_stiffness()));
+        let stiffness = self.spring(0).unwrap_or(stiffness);
+        steps.units = Units {
+            stiffness,
+            rate: modal.reference,
+            support: self.support(scene) / stiffness,
+        };
+        steps.speed = if steps.on_base {
+            modal.reference
+        } else {
+            modal.reference / stiffness
+        };
+        steps
+    }
+
+    /// Returns the stiffness of a spring. It is a variable if it is the varied quantity.
+    fn spring(&self, index: usize) -> Option<Sensitive> {
+        let value = self.system().scene().springs.get(index)?.stiffness.into();
+        Some(if self.quantity == Some(Quantity::Stiffness(index)) {
+            Sensitive::variable(value)
+        } else {
+            Sensitive::fixed(value)
+        })
+    }
+
+    /// Returns the sum of the stiffnesses of all springs on the base.
+    fn support(&self, scene: &Scene) -> Sensitive {
+        let springs = scene.springs.iter().enumerate();
+        let on_base =
+            springs.filter(|(_, spring)| spring.from == Node::Base || spring.to == Node::Base);
+        let stiffnesses = on_base.filter_map(|(index, _)| self.spring(index));
+        stiffnesses.fold(Sensitive::constant(0.0), |sum, stiffness| sum + stiffness)
+    }
+}

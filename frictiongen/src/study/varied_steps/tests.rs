@@ -1,0 +1,215 @@
+//! Compares derivatives of steps with central differences of plain steps.
+#![allow(
+    clippy::unwrap_used,
+    clippy::indexing_slicing,
+    clippy::panic,
+    reason = "a test may fail"
+)]
+
+use crate::study::scene::{Damping, Scene};
+use crate::study::sensitivity::{Quantity, Sensitive, quantities};
+use crate::study::{System, SystemInput};
+use frictiongen_kernel::number::dd::Dd;
+
+/// Two masses on a shaking base, a force held over each step, an elastic contact, and a friction law.
+const SCENES: [&str; 4] = [
+    "struct Frame {
+        masses: { lower: 3.27, upper: 3.25 },
+        springs: { base - lower: 1190.0, lower - upper: 1323.0 },
+        contact: upper - wall, excitation: base, damping: modal[0.01, 0.012], stiction: 1.2,
+        provide: [stepper],
+    }",
+    "struct Held {
+        masses: { lower: 1.0, upper: 0.5 },
+        springs: { wall - lower: 900.0, lower - upper: 700.0 },
+        contact: lower - upper, excitation: lower, damping: rayleigh(0.3, 1e-4), stiction: 1.1,
+        input: hold, provide: [stepper],
+    }",
+    "struct Elastic {
+        masses: { lower: 1.0, upper: 0.5 },
+        springs: { base - lower: 900.0, lower - upper: 700.0 },
+        contact: lower - base, excitation: base, damping: modal[0.02, 0.025], stiffness: 4000, stiction: 1.3,
+        provide: [stepper],
+    }",
+    "struct Law {
+        masses: { block: 2.0 },
+        springs: { base - block: 800.0 },
+        contact: block - wall, excitation: block, damping: modal(0.02), stiction: 1.2,
+        friction: stribeck(0.05: 0.9, 0.2: 0.8), provide: [stepper],
+    }",
+];
+
+/// What a derivative is taken with respect to: a quantity of the scene, the friction force, or a factor on the load.
+#[derive(Clone, Copy, Debug)]
+enum Along {
+    Quantity(Quantity),
+    Friction,
+    Load,
+}
+
+/// Random numbers between −1 and 1, by xorshift (Marsaglia 2003).
+struct Random(u64);
+
+impl Random {
+    fn signed(&mut self) -> f64 {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        (self.0 >> 40) as f64 / 8_388_608.0 - 1.0
+    }
+}
+
+/// Results of a run: displacements, velocities, contact force and dissipated energy, and the numbers of events and steps.
+type Results<S> = (Vec<S>, u32, u32);
+
+macro_rules! run {
+    ($system:expr, $dt:expr, $on_base:expr, $number:expr, $friction:expr, $load:expr) => {{
+        let mut stepper = $system.stepper($dt).unwrap();
+        let (mut random, mut events, mut steps) = (Random(88_172_645_463_325_252), 0, 0);
+        while events < EVENTS && steps < STEPS {
+            steps += 1;
+            let (first, second) = (random.signed(), random.signed());
+            let input = if $on_base {
+                SystemInput::base($load * $number(2e-3 * first), $load * $number(0.3 * second))
+            } else {
+                SystemInput::force($load * $number(2.5 * first))
+            };
+            events += stepper.advance(input.friction($friction)).unwrap().events;
+        }
+        let masses = stepper.system.scene().masses.len();
+        let mut all = Vec::new();
+        for index in 0..masses {
+            let now = stepper.mass_at(index);
+            all.extend([now.displacement(), now.velocity()]);
+        }
+        all.extend([stepper.contact().force(), stepper.work().friction]);
+        (all, events, steps)
+    }};
+}
+
+/// A run ends with the step in which the contact has had this number of events, but not later than STEPS.
+const EVENTS: u32 = 100;
+const STEPS: u32 = 2000;
+const DT: f64 = 0.02;
+const FRICTION: f64 = 0.5;
+
+/// Runs with derivatives.
+fn carried(system: &System, along: Along) -> Results<Sensitive> {
+    let varied = match along {
+        Along::Quantity(quantity) => system.along(quantity).unwrap(),
+        _ => system.unvaried(),
+    };
+    let variable = |is: bool, value: f64| {
+        if is {
+            Sensitive::variable(value.into())
+        } else {
+            Sensitive::fixed(value.into())
+        }
+    };
+    let friction = variable(matches!(along, Along::Friction), FRICTION);
+    let load = variable(matches!(along, Along::Load), 1.0);
+    let on_base = system.steps().on_base;
+    run!(
+        varied,
+        DT,
+        on_base,
+        |value: f64| Sensitive::fixed(value.into()),
+        friction,
+        load
+    )
+}
+
+/// Runs without derivatives, in double-double numbers, with one number changed by a factor.
+fn moved(system: &System, along: Along, factor: f64) -> Results<Dd> {
+    let mut scene = system.scene().clone();
+    let (mut friction, mut load) = (FRICTION, 1.0);
+    match along {
+        Along::Quantity(quantity) => *number(&mut scene, quantity) *= factor,
+        Along::Friction => friction *= factor,
+        Along::Load => load *= factor,
+    }
+    let on_base = system.steps().on_base;
+    let system = System::<Dd>::try_from(scene).unwrap();
+    run!(
+        system,
+        Dd::from(DT),
+        on_base,
+        Dd::from,
+        Dd::from(friction),
+        Dd::from(load)
+    )
+}
+
+fn number(scene: &mut Scene, quantity: Quantity) -> &mut f64 {
+    match quantity {
+        Quantity::Mass(mass) => &mut scene.masses[mass].value,
+        Quantity::Stiffness(spring) => &mut scene.springs[spring].stiffness,
+        Quantity::Stiction => &mut scene.stiction,
+        Quantity::ContactStiffness => scene.stiffness.as_mut().unwrap(),
+        Quantity::DampingRatio(mode) => match &mut scene.damping {
+            Damping::Modal(ratios) => &mut ratios[mode],
+            Damping::Uniform(ratio) => ratio,
+            other => panic!("{other:?}"),
+        },
+        Quantity::MassDamping | Quantity::StiffnessDamping => match &mut scene.damping {
+            Damping::Rayleigh { mass, stiffness } => {
+                if quantity == Quantity::MassDamping {
+                    mass
+                } else {
+                    stiffness
+                }
+            }
+            other => panic!("{other:?}"),
+        },
+        other => panic!("{other:?}"),
+    }
+}
+
+/// The differences are taken in double-double numbers, so that rounding does not limit them. Their own error, of second
+/// order in the change of a ten-millionth, is the reason for the tolerance.
+#[test]
+fn steps_carry_derivatives() {
+    let mut compared = 0;
+    for text in SCENES {
+        let system: System = text.parse().unwrap();
+        let name = &system.scene().name;
+        let quantities = quantities(system.scene()).into_iter().map(Along::Quantity);
+        for along in quantities.chain([Along::Friction, Along::Load]) {
+            let (found, events, steps) = carried(&system, along);
+            assert!(EVENTS <= events, "{name}: only {events} events");
+            let value = match along {
+                Along::Friction => FRICTION,
+                Along::Load => 1.0,
+                Along::Quantity(quantity) => *number(&mut system.scene().clone(), quantity),
+            };
+            let h = 1e-7;
+            let [low, high] = [1.0 - h, 1.0 + h].map(|factor| moved(&system, along, factor));
+            assert_eq!(
+                [low.1, high.1, low.2, high.2],
+                [events, events, steps, steps],
+                "{name} {along:?} grazes an event"
+            );
+            let pairs = low.0.iter().zip(&high.0);
+            let differences = pairs.map(|(low, high)| (*high - *low).to_f64() / (2.0 * h * value));
+            let differences: Vec<f64> = differences.collect();
+            let largest = differences
+                .iter()
+                .fold(0.0_f64, |most, value| most.max(value.abs()));
+            assert!(0.0 < largest, "{name} {along:?} changes nothing");
+            for (found, expected) in found.iter().zip(&differences) {
+                let slope = found.slope.to_f64();
+                let room = 1e-6 * expected.abs() + 1e-12 * largest;
+                assert!(
+                    (slope - expected).abs() <= room,
+                    "{name} {along:?}: {slope:e}, difference {expected:e}"
+                );
+                compared += 1;
+            }
+        }
+    }
+    println!("{compared} derivatives after 100 events and more");
+    assert_eq!(compared, COMPARED);
+}
+
+/// 7, 7, 8 and 4 quantities of the scenes, friction and load, times 6, 6, 6 and 4 results.
+const COMPARED: u32 = 9 * 6 + 9 * 6 + 10 * 6 + 6 * 4;
