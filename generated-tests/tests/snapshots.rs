@@ -93,7 +93,7 @@ const JOINED: (&str, &str) = (
             dampers: { lower - upper: 1200.0 },
             excitation: upper,
             damping: modal(0.01),
-            provide: [stepper, simulation],
+            provide: [stepper, simulation, stuck, orbit],
         }",
 );
 

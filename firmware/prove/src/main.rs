@@ -41,7 +41,9 @@ fn main() {
         black_box(0.1),
         black_box(1.0),
     ));
-    steps.0 += 3;
+    black_box(joined::stuck_from(black_box(0.9)));
+    black_box(joined::settle(black_box(0.9), black_box(0.1)));
+    steps.0 += 5;
     println!(
         "{} functions cannot panic",
         SINGLE.len() + DOUBLE.len() + steps.0

@@ -14,7 +14,7 @@ frictiongen::friction_system! {
         scalar: f32,
         input: hold,
         step: 1e-3,
-        provide: [stepper, simulation],
+        provide: [stepper, simulation, stuck, orbit],
     }
 }
 
@@ -45,4 +45,20 @@ pub fn simulate(r: f32, beta: f32, tau: f32) -> Option<f32> {
     let mut run = Storeys::simulation(r, beta).ok()?;
     run.advance(tau).ok()?;
     Some(run.upper().displacement())
+}
+
+/// Computes the friction from which no contact slides.
+#[inline(never)]
+#[cfg_attr(feature = "prove", no_panic::no_panic)]
+pub fn stuck_from(r: f32) -> Option<(f32, &'static str)> {
+    let stuck = Storeys::at(r).ok()?.stuck().ok()?;
+    Some((stuck.limit(), stuck.first()))
+}
+
+/// Computes a steady state. Returns the amplitude of the upper mass and the energy that the brace takes in a cycle.
+#[inline(never)]
+#[cfg_attr(feature = "prove", no_panic::no_panic)]
+pub fn settle(r: f32, beta: f32) -> Option<(f32, f32)> {
+    let orbit = Storeys::at(r).ok()?.orbit(beta).ok()?;
+    Some((orbit.upper().amplitude(), orbit.brace().energy()))
 }

@@ -1,6 +1,6 @@
 //! Scenes with several contacts or dashpots for which the generator emits code.
 
-use frictiongen_model::scene::{Excitation, Provide};
+use frictiongen_model::scene::Provide;
 use frictiongen_model::validate::Path;
 use frictiongen_syntax::{Located, Problems};
 
@@ -20,22 +20,19 @@ pub(super) fn check(located: &Located<'_>, problems: &mut Problems) {
     if located.written(Path::Provide(None)).is_none() {
         problems.report(
             located.joints(),
-            "the macro emits only the motion in time of a scene with `contacts` or `dampers`; write `provide: [stepper]` or `provide: [simulation]`, or solve this scene at run time with `frictiongen::System`",
+            "the default of `provide` is `[limits, motion]`, which a scene with `contacts` or `dampers` does not have; write, for example, `provide: [stuck, orbit]`",
         );
         return;
     }
     for (index, provide) in scene.provide.iter().enumerate() {
         let place = located.place(Path::Provide(Some(index)));
         let message = match provide {
-            Provide::Stepper if scene.excitation == Excitation::Base => {
-                "a scene with `contacts` or `dampers` whose base moves has no stepper; write `simulation`, or write a mass in `excitation`"
+            Provide::Simulation | Provide::Stuck | Provide::Orbit if scene.springs.is_empty() => {
+                "a scene without springs has no r and β, because they refer to the first spring; write `stepper`, or write a spring"
             }
-            Provide::Simulation if scene.springs.is_empty() => {
-                "a scene without springs has no simulation, because r and β refer to the first spring; write `stepper`, or write a spring"
-            }
-            Provide::Stepper | Provide::Simulation => continue,
+            Provide::Stepper | Provide::Simulation | Provide::Stuck | Provide::Orbit => continue,
             _ => {
-                "the macro does not emit this for a scene with `contacts` or `dampers`; write `stepper` or `simulation`, or ask `System::joined` at run time"
+                "the macro does not emit this for a scene with `contacts` or `dampers`; write `stepper`, `simulation`, `stuck` or `orbit`"
             }
         };
         problems.report(place, message);

@@ -16,6 +16,7 @@
 //!
 //! A [`Size`] selects the arrays: [`Fixed`] for emitted code, vectors at run time. Both run the same code.
 
+mod base;
 mod cycle;
 mod decide;
 mod events;
@@ -39,6 +40,7 @@ mod unknowns;
 mod wave;
 
 pub use crate::errors::Halt;
+pub use base::Curve;
 pub use cycle::{ContactCycle, Cycle, Watch};
 pub use decide::{Decision, MAX_PATTERNS};
 pub use model::{Contact, Link, Model};

@@ -1,5 +1,6 @@
 //! The constants of a chain, with its nodes numbered, and the forces on its nodes.
 
+use super::base::Curve;
 use super::series::Poly;
 use super::size::{Size, add, at};
 use super::wave::Wave;
@@ -82,7 +83,7 @@ pub struct Model<S: Float, Z: Size> {
     /// Forces on masses.
     pub loads: Z::Loads<(usize, Wave<S>)>,
     /// The displacement of the base.
-    pub base: Wave<S>,
+    pub base: Curve<S>,
     /// Longest stretch of the series.
     pub stretch: S,
 }
@@ -208,7 +209,7 @@ impl<S: Float, Z: Size> Model<S, Z> {
         let slow = slow / S::constant(2.0);
         let loads = self.loads.as_ref().iter().map(|(_, wave)| wave);
         let levels = self.contacts().iter().map(|contact| &contact.level);
-        let waves = loads.chain(levels).chain([&self.base]);
+        let waves = loads.chain(levels).chain([&self.base.wave]);
         let waves = waves
             .map(Wave::fastest)
             .fold(S::constant(0.0), crate::Scalar::max);

@@ -157,9 +157,10 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         let loads = self.model.loads.as_mut().iter_mut();
         let waves = contacts.map(|contact| &mut contact.level);
         let waves = waves.chain(loads.map(|(_, wave)| wave));
-        for wave in waves.chain([&mut self.model.base]) {
+        for wave in waves {
             wave.shift(time);
         }
+        self.model.base.shift(time);
         self.time = S::constant(0.0);
     }
 
@@ -218,17 +219,22 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         let jump = jump.ok_or(Halt::Load)?;
         self.shorten(&to);
         if !jump.is_zero() {
-            // Accelerations and holding forces jump; velocities and elastic forces do not.
-            for (j, contact) in self.model.contacts().iter().enumerate() {
-                let sticks = self.state.phase(j) == STUCK;
-                if let Some(zeros) = self.state.zeros.as_mut().get_mut(j)
-                    && contact.is_rigid()
-                {
-                    zeros.0 = zeros.0.min(usize::from(!sticks));
-                }
-            }
+            self.accelerations_jump();
         }
         Ok(())
+    }
+
+    /// Prepares the contacts for other accelerations. Accelerations and holding forces jump; velocities and elastic
+    /// forces do not.
+    pub(super) fn accelerations_jump(&mut self) {
+        for (j, contact) in self.model.contacts().iter().enumerate() {
+            let sticks = self.state.phase(j) == STUCK;
+            if let Some(zeros) = self.state.zeros.as_mut().get_mut(j)
+                && contact.is_rigid()
+            {
+                zeros.0 = zeros.0.min(usize::from(!sticks));
+            }
+        }
     }
 
     /// Changes a load from now on to a line that starts at its present value.

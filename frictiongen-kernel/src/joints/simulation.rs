@@ -41,7 +41,7 @@ impl<S: Float> Reference<S> {
     /// Gives a chain its load and its friction forces. The level of each contact is its share beforehand.
     pub(super) fn load<Z: Size>(&self, model: &mut Model<S, Z>, omega: S, beta: S) {
         if self.on_base {
-            model.base = Wave::harmonic(S::constant(1.0), omega);
+            model.base = Wave::harmonic(S::constant(1.0), omega).into();
         } else if let Some((_, load)) = model.loads.as_mut().first_mut() {
             *load = Wave::harmonic(self.stiffness, omega);
         }

@@ -220,7 +220,8 @@ impl<S: Float, Z: Size> Search<S, Z> {
         let floor = S::constant(DECAY);
         let rate = steady.multipliers().first();
         let rate = rate.map_or(S::constant(0.0), modulus);
-        let most = (MAX_CONFIRM / steady.period).max(1);
+        let most = MAX_CONFIRM.checked_div(steady.period);
+        let most = most.unwrap_or(1).max(1);
         let (mut periods, mut expected) = (1, rate);
         while expected > floor && periods < most {
             expected = expected * rate;

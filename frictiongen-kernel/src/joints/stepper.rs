@@ -1,5 +1,6 @@
 //! Motion under forces that are known sample by sample, with a friction force of its own for each contact.
 
+use super::base::Curve;
 use super::model::Model;
 use super::now::{ContactState, MassState};
 use super::run::{Bounds, Count, Motion};
@@ -29,6 +30,8 @@ pub struct Stepper<S: Float, Z: Size> {
     holds: bool,
     /// Forces at the end of the last step.
     forces: Z::Loads<S>,
+    /// Displacement and velocity of the base at the end of the last step.
+    base: [S; 2],
 }
 
 impl<S: Float, Z: Size> Stepper<S, Z> {
@@ -39,7 +42,7 @@ impl<S: Float, Z: Size> Stepper<S, Z> {
     ///
     /// [`OutOfDomain::Step`] for a step that is not positive and finite, or longer than [`MAX_STEP`] stretches.
     pub fn new(mut model: Model<S, Z>, dt: S, holds: bool) -> Result<Self, OutOfDomain> {
-        model.base = Wave::zero();
+        model.base = Curve::zero();
         for contact in model.contacts.as_mut() {
             contact.level = Wave::zero();
         }
@@ -57,17 +60,28 @@ impl<S: Float, Z: Size> Stepper<S, Z> {
             dt,
             holds,
             forces,
+            base: [S::constant(0.0); 2],
         })
     }
 
-    /// Advances by one step. `forces` has the force of each load at the end of the step, and `frictions` the kinetic
-    /// friction force of each contact during the step. Returns the number of events.
+    /// Advances by one step. `base` has displacement and velocity of the base at the end of the step, `forces` the force
+    /// of each load, and `frictions` the kinetic friction force of each contact during the step. Over the step the base
+    /// follows a cubic between the samples. With `holds`, it moves from the new sample with the constant velocity of this
+    /// sample. Returns the number of events.
     ///
     /// # Errors
     ///
-    /// [`OutOfDomain`] for a force that is not finite, for a friction force that is negative or not finite, and, with
+    /// [`OutOfDomain`] for a base motion or a force that is not finite, for a friction force that is negative or not finite, and, with
     /// its cause, for a step in which the motion exceeds a bound. The stepper is then unchanged.
-    pub fn advance(&mut self, forces: &[S], frictions: &[S]) -> Result<u32, OutOfDomain> {
+    pub fn advance(
+        &mut self,
+        base: [S; 2],
+        forces: &[S],
+        frictions: &[S],
+    ) -> Result<u32, OutOfDomain> {
+        if let Some(number) = base.iter().find(|number| !number.is_finite()) {
+            return Err(OutOfDomain::BaseMotion(Given::of(*number)));
+        }
         if let Some(force) = forces.iter().find(|force| !force.is_finite()) {
             return Err(OutOfDomain::Force(Given::of(*force)));
         }
@@ -76,9 +90,10 @@ impl<S: Float, Z: Size> Stepper<S, Z> {
             return Err(OutOfDomain::Friction(Given::of(*friction)));
         }
         let mut motion = self.motion.clone();
-        let events = self.follow(&mut motion, forces, frictions);
+        let events = self.follow(&mut motion, base, (forces, frictions));
         let events = events.map_err(OutOfDomain::Motion)?;
         self.motion = motion;
+        self.base = base;
         for (load, force) in self.forces.as_mut().iter_mut().zip(forces) {
             *load = *force;
         }
@@ -89,11 +104,18 @@ impl<S: Float, Z: Size> Stepper<S, Z> {
     fn follow(
         &self,
         motion: &mut Motion<S, Z>,
-        forces: &[S],
-        frictions: &[S],
+        base: [S; 2],
+        (forces, frictions): (&[S], &[S]),
     ) -> Result<u32, Halt> {
         let zero = S::constant(0.0);
         motion.rewind();
+        let rests = |base: &[S; 2]| base.iter().all(|number| number.is_zero());
+        let moves = !rests(&base) || !rests(&self.base);
+        if moves && self.holds {
+            motion.jolt_base(Curve::straight(base))?;
+        } else if moves {
+            motion.lead_base(Curve::through(self.base, base, self.dt));
+        }
         for (load, after) in forces.iter().enumerate() {
             let before = at(self.forces.as_ref(), load);
             if self.holds {

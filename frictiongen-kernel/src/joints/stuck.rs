@@ -133,7 +133,7 @@ impl<S: Float, Z: Size> Model<S, Z> {
             }
         }
         let mut shape = Shape::of(self);
-        shape.lift(&tree, self.base_node(), amplitude(&self.base));
+        shape.lift(&tree, self.base_node(), amplitude(&self.base.wave));
         let mut loads = shape.pulls(self, omega);
         loads.load(self);
         for (row, root) in roots.clone().enumerate() {

@@ -1,6 +1,6 @@
 /// Two storeys with a brace and pads, under a force on the upper one.
 ///
-/// Emitted by `friction_system!` of frictiongen 0.1.0 from scene 6118073e1d5ae249.  Change the description, not this code.
+/// Emitted by `friction_system!` of frictiongen 0.1.0 from scene 301ee3dfb1496c36.  Change the description, not this code.
 ///
 /// # Description
 ///
@@ -15,7 +15,7 @@
 ///             dampers: { lower - upper: 1200.0 },
 ///             excitation: upper,
 ///             damping: modal(0.01),
-///             provide: [stepper, simulation],
+///             provide: [stepper, simulation, stuck, orbit],
 ///         }
 /// ```
 ///
@@ -23,6 +23,9 @@
 ///
 /// * `stepper(dt)` returns [`TwoContactsStepper`], the motion by steps under any [`TwoContactsInput`]
 /// * `simulation(r, beta)` returns [`TwoContactsSimulation`], the motion in time under a harmonic load
+/// * `at(r)` returns [`TwoContactsAt`], the scene at one frequency
+/// * `at(r)?.stuck()` returns [`TwoContactsStuck`], the state in which no contact slides
+/// * `at(r)?.orbit(beta)` returns [`TwoContactsOrbit`], the steady state
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -39,7 +42,7 @@ pub struct TwoContacts;
 pub struct TwoContactsStepper(
     ::frictiongen::kernel::joints::Stepper<
         ::core::primitive::f64,
-        ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1>,
+        ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 8, 64>,
     >,
 );
 /// Loads on [`TwoContacts`] and friction forces, in the units of the scene: the input of a step.
@@ -78,7 +81,34 @@ pub struct TwoContactsFriction {
 pub struct TwoContactsSimulation(
     ::frictiongen::kernel::joints::Simulation<
         ::core::primitive::f64,
-        ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1>,
+        ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 8, 64>,
+    >,
+);
+/// [`TwoContacts`] at one frequency.
+#[allow(deprecated, non_camel_case_types)]
+#[::core::prelude::v1::derive(::core::clone::Clone, ::core::fmt::Debug)]
+pub struct TwoContactsAt(
+    ::frictiongen::kernel::joints::At<
+        ::core::primitive::f64,
+        ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 8, 64>,
+    >,
+);
+/// State of [`TwoContacts`] in which no contact slides, in closed form.  Displacements are over P/k₁ (over Y for base motion), and forces are over P (over k₁Y).
+#[allow(deprecated, non_camel_case_types)]
+#[::core::prelude::v1::derive(::core::clone::Clone, ::core::fmt::Debug)]
+pub struct TwoContactsStuck(
+    ::frictiongen::kernel::joints::StuckState<
+        ::core::primitive::f64,
+        ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 8, 64>,
+    >,
+);
+/// Steady state of [`TwoContacts`].  Displacements are over P/k₁ (over Y for base motion), forces are over P (over k₁Y), and energies are over P²/k₁ (over k₁Y²).
+#[allow(deprecated, non_camel_case_types)]
+#[::core::prelude::v1::derive(::core::clone::Clone, ::core::fmt::Debug)]
+pub struct TwoContactsOrbit(
+    ::frictiongen::kernel::joints::Orbit<
+        ::core::primitive::f64,
+        ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 8, 64>,
     >,
 );
 #[allow(
@@ -118,7 +148,7 @@ const _: () = {
         /// is its share. The start of a motion sets the stretch.
         const CHAIN: ::frictiongen::kernel::joints::Model<
             ::core::primitive::f64,
-            ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1>,
+            ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 8, 64>,
         > = ::frictiongen::kernel::joints::Model {
             size: ::frictiongen::kernel::joints::Fixed,
             masses: &[2000.0, 1500.0],
@@ -171,12 +201,16 @@ const _: () = {
                     },
                 ),
             ],
-            base: ::frictiongen::kernel::joints::Wave {
-                constant: 0.0,
-                slope: 0.0,
-                amplitude: 0.0,
-                omega: 0.0,
-                phase: 0.0,
+            base: ::frictiongen::kernel::joints::Curve {
+                wave: ::frictiongen::kernel::joints::Wave {
+                    constant: 0.0,
+                    slope: 0.0,
+                    amplitude: 0.0,
+                    omega: 0.0,
+                    phase: 0.0,
+                },
+                square: 0.0,
+                cube: 0.0,
             },
             stretch: 1.0,
         };
@@ -197,13 +231,18 @@ const _: () = {
         /// Takes a step, and returns the number of its events.
         ///
         /// # Errors
-        /// `OutOfDomain` for a force that is not finite, for a friction force that is negative or not finite, and if
+        /// `OutOfDomain` for a force or a base motion that is not finite, for a friction force that is negative or not finite, and if
         /// the motion exceeds a bound.  The stepper then keeps its state.
         pub fn advance(
             &mut self,
             input: TwoContactsInput,
         ) -> ::core::result::Result<::core::primitive::u32, ::frictiongen::OutOfDomain> {
-            self.0.advance(&[input.force], &[input.friction.brace, input.friction.pads])
+            self.0
+                .advance(
+                    [0.0; 2],
+                    &[input.force],
+                    &[input.friction.brace, input.friction.pads],
+                )
         }
         /// Displacement and velocity of mass `lower` at the end of the last step.
         #[must_use]
@@ -237,7 +276,7 @@ const _: () = {
     impl ::core::ops::Deref for TwoContactsStepper {
         type Target = ::frictiongen::kernel::joints::Stepper<
             ::core::primitive::f64,
-            ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1>,
+            ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 8, 64>,
         >;
         fn deref(&self) -> &Self::Target {
             &self.0
@@ -252,6 +291,8 @@ const _: () = {
             stiffness: 1500000.0,
             on_base: false,
         };
+    }
+    impl TwoContacts {
         /// Starts the exact motion in time from rest, at a maximum of the excitation.  β is the common friction: the
         /// friction of each contact is its share of it.
         ///
@@ -330,7 +371,142 @@ const _: () = {
     impl ::core::ops::Deref for TwoContactsSimulation {
         type Target = ::frictiongen::kernel::joints::Simulation<
             ::core::primitive::f64,
-            ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1>,
+            ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 8, 64>,
+        >;
+        fn deref(&self) -> &Self::Target {
+            &self.0
+        }
+    }
+    impl TwoContacts {
+        /// Evaluates the scene at the frequency ratio r = ω√(m₁/k₁).
+        ///
+        /// # Errors
+        /// `OutOfDomain` unless r is positive and finite.
+        pub fn at(
+            r: ::core::primitive::f64,
+        ) -> ::core::result::Result<TwoContactsAt, ::frictiongen::OutOfDomain> {
+            ::frictiongen::kernel::joints::At::new(
+                    Self::CHAIN,
+                    Self::REFERENCE,
+                    r,
+                    &["brace", "pads"],
+                )
+                .map(TwoContactsAt)
+        }
+    }
+    impl ::core::ops::Deref for TwoContactsAt {
+        type Target = ::frictiongen::kernel::joints::At<
+            ::core::primitive::f64,
+            ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 8, 64>,
+        >;
+        fn deref(&self) -> &Self::Target {
+            &self.0
+        }
+    }
+    impl TwoContactsAt {
+        /// Returns the state in which no contact slides, the common friction from which it exists (`limit`), and
+        /// the contact that slides first below it (`first`).  No earlier motion has left a force in a contact.
+        ///
+        /// # Errors
+        /// `StuckResonance` on an undamped resonance of the chain with its contacts stuck.
+        pub fn stuck(
+            &self,
+        ) -> ::core::result::Result<TwoContactsStuck, ::frictiongen::StuckResonance> {
+            self.0.stuck().map(TwoContactsStuck)
+        }
+    }
+    impl TwoContactsStuck {
+        /// Complex amplitude X of mass `lower`.  Its motion is x̄ = Re X exp(iτ).
+        #[must_use]
+        pub fn lower(&self) -> ::frictiongen::Complex<::core::primitive::f64> {
+            self.0.mass(0)
+        }
+        /// Complex amplitude X of mass `upper`.  Its motion is x̄ = Re X exp(iτ).
+        #[must_use]
+        pub fn upper(&self) -> ::frictiongen::Complex<::core::primitive::f64> {
+            self.0.mass(1)
+        }
+        /// Amplitude of the force of contact `brace`.
+        #[must_use]
+        pub fn brace(&self) -> ::core::primitive::f64 {
+            self.0.contact(0)
+        }
+        /// Amplitude of the force of contact `pads`.
+        #[must_use]
+        pub fn pads(&self) -> ::core::primitive::f64 {
+            self.0.contact(1)
+        }
+    }
+    impl ::core::ops::Deref for TwoContactsStuck {
+        type Target = ::frictiongen::kernel::joints::StuckState<
+            ::core::primitive::f64,
+            ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 8, 64>,
+        >;
+        fn deref(&self) -> &Self::Target {
+            &self.0
+        }
+    }
+    impl TwoContactsAt {
+        /// Returns the steady state that the motion from rest reaches.  β is the common friction: the friction of
+        /// each contact is its share of it.
+        ///
+        /// # Errors
+        /// `NoOrbit::OutOfDomain` for a β that is negative or not finite, and if the motion exceeds a bound.
+        /// `NoOrbit::Unsettled` if the motion does not settle on a period of at most 64 cycles.
+        pub fn orbit(
+            &self,
+            beta: ::core::primitive::f64,
+        ) -> ::core::result::Result<TwoContactsOrbit, ::frictiongen::NoOrbit> {
+            self.0.orbit(beta, ::core::option::Option::None).map(TwoContactsOrbit)
+        }
+        /// Returns the steady state that the motion from a state reaches.  The state is x̄ and dx̄/dτ of every mass
+        /// at a maximum of the excitation.
+        ///
+        /// # Errors
+        /// Those of `orbit`, also for a state that is not finite.
+        pub fn orbit_from(
+            &self,
+            beta: ::core::primitive::f64,
+            state: (&[::core::primitive::f64; 2], &[::core::primitive::f64; 2]),
+        ) -> ::core::result::Result<TwoContactsOrbit, ::frictiongen::NoOrbit> {
+            let state = (&state.0[..], &state.1[..]);
+            self.0.orbit(beta, ::core::option::Option::Some(state)).map(TwoContactsOrbit)
+        }
+    }
+    impl TwoContactsOrbit {
+        /// Motion of mass `lower` over the period.
+        #[must_use]
+        pub fn lower(
+            &self,
+        ) -> ::frictiongen::kernel::joints::MassOrbit<::core::primitive::f64> {
+            self.0.mass(0)
+        }
+        /// Motion of mass `upper` over the period.
+        #[must_use]
+        pub fn upper(
+            &self,
+        ) -> ::frictiongen::kernel::joints::MassOrbit<::core::primitive::f64> {
+            self.0.mass(1)
+        }
+        /// Motion of contact `brace` over the period.
+        #[must_use]
+        pub fn brace(
+            &self,
+        ) -> ::frictiongen::kernel::joints::ContactOrbit<::core::primitive::f64> {
+            self.0.contact(0)
+        }
+        /// Motion of contact `pads` over the period.
+        #[must_use]
+        pub fn pads(
+            &self,
+        ) -> ::frictiongen::kernel::joints::ContactOrbit<::core::primitive::f64> {
+            self.0.contact(1)
+        }
+    }
+    impl ::core::ops::Deref for TwoContactsOrbit {
+        type Target = ::frictiongen::kernel::joints::Orbit<
+            ::core::primitive::f64,
+            ::frictiongen::kernel::joints::Fixed<2, 4, 2, 1, 8, 64>,
         >;
         fn deref(&self) -> &Self::Target {
             &self.0

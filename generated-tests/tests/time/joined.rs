@@ -217,6 +217,7 @@ fn steppers_have_the_bits_of_the_system() {
         let sampled = JoinedInput {
             forces: &forces,
             frictions: &frictions,
+            ..JoinedInput::default()
         };
         assert_eq!(
             count as usize,
@@ -300,6 +301,7 @@ fn single_precision_follows_double_precision() {
         let input = JoinedInput {
             forces: &[("upper", f64::from(force))],
             frictions: &[("brace", 6.0), ("pads", 4.0)],
+            ..JoinedInput::default()
         };
         run.advance(input).expect("a step");
         let expected = run.mass("upper").expect("a mass").0;

@@ -3,6 +3,8 @@
 mod from_base;
 mod images;
 mod joined;
+mod joined_base;
+mod joined_orbits;
 mod periodic;
 mod step_readings;
 mod stepper;

@@ -1,13 +1,16 @@
-//! Emits the stepper and the simulation of a scene with several contacts or dashpots. Both wrap the kernel's engine, and
-//! have a method for each mass and each contact.
+//! Emits the stepper, the simulation, the steady states and the stuck state of a scene with several contacts or dashpots.
+//! All wrap the kernel's engine, and have a method for each mass and each contact.
 
+mod at;
 mod simulation;
 mod stepper;
 
 use super::about::{origin, scene_struct};
+use super::emission::rounded;
 use super::names::TypeNames;
 use crate::Description;
 use crate::graph::literal::{literal, scalar};
+use frictiongen_kernel::number::dd::Dd;
 use frictiongen_model::joined::{at_rest, damping_matrix, numbered};
 use frictiongen_model::modal::Modal;
 use frictiongen_model::scene::{Excitation, NamedContact, Node, Provide};
@@ -53,8 +56,18 @@ impl<'a> Emission<'a> {
         }));
         let engine = code!(#facade::kernel::joints);
         let masses = scene.masses.len();
-        let sizes = [masses, masses + 2, contacts.len(), loads.len()];
-        let sizes = sizes.map(Literal::usize_unsuffixed);
+        let mut sizes = vec![masses, masses + 2, contacts.len(), loads.len()];
+        let unknowns = if scene.provide.contains(&Provide::Orbit) {
+            2 * (masses + contacts.len())
+        } else if scene.provide.contains(&Provide::Stuck) {
+            2 * masses
+        } else {
+            0
+        };
+        if unknowns > 0 {
+            sizes.extend([unknowns, unknowns * unknowns]);
+        }
+        let sizes = sizes.into_iter().map(Literal::usize_unsuffixed);
         let precision = scalar(scene.precision);
         let mut friction = format_ident!("{}Friction", name);
         friction.set_span(name.span());
@@ -77,6 +90,16 @@ impl<'a> Emission<'a> {
 
     fn provides(&self, what: &Provide) -> bool {
         self.description.scene.provide.contains(what)
+    }
+
+    /// Returns true if the scene provides answers at one frequency.
+    fn provides_at(&self) -> bool {
+        self.provides(&Provide::Stuck) || self.provides(&Provide::Orbit)
+    }
+
+    /// Returns true if the scene provides answers in the ratios r and β.
+    fn provides_ratios(&self) -> bool {
+        self.provides(&Provide::Simulation) || self.provides_at()
     }
 
     /// Returns the numbers of the two nodes of a spring, dashpot or contact.
@@ -143,7 +166,7 @@ impl<'a> Emission<'a> {
             let mass = Literal::usize_unsuffixed(*mass);
             code!((#mass, #rest))
         });
-        let one = self.number(1.0);
+        let (zero, one) = (self.number(0.0), self.number(1.0));
         code! {
             /// The chain. Node numbers are those of the masses, then the wall, then the base. The level of each contact
             /// is its share. The start of a motion sets the stretch.
@@ -156,38 +179,72 @@ impl<'a> Emission<'a> {
                 damping_from_base: #from_base,
                 contacts: [#(#contacts),*],
                 loads: [#(#loads),*],
-                base: #rest,
+                base: #engine::Curve {
+                    wave: #rest,
+                    square: #zero,
+                    cube: #zero,
+                },
                 stretch: #one,
             };
         }
     }
 
-    /// Emits the methods that read a mass or a contact, by its name.
+    /// Emits the constants that lead from the ratios r and β to the units of the description.
+    fn reference(&self, modal: &Modal) -> TokenStream {
+        let (scene, engine, scalar) = (&self.description.scene, &self.engine, &self.scalar);
+        let round = |value: Dd| self.number(rounded(value, scene.precision));
+        let rate = round(modal.reference);
+        let stiffness = round(Dd::from(scene.first_stiffness()));
+        let on_base = scene.excitation == Excitation::Base;
+        code! {
+            /// √(k₁/m₁), k₁, and the kind of the load.
+            const REFERENCE: #engine::Reference<#scalar> = #engine::Reference {
+                rate: #rate,
+                stiffness: #stiffness,
+                on_base: #on_base,
+            };
+        }
+    }
+
+    /// Emits the methods that read a mass or a contact now, by its name.
     fn methods(&self, when: &str) -> TokenStream {
         let (engine, scalar) = (&self.engine, &self.scalar);
-        let masses = self.description.mass_names.iter().enumerate();
-        let masses = masses.map(|(index, name)| {
-            let about = format!(" Displacement and velocity of mass `{name}` {when}.");
-            let index = Literal::usize_unsuffixed(index);
+        self.named(
+            [
+                &format!("Displacement and velocity of mass `{{}}` {when}."),
+                &format!("Motion and force of contact `{{}}` {when}."),
+            ],
+            [
+                &code!(#engine::MassState<#scalar>),
+                &code!(#engine::ContactState<#scalar>),
+            ],
+        )
+    }
+
+    /// Emits a method for each mass and for each contact, with its documentation, in which `{}` is the name, and with
+    /// the type of its result.
+    fn named(&self, about: [&str; 2], of: [&TokenStream; 2]) -> TokenStream {
+        let method = |about: &str, name: &Ident, call: TokenStream, of: &TokenStream| {
+            let about = format!(" {}", about.replace("{}", &name.to_string()));
             code! {
                 #[doc = #about]
                 #[must_use]
-                pub fn #name(&self) -> #engine::MassState<#scalar> {
-                    self.0.mass(#index)
+                pub fn #name(&self) -> #of {
+                    self.0.#call
                 }
             }
+        };
+        let [about_mass, about_contact] = about;
+        let [of_mass, of_contact] = of;
+        let masses = self.description.mass_names.iter().enumerate();
+        let masses = masses.map(|(index, name)| {
+            let index = Literal::usize_unsuffixed(index);
+            method(about_mass, name, code!(mass(#index)), of_mass)
         });
         let contacts = self.contact_names.iter().enumerate();
         let contacts = contacts.map(|(index, name)| {
-            let about = format!(" Motion and force of contact `{name}` {when}.");
             let index = Literal::usize_unsuffixed(index);
-            code! {
-                #[doc = #about]
-                #[must_use]
-                pub fn #name(&self) -> #engine::ContactState<#scalar> {
-                    self.0.contact(#index)
-                }
-            }
+            method(about_contact, name, code!(contact(#index)), of_contact)
         });
         masses.chain(contacts).collect()
     }
@@ -202,14 +259,24 @@ pub(super) fn emit(description: &Description) -> (TokenStream, TokenStream) {
     let chain = emission.chain(&modal);
     let mut types = scene_type(&emission);
     let mut items = code!(impl #name { #chain });
-    for (what, part) in [
-        (Provide::Stepper, stepper::emit(&emission)),
-        (Provide::Simulation, simulation::emit(&emission, &modal)),
-    ] {
-        if emission.provides(&what) {
-            types.extend(part.0);
-            items.extend(part.1);
-        }
+    if emission.provides(&Provide::Stepper) {
+        let (own, more) = stepper::emit(&emission);
+        types.extend(own);
+        items.extend(more);
+    }
+    if emission.provides_ratios() {
+        let reference = emission.reference(&modal);
+        items.extend(code!(impl #name { #reference }));
+    }
+    if emission.provides(&Provide::Simulation) {
+        let (own, more) = simulation::emit(&emission);
+        types.extend(own);
+        items.extend(more);
+    }
+    if emission.provides_at() {
+        let (own, more) = at::emit(&emission);
+        types.extend(own);
+        items.extend(more);
     }
     (types, items)
 }
@@ -218,6 +285,9 @@ pub(super) fn emit(description: &Description) -> (TokenStream, TokenStream) {
 fn scene_type(emission: &Emission<'_>) -> TokenStream {
     let description = emission.description;
     let TypeNames {
+        at,
+        stuck,
+        orbit,
         stepper,
         input,
         simulation,
@@ -232,6 +302,21 @@ fn scene_type(emission: &Emission<'_>) -> TokenStream {
     if emission.provides(&Provide::Simulation) {
         lines.push(format!(
             "* `simulation(r, beta)` returns [`{simulation}`], the motion in time under a harmonic load"
+        ));
+    }
+    if emission.provides_at() {
+        lines.push(format!(
+            "* `at(r)` returns [`{at}`], the scene at one frequency"
+        ));
+    }
+    if emission.provides(&Provide::Stuck) {
+        lines.push(format!(
+            "* `at(r)?.stuck()` returns [`{stuck}`], the state in which no contact slides"
+        ));
+    }
+    if emission.provides(&Provide::Orbit) {
+        lines.push(format!(
+            "* `at(r)?.orbit(beta)` returns [`{orbit}`], the steady state"
         ));
     }
     scene_struct(description, lines)

@@ -1,15 +1,11 @@
 //! Emits the simulation of a scene with several contacts.
 
 use super::{Emission, wrapper};
-use crate::emit::emission::rounded;
 use crate::emit::names::TypeNames;
-use frictiongen_kernel::number::dd::Dd;
-use frictiongen_model::modal::Modal;
-use frictiongen_model::scene::Excitation;
 use proc_macro2::{Literal, TokenStream};
 
 /// Emits the simulation: its type, and its items.
-pub(super) fn emit(emission: &Emission<'_>, modal: &Modal) -> (TokenStream, TokenStream) {
+pub(super) fn emit(emission: &Emission<'_>) -> (TokenStream, TokenStream) {
     let Emission {
         description,
         scalar,
@@ -25,21 +21,10 @@ pub(super) fn emit(emission: &Emission<'_>, modal: &Modal) -> (TokenStream, Toke
         " Exact motion of [`{name}`] in time under a harmonic load, from event to event.  Displacements are over P/k₁ (over Y for base motion), velocities are dx̄/dτ, and forces are over P (over k₁Y)."
     );
     let types = wrapper(emission, simulation, "Simulation", &about);
-    let round = |value: Dd| emission.number(rounded(value, scene.precision));
-    let rate = round(modal.reference);
-    let stiffness = round(Dd::from(scene.first_stiffness()));
-    let on_base = scene.excitation == Excitation::Base;
     let masses = Literal::usize_unsuffixed(scene.masses.len());
     let methods = methods(emission);
     let items = code! {
         impl #name {
-            /// √(k₁/m₁), k₁, and the kind of the load.
-            const REFERENCE: #engine::Reference<#scalar> = #engine::Reference {
-                rate: #rate,
-                stiffness: #stiffness,
-                on_base: #on_base,
-            };
-
             /// Starts the exact motion in time from rest, at a maximum of the excitation.  β is the common friction: the
             /// friction of each contact is its share of it.
             ///

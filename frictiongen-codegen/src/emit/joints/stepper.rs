@@ -4,7 +4,7 @@ use super::{Emission, wrapper};
 use crate::emit::about::numbers_struct;
 use crate::emit::names::TypeNames;
 use frictiongen_kernel::joints::MAX_STEP_EVENTS;
-use frictiongen_model::scene::StepInput;
+use frictiongen_model::scene::{Excitation, StepInput};
 use proc_macro2::TokenStream;
 
 /// Emits the types of the stepper and of its input.
@@ -32,7 +32,16 @@ fn types(emission: &Emission<'_>) -> TokenStream {
         let about = format!(" Force on mass `{mass}` at the end of the step.");
         code!(#[doc = #about] pub #field: #scalar,)
     });
+    let base = (scene.excitation == Excitation::Base).then(|| {
+        code! {
+            /// Displacement of the base at the end of the step.
+            pub displacement: #scalar,
+            /// Velocity of the base at the end of the step, in the unit of displacement per second.
+            pub velocity: #scalar,
+        }
+    });
     let fields = code! {
+        #base
         #(#forces)*
         /// Kinetic friction force of each contact during the step.
         pub friction: #friction,
@@ -79,6 +88,12 @@ pub(super) fn emit(emission: &Emission<'_>) -> (TokenStream, TokenStream) {
         }
     });
     let loads = emission.loads.iter().map(|(_, field)| field);
+    let base = if scene.excitation == Excitation::Base {
+        code!([input.displacement, input.velocity])
+    } else {
+        let zero = emission.number(0.0);
+        code!([#zero; 2])
+    };
     let contacts = &emission.contact_names;
     let methods = emission.methods("at the end of the last step");
     let items = code! {
@@ -98,13 +113,13 @@ pub(super) fn emit(emission: &Emission<'_>) -> (TokenStream, TokenStream) {
             /// Takes a step, and returns the number of its events.
             ///
             /// # Errors
-            /// `OutOfDomain` for a force that is not finite, for a friction force that is negative or not finite, and if
+            /// `OutOfDomain` for a force or a base motion that is not finite, for a friction force that is negative or not finite, and if
             /// the motion exceeds a bound.  The stepper then keeps its state.
             pub fn advance(
                 &mut self,
                 input: #input,
             ) -> ::core::result::Result<::core::primitive::u32, #facade::OutOfDomain> {
-                self.0.advance(&[#(input.#loads),*], &[#(input.friction.#contacts),*])
+                self.0.advance(#base, &[#(input.#loads),*], &[#(input.friction.#contacts),*])
             }
 
             #methods

@@ -47,8 +47,6 @@ pub enum JoinedError {
     UnknownContact(UnknownContact),
     /// The scene has no mass with the requested name.
     UnknownMass(UnknownMass),
-    /// The stepper supports only forces on masses, but the base of the scene moves.
-    BaseMoves,
     /// The solver found no answer.
     Engine(JointError),
 }
@@ -80,10 +78,6 @@ impl fmt::Display for JoinedError {
             ),
             Self::UnknownContact(error) => error.fmt(f),
             Self::UnknownMass(error) => error.fmt(f),
-            Self::BaseMoves => write!(
-                f,
-                "the stepper of several contacts needs a force on a mass, but here the base moves; write a mass as `excitation`"
-            ),
             Self::Engine(error) => error.fmt(f),
         }
     }

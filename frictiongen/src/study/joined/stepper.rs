@@ -3,6 +3,7 @@
 use super::error::JoinedError;
 use super::scene::Joined;
 use super::simulation::JoinedContactNow;
+use crate::OutOfDomain;
 use crate::study::joints::{Chain, Heap, Wave};
 use frictiongen_kernel::joints::Stepper;
 use frictiongen_model::scene::{Excitation, StepInput};
@@ -10,6 +11,8 @@ use frictiongen_model::scene::{Excitation, StepInput};
 /// Input of one step, in the units of the description.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct JoinedInput<'i> {
+    /// Displacement and velocity of the base at the end of the step. Both are 0 for a base that does not move.
+    pub base: [f64; 2],
     /// Forces on masses at the end of the step, each with the name of its mass. Masses that are not listed have no
     /// force.
     pub forces: &'i [(&'i str, f64)],
@@ -31,16 +34,12 @@ pub struct JoinedStepper<'a> {
 impl<'a> Joined<'a> {
     /// Returns a stepper that starts from rest. A force can act on every mass. Every contact has a separate friction
     /// force, which is 0 until an input sets it. The description determines the input between two samples: linear, or
-    /// constant (`hold`).
+    /// constant (`hold`). A base that drives the scene follows a cubic between two samples. With `hold` it moves from the
+    /// new sample with the constant velocity of this sample.
     ///
     /// # Errors
     /// [`OutOfDomain`](crate::OutOfDomain) for a step that is not above 0 and finite, or too long.
-    /// [`JoinedError::BaseMoves`] if the base drives the
-    /// scene.
     pub fn stepper(&self, dt: f64) -> Result<JoinedStepper<'a>, JoinedError> {
-        if self.scene().excitation == Excitation::Base {
-            return Err(JoinedError::BaseMoves);
-        }
         let mut chain: Chain = self.chain().clone();
         let masses = chain.masses.len();
         chain.loads = (0..masses).map(|mass| (mass, Wave::default())).collect();
@@ -58,11 +57,15 @@ impl JoinedStepper<'_> {
     /// Advances by one step. Returns the number of events in the step.
     ///
     /// # Errors
-    /// [`OutOfDomain`](crate::OutOfDomain) for a force that is not finite, for a friction force that is negative or not
-    /// finite, and for a step in which the motion exceeds a bound of the solver.
+    /// [`OutOfDomain`](crate::OutOfDomain) for a force or a base motion that is not finite, for motion of a base at rest,
+    /// for a friction force that is negative or not finite, and for a step in which the motion exceeds a bound of the solver.
     /// [`JoinedError::UnknownMass`] and [`JoinedError::UnknownContact`] for a name that the scene does not have. After
     /// an error the stepper is unchanged.
     pub fn advance(&mut self, input: JoinedInput<'_>) -> Result<usize, JoinedError> {
+        let on_base = self.joined.scene().excitation == Excitation::Base;
+        if !on_base && input.base != [0.0; 2] {
+            return Err(OutOfDomain::BaseAtRest.into());
+        }
         let mut forces = vec![0.0; self.joined.scene().masses.len()];
         for (name, force) in input.forces {
             if let Some(own) = forces.get_mut(self.joined.mass_index(name)?) {
@@ -75,7 +78,7 @@ impl JoinedStepper<'_> {
                 *own = *friction;
             }
         }
-        let events = self.stepper.advance(&forces, &frictions)?;
+        let events = self.stepper.advance(input.base, &forces, &frictions)?;
         self.frictions = frictions;
         self.steps += 1;
         Ok(events as usize)

@@ -39,7 +39,7 @@ impl Chain {
             damping_from_base: self.damping_from_base,
             contacts: contacts.collect::<Result<_, JointError>>()?,
             loads: self.loads.clone(),
-            base: self.base,
+            base: self.base.into(),
             stretch: 0.0,
         };
         check_redundant(&model)?;

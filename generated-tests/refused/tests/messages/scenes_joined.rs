@@ -342,18 +342,6 @@ struct Frame {
 }
 }
 
-mod case_7993_stepper_of_several_contacts_on_a_moving_base {
-frictiongen::friction_system! {
-struct Frame {
-    masses: { lower: 3.27, upper: 3.25 },
-    springs: { base - lower: 1190.0, lower - upper: 1323.0 },
-    contacts: { pads: upper - wall },
-    excitation: base,
-    provide: [stepper],
-}
-}
-}
-
 mod case_7994_simulation_without_springs {
 frictiongen::friction_system! {
 struct Drive {

@@ -22,6 +22,7 @@ fn friction_forces_change_from_step_to_step() {
             let input = JoinedInput {
                 forces: &forces,
                 frictions: &frictions,
+                ..JoinedInput::default()
             };
             events += stepper.advance(input).expect("a step");
         }
@@ -66,15 +67,22 @@ fn bad_inputs_change_nothing() {
         (&[], &[("clutch", 1.0)]),
     ];
     for (forces, frictions) in bad {
-        assert!(stepper.advance(JoinedInput { forces, frictions }).is_err());
+        let input = JoinedInput {
+            forces,
+            frictions,
+            ..JoinedInput::default()
+        };
+        assert!(stepper.advance(input).is_err());
         assert_eq!(stepper.time(), 0.0);
     }
     assert!(joined.stepper(0.0).is_err());
-    assert!(
-        system(FRAME)
-            .joined()
-            .expect("answers")
-            .stepper(1e-3)
-            .is_err()
-    );
+    // Here a force drives the scene, so that the base rests.
+    for base in [[0.0, 1.0], [f64::NAN, 0.0]] {
+        let input = JoinedInput {
+            base,
+            ..JoinedInput::default()
+        };
+        assert!(stepper.advance(input).is_err());
+        assert_eq!(stepper.time(), 0.0);
+    }
 }

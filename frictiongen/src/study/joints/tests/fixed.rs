@@ -75,7 +75,7 @@ fn fixed<S: Float>(model: &Model) -> joints::Model<S, Small> {
         damping_from_base: model.damping_from_base,
         contacts: [contact(0), contact(1), contact(2)],
         loads: [(model.loads[0].0, wave(&model.loads[0].1))],
-        base: wave(&model.base),
+        base: wave(&model.base.wave).into(),
         stretch: number(model.stretch),
     }
 }

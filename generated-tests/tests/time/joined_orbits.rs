@@ -1,0 +1,364 @@
+//! Emitted steady states and stuck states of scenes with several contacts: against `joints.json`, which a plain program
+//! made with matrix exponentials, against formulas, and bit by bit against the run-time system.
+
+use frictiongen::study::joined::JoinedAt;
+use frictiongen::{NoOrbit, OutOfDomain, Regime, System, friction_system};
+use serde_json::Value;
+
+/// Emits scenes, and keeps their texts.
+macro_rules! scenes {
+    ($(struct $name:ident { $($body:tt)* })*) => {
+        $(friction_system! { pub struct $name { $($body)* } })*
+        fn system(name: &str) -> System {
+            let text = match name {
+                $(stringify!($name) => stringify!(struct $name { $($body)* }),)*
+                _ => panic!("no scene {name}"),
+            };
+            text.parse().expect("a valid scene")
+        }
+    };
+}
+
+scenes! {
+    // Entry 15 of the file. The share of each contact is its friction force in N.
+    struct Rigid {
+        masses: { m1: 2.39, m2: 0.615, m3: 1.59 },
+        springs: { base - m1: 3840.0, m1 - m2: 3740.0, m2 - m3: 2050.0 },
+        contacts: {
+            low: m2 - m1 { share: 5.93 },
+            high: m3 - wall { stiction: 1.3, share: 44.2 },
+        },
+        damping: modal[0.00699, 0.00721, 0.0175],
+        excitation: base,
+        provide: [orbit],
+    }
+    // Entry 10 of the file.
+    struct Elastic {
+        masses: { m1: 2.94, m2: 3.64, m3: 2.36, m4: 0.751, m5: 1.95 },
+        springs: {
+            base - m1: 3270.0, m1 - m2: 3710.0, m2 - m3: 1750.0, m3 - m4: 839.0, m4 - m5: 2240.0,
+        },
+        contacts: {
+            low: m1 - wall { stiffness: 15400.0, share: 19.5 },
+            high: m3 - m2 { stiffness: 8910.0, share: 5.99 },
+        },
+        damping: modal[0.0159, 0.00522, 0.0434, 0.014, 0.00955],
+        excitation: base,
+        provide: [orbit],
+    }
+    // Entry 1 of the file: no spring holds the chain.
+    struct Free {
+        masses: { m1: 1.4, m2: 2.26, m3: 2.47 },
+        springs: { m1 - m2: 2110.0, m2 - m3: 2710.0 },
+        contacts: {
+            elastic: m3 - m2 { stiffness: 9890.0, share: 39.9 },
+            rigid: m3 - wall { share: 79.8 },
+        },
+        damping: modal[0.0263, 0.00728, 0.0192],
+        excitation: m1,
+        provide: [orbit],
+    }
+    struct Frame {
+        masses: { one: 2.0, two: 1.5, three: 1.0, four: 0.8 },
+        springs: { base - one: 900.0, one - two: 700.0, two - three: 650.0, three - four: 500.0 },
+        contacts: {
+            brace: base - one { stiffness: 4000.0 },
+            pads: one - two { share: 0.6, stiction: 1.2 },
+            clamp: two - three { share: 0.5 },
+            hanger: four - wall { stiffness: 2500.0, share: 0.3, stiction: 1.1 },
+        },
+        dampers: { three - four: 1.2 },
+        damping: rayleigh(0.2, 1e-3),
+        excitation: four,
+        provide: [stuck, orbit],
+    }
+    struct Bench {
+        masses: { lower: 2.0, upper: 1.0 },
+        springs: { base - lower: 800.0, lower - upper: 600.0 },
+        contacts: { brace: base - lower { stiffness: 3000.0 }, pads: lower - upper { stiction: 1.2 } },
+        dampers: { base - lower: 4.0, lower - upper: 4.0 },
+        excitation: upper,
+        scalar: f32,
+        provide: [stuck, orbit],
+    }
+    // One mass with two elastic contacts and a dashpot: its stuck state is a formula.
+    struct Iwan {
+        masses: { block: 2.0 },
+        springs: { base - block: 800.0 },
+        contacts: {
+            soft: block - wall { stiffness: 300.0, share: 0.4 },
+            stiff: block - base { stiffness: 500.0, stiction: 1.5 },
+        },
+        dampers: { block - wall: 6.0 },
+        excitation: block,
+        provide: [stuck],
+    }
+}
+
+fn entry(index: usize) -> Value {
+    let text = include_str!("../../../frictiongen/src/study/joints/tests/joints.json");
+    let all: Value = serde_json::from_str(text).expect("JSON");
+    all["scenes"][index].clone()
+}
+
+fn number(value: &Value) -> f64 {
+    value.as_f64().expect("a number")
+}
+
+/// Compares amplitudes and stuck fractions with those of an entry, as `study::joints::tests` does for vectors. The file
+/// holds 1e-9.
+fn compare(index: usize, unit: f64, amplitudes: &[f64], contacts: &[(usize, f64)]) {
+    let expected = &entry(index)["steady"];
+    let all = expected["amplitude"].as_array().expect("amplitudes");
+    let largest = all.iter().map(number).fold(0.0, f64::max);
+    assert_eq!(all.len(), amplitudes.len());
+    for (got, expected) in amplitudes.iter().zip(all) {
+        let differs = (got * unit - number(expected)).abs() / largest;
+        println!("entry {index}: {differs:.1e} of the largest amplitude");
+        assert!(differs < 1e-9, "{index}: {got} {expected}");
+    }
+    for (j, (stops, stuck)) in contacts.iter().enumerate() {
+        assert_eq!(expected["stops"][j], *stops, "{index}");
+        let differs = (stuck - number(&expected["stuck_fraction"][j])).abs();
+        assert!(differs < 1e-8, "{index}: {differs}");
+    }
+}
+
+#[test]
+fn steady_states_are_those_of_the_reference() {
+    let scene = entry(15);
+    let load = number(&scene["load"]);
+    let r = number(&scene["omega"]) / (3840.0_f64 / 2.39).sqrt();
+    let orbit = Rigid::at(r)
+        .expect("a frequency")
+        .orbit(1.0 / (3840.0 * load));
+    let orbit = orbit.expect("a steady state");
+    let amplitudes = [orbit.m1(), orbit.m2(), orbit.m3()].map(|mass| mass.amplitude());
+    let contacts = [orbit.low(), orbit.high()].map(|c| (c.stops(), c.stuck_fraction()));
+    compare(15, load, &amplitudes, &contacts);
+    assert!(orbit.high().is_marginal() && !orbit.low().is_marginal());
+    assert_eq!(orbit.regime(), Regime::StickSlip);
+    let scene = entry(10);
+    let load = number(&scene["load"]);
+    let r = number(&scene["omega"]) / (3270.0_f64 / 2.94).sqrt();
+    let orbit = Elastic::at(r)
+        .expect("a frequency")
+        .orbit(1.0 / (3270.0 * load));
+    let orbit = orbit.expect("a steady state");
+    let masses = [orbit.m1(), orbit.m2(), orbit.m3(), orbit.m4(), orbit.m5()];
+    let contacts = [orbit.low(), orbit.high()].map(|c| (c.stops(), c.stuck_fraction()));
+    compare(10, load, &masses.map(|mass| mass.amplitude()), &contacts);
+    assert!(!orbit.is_marginal() && orbit.is_stable() && orbit.period() == 1);
+    let scene = entry(1);
+    let load = number(&scene["load"]);
+    let r = number(&scene["omega"]) / (2110.0_f64 / 1.4).sqrt();
+    let orbit = Free::at(r).expect("a frequency").orbit(1.0 / load);
+    let orbit = orbit.expect("a steady state");
+    let amplitudes = [orbit.m1(), orbit.m2(), orbit.m3()].map(|mass| mass.amplitude());
+    let contacts = [orbit.elastic(), orbit.rigid()].map(|c| (c.stops(), c.stuck_fraction()));
+    compare(1, load / 2110.0, &amplitudes, &contacts);
+}
+
+/// Compares an emitted steady state with that of the system, bit by bit.
+fn same_bits(orbit: &FrameOrbit, at: &JoinedAt<'_>, beta: f64) {
+    let expected = at.orbit(beta).expect("a steady state");
+    assert_eq!(orbit.period(), expected.period());
+    assert_eq!(orbit.multipliers(), expected.multipliers());
+    assert_eq!(orbit.residual(), expected.residual());
+    assert_eq!(orbit.regime(), expected.regime());
+    assert_eq!(orbit.is_marginal(), expected.is_marginal());
+    assert_eq!(orbit.free_directions(), expected.free_directions());
+    let symmetric = expected.is_symmetric().expect("half a period");
+    assert_eq!(orbit.is_symmetric(), symmetric);
+    let masses = [orbit.one(), orbit.two(), orbit.three(), orbit.four()];
+    assert_eq!(
+        masses.map(|mass| mass.amplitude()).to_vec(),
+        expected.amplitudes()
+    );
+    let centred = masses.map(|mass| mass.centred_amplitude()).to_vec();
+    assert_eq!(centred, expected.centred_amplitudes());
+    let (x, v) = expected.state();
+    assert_eq!(masses.map(|mass| mass.state().0).to_vec(), x);
+    assert_eq!(masses.map(|mass| mass.state().1).to_vec(), v);
+    let contacts = [
+        (orbit.brace(), "brace"),
+        (orbit.pads(), "pads"),
+        (orbit.clamp(), "clamp"),
+        (orbit.hanger(), "hanger"),
+    ];
+    let marginal = expected.marginal_contacts();
+    for (got, name) in contacts {
+        let want = expected.contact_named(name).expect("a contact");
+        assert_eq!(
+            (got.stops(), got.reversals(), got.regime()),
+            (want.stops(), want.reversals(), want.regime())
+        );
+        assert_eq!(got.stuck_fraction(), want.stuck_fraction(), "{name}");
+        assert_eq!(got.slip(), want.slip(), "{name}");
+        assert_eq!(got.displacement(), want.displacement(), "{name}");
+        assert_eq!(got.force(), want.force(), "{name}");
+        assert_eq!(got.energy(), want.energy(), "{name}");
+        assert_eq!(got.is_marginal(), marginal.iter().any(|own| own == name));
+    }
+}
+
+#[test]
+fn steady_states_have_the_bits_of_the_system() {
+    let system = system("Frame");
+    let joined = system.joined().expect("answers");
+    let mut regimes = Vec::new();
+    for (r, beta) in [(0.4, 0.3), (0.9, 0.1), (1.3, 0.6), (0.7, 8.0)] {
+        let orbit = Frame::at(r).expect("a frequency").orbit(beta);
+        let orbit = orbit.expect("a steady state");
+        same_bits(&orbit, &joined.at(r).expect("a frequency"), beta);
+        regimes.push(orbit.regime());
+    }
+    assert!(regimes.contains(&Regime::StickSlip) && regimes.contains(&Regime::Stuck));
+    // The state of a steady state leads back to it.
+    let at = Frame::at(0.4).expect("a frequency");
+    let orbit = at.orbit(0.3).expect("a steady state");
+    let masses = [orbit.one(), orbit.two(), orbit.three(), orbit.four()];
+    let (x, v) = (masses.map(|m| m.state().0), masses.map(|m| m.state().1));
+    let again = at.orbit_from(0.3, (&x, &v)).expect("a steady state");
+    let differs = again.four().amplitude() / orbit.four().amplitude() - 1.0;
+    // A contact that keeps its force or its place may have kept another one.
+    let bound = if orbit.is_marginal() { 0.1 } else { 1e-9 };
+    assert!(differs.abs() < bound, "{differs}");
+}
+
+#[test]
+fn stuck_states_have_the_bits_of_the_system() {
+    let system = system("Frame");
+    let joined = system.joined().expect("answers");
+    for r in [0.1, 0.5, 1.1, 3.0] {
+        let stuck = Frame::at(r).expect("a frequency").stuck();
+        let stuck = stuck.expect("a stuck state");
+        let expected = joined.at(r).expect("a frequency").stuck();
+        let expected = expected.expect("a stuck state");
+        assert_eq!(stuck.limit(), expected.limit());
+        assert_eq!(stuck.first(), expected.first());
+        assert_eq!(stuck.one(), expected.mass("one").expect("a mass"));
+        assert_eq!(stuck.four(), expected.mass("four").expect("a mass"));
+        assert_eq!(stuck.clamp(), expected.force("clamp").expect("a contact"));
+        assert_eq!(stuck.hanger(), expected.force("hanger").expect("a contact"));
+    }
+}
+
+/// X̄ = k₁/(k − mω² + icω) with the sum k of all stiffnesses.
+#[test]
+fn the_stuck_state_of_one_mass_is_a_formula() {
+    for r in [0.2, 0.9, 1.4, 2.5] {
+        let stuck = Iwan::at(r).expect("a frequency").stuck();
+        let stuck = stuck.expect("a stuck state");
+        let omega = r * (800.0_f64 / 2.0).sqrt();
+        let (re, im) = (1600.0 - 2.0 * omega * omega, 6.0 * omega);
+        let size = re * re + im * im;
+        let (re, im) = (800.0 * re / size, -800.0 * im / size);
+        let largest = re.hypot(im);
+        assert!((stuck.block().re - re).abs() < 1e-14 * largest, "{r}");
+        assert!((stuck.block().im - im).abs() < 1e-14 * largest, "{r}");
+        let soft = 300.0 / 800.0 * largest;
+        assert!((stuck.soft() - soft).abs() < 1e-14 * soft, "{r}");
+        // The soft contact needs 0.375/0.4 of |X̄|, the stiff one 0.625/1.5.
+        assert_eq!(stuck.first(), "soft");
+        assert!((stuck.limit() - soft / 0.4).abs() < 1e-13 * soft, "{r}");
+    }
+}
+
+/// Above the limit the motion from rest comes to a state in which nothing slides, below it the named contact slides.
+#[test]
+fn the_limit_separates_steady_states() {
+    for r in [0.3, 0.8] {
+        let at = Frame::at(r).expect("a frequency");
+        let stuck = at.stuck().expect("a stuck state");
+        // The motion from rest overshoots, so that only a margin above the limit excludes slip on the way.
+        let above = at.orbit(3.0 * stuck.limit()).expect("a steady state");
+        assert_eq!(above.regime(), Regime::Stuck);
+        let amplitude = stuck.four().re.hypot(stuck.four().im);
+        let differs = above.four().amplitude() / amplitude - 1.0;
+        assert!(differs.abs() < 1e-9, "{r}: {differs}");
+        let below = at.orbit(0.7 * stuck.limit()).expect("a steady state");
+        assert_ne!(below.regime(), Regime::Stuck, "{r}");
+    }
+}
+
+#[test]
+fn single_precision_follows_double_precision() {
+    let text = "struct Bench { masses: { lower: 2.0, upper: 1.0 },
+        springs: { base - lower: 800.0, lower - upper: 600.0 },
+        contacts: { brace: base - lower { stiffness: 3000.0 }, pads: lower - upper { stiction: 1.2 } },
+        dampers: { base - lower: 4.0, lower - upper: 4.0 }, excitation: upper, provide: [stuck, orbit] }";
+    let double: System = text.parse().expect("a valid scene");
+    let joined = double.joined().expect("answers");
+    for (r, beta) in [(0.55_f32, 0.3_f32), (0.8, 0.5), (1.2, 0.2), (0.6, 4.0)] {
+        let at = Bench::at(r).expect("a frequency");
+        let exact = joined.at(f64::from(r)).expect("a frequency");
+        let (stuck, want) = (at.stuck(), exact.stuck());
+        let (stuck, want) = (stuck.expect("a state"), want.expect("a state"));
+        let differs = f64::from(stuck.limit()) / want.limit() - 1.0;
+        // A solution of four equations, some tens of roundings of 6e-8.
+        assert!(differs.abs() < 1e-5, "{r} {beta}: {differs}");
+        assert_eq!(stuck.first(), want.first());
+        let orbit = at.orbit(beta).expect("a steady state");
+        let want = exact.orbit(f64::from(beta)).expect("a steady state");
+        let differs =
+            f64::from(orbit.upper().amplitude()) / want.amplitude("upper").expect("a mass") - 1.0;
+        println!(
+            "f32 at {r}, {beta}: {differs:.1e}, residual {:.1e}",
+            orbit.residual()
+        );
+        // A period has some fifty stretches of some tens of roundings of 6e-8.
+        assert!(differs.abs() < 1e-4, "{r} {beta}: {differs}");
+        assert_eq!(orbit.period(), want.period());
+        assert_eq!(
+            orbit.pads().stops(),
+            want.contact_named("pads").expect("a contact").stops()
+        );
+        assert_eq!(orbit.regime(), want.regime());
+    }
+}
+
+#[test]
+fn bad_inputs_are_refused() {
+    for r in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        let refused = Frame::at(r);
+        assert!(
+            matches!(refused, Err(OutOfDomain::FrequencyRatioInTime(_))),
+            "{r}"
+        );
+    }
+    let at = Frame::at(0.5).expect("a frequency");
+    for beta in [-0.1, f64::NAN, f64::INFINITY] {
+        let refused = at.orbit(beta);
+        let refused = matches!(
+            refused,
+            Err(NoOrbit::OutOfDomain(OutOfDomain::FrictionRatio(_)))
+        );
+        assert!(refused, "{beta}");
+    }
+    let refused = at.orbit_from(0.1, (&[f64::NAN; 4], &[0.0; 4]));
+    assert!(matches!(
+        refused,
+        Err(NoOrbit::OutOfDomain(OutOfDomain::State))
+    ));
+}
+
+/// Memory in bytes, as docs/joints.md states it.
+#[test]
+fn sizes_are_those_of_the_documentation() {
+    let sizes = [
+        ("Bench, f32, at one frequency", size_of::<BenchAt>()),
+        ("Bench, f32, stuck state", size_of::<BenchStuck>()),
+        ("Bench, f32, steady state", size_of::<BenchOrbit>()),
+        ("Frame, at one frequency", size_of::<FrameAt>()),
+        ("Frame, stuck state", size_of::<FrameStuck>()),
+        ("Frame, steady state", size_of::<FrameOrbit>()),
+    ];
+    let page = include_str!("../../../docs/joints.md");
+    let rows = sizes.map(|(what, size)| format!("| {what} | {size} |\n"));
+    let rows = rows.concat();
+    assert!(
+        page.contains(&rows),
+        "docs/joints.md needs these rows:\n{rows}"
+    );
+}
