@@ -82,7 +82,7 @@ pub struct Model<S: Float, Z: Size> {
     pub damping_from_base: bool,
     /// The contacts, in the order of the description.
     pub contacts: Z::Contacts<Contact<S>>,
-    /// Forces on masses.
+    /// Forces on masses, each with the index of the mass.
     pub loads: Z::Loads<(usize, Wave<S>)>,
     /// The displacement of the base.
     pub base: Wave<S>,

@@ -94,7 +94,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         &self.state
     }
 
-    /// Returns the chain.
+    /// Returns the chain with its numbered nodes.
     pub fn model(&self) -> &Model<S, Z> {
         &self.model
     }

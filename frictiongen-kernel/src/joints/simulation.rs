@@ -38,7 +38,8 @@ impl<S: Float> Reference<S> {
         }
     }
 
-    /// Gives a chain its load and its friction forces. The level of each contact is its share beforehand.
+    /// Sets the load and the friction forces of a chain. Before the call, the level of each contact in `model` is its
+    /// share of the common friction.
     pub(super) fn load<Z: Size>(&self, model: &mut Model<S, Z>, omega: S, beta: S) {
         if self.on_base {
             model.base = Wave::harmonic(S::constant(1.0), omega);
@@ -55,7 +56,7 @@ impl<S: Float> Reference<S> {
     ///
     /// # Errors
     ///
-    /// Those of [`Simulation::new`].
+    /// Same errors as [`Simulation::new`].
     pub(super) fn start<Z: Size>(
         &self,
         mut model: Model<S, Z>,

@@ -22,9 +22,9 @@ pub trait Size: Clone + Debug + PartialEq {
     type Contacts<T: Value>: Array<T>;
     /// Array with one entry for each load.
     type Loads<T: Value>: Array<T>;
-    /// One entry for each unknown of a steady state: two for each mass, two for each contact.
+    /// Array with one entry for each unknown of a steady state: two entries for each mass, and two for each contact.
     type Unknowns<T: Value>: Array<T>;
-    /// A square matrix of the unknowns, column by column.
+    /// Square matrix with a row and a column for each unknown, stored column by column.
     type Square<T: Value>: Array<T>;
     /// Array of any length whose entries do not change.
     type Constants<T: Value>: AsRef<[T]> + Clone + Debug;
@@ -37,14 +37,14 @@ pub trait Size: Clone + Debug + PartialEq {
     fn contacts<T: Value>(&self, value: T) -> Self::Contacts<T>;
     /// Returns an array that contains `value` for each load.
     fn loads<T: Value>(&self, value: T) -> Self::Loads<T>;
-    /// Returns an array with the same value for each unknown.
+    /// Returns an array that contains `value` for each unknown.
     fn unknowns<T: Value>(&self, value: T) -> Self::Unknowns<T>;
-    /// Returns a square matrix with the same value in each entry.
+    /// Returns a square matrix whose entries are all `value`.
     fn square<T: Value>(&self, value: T) -> Self::Square<T>;
 }
 
-/// The size of an emitted chain: N masses, NODES = N + 2 nodes, M contacts and L loads. A chain with steady states has
-/// U = 2N + 2M unknowns and matrices of SQUARE = U² entries. A chain whose closed forms alone are asked for has U = 2N.
+/// Size of an emitted chain with N masses, NODES = N + 2 nodes, M contacts and L loads. For steady states, U = 2N + 2M
+/// is the number of unknowns, and SQUARE = U² the number of entries of a matrix. For closed forms alone, U = 2N.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fixed<
     const N: usize,
