@@ -21,7 +21,7 @@ const CHECKS: usize = 12;
 const WORK_OF_A_ROUND: usize = super::WORK / 2;
 /// The search examines points up to this multiple of the smallest quotient found so far.
 const NEARLY: f64 = 1.5;
-/// Largest number of points that the search examines.
+/// Largest number of friction ratios around which the search examines intervals.
 const MOST_POINTS: usize = 6;
 /// A check of the whole band confirms a quotient if their relative difference is at most this value.
 const SAME: f64 = 1e-6;
