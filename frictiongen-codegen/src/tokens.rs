@@ -13,7 +13,7 @@ pub(crate) struct Sources {
     list: Vec<Source>,
 }
 
-/// A span, with the token if it is a word or a literal.
+/// The span of one token of the compiler, and the token itself if it is a word or a literal.
 struct Source {
     span: Span,
     tree: Option<TokenTree>,

@@ -13,8 +13,8 @@ use std::f64::consts::PI;
 /// Length of a step that widens the region about a witness, as a fraction of √(N/D″) (module `cells`). The value is
 /// tuned. A longer step widens the region faster, but gives wider bounds of D″.
 const TUBE_STEP: f64 = 0.3;
-/// Largest number of steps that widen the region about a witness. The value is tuned. The number limits the work for
-/// one region.
+/// Largest number of steps that widen the region about a witness (an instant near the largest velocity constraint). The
+/// value is tuned. It limits the work for one region.
 const TUBE_STEPS: usize = 8;
 /// Largest first widening step, as a fraction of the way from the witness to the end of the half period. The value is
 /// tuned. For a flat maximum, a step in proportion to √(N/D″) alone would be too long.
@@ -61,7 +61,8 @@ pub(crate) struct HalfPeriodCells<'a> {
     pub wide: ChainStage<2>,
     /// The chain over the interval, without slope.
     pub flat: ChainStage<1>,
-    /// N, the level slightly above the witness's constraint: at the centre, and over the interval.
+    /// N, a value slightly above the witness's velocity constraint: at the centre of the interval of r (`level_at`),
+    /// and over the interval.
     pub level_at: IntervalSeries<1>,
     pub level_over: IntervalSeries<2>,
     pub full_at: IntervalSeries<ORDER>,

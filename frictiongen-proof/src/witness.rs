@@ -11,10 +11,11 @@ use frictiongen_model::interval::Interval;
 pub(crate) enum Witness {
     /// The break-away term. For μ = 1 it equals the constraint at the start of the half period.
     BreakAway,
-    /// The instant τ = πt, with the coefficients of t as a polynomial in r − r₀. The constraint is F/sin τ.
+    /// The witness is the instant τ = πt, where t is a polynomial in r − r₀ with these coefficients. Its velocity
+    /// constraint is F/sin τ.
     Instant(Vec<f64>),
-    /// The instant τ = πt near the start of the half period, with the coefficients of t as a polynomial in r − r₀. The
-    /// constraint uses the Taylor series in τ.
+    /// The witness is the instant τ = πt near the start of the half period, where t is a polynomial in r − r₀ with
+    /// these coefficients. A Taylor series in τ gives its velocity constraint.
     Early(Vec<f64>),
 }
 

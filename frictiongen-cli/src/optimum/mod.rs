@@ -97,7 +97,7 @@ pub fn run(arguments: &OptimumArguments, out: &mut dyn Write) -> Result<(), Fail
 }
 
 impl OptimumArguments {
-    /// Parses the quantities, if there are several. The list is empty for a single quantity.
+    /// Parses the quantities of `--of`, if there are several. The list is empty for a single quantity.
     fn several(&self, system: &System, measure: &Measure) -> Result<Vec<Valued>, Failure> {
         if self.of.len() < 2 {
             return Ok(Vec::new());

@@ -1,4 +1,5 @@
-//! A quantity of `frictiongen optimum` with a value: a bound, or the value that divides it.
+//! A quantity in the options of `frictiongen optimum`, with its value. The value is an upper bound, or the number by
+//! which the quantity is divided.
 
 use crate::asked::Part;
 use crate::failure::Failure;
@@ -20,7 +21,7 @@ pub struct Valued {
 }
 
 impl Valued {
-    /// Parses a name and a value. `wrong` puts the option and its text before a problem.
+    /// Parses a name and a value. `wrong` converts a problem to a failure whose message names the option and its text.
     pub fn parsed(
         system: &System,
         (name, text): (&str, &str),

@@ -1,4 +1,4 @@
-//! Several quantities of `frictiongen optimum`, each divided by a value: `--of roof/5mm --of 'accel(roof)/2m/s2'`.
+//! Several quantities of `frictiongen optimum`. Each is divided by its value: `--of roof/5mm --of 'accel(roof)/2m/s2'`.
 
 use super::valued::Valued;
 use crate::asked::Part;
@@ -30,8 +30,8 @@ pub fn parsed(
     texts.iter().map(one).collect()
 }
 
-/// Finds the best friction for all quantities, and returns the lines of the answer. `table` makes the table of the
-/// decisive quantity.
+/// Finds the best friction for all quantities together, and returns the lines of the answer. `table` creates the table
+/// for the decisive quantity, whose quotient is the largest.
 pub fn lines<'a>(
     table: &dyn Fn(&'a Part) -> OptimumTable<'a>,
     request: &OptimumRequest,

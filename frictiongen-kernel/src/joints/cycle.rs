@@ -61,12 +61,12 @@ impl<S: Float> ContactCycle<S> {
 pub struct Cycle<S: Float, Z: Size> {
     /// Largest |x| of each mass.
     pub amplitudes: Z::Masses<S>,
-    /// Half the distance between the least and the largest displacement of each mass. A constant velocity is taken out
-    /// beforehand where nothing holds the mass.
+    /// Half the distance between the smallest and the largest displacement of each mass. If no spring holds a mass, its
+    /// mean velocity is subtracted first.
     pub centred: Z::Masses<S>,
     /// Result of each contact, in the order of the chain.
     pub contacts: Z::Contacts<ContactCycle<S>>,
-    /// Number of instants with an event.
+    /// Number of instants at which a contact has an event.
     pub events: usize,
 }
 
@@ -88,22 +88,23 @@ impl<S: Float, Z: Size> Cycle<S, Z> {
     }
 }
 
-/// Collects the results of a period, stretch by stretch.
+/// Collects the results of a period while the motion advances, one stretch after the other. A stretch is the time
+/// interval of one power series.
 #[derive(Clone, Debug)]
 pub struct Watch<S: Float, Z: Size> {
     ends: Z::Contacts<(usize, usize)>,
     cycle: Cycle<S, Z>,
     slides: Z::Contacts<bool>,
-    /// The least and the largest displacement of each mass.
+    /// Smallest and largest displacement of each mass up to now.
     spans: Z::Masses<Option<(S, S)>>,
-    /// A velocity of each mass that is taken out of its displacement.
+    /// Constant velocity of each mass. Its contribution is subtracted from the displacement of the mass.
     drifts: Z::Masses<S>,
-    /// The time that was seen.
+    /// Time since the start of the period.
     passed: S,
 }
 
 impl<S: Float, Z: Size> Watch<S, Z> {
-    /// Starts a period.
+    /// Starts to collect the results of a period.
     pub fn new(model: &Model<S, Z>) -> Self {
         let zero = S::constant(0.0);
         let size = &model.size;
@@ -127,7 +128,7 @@ impl<S: Float, Z: Size> Watch<S, Z> {
         }
     }
 
-    /// Starts a period in which each mass has a constant velocity besides its vibration.
+    /// Starts a period in which each mass has a constant velocity in addition to its vibration.
     pub fn drifting(model: &Model<S, Z>, drifts: Z::Masses<S>) -> Self {
         Self {
             drifts,
@@ -135,7 +136,7 @@ impl<S: Float, Z: Size> Watch<S, Z> {
         }
     }
 
-    /// Returns for each contact whether it has slid.
+    /// Returns for each contact true if it has slid in the period.
     pub fn slides(&self) -> &Z::Contacts<bool> {
         &self.slides
     }
@@ -183,7 +184,7 @@ impl<S: Float, Z: Size> Watch<S, Z> {
         }
     }
 
-    /// Returns the results after a period of this length.
+    /// Returns the results of a period of the given length.
     #[must_use]
     pub fn cycle(mut self, length: S) -> Cycle<S, Z> {
         for contact in self.cycle.contacts.as_mut() {
@@ -216,13 +217,15 @@ impl<S: Float, Z: Size> Observe<S, Z> for Watch<S, Z> {
     }
 }
 
-/// Returns the largest absolute value of a quantity, whose slope is known up to a factor, from 0 to `end`.
+/// Returns the largest absolute value of a polynomial between 0 and `end`. `slope` is its derivative, up to a constant
+/// factor.
 fn largest<S: Float>(terms: &Poly<S>, slope: &Poly<S>, end: S) -> S {
     let values = extremes(terms, slope, end).into_iter().map(Scalar::abs);
     values.fold(S::constant(0.0), Scalar::max)
 }
 
-/// Returns the values of a quantity at 0, at `end`, and where its slope changes its sign between them.
+/// Returns the values of a polynomial at 0, at `end`, and where `slope` changes its sign between them. `slope` is its
+/// derivative, up to a constant factor.
 fn extremes<S: Float>(terms: &Poly<S>, slope: &Poly<S>, end: S) -> [S; 3] {
     let zero = S::constant(0.0);
     let first = slope.iter().find(|term| !term.is_zero());
@@ -232,7 +235,7 @@ fn extremes<S: Float>(terms: &Poly<S>, slope: &Poly<S>, end: S) -> [S; 3] {
     [zero, end, turn].map(|at| value(terms, at))
 }
 
-/// Returns the terms of the derivative.
+/// Returns the coefficients of the derivative of a polynomial.
 fn slope<S: Float>(terms: &Poly<S>) -> Poly<S> {
     let mut slope = [S::constant(0.0); TERMS];
     for (order, (slope, term)) in slope.iter_mut().zip(terms.iter().skip(1)).enumerate() {
@@ -249,7 +252,7 @@ fn integral<S: Float>(terms: &[S], end: S) -> S {
     })
 }
 
-/// Returns the terms of a product.
+/// Returns the coefficients of the product of two polynomials.
 fn product<S: Float>(a: &Poly<S>, b: &Poly<S>) -> [S; 2 * TERMS] {
     let mut product = [S::constant(0.0); 2 * TERMS];
     for (i, a) in a.iter().enumerate() {

@@ -1,16 +1,18 @@
-//! The shortest solution of linear equations whose matrix may be singular.
+//! Finds the shortest solution of linear equations whose matrix may be singular.
 
 use super::size::{add, at, set};
 use crate::{Float, Scalar};
 
-/// Most sweeps over all pairs of columns. Each sweep squares the cosines between columns, so that a few are enough.
+/// Largest number of sweeps over all pairs of columns. Each sweep squares the cosines of the angles between columns, so
+/// that a few sweeps are enough.
 const SWEEPS: usize = 40;
 
-/// Solves A x = b, and overwrites A, which is square and stored column by column. Directions with a singular value of at
-/// most `rank` do not count: among the solutions without them, x is the shortest. `turns` is a matrix of the same size.
+/// Solves A x = b. If A is singular, x is the shortest solution: it has no component in a direction whose singular
+/// value is at most `rank`. A is square, stored column by column, and overwritten. `turns` is working space for a
+/// matrix of the same size.
 ///
-/// Rotations of pairs of columns make all columns orthogonal (the one-sided Jacobi method). Their lengths are then the
-/// singular values.
+/// Rotations of pairs of columns make all columns orthogonal (one-sided Jacobi method). The lengths of the columns are
+/// then the singular values.
 pub(super) fn solve<S: Float>(columns: &mut [S], turns: &mut [S], b: &[S], rank: S, x: &mut [S]) {
     let count = b.len();
     for (index, entry) in turns.iter_mut().enumerate() {
@@ -36,7 +38,8 @@ pub(super) fn solve<S: Float>(columns: &mut [S], turns: &mut [S], b: &[S], rank:
     }
 }
 
-/// Rotates all pairs of columns. Returns false if they were orthogonal.
+/// Rotates each pair of columns once, so that the pair becomes orthogonal. Returns false if all pairs were orthogonal
+/// already.
 fn sweep<S: Float>(columns: &mut [S], turns: &mut [S], count: usize) -> bool {
     let mut rotated = false;
     for second in 1..count {
@@ -65,7 +68,7 @@ fn sweep<S: Float>(columns: &mut [S], turns: &mut [S], count: usize) -> bool {
     rotated
 }
 
-/// Returns two columns of a matrix.
+/// Returns two columns of a matrix as mutable slices.
 fn pair<S>(
     columns: &mut [S],
     count: usize,
@@ -76,7 +79,7 @@ fn pair<S>(
     Some((one, tail.get_mut(..count)?))
 }
 
-/// Rotates two columns.
+/// Rotates two columns in the plane that they span.
 fn rotate<S: Float>(one: &mut [S], other: &mut [S], (cosine, sine): (S, S)) {
     for (a, b) in one.iter_mut().zip(other) {
         (*a, *b) = (cosine * *a - sine * *b, sine * *a + cosine * *b);
@@ -88,7 +91,7 @@ fn dot<S: Float>(a: &[S], b: &[S]) -> S {
     products.fold(S::constant(0.0), |sum, (a, b)| sum + *a * *b)
 }
 
-/// Sorts numbers by a key, the smallest first.
+/// Sorts values in ascending order of a key.
 pub(super) fn sort_by<T: Copy, S: Float>(values: &mut [T], key: impl Fn(&T) -> S) {
     for end in 1..values.len() {
         for place in (1..=end).rev() {
@@ -104,7 +107,7 @@ pub(super) fn sort_by<T: Copy, S: Float>(values: &mut [T], key: impl Fn(&T) -> S
     }
 }
 
-/// Returns the largest absolute value of the differences.
+/// Returns the largest absolute difference between the entries of two slices.
 pub(super) fn apart<S: Float>(a: &[S], b: &[S]) -> S {
     let mut largest = S::constant(0.0);
     for (index, a) in a.iter().enumerate() {
@@ -129,8 +132,8 @@ mod tests {
         (0..n).map(row).collect()
     }
 
-    /// A matrix of rank r is a sum of r products. The solution must fit, and be orthogonal to every direction without
-    /// an image. These are known, because the products' right factors are drawn from the first r unit vectors, rotated.
+    /// Checks that the solution satisfies the equations, and that it is orthogonal to every direction that the matrix
+    /// maps to 0. The matrix of rank r is a sum of r products of vectors, so that these directions are known.
     #[test]
     fn the_solution_fits_and_is_the_shortest() {
         let mut random = Random(11);

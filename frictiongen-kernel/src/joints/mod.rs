@@ -7,14 +7,15 @@
 //! * A rigid contact with ż = 0 sticks while |f| is at most μF. Otherwise f = F sgn ż.
 //! * An elastic contact (Jenkins element) is a spring in series with a slider: f follows the spring until |f| is μF.
 //!   Then f is F, until ż = 0.
-//! * A contact of level 0 has no force.
+//! * The *level* of a contact is its kinetic friction force F. A contact of level 0 has no force.
 //!
-//! Between two events the equations are linear. A power series solves them over stretches of at most one radian of a
-//! bound on the fastest frequency. Events are roots of polynomials. Contacts that stick are not constraints with a
-//! residual: the masses that they join have one acceleration, so that the relative velocity of a contact that sticks is
-//! exactly 0 and its relative displacement one number.
+//! Between two events the equations are linear. A power series solves them over time intervals, which are called
+//! *stretches*. A stretch is at most one radian of an upper bound on the fastest frequency. Events are roots of
+//! polynomials. Two masses with a sticking contact between them have the same acceleration. The relative velocity of
+//! this contact is therefore exactly 0, and its relative displacement a constant.
 //!
-//! A [`Size`] selects the arrays: [`Fixed`] for emitted code, vectors at run time. Both run the same code.
+//! The type parameter [`Size`] selects arrays of fixed length for emitted code ([`Fixed`]), or vectors at run time. The
+//! code is the same for both.
 
 mod base;
 mod cycle;

@@ -1,4 +1,5 @@
-//! The constants of a chain, with its nodes numbered, and the forces on its nodes.
+//! Constants of a chain with several contacts, and the forces on its nodes. The nodes are the masses, the wall and the
+//! base, numbered in this order.
 
 use super::base::Curve;
 use super::series::Poly;
@@ -6,51 +7,52 @@ use super::size::{Size, add, at};
 use super::wave::Wave;
 use crate::Float;
 
-/// A spring or a dashpot: two nodes and a coefficient.
+/// A spring or a dashpot: its two nodes, and its stiffness or damping coefficient.
 pub type Link<S> = (usize, usize, S);
 
-/// A contact with numbered nodes.
+/// A contact between two nodes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Contact<S> {
-    /// The node whose displacement counts positive in z.
+    /// Node whose displacement counts as positive in the relative displacement z = x_plus − x_minus.
     pub plus: usize,
-    /// The other node.
+    /// Node whose displacement counts as negative in z.
     pub minus: usize,
-    /// Level of the kinetic friction.
+    /// Kinetic friction force as a function of time (level).
     pub level: Wave<S>,
-    /// Static over kinetic friction.
+    /// Ratio μ of the static to the kinetic friction force.
     pub stiction: S,
-    /// Stiffness; `None` if rigid.
+    /// Stiffness of an elastic contact, or `None` for a rigid contact.
     pub stiffness: Option<S>,
 }
 
 impl<S: Float> Contact<S> {
-    /// Returns true if the contact has no force.
+    /// Returns true if the contact has no force, because its kinetic friction force is always 0.
     #[must_use]
     pub fn is_free(&self) -> bool {
         self.level.is_zero()
     }
 
-    /// Returns whether the contact is rigid.
+    /// Returns true if the contact is rigid, so that it has no spring.
     #[must_use]
     pub fn is_rigid(&self) -> bool {
         self.stiffness.is_none()
     }
 
-    /// Returns the difference of a quantity between both nodes.
+    /// Returns the value of a quantity at the node `plus` minus its value at the node `minus`.
     #[must_use]
     pub fn across(&self, nodes: &[S]) -> S {
         at(nodes, self.plus) - at(nodes, self.minus)
     }
 
-    /// Subtracts the contact's force at the one node and adds it at the other.
+    /// Adds the force of the contact to the forces on its nodes: −`force` on the node `plus`, and +`force` on the node
+    /// `minus`.
     pub fn pull(&self, nodes: &mut [S], force: S) {
         add(nodes, self.plus, -force);
         add(nodes, self.minus, force);
     }
 
-    /// Returns true if the contact can have a level: a constant that is not negative, or, for a rigid contact, a function
-    /// of time.
+    /// Returns true if the contact can have this kinetic friction force. Any contact can have a constant that is not
+    /// negative. Only a rigid contact can have a function of time.
     #[must_use]
     pub fn fits(&self, level: &Wave<S>) -> bool {
         let varies = !level.amplitude.is_zero() || !level.slope.is_zero();
@@ -63,10 +65,11 @@ impl<S: Float> Contact<S> {
     }
 }
 
-/// A chain whose numbers and nodes have been checked. The nodes are the masses, then the wall, then the base.
+/// A chain with several contacts, whose numbers and nodes are valid. The nodes are the masses, the wall and the base,
+/// in this order.
 #[derive(Clone, Debug)]
 pub struct Model<S: Float, Z: Size> {
-    /// Numbers of masses, contacts and loads.
+    /// Numbers of masses, contacts and loads, which give the lengths of all arrays.
     pub size: Z,
     /// The masses.
     pub masses: Z::Constants<S>,
@@ -78,9 +81,9 @@ pub struct Model<S: Float, Z: Size> {
     pub damping: Z::Constants<S>,
     /// True if this matrix acts on velocities relative to the base. False if it acts on absolute velocities.
     pub damping_from_base: bool,
-    /// The contacts.
+    /// The contacts, in the order of the description.
     pub contacts: Z::Contacts<Contact<S>>,
-    /// Forces on masses.
+    /// Forces on masses, each with the index of the mass.
     pub loads: Z::Loads<(usize, Wave<S>)>,
     /// The displacement of the base.
     pub base: Curve<S>,
@@ -89,12 +92,12 @@ pub struct Model<S: Float, Z: Size> {
 }
 
 impl<S: Float, Z: Size> Model<S, Z> {
-    /// Number of masses, which is the node of the wall.
+    /// Returns the index of the wall's node, which equals the number of masses.
     pub fn wall(&self) -> usize {
         self.masses().len()
     }
 
-    /// The node of the base.
+    /// Returns the index of the base's node.
     pub fn base_node(&self) -> usize {
         self.wall() + 1
     }
@@ -119,8 +122,9 @@ impl<S: Float, Z: Size> Model<S, Z> {
         self.damping.as_ref().chunks(self.wall().max(1))
     }
 
-    /// Returns the term of one order of all forces but those of contacts, by node, from the terms of displacements and
-    /// velocities. `load` has the term of each load. `size` gathers the sum of absolute values, if it is given.
+    /// Returns one coefficient of the power series of the force on each node, without the contact forces. The arguments
+    /// are the coefficients of displacements and velocities. `load` returns the coefficient of each load. If `size` is
+    /// given, the function adds the absolute values of all terms to it.
     pub fn forces(
         &self,
         x: &[S],
@@ -158,7 +162,7 @@ impl<S: Float, Z: Size> Model<S, Z> {
         force
     }
 
-    /// Returns the terms of each load over a stretch.
+    /// Returns the power series of each load over a stretch.
     pub(super) fn load_terms(&self, time: S, length: S) -> impl Iterator<Item = Poly<S>> {
         let loads = self.loads.as_ref().iter();
         loads.map(move |(_, wave)| wave.terms(time, length, 0))
@@ -170,7 +174,7 @@ impl<S: Float, Z: Size> Model<S, Z> {
         load.map_or(S::constant(0.0), |(_, wave)| wave.value(time, 0))
     }
 
-    /// Changes a load, and returns by how much its value at an instant jumps.
+    /// Replaces a load by another function of time. Returns the jump of its value at the given instant.
     pub(super) fn change_load(&mut self, load: usize, to: Wave<S>, time: S) -> Option<S> {
         let (_, wave) = self.loads.as_mut().get_mut(load)?;
         let jump = to.value(time, 0) - wave.value(time, 0);
@@ -178,7 +182,7 @@ impl<S: Float, Z: Size> Model<S, Z> {
         Some(jump)
     }
 
-    /// Returns the power of the loads at given velocities.
+    /// Returns the power of all loads for the given velocities of the masses.
     pub fn load_power(&self, time: S, v: &[S]) -> S {
         let loads = self.loads.as_ref().iter();
         loads.fold(S::constant(0.0), |power, (mass, wave)| {
@@ -186,8 +190,8 @@ impl<S: Float, Z: Size> Model<S, Z> {
         })
     }
 
-    /// Sets the longest stretch to one over a bound on the fastest rate: Gershgorin's circles of M⁻¹K and of M⁻¹C,
-    /// elastic contacts counted as springs. A rate s obeys s² ≤ C s + K in norms.
+    /// Sets the longest stretch to 1/s, with an upper bound s on the rates of the motion. Gershgorin's theorem bounds
+    /// M⁻¹K and M⁻¹C, where elastic contacts count as springs. A rate s satisfies s² ≤ ‖M⁻¹C‖s + ‖M⁻¹K‖.
     pub fn set_stretch(&mut self) {
         let mut stiff = self.size.nodes(S::constant(0.0));
         let mut slow = self.size.nodes(S::constant(0.0));
@@ -217,13 +221,13 @@ impl<S: Float, Z: Size> Model<S, Z> {
         self.stretch = S::constant(1.0) / crate::Scalar::max(motion, waves);
     }
 
-    /// Returns the largest quotient of a number of a node and its mass.
+    /// Returns the largest quotient of a mass's number in `values` and the mass itself.
     fn largest(&self, values: &[S]) -> S {
         let rates = values.iter().zip(self.masses()).map(|(k, m)| *k / *m);
         rates.fold(S::constant(0.0), crate::Scalar::max)
     }
 
-    /// Adds a link to the circles of its two rows.
+    /// Adds a spring or dashpot to the Gershgorin sums of its two nodes.
     fn circle(&self, circles: &mut [S], (plus, minus, value): Link<S>) {
         let both = plus.max(minus) < self.wall();
         let value = if both {

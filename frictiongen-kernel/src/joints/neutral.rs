@@ -1,11 +1,11 @@
-//! Motions of a chain as a whole that nothing resists.
+//! Counts the motions of a chain that no force resists.
 
 use super::model::Model;
 use super::size::Size;
 use crate::Float;
 
-/// Returns in how many ways the chain may be moved as a whole without any change of forces: places of parts that
-/// neither a spring nor a contact that keeps its place holds, and velocities of parts that nothing holds.
+/// Returns the number of independent motions that change no force. These are displacements of parts that neither a
+/// spring nor a contact holds in position, and constant velocities of parts without any connection to a support.
 pub(super) fn neutral<S: Float, Z: Size>(
     model: &Model<S, Z>,
     keeps: impl Fn(usize) -> bool,
@@ -34,7 +34,8 @@ pub(super) fn neutral<S: Float, Z: Size>(
     places + moving.count()
 }
 
-/// Joins the parts of two nodes. The supports have the largest numbers.
+/// Marks two nodes as belonging to one part. The number of a part is the largest index of its nodes. Supports have the
+/// largest indices, so that the number shows whether a part contains a support.
 fn join(parts: &mut [usize], (plus, minus): (usize, usize)) {
     let of = |node: usize| parts.get(node).copied().unwrap_or(node);
     let (one, other) = (of(plus), of(minus));
@@ -44,12 +45,12 @@ fn join(parts: &mut [usize], (plus, minus): (usize, usize)) {
     }
 }
 
-/// Returns the number of each part that no support belongs to.
+/// Returns the numbers of all parts that contain no support.
 fn roots<S: Float, Z: Size>(model: &Model<S, Z>, parts: &[usize]) -> impl Iterator<Item = usize> {
     (0..model.wall()).filter(move |root| parts.contains(root))
 }
 
-/// Returns true if the damping matrix resists a motion of a part as a whole.
+/// Returns true if the damping matrix resists a motion of a part without deformation.
 fn is_damped<S: Float, Z: Size>(model: &Model<S, Z>, parts: &[usize], root: usize) -> bool {
     let belongs = |node: usize| parts.get(node) == Some(&root);
     let small = S::constant(if S::EPSILON < 1e-10 { 1e-9 } else { 1e-4 });

@@ -1,7 +1,7 @@
-//! Steady states and the stuck state of a chain at one frequency, in non-dimensional groups.
+//! Steady states and the stuck state of a chain with several contacts at one frequency, in non-dimensional groups.
 //!
-//! Displacements are over P/k₁ (over Y for base motion), forces are over P (over k₁Y), and energies are over P²/k₁ (over
-//! k₁Y²).
+//! Displacements are over P/k₁ (over Y for base motion), forces are over P (over k₁Y), and energies are over P²/k₁
+//! (over k₁Y²).
 
 use super::cycle::ContactCycle;
 use super::model::Model;
@@ -14,10 +14,10 @@ use crate::errors::{Halt, NoOrbit, OutOfDomain, Regime, StuckResonance};
 use crate::number::complex::Complex;
 use crate::{Float, Scalar};
 
-/// A chain at one frequency.
+/// A chain with several contacts at one frequency.
 #[derive(Clone, Debug)]
 pub struct At<S: Float, Z: Size> {
-    /// The chain. The level of each contact is its share of the common friction.
+    /// The chain. The level (kinetic friction force) of each contact is its share of the common friction.
     model: Model<S, Z>,
     reference: Reference<S>,
     r: S,
@@ -25,8 +25,8 @@ pub struct At<S: Float, Z: Size> {
 }
 
 impl<S: Float, Z: Size> At<S, Z> {
-    /// Evaluates a chain at the frequency ratio r. The level of each contact in `model` is its share of the common
-    /// friction. `contacts` has the names of the contacts.
+    /// Evaluates a chain at the frequency ratio r. The level (kinetic friction force) of each contact in `model` is its
+    /// share of the common friction. `contacts` has the names of the contacts.
     ///
     /// # Errors
     ///
@@ -68,7 +68,7 @@ impl<S: Float, Z: Size> At<S, Z> {
         })
     }
 
-    /// Returns the steady state that the motion reaches from rest or from a state, at the common friction β.
+    /// Returns the steady state that the motion from rest, or from the given state, reaches at the common friction β.
     ///
     /// # Errors
     ///
@@ -92,8 +92,8 @@ impl<S: Float, Z: Size> At<S, Z> {
 }
 
 impl<S: Float, Z: Size> Steady<S, Z> {
-    /// Returns true if the motion repeats with the opposite sign after half a period. `motion` is a motion of the chain,
-    /// whose state does not matter.
+    /// Returns true if the motion repeats with the opposite sign after half a period. `motion` is any motion of the
+    /// chain. The function replaces its state.
     ///
     /// # Errors
     ///
@@ -124,7 +124,7 @@ impl<S: Float, Z: Size> Steady<S, Z> {
     }
 }
 
-/// The state in which no contact slides.
+/// The state of a chain in which no contact slides.
 #[derive(Clone, Debug)]
 pub struct StuckState<S: Float, Z: Size> {
     response: StuckResponse<S, Z>,
@@ -160,7 +160,7 @@ impl<S: Float, Z: Size> StuckState<S, Z> {
     }
 }
 
-/// A steady state.
+/// A steady state of a chain with several contacts.
 #[derive(Clone, Debug)]
 pub struct Orbit<S: Float, Z: Size> {
     steady: Steady<S, Z>,
@@ -181,7 +181,8 @@ impl<S: Float, Z: Size> Orbit<S, Z> {
         self.steady.multipliers()
     }
 
-    /// Returns true if every small deviation decays, except deviations along marginal directions.
+    /// Returns true if every small deviation decays, except along marginal directions. A deviation along a marginal
+    /// direction stays constant.
     pub fn is_stable(&self) -> bool {
         self.steady.is_stable()
     }
@@ -277,7 +278,7 @@ impl<S: Float> MassOrbit<S> {
 pub struct ContactOrbit<S> {
     cycle: ContactCycle<S>,
     is_marginal: bool,
-    /// The unit of forces.
+    /// Unit of the contact's force.
     unit: S,
 }
 

@@ -1,4 +1,4 @@
-//! The motion from event to event.
+//! Advances the motion of a chain with several contacts from event to event.
 
 use super::model::Model;
 use super::roots::first_negative;
@@ -10,28 +10,29 @@ use super::wave::Wave;
 use crate::Float;
 use crate::errors::Halt;
 
-/// Returns the fraction of a stretch within which events count as one event.
+/// Returns the time, as a fraction of a stretch, within which two events count as simultaneous.
 fn same<S: Float>() -> S {
     S::constant(if S::EPSILON < 1e-10 { 1e-11 } else { 1e-4 })
 }
 
-/// Sees a motion, stretch by stretch and event by event.
+/// Observer of a motion. The solver calls it for every stretch (interval of one power series) and for every event.
 pub trait Observe<S: Float, Z: Size> {
-    /// Sees the motion from the start of a stretch to a fraction of it. The phases of `state` are valid meanwhile.
+    /// Receives the motion from the start of a stretch to the fraction `end` of it. The phases of `state` hold during
+    /// this time.
     fn stretch(&mut self, series: &Series<S, Z>, end: S, state: &State<S, Z>);
 
-    /// Sees the phases before and after an event.
+    /// Receives the phases of all contacts before and after an event.
     fn event(&mut self, time: S, before: &Z::Contacts<i8>, after: &Z::Contacts<i8>);
 }
 
-/// Sees nothing.
+/// An observer that ignores the motion.
 impl<S: Float, Z: Size> Observe<S, Z> for () {
     fn stretch(&mut self, _: &Series<S, Z>, _: S, _: &State<S, Z>) {}
 
     fn event(&mut self, _: S, _: &Z::Contacts<i8>, _: &Z::Contacts<i8>) {}
 }
 
-/// Counts events.
+/// An observer that counts the events.
 pub(super) struct Count(pub(super) u32);
 
 impl<S: Float, Z: Size> Observe<S, Z> for Count {
@@ -42,16 +43,16 @@ impl<S: Float, Z: Size> Observe<S, Z> for Count {
     }
 }
 
-/// Bounds on the work of a motion.
+/// Upper bounds on the work of one call.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Bounds {
-    /// Largest number of events.
+    /// Largest number of events in the call.
     pub events: usize,
-    /// Largest number of stretches.
+    /// Largest number of stretches (intervals of one power series) in the call.
     pub stretches: usize,
 }
 
-/// A motion in time.
+/// Motion in time of a chain with several contacts.
 #[derive(Clone, Debug)]
 pub struct Motion<S: Float, Z: Size> {
     pub(super) model: Model<S, Z>,
@@ -62,11 +63,11 @@ pub struct Motion<S: Float, Z: Size> {
 }
 
 impl<S: Float, Z: Size> Motion<S, Z> {
-    /// Starts at time 0 with given displacements and velocities, and elastic contacts without force.
+    /// Starts a motion at time 0 with given displacements and velocities. Elastic contacts start without force.
     ///
     /// # Errors
     ///
-    /// Those of a decision.
+    /// [`Halt`] if the solver cannot decide which contacts stick.
     pub fn new(model: Model<S, Z>, x: &[S], v: &[S]) -> Result<Self, Halt> {
         let mut state = State::at_rest(&model.size);
         state.keep_places(x);
@@ -83,22 +84,22 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         Ok(motion)
     }
 
-    /// Returns the time.
+    /// Returns the time since the start.
     pub fn time(&self) -> S {
         self.time
     }
 
-    /// Returns the state.
+    /// Returns the state of masses and contacts.
     pub fn state(&self) -> &State<S, Z> {
         &self.state
     }
 
-    /// Returns the chain.
+    /// Returns the chain with its numbered nodes.
     pub fn model(&self) -> &Model<S, Z> {
         &self.model
     }
 
-    /// Returns the relative velocity of a contact, and its relative displacement.
+    /// Returns the relative velocity of a contact, then its relative displacement.
     pub fn relative(&self, contact: usize) -> (S, S) {
         let (x, v) = self.nodes();
         let Some(c) = self.model.contact(contact) else {
@@ -137,7 +138,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         forces
     }
 
-    /// Starts again at time 0 with a state of this chain.
+    /// Restarts at time 0 from a state of this chain.
     pub fn restart(&mut self, state: State<S, Z>) {
         self.time = S::constant(0.0);
         self.state = state;
@@ -150,7 +151,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         self.state.keep_speeds(v.as_ref());
     }
 
-    /// Makes the present instant the time 0. The state does not change.
+    /// Sets the time of the present instant to 0, without a change of the state.
     pub(super) fn rewind(&mut self) {
         let time = self.time;
         let contacts = self.model.contacts.as_mut().iter_mut();
@@ -164,11 +165,12 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         self.time = S::constant(0.0);
     }
 
-    /// Changes the level of a contact from now on.
+    /// Changes the kinetic friction force of a contact from the present instant on.
     ///
     /// # Errors
     ///
-    /// [`Halt::Level`] if the contact cannot have this level, and those of a decision.
+    /// [`Halt::Level`] if the contact cannot have this force. Another [`Halt`] if the solver cannot decide which
+    /// contacts stick.
     pub fn set_level(&mut self, contact: usize, level: Wave<S>) -> Result<(), Halt> {
         let (x, v) = self.nodes();
         let force = at(self.state.forces.as_ref(), contact);
@@ -206,7 +208,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         self.decide_at_once()
     }
 
-    /// Changes a load from now on, for instance to the line that leads to the next sample of a record.
+    /// Changes a load from the present instant on, for instance to the straight line to the next sample of a record.
     ///
     /// # Errors
     ///
@@ -242,18 +244,18 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         self.model.change_load(load, to, self.time);
     }
 
-    /// Makes stretches short enough for a new function of time.
+    /// Shortens the stretches so that the power series also represents a new function of time.
     fn shorten(&mut self, wave: &Wave<S>) {
         let longest = wave.longest_stretch();
         self.model.stretch = crate::Scalar::min(self.model.stretch, longest);
     }
 
-    /// Runs to an instant.
+    /// Advances the motion to the given instant.
     ///
     /// # Errors
     ///
-    /// [`Halt::Events`] and [`Halt::Stretches`] beyond the bounds, [`Halt::NotFinite`] if the motion exceeds the range of
-    /// numbers, and those of a decision.
+    /// [`Halt::Events`] and [`Halt::Stretches`] beyond the bounds, [`Halt::NotFinite`] if the motion exceeds the range
+    /// of numbers, and any [`Halt`] of a decision on which contacts stick.
     pub fn run(
         &mut self,
         until: S,
@@ -277,7 +279,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         Err(Halt::Stretches)
     }
 
-    /// Advances to the end of a stretch or to the next event. Returns true if an event has been passed.
+    /// Advances to the end of a stretch, or to the next event. Returns true if the motion passed an event.
     fn step(&mut self, until: S, watch: &mut impl Observe<S, Z>) -> Result<bool, Halt> {
         let one = S::constant(1.0);
         let left = until - self.time;
@@ -323,7 +325,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         Ok(true)
     }
 
-    /// Refuses what is not a number.
+    /// Fails if a number of the state is infinite or NaN.
     fn finite(&self) -> Result<(), Halt> {
         let numbers = self.state.x.as_ref().iter().chain(self.state.v.as_ref());
         let mut numbers = numbers.chain(self.state.forces.as_ref());
@@ -334,7 +336,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         }
     }
 
-    /// Takes over the state at a fraction of a stretch.
+    /// Sets the state to the motion at a fraction of a stretch.
     fn take(&mut self, series: &Series<S, Z>, fraction: S) {
         let (x, v) = series.motion(&self.model, fraction);
         self.state.x = x;
@@ -346,7 +348,8 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         }
     }
 
-    /// Returns the next event of a contact in a stretch, and its side.
+    /// Returns the next event of a contact in a stretch: the fraction of the stretch, and the sign of the force or
+    /// velocity at the event.
     fn next_event(&self, series: &Series<S, Z>, j: usize) -> Option<(S, i8)> {
         let contact = self.model.contact(j)?;
         let zeros = self.state.zeros.as_ref().get(j).copied();
@@ -374,7 +377,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         }
     }
 
-    /// Joins the masses of the contacts that stick.
+    /// Builds the trees of the masses that sticking contacts connect.
     pub(super) fn join(&mut self) {
         self.tree = Tree::new(&self.model, |j| self.state.phase(j) == STUCK);
     }
@@ -385,7 +388,8 @@ impl<S: Float, Z: Size> Motion<S, Z> {
     }
 }
 
-/// Returns the terms of the margin of a contact that sticks.
+/// Returns the power series of the distance between the force of a sticking contact and its static friction force, on
+/// one side.
 fn margin<S: Float>(stiction: S, level: &Poly<S>, side: S, force: &Poly<S>) -> Poly<S> {
     let mut margin = level.map(|term| stiction * term);
     for (margin, force) in margin.iter_mut().zip(force) {

@@ -10,17 +10,17 @@ use crate::errors::{Given, OutOfDomain};
 
 /// Largest number of events in one call of [`Simulation::advance`].
 pub const MAX_EVENTS: usize = 100_000;
-/// Largest number of stretches in one call of [`Simulation::advance`].
+/// Largest number of stretches (intervals of one power series) in one call of [`Simulation::advance`].
 pub const MAX_STRETCHES: usize = 10_000_000;
 
-/// Units of a simulation, and its frequency, at the frequency ratio r = 1.
+/// Physical units of a non-dimensional simulation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reference<S> {
-    /// √(k₁/m₁) in rad per unit of time.
+    /// Reference angular frequency √(k₁/m₁), in rad per unit of time. It corresponds to r = 1.
     pub rate: S,
     /// Stiffness k₁ of the first spring.
     pub stiffness: S,
-    /// True if the base moves. Otherwise the first load acts.
+    /// True if the base moves. If false, the first load excites the chain.
     pub on_base: bool,
 }
 
@@ -38,7 +38,8 @@ impl<S: Float> Reference<S> {
         }
     }
 
-    /// Gives a chain its load and its friction forces. The level of each contact is its share beforehand.
+    /// Sets the load and the friction forces of a chain. Before the call, the level of each contact in `model` is its
+    /// share of the common friction.
     pub(super) fn load<Z: Size>(&self, model: &mut Model<S, Z>, omega: S, beta: S) {
         if self.on_base {
             model.base = Wave::harmonic(S::constant(1.0), omega).into();
@@ -55,7 +56,7 @@ impl<S: Float> Reference<S> {
     ///
     /// # Errors
     ///
-    /// Those of [`Simulation::new`].
+    /// Same errors as [`Simulation::new`].
     pub(super) fn start<Z: Size>(
         &self,
         mut model: Model<S, Z>,
@@ -95,12 +96,12 @@ pub struct Simulation<S: Float, Z: Size> {
     stiffness: S,
 }
 
-/// Displacements and velocities of all masses.
+/// Displacements of all masses, then their velocities.
 pub(super) type Start<'s, S> = (&'s [S], &'s [S]);
 
 impl<S: Float, Z: Size> Simulation<S, Z> {
-    /// Starts at a maximum of the load, from rest or from a state. The level of each contact in `model` is its share of
-    /// the common friction.
+    /// Starts a motion at a maximum of the load, from rest or from a given state. `model` contains the friction force
+    /// of each contact as a multiple of the common friction force.
     ///
     /// # Errors
     ///
@@ -123,8 +124,8 @@ impl<S: Float, Z: Size> Simulation<S, Z> {
     ///
     /// # Errors
     ///
-    /// [`OutOfDomain`] for a reach that is negative or not finite, and, with its cause, if the motion exceeds a bound.
-    /// The motion then stays at the instant that it has reached.
+    /// [`OutOfDomain`] if `reach` is negative or not finite. [`OutOfDomain::Motion`] with the cause, if the motion
+    /// exceeds a bound. The motion then stays at the instant that it has reached.
     pub fn advance(&mut self, reach: S) -> Result<u32, OutOfDomain> {
         if !(reach >= S::constant(0.0) && reach.is_finite()) {
             return Err(OutOfDomain::Duration(Given::of(reach)));

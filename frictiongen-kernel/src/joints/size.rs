@@ -1,50 +1,50 @@
-//! The arrays of a chain: of fixed length in emitted code, allocated at run time.
+//! Arrays of a chain. They have a fixed length in emitted code, and are allocated at run time.
 
 use core::fmt::Debug;
 
-/// An entry of an array.
+/// A value that an array can contain.
 pub trait Value: Copy + Debug + PartialEq + 'static {}
 
 impl<T: Copy + Debug + PartialEq + 'static> Value for T {}
 
-/// An array that can be read and changed.
+/// An array that can be read and written.
 pub trait Array<T>: AsRef<[T]> + AsMut<[T]> + Clone + Debug + PartialEq {}
 
 impl<T, A: AsRef<[T]> + AsMut<[T]> + Clone + Debug + PartialEq> Array<T> for A {}
 
 /// Numbers of masses, contacts and loads of a chain, and the arrays that have these lengths.
 pub trait Size: Clone + Debug + PartialEq {
-    /// One entry for each mass.
+    /// Array with one entry for each mass.
     type Masses<T: Value>: Array<T>;
-    /// One entry for each node: the masses, then the wall, then the base.
+    /// Array with one entry for each node: the masses, the wall and the base, in this order.
     type Nodes<T: Value>: Array<T>;
-    /// One entry for each contact.
+    /// Array with one entry for each contact.
     type Contacts<T: Value>: Array<T>;
-    /// One entry for each load.
+    /// Array with one entry for each load.
     type Loads<T: Value>: Array<T>;
-    /// One entry for each unknown of a steady state: two for each mass, two for each contact.
+    /// Array with one entry for each unknown of a steady state: two entries for each mass, and two for each contact.
     type Unknowns<T: Value>: Array<T>;
-    /// A square matrix of the unknowns, column by column.
+    /// Square matrix with a row and a column for each unknown, stored column by column.
     type Square<T: Value>: Array<T>;
-    /// Entries that do not change, in any number.
+    /// Array of any length whose entries do not change.
     type Constants<T: Value>: AsRef<[T]> + Clone + Debug;
 
-    /// Returns an array with the same value for each mass.
+    /// Returns an array that contains `value` for each mass.
     fn masses<T: Value>(&self, value: T) -> Self::Masses<T>;
-    /// Returns an array with the same value for each node.
+    /// Returns an array that contains `value` for each node.
     fn nodes<T: Value>(&self, value: T) -> Self::Nodes<T>;
-    /// Returns an array with the same value for each contact.
+    /// Returns an array that contains `value` for each contact.
     fn contacts<T: Value>(&self, value: T) -> Self::Contacts<T>;
-    /// Returns an array with the same value for each load.
+    /// Returns an array that contains `value` for each load.
     fn loads<T: Value>(&self, value: T) -> Self::Loads<T>;
-    /// Returns an array with the same value for each unknown.
+    /// Returns an array that contains `value` for each unknown.
     fn unknowns<T: Value>(&self, value: T) -> Self::Unknowns<T>;
-    /// Returns a square matrix with the same value in each entry.
+    /// Returns a square matrix whose entries are all `value`.
     fn square<T: Value>(&self, value: T) -> Self::Square<T>;
 }
 
-/// The size of an emitted chain: N masses, NODES = N + 2 nodes, M contacts and L loads. A chain with steady states has
-/// U = 2N + 2M unknowns and matrices of SQUARE = U² entries. A chain whose closed forms alone are asked for has U = 2N.
+/// Size of an emitted chain with N masses, NODES = N + 2 nodes, M contacts and L loads. For steady states, U = 2N + 2M
+/// is the number of unknowns, and SQUARE = U² the number of entries of a matrix. For closed forms alone, U = 2N.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fixed<
     const N: usize,
@@ -97,12 +97,12 @@ impl<
     }
 }
 
-/// Returns one entry of an array of numbers. Every index of a checked chain is valid.
+/// Returns one entry of an array, or 0 for an invalid index. A checked chain has no invalid index.
 pub fn at<S: crate::Float>(values: &[S], index: usize) -> S {
     values.get(index).copied().unwrap_or(S::constant(0.0))
 }
 
-/// Adds to one entry of an array.
+/// Adds a number to one entry of an array.
 pub fn add<S: crate::Float>(values: &mut [S], index: usize, value: S) {
     if let Some(entry) = values.get_mut(index) {
         *entry = *entry + value;
@@ -116,7 +116,7 @@ pub fn set<T>(values: &mut [T], index: usize, value: T) {
     }
 }
 
-/// Returns a direction of sliding as a number.
+/// Converts a direction of sliding (−1 or 1) to a scalar.
 pub fn sign<S: crate::Float>(phase: i8) -> S {
     S::constant(f64::from(phase))
 }

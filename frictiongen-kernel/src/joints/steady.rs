@@ -1,8 +1,9 @@
-//! Steady states: periodic motions, by shooting.
+//! Finds steady states, which are periodic motions, by the shooting method.
 //!
-//! The unknowns are displacements and velocities at a maximum of the load, the slider of each elastic contact, and the
-//! place of each rigid contact that sticks there. A contact that does not slide in the period keeps its slider or its
-//! place. These are then no unknowns: the steady state is *marginal*, it depends on what the motion before has left.
+//! The unknowns are displacements and velocities at a maximum of the load, and positions of contacts. For an elastic
+//! contact, the position is that of its slider. For a rigid contact that sticks at this instant, it is the relative
+//! displacement. If a contact does not slide in the period, its position stays constant and is not an unknown. The
+//! steady state is then *marginal*: it depends on the position that the earlier motion has left.
 
 use super::cycle::{Cycle, Watch};
 use super::least::{apart, solve, sort_by};
@@ -18,57 +19,59 @@ use crate::number::complex::Complex;
 use crate::number::matrix::SquareMatrix;
 use crate::{Float, Scalar};
 
-/// Cycles from rest before the first attempt.
+/// Number of cycles from rest before the first attempt.
 const WARM: usize = 30;
-/// Attempts, with twice as many cycles before each.
+/// Largest number of attempts. Each attempt follows after twice as many cycles as the previous one.
 const ATTEMPTS: usize = 6;
-/// Largest period in cycles.
+/// Largest period of a steady state, in cycles of the load.
 pub const MAX_PERIOD: usize = 64;
-/// Newton's steps in an attempt.
+/// Largest number of Newton steps in an attempt.
 const NEWTON: usize = 12;
-/// Factor by which a difference must fall before a periodic motion is believed.
+/// The test of a periodic motion ends when the multipliers predict that the motion's distance from it has fallen to
+/// this fraction.
 const DECAY: f64 = 1e-3;
-/// Most cycles for that.
+/// Largest number of cycles over which the test of a periodic motion follows the motion.
 const MAX_CONFIRM: usize = 256;
 
-/// Bounds of one cycle.
+/// Bounds on the work of one cycle.
 const BOUNDS: Bounds = Bounds {
     events: MAX_EVENTS,
     stretches: MAX_STRETCHES,
 };
 
-/// A periodic motion.
+/// A steady state: a motion that repeats after some cycles of the load.
 #[derive(Clone, Debug)]
 pub struct Steady<S: Float, Z: Size> {
     /// Length of the period in cycles of the load.
     pub period: usize,
-    /// The state at a maximum of the load.
+    /// The state at a maximum of the load, where the period begins.
     pub state: State<S, Z>,
-    /// Number of displacements and velocities of parts that nothing holds. The steady state keeps the values that the
-    /// motion from rest has reached.
+    /// Number of independent displacements and velocities of parts without a support. The steady state has the values
+    /// that the motion from rest has reached.
     pub neutral: usize,
-    /// Floquet multipliers, then unused entries.
+    /// Floquet multipliers of a period, followed by unused entries.
     multipliers: Z::Unknowns<Complex<S>>,
     /// Number of multipliers.
     count: usize,
-    /// The contacts that do not slide in the period. The steady state depends on their place, or on the force that the
-    /// past left in them.
+    /// For each contact, true if it does not slide in the period. The steady state depends on the positions of these
+    /// contacts, or on the constant forces in them.
     pub marginal: Z::Contacts<bool>,
     /// Amplitudes of the masses and results of the contacts over a period.
     pub cycle: Cycle<S, Z>,
-    /// Largest difference after a period, relative to the size of the state.
+    /// Largest difference between the states at the start and at the end of a period, relative to the size of the
+    /// state.
     pub residual: S,
 }
 
 impl<S: Float, Z: Size> Steady<S, Z> {
-    /// Returns the Floquet multipliers of a period, largest first. The multipliers of 1 that belong to `marginal` and
-    /// `neutral` are left out.
+    /// Returns the Floquet multipliers of a period, in descending order of modulus. The list omits the multipliers 1
+    /// that belong to `marginal` and `neutral`.
     pub fn multipliers(&self) -> &[Complex<S>] {
         let all = self.multipliers.as_ref();
         all.get(..self.count).unwrap_or(all)
     }
 
-    /// Returns true if every small change dies out, except for changes of `marginal` and `neutral`.
+    /// Returns true if every small deviation decays, except deviations that belong to `marginal` and `neutral`.
     pub fn is_stable(&self) -> bool {
         let most = S::constant(1.0 - 1e-9);
         self.multipliers().iter().all(|m| modulus(m) < most)
@@ -85,11 +88,11 @@ fn from_one<S: Float>(number: &Complex<S>) -> S {
 }
 
 impl<S: Float, Z: Size> Motion<S, Z> {
-    /// Seeks the steady state to which the motion comes, under loads of the angular frequency ω. Returns `None` if the
-    /// motion does not settle on a period of at most [`MAX_PERIOD`] cycles.
+    /// Searches for the steady state that the motion reaches, under loads of the angular frequency ω. Returns `None` if
+    /// the motion does not settle on a period of at most [`MAX_PERIOD`] cycles.
     ///
-    /// The search follows at most 1890 cycles until the motion settles, 12 times 256 cycles to confirm a result, and
-    /// 12 times 12 periods for each unknown.
+    /// The search follows at most 1890 cycles until the motion settles, 12 times 256 cycles to confirm a result, and 12
+    /// times 12 periods for each unknown.
     ///
     /// # Errors
     ///
@@ -121,19 +124,20 @@ impl<S: Float, Z: Size> Motion<S, Z> {
     }
 }
 
-/// Data of a search for a periodic motion.
+/// Search for a periodic motion by the shooting method.
 struct Search<S: Float, Z: Size> {
-    /// Length of a cycle of the load.
+    /// Duration of a cycle of the load.
     cycle: S,
-    /// Size of the displacements.
+    /// Size of the displacements in the motion, by which the search divides displacements.
     place: S,
-    /// The contacts that slide in a period.
+    /// For each contact, true if it slides in a period.
     moving: Z::Contacts<bool>,
     tolerances: Tolerances<S>,
 }
 
 impl<S: Float, Z: Size> Search<S, Z> {
-    /// Runs some cycles. Returns the shortest period after which the states come back, if there is one.
+    /// Advances the motion by a number of cycles. Returns the shortest period after which the last states repeat, if
+    /// there is one.
     fn warm(&mut self, motion: &mut Motion<S, Z>, cycles: usize) -> Result<Option<usize>, Halt> {
         let window = MAX_PERIOD.min(cycles / 2);
         self.advance(motion, cycles.saturating_sub(window), &mut ())?;
@@ -162,14 +166,14 @@ impl<S: Float, Z: Size> Search<S, Z> {
         Ok(aways.position(|away| *away <= near).map(|place| place + 1))
     }
 
-    /// Returns the distance of two states: of displacements, or of velocities over ω.
+    /// Returns the distance between two states: the largest difference of displacements, or of velocities over ω.
     fn between(&self, one: &State<S, Z>, other: &State<S, Z>) -> S {
         let rate = S::constant(core::f64::consts::TAU) / self.cycle;
         let speeds = apart(one.v.as_ref(), other.v.as_ref()) / rate;
         Scalar::max(apart(one.x.as_ref(), other.x.as_ref()), speeds)
     }
 
-    /// Runs some cycles from a maximum of the load, where time starts anew.
+    /// Advances the motion by a number of cycles, from a maximum of the load. The time of this maximum becomes 0.
     fn advance(
         &self,
         motion: &mut Motion<S, Z>,
@@ -184,12 +188,12 @@ impl<S: Float, Z: Size> Search<S, Z> {
         Ok(())
     }
 
-    /// Returns the length of some cycles.
+    /// Returns the duration of a number of cycles.
     fn length(&self, cycles: usize) -> S {
         S::constant(cycles as f64) * self.cycle
     }
 
-    /// Takes the constant velocities of masses that nothing holds out of their displacements.
+    /// Subtracts the constant velocities of masses without a support from their displacements.
     fn about_its_mean(
         &self,
         motion: &Motion<S, Z>,
@@ -240,8 +244,8 @@ impl<S: Float, Z: Size> Search<S, Z> {
         Ok(after <= self.tolerances.close || falls)
     }
 
-    /// Returns the largest difference from a periodic motion in the sizes of the unknowns. Where the chain may be moved
-    /// as a whole, only velocities count.
+    /// Returns the largest difference between a state and a periodic motion, relative to the sizes of the unknowns. For
+    /// parts that can move without a force, only the velocities count.
     fn away(&self, state: &State<S, Z>, steady: &Steady<S, Z>) -> S {
         let rate = S::constant(core::f64::consts::TAU) / self.cycle;
         let away = if steady.neutral > 0 {
@@ -252,7 +256,7 @@ impl<S: Float, Z: Size> Search<S, Z> {
         away / self.place
     }
 
-    /// Returns the access to the unknowns.
+    /// Returns the conversion between states and unknowns.
     fn unknowns(&self) -> Unknowns<'_, S, Z> {
         let rate = S::constant(core::f64::consts::TAU) / self.cycle;
         Unknowns {
@@ -262,7 +266,7 @@ impl<S: Float, Z: Size> Search<S, Z> {
         }
     }
 
-    /// Seeks a periodic motion near a state by Newton's method.
+    /// Searches for a periodic motion near a state by Newton's method.
     fn newton(
         &mut self,
         motion: &Motion<S, Z>,
@@ -313,7 +317,7 @@ impl<S: Float, Z: Size> Search<S, Z> {
         Ok(None)
     }
 
-    /// Returns the derivatives of the unknowns after a period, column by column.
+    /// Returns the derivatives of the unknowns after a period with respect to the unknowns before it, column by column.
     fn derivatives(
         &self,
         start: &Motion<S, Z>,
@@ -338,7 +342,7 @@ impl<S: Float, Z: Size> Search<S, Z> {
         Ok(matrix)
     }
 
-    /// Returns the result for a periodic motion. Overwrites the matrix.
+    /// Returns the steady state that belongs to a periodic motion. Overwrites the matrix.
     fn found(
         &self,
         start: &Motion<S, Z>,

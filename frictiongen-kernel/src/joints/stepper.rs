@@ -11,22 +11,23 @@ use crate::errors::{Given, Halt, OutOfDomain};
 
 /// Largest number of events that the stepper follows in one step.
 pub const MAX_STEP_EVENTS: usize = 64;
-/// Largest length of a step, in stretches of one radian of a bound on the fastest angular frequency.
+/// Upper bound on the time step of a stepper, in stretches. A stretch is one radian of an upper bound on the fastest
+/// angular frequency.
 pub const MAX_STEP: f64 = 1024.0;
 
-/// Bounds on the work of one step. An event that leaves every contact as it is also ends a stretch, so that a step may
-/// have more stretches than its length requires.
+/// Bounds on the work of one step. Every event ends a stretch, even if no contact changes its phase. A step may
+/// therefore have more stretches than its length alone requires.
 const BOUNDS: Bounds = Bounds {
     events: MAX_STEP_EVENTS,
     stretches: MAX_STEP as usize + 4 * MAX_STEP_EVENTS,
 };
 
-/// A stepper with a fixed time step.
+/// Advances a chain with several contacts by a fixed time step.
 #[derive(Clone, Debug)]
 pub struct Stepper<S: Float, Z: Size> {
     motion: Motion<S, Z>,
     dt: S,
-    /// True if a force is constant over a step. Otherwise it changes linearly from the sample before.
+    /// True if a force is constant during a step. If false, it changes linearly from the previous sample.
     holds: bool,
     /// Forces at the end of the last step.
     forces: Z::Loads<S>,
@@ -36,7 +37,7 @@ pub struct Stepper<S: Float, Z: Size> {
 
 impl<S: Float, Z: Size> Stepper<S, Z> {
     /// Starts from rest. The friction force of each contact is 0 until an input sets it. With `holds`, a force is
-    /// constant over a step. Otherwise it changes linearly from the sample before.
+    /// constant over a step. Without `holds`, a force changes linearly from the previous sample.
     ///
     /// # Errors
     ///
@@ -100,7 +101,7 @@ impl<S: Float, Z: Size> Stepper<S, Z> {
         Ok(events)
     }
 
-    /// Advances a copy of the motion.
+    /// Advances a copy of the motion by one step, so that an error leaves the stepper unchanged.
     fn follow(
         &self,
         motion: &mut Motion<S, Z>,

@@ -1,4 +1,4 @@
-//! The chain while no contact slides: a linear chain, in closed form.
+//! Response of a chain while no contact slides. The chain is then linear, and the response has a closed form.
 
 use super::model::Model;
 use super::size::{Size, add, at, set};
@@ -8,19 +8,19 @@ use crate::Float;
 use crate::number::complex::Complex;
 use crate::number::matrix::SquareMatrix;
 
-/// The response while no contact slides, under loads of one frequency.
+/// Response while no contact slides, under loads of one frequency.
 #[derive(Clone, Debug)]
 pub struct StuckResponse<S: Float, Z: Size> {
     /// Complex amplitude X of each mass: x = Re X exp(iωt).
     pub displacements: Z::Masses<Complex<S>>,
-    /// Amplitude of the force of each contact.
+    /// Amplitude of the force in each contact.
     pub forces: Z::Contacts<S>,
-    /// The factor by which all levels must be multiplied so that the contact that goes first just holds, and this
-    /// contact. `None` if no contact has a level.
+    /// Factor on all friction forces at which the first contact is about to slide, and the index of this contact.
+    /// `None` if no contact has a friction force.
     pub limit: Option<(S, usize)>,
 }
 
-/// Real and imaginary parts of a complex amplitude of each node.
+/// Complex amplitudes of the displacements of all nodes, as real and imaginary parts.
 struct Shape<S: Float, Z: Size> {
     re: Z::Nodes<S>,
     im: Z::Nodes<S>,
@@ -35,7 +35,7 @@ impl<S: Float, Z: Size> Shape<S, Z> {
         }
     }
 
-    /// Adds a complex amplitude at every node of a tree.
+    /// Adds a complex amplitude to the displacement of every node of a tree.
     fn lift(&mut self, tree: &Tree<S, Z>, root: usize, (re, im): (S, S)) {
         for node in 0..self.re.as_ref().len() {
             if tree.root(node) == root {
@@ -45,7 +45,7 @@ impl<S: Float, Z: Size> Shape<S, Z> {
         }
     }
 
-    /// Returns the sums over a tree.
+    /// Returns the sums of the real and of the imaginary parts over the nodes of a tree.
     fn sums(&self, tree: &Tree<S, Z>, root: usize) -> (S, S) {
         let sum = |values: &[S]| {
             let nodes = values.iter().enumerate();
@@ -55,7 +55,7 @@ impl<S: Float, Z: Size> Shape<S, Z> {
         (sum(self.re.as_ref()), sum(self.im.as_ref()))
     }
 
-    /// Adds the amplitudes of the loads.
+    /// Adds the complex amplitudes of the loads.
     fn load(&mut self, model: &Model<S, Z>) {
         for (mass, load) in model.loads.as_ref() {
             let (re, im) = amplitude(load);
@@ -64,7 +64,7 @@ impl<S: Float, Z: Size> Shape<S, Z> {
         }
     }
 
-    /// Returns the forces of springs, dampers and elastic contacts on a shape that vibrates.
+    /// Returns the forces of springs, dashpots and elastic contacts for vibrating displacements.
     fn pulls(&self, model: &Model<S, Z>, omega: S) -> Self {
         let pulls = |place: &Z::Nodes<S>, quarter: &Z::Nodes<S>, rate: S| {
             let mut speed = quarter.clone();
@@ -88,16 +88,16 @@ impl<S: Float, Z: Size> Shape<S, Z> {
     }
 }
 
-/// Returns the complex amplitude of the harmonic.
+/// Returns the complex amplitude of the harmonic in a function of time.
 fn amplitude<S: Float>(wave: &Wave<S>) -> (S, S) {
     let (sin, cos) = (wave.phase * S::inverse_pi()).sin_cos_pi();
     (wave.amplitude * cos, wave.amplitude * sin)
 }
 
 impl<S: Float, Z: Size> Model<S, Z> {
-    /// Returns the response while no contact with a level slides, under loads of the angular frequency ω. Constant
-    /// terms of the loads do not count. An elastic contact has no force from the past. Returns `None` on an undamped
-    /// resonance.
+    /// Returns the response while no contact slides, under loads of the angular frequency ω. The response does not
+    /// include constant loads, and no earlier motion has left a constant force in an elastic contact. Contacts without
+    /// a friction force have no effect. Returns `None` on an undamped resonance.
     pub fn stuck(&self, omega: S) -> Option<StuckResponse<S, Z>> {
         let free = |j: usize| self.contact(j).is_none_or(|contact| contact.is_free());
         let tree = Tree::new(self, |j| !free(j));
@@ -156,7 +156,7 @@ impl<S: Float, Z: Size> Model<S, Z> {
         Some(self.stuck_with(&tree, &shape, omega))
     }
 
-    /// Returns the forces of the contacts and the limit from the shape.
+    /// Computes the contact forces and the limit of the stuck state from the displacements.
     fn stuck_with(&self, tree: &Tree<S, Z>, shape: &Shape<S, Z>, omega: S) -> StuckResponse<S, Z> {
         let zero = S::constant(0.0);
         let mut pulls = shape.pulls(self, omega);

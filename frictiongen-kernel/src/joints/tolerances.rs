@@ -1,18 +1,18 @@
-//! Numbers of the search for a steady state that depend on the precision.
+//! Tolerances of the search for a steady state, which depend on the precision of the number type.
 
 use crate::Float;
 
-/// Numbers that depend on the precision.
+/// Tolerances of the search for a steady state in one number type.
 pub(super) struct Tolerances<S> {
-    /// Relative difference after a period that counts as none.
+    /// Two states count as equal if their relative difference is below this value.
     pub(super) same: S,
-    /// Step of the differences, relative to the size of the unknowns.
+    /// Step of the finite differences, relative to the size of the unknowns.
     pub(super) step: S,
-    /// Singular values below which a direction counts as neutral.
+    /// A direction counts as neutral (without any effect on forces) if its singular value is below this value.
     pub(super) rank: S,
-    /// Largest distance from 1 of a multiplier of a neutral direction.
+    /// A multiplier may belong to a neutral direction if its distance from 1 is at most this value.
     pub(super) split: S,
-    /// Difference that is believed at once.
+    /// The search accepts a periodic motion at once if the distance of the motion from it is below this value.
     pub(super) close: S,
 }
 

@@ -1,17 +1,19 @@
-//! The unknowns of a steady state: displacements, velocities, and for each contact that moves its slider or its place.
+//! The unknowns of a steady state: the displacements and velocities of the masses, and the position of each contact
+//! that slides in the period. The position of an elastic contact is that of its slider. The position of a rigid contact
+//! is the relative displacement at which it sticks.
 
 use super::run::Motion;
 use super::size::{Size, at, set, sign};
 use super::state::{FREE, STUCK};
 use crate::{Float, Scalar};
 
-/// Sizes of the unknowns, and the contacts that move. The unknowns are divided by their sizes.
+/// Sizes by which the unknowns of a steady state are divided, and the contacts that slide in the period.
 pub(super) struct Unknowns<'s, S: Float, Z: Size> {
-    /// Size of displacements, sliders and places.
+    /// Size of displacements and of positions of contacts.
     pub(super) place: S,
     /// Size of velocities.
     pub(super) speed: S,
-    /// The contacts that slide in a period.
+    /// For each contact, true if it slides in a period.
     pub(super) moving: &'s Z::Contacts<bool>,
 }
 
@@ -20,7 +22,7 @@ impl<S: Float, Z: Size> Unknowns<'_, S, Z> {
         self.moving.as_ref().get(contact) == Some(&true)
     }
 
-    /// Returns the unknowns of a state.
+    /// Returns the unknowns that correspond to the state of a motion.
     pub(super) fn read(&self, motion: &Motion<S, Z>) -> Z::Unknowns<S> {
         let state = motion.state();
         let masses = motion.model().masses().len();
@@ -47,7 +49,7 @@ impl<S: Float, Z: Size> Unknowns<'_, S, Z> {
         unknowns
     }
 
-    /// Returns a motion that starts with given unknowns. Contacts that do not move keep what they have.
+    /// Returns a motion that starts with the given unknowns. Contacts that do not slide keep their positions.
     pub(super) fn write(&self, motion: &Motion<S, Z>, unknowns: &Z::Unknowns<S>) -> Motion<S, Z> {
         let model = motion.model();
         let masses = model.masses().len();

@@ -93,8 +93,8 @@ impl<S: Float> Part<S> {
         part
     }
 
-    /// Creates the oscillator of a mode of the chain with its contact stuck, at the frequency ratio r. `drive` has the
-    /// two components of the mode's drive, each times r.
+    /// Creates the oscillator of a mode of the chain with its contact stuck, at the frequency ratio r. `drive` has two
+    /// complex amplitudes, each multiplied by r: of the direct change of the velocity, and of the force on the mode.
     pub(crate) fn from_stuck_mode(mode: &HeldMode<S>, r: S, drive: [Complex<S>; 2]) -> Self {
         let mut part = Self::empty();
         part.kind = mode.kind;

@@ -47,8 +47,8 @@ impl<'a, S: Float> DrivenChain<'a, S> {
     }
 }
 
-/// Sets the cycle map to the state of the closed form at a maximum of the contact's relative motion, for one friction
-/// ratio.
+/// Sets the state of the cycle map to that of the closed form at one friction ratio, at a maximum of the contact's
+/// relative motion.
 pub(super) fn set<S: Float, K: ContactChain<S>>(cycle_map: &mut CycleMap<'_, '_, S, K>, beta: S) {
     let one = S::constant(1.0);
     let dynamics = &cycle_map.setting.dynamics;

@@ -63,8 +63,8 @@ pub struct Transient<S> {
     pub weights: Vec<S>,
     /// Held modes, which are the modes of the chain with its contact stuck.
     pub held: Vec<HeldMode<S>>,
-    /// Participations (g, h) of the sliding chain's modes in the held modes (contact stuck). The list has the held
-    /// modes in turn, and in each held mode one pair per mode.
+    /// Participations (g, h) of the modes of the sliding chain in the held modes, which are the modes with the contact
+    /// stuck. For each held mode in turn, the list has one pair for each mode of the sliding chain.
     pub participations: Vec<[S; 2]>,
     /// Constants of the whole chain, which belong to no single mode.
     pub chain: Chain<S>,

@@ -16,8 +16,8 @@ use crate::oscillator::decay::{Decay, Instant};
 /// Allowed error of the cubic in a cell, as a fraction of the largest value. The code chooses the width of the cells
 /// from this error. A smaller error needs more nodes. A larger error leaves more cells open.
 const SLACK: f64 = 2e-3;
-/// Lower bound on the estimate of the largest value, as a fraction of the sum of the modal amplitudes. The code chooses
-/// the cell width of the first grid from this estimate. The bound applies if the terms of the modes nearly cancel.
+/// The code estimates the largest value, to choose the cell width of the first grid. The estimate is at least this
+/// fraction of the sum of the modal amplitudes, even if the terms of the modes nearly cancel.
 const CANCELLED: f64 = 1e-3;
 /// Cost of evaluating one grid, counted as this number of evaluations of the modal sum.
 const COST: u32 = 2;

@@ -149,7 +149,7 @@ impl Sum {
         (least > 0.0 && known).then_some(Factored { gain, tail, zeros })
     }
 
-    /// Returns the roots in v that a zero represents: one root, or a pair.
+    /// Returns the roots in the variable v (s or s²) that a stored zero represents: one root, or a conjugate pair.
     fn roots(&self, zero: &Zero) -> Vec<Disc> {
         let (x, y) = (Ball::exact(zero.x), Ball::exact(zero.y));
         let root = if self.damped {

@@ -278,8 +278,9 @@ fn a_wrong_number_is_not_proven() {
     assert!(found > 1200, "{found}");
 }
 
-/// Checks that the error of a zero enters the bound, divided by the distance from the zero. In this test the distance
-/// is below 5. If the product is under a square root, the contribution is halved.
+/// Checks that the bound on the error of a product includes the position error of each zero, divided by the distance of
+/// r from the zero. In this test the distance is below 5. If the function is the square root of the product, half of
+/// this quotient is included.
 #[test]
 fn uncertain_zeros_are_in_the_bound() {
     let (weight, mut seen) = (1e-6, 0);

@@ -23,7 +23,8 @@ pub(super) struct ComputedResponse {
     pub(super) values: Vec<Complex<f64>>,
 }
 
-/// Returns the factor from x̄ to the response over the load: x/Y, or x/P in m/N.
+/// Returns the factor that converts x̄ to the response divided by the load: x/Y for base motion, or x/P in m/N for a
+/// force.
 fn over_load(system: &System, load: Load) -> f64 {
     if load.is_base_motion() {
         1.0

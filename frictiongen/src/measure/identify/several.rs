@@ -35,7 +35,8 @@ fn is_contact_stiffness(unknown: Unknown) -> bool {
     matches!(unknown, Unknown::Quantity(Quantity::ContactStiffness))
 }
 
-/// Returns the variables of derivatives whose sum is the derivative with respect to an unknown.
+/// Returns the variables for the derivative with respect to an unknown. This derivative is the sum of the derivatives
+/// with respect to these variables.
 fn directions(unknown: Unknown, masses: usize) -> Vec<Direction> {
     match unknown {
         Unknown::Stiction => vec![Direction::Quantity(Quantity::Stiction)],

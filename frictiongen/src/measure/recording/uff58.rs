@@ -278,8 +278,8 @@ fn values(lines: &mut FileLines<'_>) -> Result<Vec<f64>, MeasureError> {
     }
 }
 
-/// Returns the numbers of a line as text. No blank may separate a negative number from the previous one. The end of the
-/// previous exponent then separates the two numbers.
+/// Returns the numbers of a line as text. A negative number may follow the previous number without a blank. The end of
+/// the exponent of the previous number then separates the two.
 fn cells(line: &str) -> impl Iterator<Item = &str> {
     line.split_whitespace().flat_map(|word| {
         let mut parts = Vec::new();

@@ -35,7 +35,7 @@ impl<'a, R: Row + 'a> Columns<'a, R> {
         &self.measure
     }
 
-    /// Sets the contact or mass of the columns that later calls add.
+    /// Sets the contact or mass to which all columns belong that later calls add.
     pub fn begin_part(&mut self, part: &str) {
         self.part = Some(part.to_owned());
         self.order = None;

@@ -114,7 +114,8 @@ pub(super) struct ModalPole {
     pub members: Vec<(usize, f64)>,
 }
 
-/// For an interval of y with a pole p: the distance y − p, and the singular functions of each mode times y − p.
+/// Functions over an interval of y = 1/r that contains a pole p: the distance y − p, and those functions of each mode
+/// that have the pole, multiplied by y − p.
 pub(super) struct Near<T> {
     gap: T,
     /// For each mode with this pole: 1/d and tan(πx/2)/x, both times the distance y − p. `None` for modes without this

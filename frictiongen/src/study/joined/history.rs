@@ -5,7 +5,7 @@ use super::orbit::JoinedOrbit;
 use super::simulation::{JoinedContactNow, JoinedEvent, JoinedSimulation};
 use std::f64::consts::TAU;
 
-/// Equally spaced samples, and the events between them.
+/// A motion over time of a scene with several contacts: equally spaced samples, and the events between them.
 #[derive(Clone, Debug, Default)]
 pub struct JoinedHistory {
     /// Phase τ = ωt of each sample, measured from the first sample.

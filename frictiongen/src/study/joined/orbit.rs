@@ -106,7 +106,8 @@ impl<'a> JoinedOrbit<'a> {
         &self.steady.multipliers
     }
 
-    /// Returns true if every small deviation decays, except deviations along marginal directions.
+    /// Returns true if every small deviation decays, except along marginal directions. A deviation along a marginal
+    /// direction stays constant.
     #[must_use]
     pub fn is_stable(&self) -> bool {
         self.steady.is_stable()
@@ -226,7 +227,7 @@ impl<'a> JoinedOrbit<'a> {
     /// Returns true if the motion repeats with the opposite sign after half a period.
     ///
     /// # Errors
-    /// Those of the engine.
+    /// [`JoinedError::Engine`] if the solver does not support the chain.
     pub fn is_symmetric(&self) -> Result<bool, JoinedError> {
         Ok(self.steady.is_symmetric(&self.chain, self.omega)?)
     }

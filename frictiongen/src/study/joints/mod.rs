@@ -23,13 +23,13 @@ use frictiongen_kernel::joints::{self, Halt, MAX_PATTERNS};
 use frictiongen_model::scene::Node;
 use std::fmt;
 
-/// A chain that has been checked, with its nodes numbered.
+/// A chain with valid numbers, whose nodes are numbered.
 pub type Model = joints::Model<f64, Heap>;
 /// The state of a chain.
 pub type State = joints::State<f64, Heap>;
 /// The motion over one stretch.
 pub type Series = joints::Series<f64, Heap>;
-/// Collects the results of a period, stretch by stretch.
+/// Collects the results of a period, one stretch (time interval of a power series) after the other.
 pub type Watch = joints::Watch<f64, Heap>;
 /// Amplitudes of the masses, and results of each contact, over a period.
 pub type Cycle = joints::Cycle<f64, Heap>;
@@ -46,24 +46,24 @@ pub const MAX_MASSES: usize = 64;
 /// A contact of a chain.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Joint {
-    /// The two sides.
+    /// The two nodes between which the contact acts.
     pub ends: (Node, Node),
-    /// Level F of the kinetic friction. It may vary in time for a rigid contact, and must then stay positive.
+    /// Kinetic friction force F (level). For a rigid contact it may vary in time, and must then stay positive.
     pub level: Wave,
-    /// Static over kinetic friction μ, at least 1.
+    /// Ratio μ of the static to the kinetic friction force, at least 1.
     pub stiction: f64,
     /// Stiffness of the spring in series with the slider; `None` for a rigid contact.
     pub stiffness: Option<f64>,
 }
 
-/// A chain with its joints and its loads.
+/// A chain with its contacts and its loads.
 #[derive(Clone, Debug, PartialEq, Default)]
 pub struct Chain {
     /// The masses.
     pub masses: Vec<f64>,
-    /// The springs: two ends and a stiffness.
+    /// The springs, each with its two nodes and its stiffness.
     pub springs: Vec<(Node, Node, f64)>,
-    /// The dashpots: two ends and a coefficient.
+    /// The dashpots, each with its two nodes and its coefficient.
     pub dashpots: Vec<(Node, Node, f64)>,
     /// The matrix of modal or Rayleigh damping by rows, or no rows.
     pub damping: Vec<Vec<f64>>,
@@ -71,30 +71,31 @@ pub struct Chain {
     pub damping_from_base: bool,
     /// The contacts.
     pub contacts: Vec<Joint>,
-    /// Forces on masses.
+    /// Forces on masses, each with the index of the mass.
     pub loads: Vec<(usize, Wave)>,
     /// The displacement of the base.
     pub base: Wave,
 }
 
-/// A reason why there is no answer.
+/// Reason why the solver returns no result for a chain.
 #[derive(Clone, Debug, PartialEq)]
 pub enum JointError {
-    /// There is no mass, or there are more masses or contacts than fit.
+    /// There is no mass, or there are more masses or contacts than the solver supports.
     Size,
-    /// A number is not finite, or has a sign that it cannot have.
+    /// A number is not finite, or has an invalid sign.
     Number(&'static str),
-    /// A spring, a dashpot, a contact or a load names a mass that does not exist, or one node twice.
+    /// A spring, dashpot, contact or load refers to a mass that does not exist, or connects a node with itself.
     Ends(&'static str),
-    /// Rigid contacts that can stick together and whose forces are then not determined, by index.
+    /// Rigid contacts, by index, that can all stick at once and form a closed loop. Their forces are then not
+    /// determined.
     Redundant(Vec<usize>),
-    /// The decision which contacts stick needs more than [`MAX_PATTERNS`] patterns.
+    /// The solver would need more than [`MAX_PATTERNS`] patterns to decide which contacts stick.
     Patterns,
-    /// More than [`MAX_EVENTS`] events.
+    /// The motion has more than [`MAX_EVENTS`] events.
     Events,
-    /// More than [`MAX_STRETCHES`] stretches.
+    /// The motion needs more than [`MAX_STRETCHES`] stretches (time intervals of a power series).
     Stretches,
-    /// Events follow each other without any time between them.
+    /// The solver finds events without any time between them.
     Stalled,
     /// The motion exceeds the range of numbers.
     NotFinite,

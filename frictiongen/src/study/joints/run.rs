@@ -1,20 +1,20 @@
-//! The motion in time, with vectors.
+//! Motion in time of a chain with several contacts, with vectors.
 
 use super::{Chain, JointError, Model, Series, State, Wave};
 use frictiongen_kernel::joints::{self, Bounds, Observe, Size, Value};
 
 /// Largest number of events in one call of [`Motion::run`].
 pub const MAX_EVENTS: usize = 100_000;
-/// Largest number of stretches in one call of [`Motion::run`].
+/// Largest number of stretches (time intervals of a power series) in one call of [`Motion::run`].
 pub const MAX_STRETCHES: usize = 10_000_000;
 
-/// Bounds of one call of [`Motion::run`].
+/// Upper bounds on the work of one call of [`Motion::run`].
 const BOUNDS: Bounds = Bounds {
     events: MAX_EVENTS,
     stretches: MAX_STRETCHES,
 };
 
-/// The size of a chain whose numbers are in vectors.
+/// Size of a chain whose data are in vectors.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Heap {
     pub(super) masses: usize,
@@ -63,24 +63,24 @@ impl Size for Heap {
     }
 }
 
-/// An event, which several contacts may share.
+/// An event. Several contacts may have an event at the same instant.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Transition {
-    /// Its instant.
+    /// Time of the event.
     pub time: f64,
-    /// The phases before it.
+    /// Phase of each contact before the event: −1 or 1 while it slides, 0 while it sticks, 2 without force.
     pub before: Vec<i8>,
-    /// The phases after it.
+    /// Phase of each contact after the event.
     pub after: Vec<i8>,
 }
 
-/// A motion in time.
+/// Motion in time of a chain with several contacts.
 #[derive(Clone, Debug)]
 pub struct Motion {
     motion: joints::Motion<f64, Heap>,
 }
 
-/// Collects the events, and shows each stretch to a function.
+/// Collects the events, and passes each stretch (time interval of a power series) to a function.
 struct Record<'w> {
     watch: &'w mut dyn FnMut(&Series, f64, &State),
     events: Vec<Transition>,
@@ -101,49 +101,49 @@ impl Observe<f64, Heap> for Record<'_> {
 }
 
 impl Motion {
-    /// Starts at time 0 with all masses at 0 and at rest, and elastic contacts without force.
+    /// Starts a motion at time 0 from rest, with all displacements 0. Elastic contacts start without force.
     ///
     /// # Errors
     ///
-    /// [`JointError`] for a chain that cannot be.
+    /// [`JointError`] for an invalid chain.
     pub fn from_rest(chain: &Chain) -> Result<Self, JointError> {
         Self::from(chain, &[], &[])
     }
 
-    /// Starts at time 0 with given displacements and velocities, and elastic contacts without force.
+    /// Starts a motion at time 0 with given displacements and velocities. Elastic contacts start without force.
     ///
     /// # Errors
     ///
-    /// [`JointError`] for a chain that cannot be.
+    /// [`JointError`] for an invalid chain.
     pub fn from(chain: &Chain, x: &[f64], v: &[f64]) -> Result<Self, JointError> {
         let motion = joints::Motion::new(chain.model()?, x, v)?;
         Ok(Self { motion })
     }
 
-    /// Returns the motion of the engine.
+    /// Returns the motion as a type of the kernel.
     pub(super) fn into_engine(self) -> joints::Motion<f64, Heap> {
         self.motion
     }
 
-    /// Returns the time.
+    /// Returns the time since the start.
     #[must_use]
     pub fn time(&self) -> f64 {
         self.motion.time()
     }
 
-    /// Returns the state.
+    /// Returns the present state of masses and contacts.
     #[must_use]
     pub fn state(&self) -> &State {
         self.motion.state()
     }
 
-    /// Returns the chain.
+    /// Returns the chain with its numbered nodes.
     #[must_use]
     pub fn model(&self) -> &Model {
         self.motion.model()
     }
 
-    /// Returns the relative velocity of a contact, and its relative displacement.
+    /// Returns the relative velocity of a contact, then its relative displacement.
     #[must_use]
     pub fn relative(&self, contact: usize) -> (f64, f64) {
         self.motion.relative(contact)
@@ -155,21 +155,22 @@ impl Motion {
         self.motion.forces()
     }
 
-    /// Starts again at time 0 with a state of this chain.
+    /// Restarts at time 0 from a state of this chain.
     pub fn restart(&mut self, state: State) {
         self.motion.restart(state);
     }
 
-    /// Changes the level of a contact from now on.
+    /// Changes the kinetic friction force of a contact from the present instant on.
     ///
     /// # Errors
     ///
-    /// [`JointError::Number`] if the contact cannot have this level, and those of a decision.
+    /// [`JointError::Number`] if the contact cannot have this force. Another [`JointError`] if the solver cannot decide
+    /// which contacts stick.
     pub fn set_level(&mut self, contact: usize, level: Wave) -> Result<(), JointError> {
         Ok(self.motion.set_level(contact, level)?)
     }
 
-    /// Changes a load from now on, for instance to the line that leads to the next sample of a record.
+    /// Changes a load from the present instant on, for instance to the straight line to the next sample of a record.
     ///
     /// # Errors
     ///
@@ -181,8 +182,9 @@ impl Motion {
         Ok(self.motion.set_load(load, to)?)
     }
 
-    /// Runs to an instant and returns the events on the way. `watch` sees each stretch, and the fraction of it that the
-    /// motion has covered.
+    /// Advances the motion to the given instant, and returns the events on the way. The function calls `watch` with
+    /// each stretch (time interval of a power series), and with the fraction of the stretch that the motion has
+    /// covered.
     ///
     /// # Errors
     ///
@@ -200,7 +202,8 @@ impl Motion {
         Ok(record.events)
     }
 
-    /// Runs to an instant and shows each stretch and each event to `watch`.
+    /// Advances the motion to the given instant, and passes each stretch (time interval of a power series) and each
+    /// event to `watch`.
     ///
     /// # Errors
     ///

@@ -1,4 +1,4 @@
-//! Steady states: periodic motions, by shooting. The kernel has the search.
+//! Finds steady states, which are periodic motions, by the shooting method of the kernel.
 
 use super::run::Motion;
 use super::{Chain, Cycle, Heap, JointError, State};
@@ -7,32 +7,33 @@ use nalgebra::Complex;
 
 pub use frictiongen_kernel::joints::MAX_PERIOD;
 
-/// A periodic motion.
+/// A steady state: a motion that repeats after some cycles of the load.
 #[derive(Clone, Debug)]
 pub struct Steady {
     /// Length of the period in cycles of the load.
     pub period: usize,
-    /// The state at a maximum of the load.
+    /// The state at a maximum of the load, where the period begins.
     pub state: State,
-    /// Number of displacements and velocities of parts that nothing holds. The steady state keeps the values that the
-    /// motion from rest has reached.
+    /// Number of independent displacements and velocities of parts without a support. The steady state has the values
+    /// that the motion from rest has reached.
     pub neutral: usize,
-    /// Floquet multipliers of a period, largest first. The multipliers of 1 that belong to `marginal` and `neutral` are
-    /// left out.
+    /// Floquet multipliers of a period, in descending order of modulus. The list omits the multipliers 1 that belong to
+    /// `marginal` and `neutral`.
     pub multipliers: Vec<Complex<f64>>,
-    /// The contacts that do not slide in the period. The steady state depends on their place, or on the force that the
-    /// past left in them.
+    /// Indices of the contacts that do not slide in the period. The steady state depends on their positions, or on the
+    /// constant forces in them.
     pub marginal: Vec<usize>,
     /// Amplitudes of the masses and results of the contacts over a period.
     pub cycle: Cycle,
-    /// Largest difference after a period, relative to the size of the state.
+    /// Largest difference between the states at the start and at the end of a period, relative to the size of the
+    /// state.
     pub residual: f64,
     /// The result of the search.
     found: joints::Steady<f64, Heap>,
 }
 
 impl Steady {
-    /// Returns true if every small change dies out, except for changes of `marginal` and `neutral`.
+    /// Returns true if every small deviation decays, except deviations that belong to `marginal` and `neutral`.
     pub fn is_stable(&self) -> bool {
         self.found.is_stable()
     }
@@ -41,28 +42,28 @@ impl Steady {
     ///
     /// # Errors
     ///
-    /// Those of a motion.
+    /// [`JointError`] if the motion exceeds a bound of the solver.
     pub fn is_symmetric(&self, chain: &Chain, omega: f64) -> Result<bool, JointError> {
         let motion = Motion::from_rest(chain)?.into_engine();
         Ok(self.found.is_symmetric(motion, omega)?)
     }
 }
 
-/// Returns the steady state to which the motion from rest comes, under loads of one frequency.
+/// Returns the steady state that the motion from rest reaches, under loads of one frequency.
 ///
 /// # Errors
 ///
 /// [`JointError::NotSteady`] if the motion does not settle on a period of at most [`MAX_PERIOD`] cycles within some
-/// thousand cycles; and the errors of a motion.
+/// thousand cycles. Other [`JointError`]s if the motion itself fails.
 pub fn steady_state(chain: &Chain, omega: f64) -> Result<Steady, JointError> {
     steady_state_of(Motion::from_rest(chain)?, omega)
 }
 
-/// Returns the steady state to which a motion comes, as [`steady_state`] does.
+/// Returns the steady state that a given motion reaches, as [`steady_state`] does for the motion from rest.
 ///
 /// # Errors
 ///
-/// Those of [`steady_state`].
+/// Same errors as [`steady_state`].
 pub fn steady_state_of(motion: Motion, omega: f64) -> Result<Steady, JointError> {
     let found = motion.into_engine().settle(omega)?;
     let found = found.ok_or(JointError::NotSteady)?;

@@ -1,24 +1,24 @@
-//! The chain while no contact slides: a linear chain, in closed form. The kernel has the formulas.
+//! Response of a chain while no contact slides. The chain is then linear, and the kernel has its formulas.
 
 use super::{Chain, JointError};
 use nalgebra::Complex;
 
-/// The response while no contact slides, under loads of one frequency.
+/// Response while no contact slides, under loads of one frequency.
 #[derive(Clone, Debug)]
 pub struct StuckResponse {
     /// Amplitude of each mass.
     pub amplitudes: Vec<f64>,
     /// Complex amplitude X of each mass: x = Re X exp(iωt).
     pub displacements: Vec<Complex<f64>>,
-    /// Amplitude of the force of each contact.
+    /// Amplitude of the force in each contact.
     pub forces: Vec<f64>,
-    /// The factor by which all levels must be multiplied so that the contact that goes first just holds, and this
-    /// contact. `None` if no contact has a level.
+    /// Factor on all friction forces at which the first contact is about to slide, and the index of this contact.
+    /// `None` if no contact has a friction force.
     pub limit: Option<(f64, usize)>,
 }
 
-/// Returns the response while no contact slides. A constant part of the loads does not count. An elastic contact has no
-/// force from the past.
+/// Returns the response while no contact slides. The response does not include constant loads, and no earlier motion
+/// has left a constant force in an elastic contact.
 ///
 /// # Errors
 ///
@@ -36,7 +36,7 @@ pub fn stuck_response(chain: &Chain) -> Result<StuckResponse, JointError> {
     })
 }
 
-/// Returns the one frequency of all loads.
+/// Returns the common frequency of all loads.
 fn frequency(chain: &Chain) -> Result<f64, JointError> {
     let waves = chain
         .loads

@@ -19,7 +19,8 @@ pub enum OptimumKind {
     Trivial,
     /// A bound on another quantity excludes frictions with a smaller amplitude.
     Bounded,
-    /// Several quantities are equal multiples of their values. With more friction one rises and another falls.
+    /// Several quantities, each divided by its value, are equally large. With more friction one of them rises and
+    /// another falls.
     Balanced,
 }
 

@@ -63,7 +63,7 @@ pub enum OptimumError {
     /// has neither a velocity nor an acceleration.
     /// An equivalent damping ratio has no least value to search for.
     Size,
-    /// Several quantities need a value each, above 0 and finite.
+    /// Several quantities are requested, and the value of one of them is missing, or is not above 0 and finite.
     Weight,
     /// No friction satisfies this bound together with the bounds before it in the request.
     Unreachable {

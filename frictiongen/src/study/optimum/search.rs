@@ -296,8 +296,9 @@ pub(super) fn narrowed(
     narrowed_by(&value, &|| band.amplitude.is_spent(), ends, seen)
 }
 
-/// Narrows an interval as [`narrowed`] does, for any function of friction. `value` returns the function at a friction
-/// ratio, and may stop above a cutoff. `spent` returns true if the search must end.
+/// Narrows an interval of friction ratios as [`narrowed`] does, for any function of friction. `value` returns the
+/// function at a friction ratio. It may return early once the function exceeds the cutoff. `spent` returns true if the
+/// search must end.
 pub(super) fn narrowed_by(
     value: &dyn Fn(f64, f64) -> Scanned,
     spent: &dyn Fn() -> bool,

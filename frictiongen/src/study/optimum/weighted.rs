@@ -1,4 +1,5 @@
-//! Finds the friction with which the largest of several quantities is smallest, each divided by a value of its own.
+//! Finds the best friction for several quantities: each quantity is divided by a value, and the largest of these
+//! quotients is smallest.
 
 use super::amplitude::Watch;
 use super::answer::{Optimum, OptimumEnd, OptimumKind};
@@ -18,50 +19,52 @@ use std::cell::Cell;
 const CHECKS: usize = 12;
 /// Bound on the work between two checks, for all quantities together.
 const WORK_OF_A_ROUND: usize = super::WORK / 2;
-/// Factor on the smallest ratio of the points so far. The search examines points up to this value.
+/// The search examines points up to this multiple of the smallest quotient found so far.
 const NEARLY: f64 = 1.5;
-/// Largest number of points that the search examines.
+/// Largest number of friction ratios around which the search examines intervals.
 const MOST_POINTS: usize = 6;
-/// Relative difference within which a check of the whole band confirms a ratio.
+/// A check of the whole band confirms a quotient if their relative difference is at most this value.
 const SAME: f64 = 1e-6;
-/// Relative difference within which two quotients count as equal in the words of the answer.
+/// Two quotients count as equal in the words of the answer if their relative difference is at most this value.
 const BALANCE: f64 = 1e-3;
 
-/// A quantity, and the value by which it is divided.
+/// A quantity, and the value by which the search divides it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Weighted {
-    /// The motion.
+    /// The motion to which the quantity belongs.
     pub of: Of,
     /// The quantity of the motion.
     pub size: Size,
-    /// The value, above 0, in the unit in which [`Optimum::amplitude`] is for this quantity.
+    /// The value by which the quantity is divided, above 0. It has the unit of [`Optimum::amplitude`] for this
+    /// quantity.
     pub over: f64,
 }
 
 /// The best friction for several quantities.
 #[derive(Clone, Debug)]
 pub struct WeightedOptimum {
-    /// The best friction, with the peaks of the quantity that is largest relative to its value.
+    /// The best friction, with the peaks of the quantity whose quotient is the largest.
     pub optimum: Optimum,
-    /// This quantity, by its place in the request.
+    /// Index of this quantity in the request.
     pub decisive: usize,
-    /// The largest quotient of a quantity and its value.
+    /// The largest quotient of a quantity and its value, with this friction.
     pub ratio: f64,
     /// The largest value over the band of each quantity with this friction, in the order of the request.
     pub largest: Vec<f64>,
 }
 
 impl System {
-    /// Returns the friction with which the largest of several quantities over a band is smallest, each divided by a value
-    /// of its own. The band and the load are those of `request`, whose quantity is ignored.
+    /// Returns the best friction for several quantities. Each quantity is divided by its value in `weighted`. With the
+    /// best friction, the largest of these quotients over the band is smallest. The band and the load come from
+    /// `request`, and the call ignores the quantity in `request`.
     ///
     /// The search finds the best friction of each quantity alone. It then searches between all friction ratios that it
     /// has seen, and checks the result over the whole band. The search calls `watch` after each evaluation. If `watch`
     /// returns false once, it must return false from then on.
     ///
     /// # Errors
-    /// Same errors as [`optimum`](System::optimum). [`OptimumError::Weight`] for an empty list and for a value that is not
-    /// above 0 and finite, and [`OptimumError::Stopped`] if `watch` returned false.
+    /// Same errors as [`optimum`](System::optimum). [`OptimumError::Weight`] for an empty list and for a value that is
+    /// not above 0 and finite, and [`OptimumError::Stopped`] if `watch` returned false.
     pub fn weighted_optimum(
         &self,
         request: &OptimumRequest,
@@ -93,15 +96,16 @@ impl System {
     }
 }
 
-/// The quotients of all quantities at one friction ratio.
+/// The quantities at one friction ratio, each divided by its value.
 struct Quotients {
-    /// The largest quotient. Its peaks are those of the decisive quantity, in the unit of that quantity.
+    /// The largest quotient. Its peaks are those of the decisive quantity, which has this quotient, in the unit of that
+    /// quantity.
     at: Scanned,
     decisive: usize,
     values: Vec<f64>,
 }
 
-/// A search with the bands of all quantities.
+/// A search with one frequency band for each quantity.
 struct WeightedSearch<'s> {
     bands: Vec<AmplitudeBand<'s>>,
     /// The value by which each quantity is divided.
@@ -165,7 +169,8 @@ impl<'s> WeightedSearch<'s> {
         })
     }
 
-    /// Returns the best friction ratio, an interval that contains it, and true if a check of the whole band confirms it.
+    /// Returns the best friction ratio, and an interval that contains it. The flag is true if a check of the whole band
+    /// confirms the result.
     fn best(&self, alone: &[Least]) -> Result<(Quotients, [f64; 2], bool), OptimumError> {
         let scans = alone.iter().zip(&self.over).flat_map(|(least, over)| {
             let scan = least.scan.iter().chain([&least.at]);
@@ -249,7 +254,8 @@ impl<'s> WeightedSearch<'s> {
         found.min_by(|a, b| a.0.value.total_cmp(&b.0.value))
     }
 
-    /// Evaluates the largest quotient at the frequencies of a first evaluation, until one exceeds the cutoff.
+    /// Returns the largest quotient at the frequencies of a first, incomplete evaluation. The evaluation ends when a
+    /// quotient exceeds the cutoff.
     fn seen(&self, beta: f64, cutoff: f64) -> Scanned {
         let mut largest: Option<Scanned> = None;
         for (band, over) in self.bands.iter().zip(&self.over) {

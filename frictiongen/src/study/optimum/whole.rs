@@ -11,8 +11,8 @@ const WORK_OF_A_CHECK: usize = super::WORK / 2;
 /// Bound on the work of all checks of one search.
 pub(super) const WORK_OF_ALL_CHECKS: usize = 2 * super::WORK;
 
-/// Evaluates the whole band, within a bound on work. Later evaluations take its largest peaks into account. `left` is the
-/// work that all checks may still take.
+/// Evaluates the whole band, within a bound on work. Later evaluations take its largest peaks into account. `left` is
+/// the work that all checks together may still take.
 pub(super) fn whole(band: &AmplitudeBand<'_>, beta: f64, left: &Cell<usize>) -> Scanned {
     let friction = FrictionAmount::Ratio(beta);
     let several = 1.0 < band.amplitude.system.scene().stiction;

@@ -36,7 +36,7 @@ const ON_CIRCLE: f64 = 1e-7;
 /// The test of a steady state ends when the multipliers predict that the motion's distance from it has fallen to this
 /// fraction.
 const DECAY: f64 = 0.1;
-/// Largest number of periods of the load that this test follows.
+/// Largest number of periods of the load that the test of a steady state follows.
 const MOST_CONFIRMED: usize = 512;
 /// The motion has reached a steady state if its distance is below this fraction of the size of the motion.
 const REACHED: f64 = 1e-7;

@@ -20,7 +20,7 @@ pub(super) struct Walk<'a> {
     slopes: Vec<[f64; 2]>,
 }
 
-/// State of the motion, and its step in the period.
+/// State of the motion, and the index of the next step in the period.
 #[derive(Clone)]
 pub(super) struct Place {
     saved: SystemStepSaved,

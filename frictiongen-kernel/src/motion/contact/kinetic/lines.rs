@@ -128,7 +128,8 @@ impl<'a, S: Float> Lines<'a, S> {
         self.place = line::place(self.points, speed * self.unit);
     }
 
-    /// Records the crossing at the end of a piece. Returns a length if the code must extend the piece instead.
+    /// Records the line of the friction law on which the motion continues after a piece. Returns a length if the piece
+    /// must be extended by it instead.
     ///
     /// If the speed only touches a point of the law, rounding may switch the motion between two lines without end.
     /// After `STILL` pieces of length zero the motion therefore continues along its line over the returned length. This

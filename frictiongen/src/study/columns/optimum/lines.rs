@@ -41,10 +41,11 @@ pub struct Tuned<'a> {
     pub found: &'a TunedOptimum,
 }
 
-/// Quantities beside the minimised one. Each has its part, a value, and its largest value over the band.
+/// Further quantities of an answer about the best friction, in addition to the minimised one. Each entry has the part,
+/// a value, and the largest value over the band.
 #[derive(Clone, Copy, Debug)]
 pub enum Further<'a> {
-    /// There are none.
+    /// No further quantities.
     None,
     /// Quantities with their upper bounds.
     Kept(&'a [(Part, f64, f64)]),
