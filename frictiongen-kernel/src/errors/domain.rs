@@ -108,7 +108,7 @@ pub enum Slice {
     Continuous,
     /// Slice for the limits of sliding β*_lim, one for each frequency ratio.
     Sliding,
-    /// Slice for the oscillators (modes) of a simulation or an orbit.
+    /// Slice in which a simulation or an orbit stores its oscillators, one for each mode.
     Oscillators,
     /// Slice for the working storage of an orbit.
     Storage,

@@ -99,8 +99,8 @@ mod tests {
     use crate::oscillator::decay::{Damped, Decay};
     use crate::oscillator::mode::Mode;
 
-    /// Returns the response of a mode and its slope in double-double. Each is the sum of the return from rest, the lag
-    /// and the static displacement. Cancellation in this sum increases the relative error by at most a factor x⁻².
+    /// Returns the response of a mode and its slope in double-double, as a reference for the tests. The terms of each sum
+    /// nearly cancel. This increases the relative error by at most a factor x⁻², which double-double can afford.
     fn put_together(mode: &Mode<Dd>, x: Dd, t: Dd) -> (Dd, Dd) {
         let response = mode.response(x, 0);
         let (u, g) = (response.u / response.size, response.g / response.size);

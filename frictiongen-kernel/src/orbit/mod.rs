@@ -204,9 +204,9 @@ where
     }
 
     /// Returns all intervals of the period, in order. In an interval the contact state is constant: stuck, or one
-    /// direction of sliding. Each interval has its start, its length and the contact state. The start has the
-    /// definition of [`sticking_intervals`](Self::sticking_intervals). The last and the first interval may have the
-    /// same contact state.
+    /// direction of sliding. Each item contains the start of the interval, its length and the contact state. The start
+    /// is the phase that [`sticking_intervals`](Self::sticking_intervals) describes. The last and the first interval
+    /// may have the same contact state, because the period may begin in the middle of an interval.
     pub fn intervals(&self) -> impl Iterator<Item = (S, S, Contact)> + '_ {
         self.segments().map(|mark| {
             let start = self.within(self.angle(&mark)) * S::pi();

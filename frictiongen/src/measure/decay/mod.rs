@@ -155,8 +155,8 @@ fn of(
     })
 }
 
-/// Returns the estimate of a quantity that is a monotone function of a fitted parameter. The pair contains the value of
-/// the parameter and the half width of its interval.
+/// Returns the estimate of a quantity with its interval. The quantity is a monotone function `of` a fitted parameter.
+/// The pair contains the value of that parameter and the half width of its confidence interval.
 fn between((value, reach): (f64, f64), of: &dyn Fn(f64) -> f64) -> Estimate {
     let (a, b) = if reach.is_finite() {
         (of(value - reach), of(value + reach))

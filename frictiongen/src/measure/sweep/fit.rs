@@ -17,8 +17,8 @@ const STARTS: usize = 6;
 /// The code accepts a fit from the scene's own parameters if its misfit is below this value. The misfit is the sum of
 /// squared residuals over the degrees of freedom.
 const GOOD: f64 = 2.0;
-/// Factors by which the code multiplies each parameter of the best fit to get further starting points. The code repeats
-/// this at most [`ROUNDS`] times, as long as the result improves.
+/// Factors that give further starting points: each multiplies one parameter of the best fit and leaves the others. The
+/// code repeats this at most [`ROUNDS`] times, as long as the result improves.
 const HOPS: [f64; 4] = [0.97, 0.99, 1.01, 1.03];
 const ROUNDS: usize = 4;
 const BETTER: f64 = 0.999;
