@@ -1,4 +1,4 @@
-//! The displacement of the base: a harmonic, or a cubic that leads from sample to sample.
+//! Displacement of the base as a function of time: a harmonic, or a cubic polynomial between two samples.
 
 use super::run::Motion;
 use super::series::Poly;
@@ -8,14 +8,14 @@ use super::wave::Wave;
 use crate::Float;
 use crate::errors::Halt;
 
-/// A function of time with the terms of a [`Wave`], plus a square and a cube: w(t) + at² + bt³.
+/// A function of time: w(t) + at² + bt³, where w(t) is a [`Wave`] (a straight line and a harmonic).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Curve<S> {
-    /// The straight line and the harmonic.
+    /// The straight line and the harmonic, w(t).
     pub wave: Wave<S>,
-    /// Factor of t².
+    /// Coefficient a of t².
     pub square: S,
-    /// Factor of t³.
+    /// Coefficient b of t³.
     pub cube: S,
 }
 
@@ -30,7 +30,7 @@ impl<S: Float> From<Wave<S>> for Curve<S> {
 }
 
 impl<S: Float> Curve<S> {
-    /// Returns the base at rest at 0.
+    /// Returns the function that is 0 at every instant: the base does not move.
     #[must_use]
     pub fn zero() -> Self {
         Wave::zero().into()
@@ -48,7 +48,7 @@ impl<S: Float> Curve<S> {
         }
     }
 
-    /// Returns the straight line with a displacement and a velocity at the instant 0.
+    /// Returns the straight line with the given displacement and velocity at the instant 0.
     #[must_use]
     pub fn straight([place, velocity]: [S; 2]) -> Self {
         let mut line = Self::zero();
@@ -67,7 +67,7 @@ impl<S: Float> Curve<S> {
         !self.square.is_zero() || !self.cube.is_zero()
     }
 
-    /// Measures time from another instant.
+    /// Changes the coefficients so that `time` becomes the instant 0.
     pub(super) fn shift(&mut self, time: S) {
         self.wave.shift(time);
         let three = S::constant(3.0);
@@ -77,13 +77,14 @@ impl<S: Float> Curve<S> {
         self.square = square + three * cube;
     }
 
-    /// Returns the value at an instant of a derivative: 0 for the function itself, 1, or 2.
+    /// Returns the value of a derivative at an instant. The order `derivative` is 0 (the function itself), 1 or 2.
     #[must_use]
     pub fn value(&self, time: S, derivative: usize) -> S {
         at(&self.terms(time, S::constant(0.0), derivative), 0)
     }
 
-    /// Returns the terms of the function or of a derivative over a stretch, in the fraction of the stretch.
+    /// Returns the power series of the function or of a derivative over a stretch. The variable of the series is the
+    /// fraction of the stretch, from 0 to 1.
     #[must_use]
     pub fn terms(&self, time: S, length: S, derivative: usize) -> Poly<S> {
         let mut terms = self.wave.terms(time, length, derivative);
@@ -117,7 +118,8 @@ impl<S: Float> Curve<S> {
 }
 
 impl<S: Float, Z: Size> Motion<S, Z> {
-    /// Changes the motion of the base from now on. Its displacement and its velocity must not jump.
+    /// Changes the motion of the base from the present instant on. Displacement and velocity of the base must not jump
+    /// at this instant.
     pub(super) fn lead_base(&mut self, to: Curve<S>) {
         let jump = to.value(self.time, 2) - self.model.base.value(self.time, 2);
         self.model.base = to;
@@ -126,12 +128,13 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         }
     }
 
-    /// Changes the motion of the base from now on. Its displacement and its velocity may jump. Masses keep their
-    /// displacements and their velocities, so that the contacts of the base get other ones.
+    /// Changes the motion of the base from the present instant on. Displacement and velocity of the base may jump. The
+    /// masses keep their displacements and velocities. In a contact between a mass and the base, the relative
+    /// displacement and velocity jump.
     ///
     /// # Errors
     ///
-    /// Those of a decision.
+    /// [`Halt`] if the solver cannot decide which contacts stick.
     pub(super) fn jolt_base(&mut self, to: Curve<S>) -> Result<(), Halt> {
         let zero = S::constant(0.0);
         let (before, after) = (self.model.base.value(self.time, 0), to.value(self.time, 0));

@@ -226,8 +226,8 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         Ok(())
     }
 
-    /// Prepares the contacts for other accelerations. Accelerations and holding forces jump; velocities and elastic
-    /// forces do not.
+    /// Prepares the rigid contacts for a jump of the accelerations at the present instant. The forces that hold sticking
+    /// contacts jump too. Velocities and the forces of elastic contacts do not.
     pub(super) fn accelerations_jump(&mut self) {
         for (j, contact) in self.model.contacts().iter().enumerate() {
             let sticks = self.state.phase(j) == STUCK;

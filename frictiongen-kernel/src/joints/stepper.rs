@@ -65,15 +65,15 @@ impl<S: Float, Z: Size> Stepper<S, Z> {
         })
     }
 
-    /// Advances by one step. `base` has displacement and velocity of the base at the end of the step, `forces` the force
-    /// of each load, and `frictions` the kinetic friction force of each contact during the step. Over the step the base
-    /// follows a cubic between the samples. With `holds`, it moves from the new sample with the constant velocity of this
-    /// sample. Returns the number of events.
+    /// Advances by one step. `base` contains displacement and velocity of the base at the end of the step, `forces` the
+    /// force of each load, and `frictions` the kinetic friction force of each contact during the step. Over the step the
+    /// displacement of the base is a cubic polynomial between the last sample and this one. With `holds`, it starts at the
+    /// new sample and changes with the constant velocity of this sample. Returns the number of events.
     ///
     /// # Errors
     ///
-    /// [`OutOfDomain`] for a base motion or a force that is not finite, for a friction force that is negative or not finite, and, with
-    /// its cause, for a step in which the motion exceeds a bound. The stepper is then unchanged.
+    /// [`OutOfDomain`] for a base motion or a force that is not finite, and for a friction force that is negative or not
+    /// finite. [`OutOfDomain::Motion`] with the cause, if the motion exceeds a bound. The stepper is then unchanged.
     pub fn advance(
         &mut self,
         base: [S; 2],

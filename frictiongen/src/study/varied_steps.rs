@@ -12,17 +12,17 @@ use frictiongen_model::scene::{Node, Scene};
 use frictiongen_model::stepping::Steps;
 
 impl Varied {
-    /// Returns a stepper with time steps of `dt` seconds, from rest without load. Every result has a derivative with
-    /// respect to the varied quantity: displacements, velocities, forces and works.
+    /// Returns a stepper with time steps of `dt` seconds, which starts from rest without load. Every result
+    /// (displacement, velocity, force, work) has a derivative with respect to the varied quantity.
     ///
     /// For derivatives with respect to the friction force or to the input, pass `Dual::variable` in a sample to a
     /// stepper of an [`unvaried`](super::System::unvaried) system. A friction force that is constant in time is then a
     /// variable in every sample. Derivatives are at constant samples, in the scene's units.
     ///
-    /// The derivatives pass through stops, break-aways and reversals, whose instants move with the quantity. At a value
-    /// of the quantity at which an event appears or vanishes, the motion grazes this event. It then has no derivative,
-    /// and the stepper returns the derivative of one side. Plain steppers on both sides of such a value count different
-    /// numbers of events.
+    /// The derivatives stay correct after stops, break-aways and reversals. They include the change of the instants of
+    /// these events with the quantity. At some values of the quantity an event appears or vanishes. There the motion has
+    /// no derivative, and the stepper returns the derivative of one side. Steppers without derivatives show such a value:
+    /// just below and just above it they count different numbers of events.
     ///
     /// ```
     /// use frictiongen::study::{System, SystemInput, sensitivity::Sensitive};

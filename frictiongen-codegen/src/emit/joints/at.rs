@@ -5,7 +5,7 @@ use crate::emit::names::TypeNames;
 use frictiongen_model::scene::Provide;
 use proc_macro2::{Ident, Literal, TokenStream};
 
-/// Emits the scene at one frequency: its types, and its items.
+/// Emits the type of the scene at one frequency. Returns the definitions of its types, and the items of the module.
 pub(super) fn emit(emission: &Emission<'_>) -> (TokenStream, TokenStream) {
     let Emission {
         description,
@@ -44,7 +44,7 @@ pub(super) fn emit(emission: &Emission<'_>) -> (TokenStream, TokenStream) {
     (types, items)
 }
 
-/// Emits the access to the methods of the engine's type.
+/// Emits `Deref`, which gives access to the methods of the kernel's type that the emitted type wraps.
 fn deref(emission: &Emission<'_>, own: &Ident, target: &TokenStream) -> TokenStream {
     let Emission {
         scalar,

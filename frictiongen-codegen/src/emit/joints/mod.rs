@@ -92,12 +92,12 @@ impl<'a> Emission<'a> {
         self.description.scene.provide.contains(what)
     }
 
-    /// Returns true if the scene provides answers at one frequency.
+    /// Returns true if the scene provides the stuck state or steady states, which belong to one frequency.
     fn provides_at(&self) -> bool {
         self.provides(&Provide::Stuck) || self.provides(&Provide::Orbit)
     }
 
-    /// Returns true if the scene provides answers in the ratios r and β.
+    /// Returns true if the scene provides anything that takes the ratios r and β. A stepper alone does not.
     fn provides_ratios(&self) -> bool {
         self.provides(&Provide::Simulation) || self.provides_at()
     }
@@ -189,7 +189,7 @@ impl<'a> Emission<'a> {
         }
     }
 
-    /// Emits the constants that lead from the ratios r and β to the units of the description.
+    /// Emits the constants that convert the ratios r and β to the units of the description.
     fn reference(&self, modal: &Modal) -> TokenStream {
         let (scene, engine, scalar) = (&self.description.scene, &self.engine, &self.scalar);
         let round = |value: Dd| self.number(rounded(value, scene.precision));
@@ -206,7 +206,7 @@ impl<'a> Emission<'a> {
         }
     }
 
-    /// Emits the methods that read a mass or a contact now, by its name.
+    /// Emits the methods that return the present motion of a mass or a contact. Each has the name of the mass or contact.
     fn methods(&self, when: &str) -> TokenStream {
         let (engine, scalar) = (&self.engine, &self.scalar);
         self.named(
@@ -221,8 +221,8 @@ impl<'a> Emission<'a> {
         )
     }
 
-    /// Emits a method for each mass and for each contact, with its documentation, in which `{}` is the name, and with
-    /// the type of its result.
+    /// Emits a method for each mass and for each contact. `about` contains the documentation of both kinds of methods, in
+    /// which `{}` stands for the name. `of` contains the types of their results.
     fn named(&self, about: [&str; 2], of: [&TokenStream; 2]) -> TokenStream {
         let method = |about: &str, name: &Ident, call: TokenStream, of: &TokenStream| {
             let about = format!(" {}", about.replace("{}", &name.to_string()));

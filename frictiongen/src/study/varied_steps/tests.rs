@@ -1,4 +1,4 @@
-//! Compares derivatives of steps with central differences of plain steps.
+//! Compares the derivatives of a stepper with central differences between steppers without derivatives.
 #![allow(
     clippy::unwrap_used,
     clippy::indexing_slicing,
@@ -39,7 +39,7 @@ const SCENES: [&str; 4] = [
     }",
 ];
 
-/// What a derivative is taken with respect to: a quantity of the scene, the friction force, or a factor on the load.
+/// Variable of a derivative: a quantity of the scene, the friction force, or a factor on the load.
 #[derive(Clone, Copy, Debug)]
 enum Along {
     Quantity(Quantity),
