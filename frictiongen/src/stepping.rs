@@ -144,7 +144,8 @@ pub trait Stepping {
 }
 
 /// Implements [`Steps`] for an emitted scene and [`Stepping`] for its stepper. The argument of the macro lists the
-/// masses on which the stepper accepts a force. The kernel's types contain all other data.
+/// masses on which the stepper accepts a force. The kernel's types contain all other data. With the word `declared` the
+/// macro implements [`Stepping`] for the stepper of a declared step.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! emitted_stepper {
@@ -172,6 +173,9 @@ macro_rules! emitted_stepper {
             }
         }
 
+        $crate::emitted_stepper!(declared $stepper, $scalar, $on_base, [$($mass),*]);
+    };
+    (declared $stepper:ident, $scalar:ty, $on_base:literal, [$($mass:literal),*]) => {
         impl $stepper {
             /// Length of an image in bytes.
             pub const IMAGE: ::core::primitive::usize =

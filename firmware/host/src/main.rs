@@ -5,7 +5,7 @@ use scenes::calls::{DOUBLE, INPUTS, INPUTS_SINGLE, SINGLE};
 use scenes::steps::Machine;
 use scenes::steps::images::report;
 use scenes::steps::machines::{Visitor, visit};
-use scenes::steps::script::{Tone, played};
+use scenes::steps::script::{Tone, Weather, played};
 
 /// Prints the final states of the steppers.
 struct Ends;
@@ -15,8 +15,8 @@ impl Visitor for Ends {
     where
         M::Scalar: Tone,
     {
-        for (storm, name) in [(false, "song"), (true, "storm")] {
-            let [place, velocity, work] = played::<M>(storm).unwrap_or_default();
+        for (weather, name) in [(Weather::Song, "song"), (Weather::Storm, "storm")] {
+            let [place, velocity, work] = played::<M>(weather).unwrap_or_default();
             println!(
                 "{name} of {}: {place:016x} {velocity:016x} {work:016x}",
                 M::NAME

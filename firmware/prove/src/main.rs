@@ -18,9 +18,13 @@ impl Visitor for Steps {
         let mut machine = black_box(M::start());
         if let Some(machine) = &mut machine {
             let load = [M::Scalar::of(1.0), M::Scalar::of(0.5)];
+            machine.set_budget(black_box(1));
             black_box(machine.advance(black_box(load), black_box(M::Scalar::of(0.1))));
+            machine.read_each();
+            machine.read_all();
         }
-        self.0 += 2;
+        M::start_declared();
+        self.0 += 5;
     }
 }
 

@@ -4,6 +4,7 @@ mod about;
 mod arm;
 mod checksum;
 mod constants;
+mod declared;
 mod domain;
 mod dynamics;
 mod emission;
@@ -186,8 +187,13 @@ fn groups(emission: &Emission<'_>) -> Vec<Group> {
             add(&[&names.orbit], orbit::emit(emission, &dynamics));
         }
         if wanted.stepper {
-            let types = [&names.stepper, &names.input];
-            add(&types, stepper::emit(emission, &dynamics));
+            let types = [&names.stepper, &names.input, &names.declared];
+            let types = if emission.scene.stepping.step.is_some() {
+                &types[..]
+            } else {
+                &types[..2]
+            };
+            add(types, stepper::emit(emission, &dynamics));
         }
     }
     if wanted.self_check {

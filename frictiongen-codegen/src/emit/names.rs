@@ -5,7 +5,7 @@ use quote::format_ident;
 
 /// Names that emitted code imports from the kernel. If a type of the scene has one of these names, the emitted block
 /// uses aliases for the scene's types.
-const IMPORTED: [&str; 95] = [
+const IMPORTED: [&str; 96] = [
     "check",
     "locals",
     "missing",
@@ -55,6 +55,7 @@ const IMPORTED: [&str; 95] = [
     "Motion",
     "Wave",
     "Channel",
+    "DeclaredStepper",
     "FixedStepper",
     "FixedStore",
     "FixedTables",
@@ -112,6 +113,7 @@ pub(super) struct TypeNames {
     pub simulation: Ident,
     pub orbit: Ident,
     pub stepper: Ident,
+    pub declared: Ident,
     pub input: Ident,
 }
 
@@ -127,6 +129,7 @@ impl TypeNames {
             simulation: suffixed("Simulation"),
             orbit: suffixed("Orbit"),
             stepper: suffixed("Stepper"),
+            declared: suffixed("DeclaredStepper"),
             input: suffixed("Input"),
         }
     }
@@ -141,11 +144,14 @@ impl TypeNames {
             simulation,
             orbit,
             stepper,
+            declared,
             input,
         } = self;
-        [name, at, motion, stuck, simulation, orbit, stepper, input]
-            .into_iter()
-            .any(|name| IMPORTED.iter().any(|imported| name == imported))
+        [
+            name, at, motion, stuck, simulation, orbit, stepper, declared, input,
+        ]
+        .into_iter()
+        .any(|name| IMPORTED.iter().any(|imported| name == imported))
     }
 }
 

@@ -56,6 +56,7 @@ pub(super) fn operations(
         tables,
         one_event,
         most,
+        ..
     } = cost;
     let (each, beside) = (Cost::INSTRUCTIONS, Cost::FIXED);
     let processor = match precision {

@@ -1,6 +1,7 @@
 //! Emits the stepper, which advances in steps of fixed physical time under any input.
 
 use super::about::numbers_struct;
+use super::declared;
 use super::dynamics::{Constants, count};
 use super::emission::{Checked, Emission, Part, rounded};
 use super::fields::fields;
@@ -25,7 +26,7 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
             TypeNames {
                 name,
                 stepper,
-                input,
+                declared,
                 ..
             },
         ..
@@ -69,9 +70,6 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
             }
         }
     });
-    let types = types(emission, &steps, &literals, &cost);
-    let costs = format!(" [`{stepper}`] has the number of operations.");
-    let methods = methods(emission);
     let fields = force_fields(emission, &steps);
     let base = if steps.on_base {
         code!([input.displacement, input.velocity])
@@ -124,9 +122,51 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
                 Stepper::new(Self::STEP_SCENE, tables, FixedStore::new(), state).map(From::from)
             }
     };
-    let items = code! {
+    let calls_of = |stepper: &Ident| calls(emission, stepper, &sample, when);
+    let of_stepper = calls_of(stepper);
+    let mut items = code! {
         #facade::kernel::wraps!(#stepper, FixedStepper of #law_word #scalar, #literals);
 
+        #of_stepper
+
+        #facade::emitted_stepper!(#name, #stepper, #scalar, #on_base, [#(#loaded),*]);
+    };
+    let mut types = types(emission, &steps, &literals, &cost);
+    let mut associated = associated;
+    if tables.is_some() {
+        let of_declared = calls_of(declared);
+        let loaded = steps.forces.iter().map(|mass| count(*mass));
+        types.extend(declared::types(emission, &literals));
+        associated.extend(declared::associated(emission));
+        items.extend(code! {
+            #facade::kernel::wraps!(#declared, DeclaredStepper of #law_word #scalar, #literals);
+
+            #of_declared
+
+            #facade::emitted_stepper!(declared #declared, #scalar, #on_base, [#(#loaded),*]);
+        });
+    }
+    Part {
+        types,
+        associated,
+        items,
+        tables: tables.unwrap_or_default(),
+        constants,
+    }
+}
+
+/// Emits the calls of a type of stepper that take an input, and those of its masses.
+fn calls(
+    emission: &Emission<'_>,
+    stepper: &Ident,
+    sample: &TokenStream,
+    when: &str,
+) -> TokenStream {
+    let Emission { scalar, names, .. } = emission;
+    let input = &names.input;
+    let costs = format!(" [`{}`] has the number of operations.", names.stepper);
+    let methods = methods(emission);
+    code! {
         impl #stepper {
             /// Sets the input at the start of the first step.  Without this call the input there is 0.
             ///
@@ -154,15 +194,6 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
                 &mut self.0
             }
         }
-
-        #facade::emitted_stepper!(#name, #stepper, #scalar, #on_base, [#(#loaded),*]);
-    };
-    Part {
-        types,
-        associated,
-        items,
-        tables: tables.unwrap_or_default(),
-        constants,
     }
 }
 

@@ -24,8 +24,8 @@ pub use crate::response::{
 };
 pub use crate::simulation::{FixedLinesSimulation, FixedSimulation, Moment, Segment, Simulation};
 pub use crate::stepper::{
-    Channel, FixedStepper, FixedStore, FixedTables, HeldLoad, HeldRow, HeldStep, Input, MassNow,
-    ModeStep, Pace, Row, Sample, StepScene, Stepped, Stepper, Units,
+    Channel, DeclaredStepper, FixedStepper, FixedStore, FixedTables, HeldLoad, HeldRow, HeldStep,
+    Input, MassNow, ModeStep, Pace, Row, Sample, StepScene, Stepped, Stepper, Units,
 };
 pub use crate::table::{
     Compiled, ContactTable, Domain, Factor, HeldResponse, Moving, Piece, Quotient, Root,

@@ -26,7 +26,7 @@ impl<S: Float> Total<S> {
         [self.value, self.low]
     }
 
-    pub(crate) fn of_parts([value, low]: [S; 2]) -> Self {
+    pub(crate) const fn of_parts([value, low]: [S; 2]) -> Self {
         Self { value, low }
     }
 

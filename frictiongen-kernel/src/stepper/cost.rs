@@ -4,6 +4,15 @@
 use super::{MAX_EVENTS, MAX_STRETCHES};
 use crate::motion::WALK;
 
+/// Upper bound on the evaluations in a search for an event, in a step with an event budget.
+pub(super) const SEARCH: u32 = 12;
+/// Number of pieces of motion that cost at least as much as the rule that ends a sub-interval, in a chain of up to 64
+/// masses.
+pub(super) const RULE: u32 = 4;
+/// Upper bound on the pieces of motion up to an event, in a step with an event budget under a friction law over the
+/// speed.
+pub(super) const PIECES: u32 = 4;
+
 /// Numbers of modes, inputs and table entries of a scene, from which the cost of a step follows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Extent {
@@ -42,9 +51,12 @@ pub struct Cost {
     /// Cost of a step with one event, in operations. The estimate assumes [`Cost::WALK`] evaluations in each search,
     /// and constant tables in all other sub-intervals.
     pub one_event: u64,
-    /// Upper bound on the cost of any step, in operations. The bound assumes [`MAX_STRETCHES`] pieces in every
-    /// sub-interval, and the largest permitted number of evaluations in each search.
+    /// Upper bound on the cost of any step, in operations. Without an event budget, the bound assumes [`MAX_STRETCHES`]
+    /// pieces in every sub-interval, and the largest permitted number of evaluations in each search. With a budget of n
+    /// events, it assumes searches for n + 1 events in every sub-interval, of [`Cost::SEARCH`] evaluations each.
     pub most: u64,
+    /// Upper bound on the cost of reading the motions of all masses, in operations.
+    pub masses: u64,
 }
 
 impl Cost {
@@ -54,6 +66,28 @@ impl Cost {
     pub const FIXED: u64 = 400;
     /// Usual upper bound on the evaluations of the contact's velocity or force in a search for one event.
     pub const WALK: u64 = 8;
+    /// Upper bound on the evaluations in a search for an event, in a step with an event budget.
+    pub const SEARCH: u64 = SEARCH as u64;
+
+    /// Computes the cost of a step with an event budget, or without one if `budget` is 0.
+    pub(super) const fn within(extent: &Extent, budget: u8) -> Self {
+        let of = Self::of(extent);
+        if budget == 0 {
+            return of;
+        }
+        let (walks, pieces) = if extent.lines {
+            (2, PIECES as u64)
+        } else {
+            (1, 1)
+        };
+        let events = budget as u64 + 1;
+        let piece = extent.stretch() + walks * Self::SEARCH * extent.evaluation();
+        let part = events * (pieces * piece + extent.event()) + extent.rest() + extent.held_force();
+        Self {
+            most: of.tables + extent.parts * part,
+            ..of
+        }
+    }
 
     /// Computes the cost of a step from the sizes of a scene and its tables.
     #[must_use]
@@ -70,12 +104,19 @@ impl Cost {
             one_event: tables + 2 * usual + extent.event() + extent.held_force(),
             most: extent.parts
                 * (attempt
-                    + MAX_STRETCHES as u64 * longest
+                    + (MAX_STRETCHES - RULE) as u64 * longest
+                    + larger(RULE as u64 * longest, extent.rest())
                     + MAX_EVENTS as u64 * extent.event()
                     + extent.stretch()
                     + extent.held_force()),
+            masses: extent.masses(),
         }
     }
+}
+
+/// Returns the larger one of two costs.
+const fn larger(one: u64, other: u64) -> u64 {
+    if one < other { other } else { one }
 }
 
 impl Extent {
@@ -96,11 +137,7 @@ impl Extent {
         let held = 2 * load + base + 2 * d * (3 + 4 * d) + (5 * inputs + 9) * d + 30;
         let sliding = driven * mode;
         let sticking = (driven - self.lost) * held + self.still();
-        let contact = if sliding < sticking {
-            sticking
-        } else {
-            sliding
-        };
+        let contact = larger(sliding, sticking);
         // The work of the damping load adds a loop over all modes.
         let reaction = if self.damped_from_base {
             modes * (mode + 10) + 2 * d * d + 80
@@ -148,6 +185,25 @@ impl Extent {
         let on_base = if self.on_moving_base { 50 + 20 * d } else { 0 };
         // The last term, 8 · terms, is the cost of the bound on the third derivative.
         series + moved + rest + on_base + 8 * terms
+    }
+
+    /// Returns the cost of the rule that ends a sub-interval without a search: the force in the stuck contact, two power
+    /// series, their integrals, a piece of motion, a change to sliding and one to sticking.
+    const fn rest(&self) -> u64 {
+        let changes = 2 * self.event() + self.held_force();
+        2 * self.stretch() + changes + 12 * self.terms + 4 * self.driven + 40
+    }
+
+    /// Returns the cost of the motions of all masses: the modes of the chain from those of the stuck chain, and the
+    /// product of the mode shapes with the modes.
+    const fn masses(&self) -> u64 {
+        let Self {
+            modes,
+            driven,
+            lost,
+            ..
+        } = *self;
+        driven * (12 * (driven - lost) + 12) + modes * (4 * modes + 4)
     }
 
     /// Returns the cost of one evaluation in a search: the series, two derivatives, and the length of the next step.
@@ -203,6 +259,32 @@ mod tests {
             let cost = Cost::of(&more);
             assert!(cost.tables >= of.tables && cost.most > of.most, "{more:?}");
         }
+    }
+
+    /// The bound on any step counts a few pieces of motion where the rule takes over. The rule must cost no more.
+    #[test]
+    fn the_rule_costs_no_more_than_its_pieces() {
+        for driven in 1..=64 {
+            for terms in [3, 8, 20] {
+                let of = Extent {
+                    modes: driven,
+                    driven,
+                    terms,
+                    ..TWO
+                };
+                let longest = of.stretch() + u64::from(crate::motion::WALK) * of.evaluation();
+                assert!(of.rest() <= u64::from(super::RULE) * longest, "{of:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_budget_bounds_the_cost() {
+        let without = Cost::of(&TWO);
+        let of = [1, 2, 4].map(|budget| Cost::within(&TWO, budget).most);
+        assert!(of[0] < of[1] && of[1] < of[2] && 20 * of[2] < without.most);
+        assert_eq!(Cost::within(&TWO, 0), without);
+        assert!(without.one_event < of[0]);
     }
 
     #[test]

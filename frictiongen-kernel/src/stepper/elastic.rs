@@ -135,7 +135,7 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
     }
 
     /// Returns the relative velocity of the contact from the state of the modes, in units of length per sub-interval.
-    fn relative_rate(&self) -> S {
+    pub(super) fn relative_rate(&self) -> S {
         let [_, base] = self.base_now();
         let modes = self.table.modes.iter().zip(&*self.store.modes);
         modes

@@ -1,8 +1,7 @@
 //! A sub-interval of a step in which the stepper searches for events. The stepper advances from event to event.
 
-use super::interval::{Departure, ROUNDINGS, StepInterval};
+use super::interval::{ROUNDINGS, StepInterval};
 use super::law::StepContact;
-use super::{MAX_EVENTS, MAX_STRETCHES};
 use crate::motion::{Contact, Law, line_at};
 use crate::number::scalar::Float;
 
@@ -11,8 +10,9 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
     pub(super) fn follow_events(&mut self) {
         let one = S::constant(1.0);
         let mut departing = None;
-        for _ in 0..MAX_STRETCHES {
-            if !(self.progress < one) || MAX_EVENTS <= self.events {
+        let (events, pieces) = self.bounds();
+        for _ in 0..pieces {
+            if !(self.progress < one) || events <= self.events {
                 break;
             }
             departing = match self.status.contact {
@@ -21,32 +21,11 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
             };
         }
         if self.progress < one {
-            self.pass_without_events(departing);
+            self.finish(departing);
         }
         if self.status.contact == Contact::Stuck {
             self.status.contact_force = self.stuck_force();
         }
-    }
-
-    /// Advances over the rest of the sub-interval without events. A contact at rest stays stuck, and a sliding contact
-    /// slides without friction, so that the energy cannot grow.
-    fn pass_without_events(&mut self, departing: Option<Departure<S>>) {
-        self.exceeded = true;
-        let left = S::constant(1.0) - self.progress;
-        if self.status.contact != Contact::Stuck {
-            let Some(departure) = departing else {
-                self.status.unknown = true;
-                if self.is_elastic() {
-                    self.drop_force(self.status.contact_force, S::constant(0.0));
-                }
-                self.status.contact_force = S::constant(0.0);
-                let none = [S::constant(0.0); 2];
-                let velocity = self.velocity_series(none);
-                return self.move_modes(&velocity, none, left);
-            };
-            self.start_sticking(departure.stuck);
-        }
-        self.move_held(left);
     }
 
     /// Determines the contact's state before the first step, under the inputs at the start of this step.

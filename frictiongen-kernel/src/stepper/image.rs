@@ -8,7 +8,7 @@
 //! | 8 | hash of the scene and of the step, as of a saved state |
 //! | 8, 8 | steps; steps that reached the bound on events |
 //! | 4 | line of the friction law |
-//! | 4 | state of the contact, and three flags |
+//! | 4 | state of the contact, two flags, and the event budget |
 //! | scalars | dt, the status, the modes, the modes of the stuck chain, the last sample |
 //! | 4 | CRC-32 of all bytes before |
 //!
@@ -16,7 +16,7 @@
 
 use super::law::StepContact;
 use super::state::{FixedStore, Status, Store};
-use super::table::{FixedTables, Tables};
+use super::table::Tables;
 use super::types::Stepper;
 use crate::errors::OutOfDomain;
 use crate::motion::{Contact, Total};
@@ -178,8 +178,8 @@ impl<S: Float> Status<S> {
         let line = usize::try_from(reader.word())
             .ok()
             .filter(|line| *line <= lines)?;
-        let [contact, unknown, wedged, spare] = reader.bytes();
-        if unknown > 1 || wedged > 1 || spare != 0 {
+        let [contact, unknown, wedged, budget] = reader.bytes();
+        if unknown > 1 || wedged > 1 {
             return None;
         }
         let contact = match contact {
@@ -208,6 +208,8 @@ impl<S: Float> Status<S> {
             contact,
             unknown: unknown == 1,
             wedged: wedged == 1,
+            budget,
+            spent: 0,
             stuck_at,
             line,
             base: [base, velocity],
@@ -261,7 +263,7 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepContact<S
             contact,
             u8::from(status.unknown),
             u8::from(status.wedged),
-            0,
+            status.budget,
         ]);
         writer.scalar(self.dt());
         writer.scalars(&status.scalars());
@@ -308,15 +310,8 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepContact<S
     }
 }
 
-impl<S: Float, const D: usize, const MODES: usize, const HELD: usize, const INPUTS: usize, K>
-    Stepper<
-        '_,
-        S,
-        D,
-        FixedTables<S, D, MODES, HELD, INPUTS>,
-        FixedStore<S, D, MODES, HELD, INPUTS>,
-        K,
-    >
+impl<S: Float, const D: usize, T, const MODES: usize, const HELD: usize, const INPUTS: usize, K>
+    Stepper<'_, S, D, T, FixedStore<S, D, MODES, HELD, INPUTS>, K>
 {
     /// Length of an image in bytes.
     pub const IMAGE: usize = image_bytes(size_of::<S>(), MODES, HELD, INPUTS);

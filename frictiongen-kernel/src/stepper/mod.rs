@@ -14,6 +14,7 @@
 
 mod account;
 mod advance;
+mod budget;
 mod cost;
 mod dot;
 mod drive;
@@ -51,15 +52,16 @@ pub use saved::Saved;
 pub use scene::{StepScene, Units};
 pub use state::{FixedStore, Store, StoreMut, StoreRef};
 pub use table::{Channel, FixedTables, HeldLoad, Tables, View, fill, series_terms};
-pub use types::{ContactNow, FixedStepper, MassNow, Stepped, Stepper};
+pub use types::{ContactNow, DeclaredStepper, FixedStepper, MassNow, Stepped, Stepper};
 
-/// Upper bound on the events that the stepper follows in one sub-interval of a step.  After this number of events, a
-/// contact at rest stays stuck for the rest of the sub-interval, and a sliding contact slides without friction.
+/// Upper bound on the events that the stepper follows in one sub-interval of a step, without an event budget.  After
+/// this number of events, a contact at rest stays stuck for the rest of the sub-interval. Otherwise the friction force
+/// is constant for the rest of the sub-interval, and moves the contact as little as possible.
 pub const MAX_EVENTS: u32 = 8;
 
 /// Upper bound on the pieces of motion that the stepper follows in one sub-interval of a step.  A piece ends at an
 /// event, or when the speed reaches the next straight line of the friction law.  It also ends where the power series of
-/// a steep law stops converging.
+/// a steep law stops converging.  The rule that ends a sub-interval takes the time of up to four pieces.
 pub const MAX_STRETCHES: u32 = 8 * MAX_EVENTS;
 
 /// Upper bound on the sub-intervals of one step.

@@ -4,7 +4,7 @@
 use super::cost::Cost;
 use super::interval::ROUNDINGS;
 use super::law::StepContact;
-use super::state::Store;
+use super::state::{FixedStore, Store};
 use super::table::Tables;
 use super::types::{ContactNow, MassNow, Stepper};
 use crate::motion::{Contact, Law, line};
@@ -13,11 +13,13 @@ use crate::number::scalar::Float;
 impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepContact<S>>
     Stepper<'_, S, D, T, V, K>
 {
-    /// Returns upper bounds on the cost of a step, in floating-point operations.
+    /// Returns upper bounds on the cost of a step, in floating-point operations. With an event budget, the bound on any
+    /// step is much smaller.
     #[must_use]
     pub fn cost(&self) -> Cost {
         let pace = self.tables.view().pace;
-        self.scene.cost(D, pace.parts, pace.terms)
+        let extent = self.scene.extent(D, pace.parts, pace.terms);
+        Cost::within(&extent, self.status.budget)
     }
 
     /// Returns the length of a step, in seconds.
@@ -117,6 +119,40 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepContact<S
         self.sum(|mode| shape.get(mode).copied().unwrap_or(S::constant(0.0)))
     }
 
+    /// Writes the motions of all masses at the end of the last step, in the order of the description. The function
+    /// computes each mode once, so that it costs one product of the mode shapes with the modes
+    /// ([`Cost::masses`]). The results are those of [`mass`](Self::mass) to the last bit. Further entries
+    /// of `to` are at rest.
+    pub fn read_masses(&self, to: &mut [MassNow<S>]) {
+        let zero = S::constant(0.0);
+        let dynamics = &self.scene.dynamics;
+        to.fill(MassNow {
+            displacement: zero,
+            velocity: zero,
+        });
+        for index in 0..dynamics.modes.len() {
+            let [y, rate] = self.mode(index);
+            let shapes = dynamics.shapes.iter().skip(index);
+            let shapes = shapes.step_by(dynamics.modes.len().max(1));
+            for (now, shape) in to.iter_mut().zip(shapes) {
+                now.displacement = now.displacement + *shape * y;
+                now.velocity = now.velocity + *shape * rate;
+            }
+        }
+        for now in &mut *to {
+            now.velocity = now.velocity * self.scene.units.rate;
+        }
+        if self.rests()
+            && let Some(index) = dynamics
+                .rubbing
+                .filter(|index| dynamics.moves_as_contact(*index))
+            && let Some(now) = to.get_mut(index)
+        {
+            now.displacement = self.status.stuck_at;
+            now.velocity = zero;
+        }
+    }
+
     /// Returns true if a rigid contact sticks.  An elastic contact moves while it sticks.
     #[inline]
     fn rests(&self) -> bool {
@@ -206,5 +242,30 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepContact<S
             status.contact_force
         };
         force * self.scene.units.stiffness
+    }
+}
+
+impl<
+    S: Float,
+    const D: usize,
+    T: Tables<S, D>,
+    const MODES: usize,
+    const HELD: usize,
+    const INPUTS: usize,
+    K: StepContact<S>,
+> Stepper<'_, S, D, T, FixedStore<S, D, MODES, HELD, INPUTS>, K>
+{
+    /// Returns the motions of all masses at the end of the last step, in the order of the description. One call costs
+    /// about as much as one call of [`mass`](Self::mass) and one product of the mode shapes with the modes, because it
+    /// computes each mode once.
+    #[must_use]
+    pub fn masses(&self) -> [MassNow<S>; MODES] {
+        let zero = S::constant(0.0);
+        let mut masses = [MassNow {
+            displacement: zero,
+            velocity: zero,
+        }; MODES];
+        self.read_masses(&mut masses);
+        masses
     }
 }

@@ -33,17 +33,29 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepConta
         store: V,
         state: Option<(&[S], &[S])>,
     ) -> Result<Self, OutOfDomain> {
-        let mut stepper = Self {
-            scene,
-            tables,
-            store,
-            status: Status::new(scene.dynamics.chain().stiction),
-            inputs: PhantomData,
-        };
+        let stiction = scene.dynamics.chain().stiction;
+        let mut stepper = Self::of(scene, tables, store, (S::constant(0.0), stiction));
         if let Some((displacements, velocities)) = state {
             stepper.set_state(displacements, velocities)?;
         }
         Ok(stepper)
+    }
+
+    /// Creates a stepper at rest without load, as a constant. `store` must be the storage of a stepper at rest. `zero`
+    /// is the number 0, and `stiction` is μ.
+    pub(super) const fn of(
+        scene: StepScene<'a, S, K>,
+        tables: T,
+        store: V,
+        (zero, stiction): (S, S),
+    ) -> Self {
+        Self {
+            scene,
+            tables,
+            store,
+            status: Status::new(zero, stiction),
+            inputs: PhantomData,
+        }
     }
 
     /// Sets the displacements and velocities of the masses.
@@ -160,17 +172,16 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepConta
         let step = pace.step;
         let per_step = |[place, velocity]: [S; 2]| [place, velocity * step];
         let motion = base_motion(self.scene.input, per_step(from), per_step(sample.base));
+        let (events, exceeded) =
+            self.advance_interval(&sample, motion, SubInterval::nth(0, pace.parts));
         let mut stepped = Stepped {
             contact: Contact::Stuck,
             force: S::constant(0.0),
-            events: 0,
-            exceeded: false,
+            events,
+            exceeded,
         };
-        for part in 0..pace.parts {
-            let (events, exceeded) =
-                self.advance_interval(&sample, motion, SubInterval::nth(part, pace.parts));
-            stepped.events += events;
-            stepped.exceeded |= exceeded;
+        if 1 < pace.parts {
+            self.advance_further(&sample, motion, &mut stepped);
         }
         self.keep_sample(&sample);
         if hold && self.scene.on_base {
@@ -188,10 +199,29 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepConta
         Ok(stepped)
     }
 
-    /// Advances through one sub-interval of a step. Returns the number of events. The flag is true if the stepper
-    /// ignored further events because of their bound.
-    // The compiler must not inline this function into the loop. The inlined code would prepare addresses for further
+    /// Advances through all sub-intervals of a step after the first.
+    // The compiler must not inline this function and the next one. The inlined code would prepare addresses for further
     // sub-intervals in every step, although most steps have only one.
+    #[inline(never)]
+    fn advance_further(
+        &mut self,
+        sample: &Sample<'_, S>,
+        motion: [S; 4],
+        stepped: &mut Stepped<S>,
+    ) {
+        let parts = self.tables.view().pace.parts;
+        for part in 1..parts {
+            self.status.spent = u8::try_from(stepped.events).unwrap_or(u8::MAX);
+            let stretch = SubInterval::nth(part, parts);
+            let (events, exceeded) = self.advance_interval(sample, motion, stretch);
+            stepped.events += events;
+            stepped.exceeded |= exceeded;
+        }
+        self.status.spent = 0;
+    }
+
+    /// Advances through one sub-interval of a step. Returns the number of events. The flag is true if the stepper
+    /// followed no further events because of their bound.
     #[inline(never)]
     fn advance_interval(
         &mut self,
@@ -288,6 +318,21 @@ impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepConta
             *drive = stretch.line(if hold { force } else { *last }, force);
         }
         base
+    }
+
+    /// Sets the event budget of a step, from the next step on: the number of events that the stepper follows in a step.
+    /// 0 removes the budget.
+    ///
+    /// A step with at most this number of events has the same result to the last bit as without a budget, unless a
+    /// search needs more than [`Cost::SEARCH`](super::Cost::SEARCH) evaluations. At the next event the stepper ends the
+    /// step by a rule without a search, and reports [`Stepped::exceeded`]. A contact at rest stays stuck. Otherwise the
+    /// friction force is constant for the rest of a sub-interval, at most the kinetic force, and moves the contact
+    /// as little as possible. It therefore does not create energy. [`cost`](Self::cost) returns the largest cost of a
+    /// step with the budget.
+    ///
+    /// [`save`](Self::save) and an image keep the budget.
+    pub fn set_event_budget(&mut self, events: u8) {
+        self.status.budget = events;
     }
 
     /// Sets μ, the ratio of static to kinetic friction force, from the next step on.

@@ -123,8 +123,13 @@ impl<S: Float, K: ContactChain<S>> StepScene<'_, S, K> {
     /// sub-interval ([`series_terms`](super::series_terms)).
     #[must_use]
     pub fn cost(&self, coefficients: usize, parts: u32, terms: u32) -> Cost {
+        Cost::of(&self.extent(coefficients, parts, terms))
+    }
+
+    /// Returns the sizes from which the cost of a step follows.
+    pub(super) fn extent(&self, coefficients: usize, parts: u32, terms: u32) -> Extent {
         let count = |size: usize| u64::try_from(size).unwrap_or(u64::MAX);
-        Cost::of(&Extent {
+        Extent {
             modes: count(self.dynamics.modes.len()),
             driven: count(self.dynamics.in_contact()),
             lost: count(self.dynamics.chain.lost_modes()),
@@ -135,7 +140,7 @@ impl<S: Float, K: ContactChain<S>> StepScene<'_, S, K> {
             on_moving_base: self.rubs_on_base(),
             damped_from_base: self.damped_from_base(),
             lines: !self.law.is_empty(),
-        })
+        }
     }
 
     /// Returns the load on a mode per unit of an input.

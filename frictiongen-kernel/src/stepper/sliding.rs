@@ -127,7 +127,7 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         let start = departing.map_or(WalkStart::Anywhere, |departure| {
             WalkStart::Zero(departure.slope)
         });
-        let seen = velocity.seen(sign, line.low, reach);
+        let seen = velocity.seen(sign, line.low, reach).within(self.search());
         let (mut tau, mut halts) = match first_zero(&seen, start, &mut steps) {
             Walk::Zero(tau, _) => (tau, true),
             Walk::Until(tau) => (tau, false),
@@ -140,7 +140,7 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         let mut rises = false;
         // A piece of motion of length zero has no earlier crossing.
         if let Some(high) = line.high.filter(|_| zero < tau) {
-            let seen = velocity.seen(-sign, -high, tau);
+            let seen = velocity.seen(-sign, -high, tau).within(self.search());
             match first_zero(&seen, WalkStart::Anywhere, &mut steps) {
                 Walk::Zero(at, _) => (tau, halts, rises) = (at, false, true),
                 Walk::Until(at) if at < tau => (tau, halts) = (at, false),

@@ -72,7 +72,11 @@ impl<S: Float, const D: usize, const MODES: usize, const HELD: usize, const INPU
     /// Creates the numbers of a stepper at rest.
     #[must_use]
     pub fn new() -> Self {
-        let zero = S::constant(0.0);
+        Self::of(S::constant(0.0))
+    }
+
+    /// Creates the numbers of a stepper at rest, as a constant. `zero` is the number 0.
+    pub(super) const fn of(zero: S) -> Self {
         Self {
             modes: [[zero; 2]; MODES],
             held: [[zero; 2]; HELD],
@@ -125,6 +129,10 @@ pub struct Status<S> {
     /// True if the contact has just failed to start sliding. A contact force that exceeds μF only by rounding must then
     /// not start sliding again.
     pub wedged: bool,
+    /// Number of events that the stepper follows in a step, or 0 without this bound.
+    pub budget: u8,
+    /// Number of events in the earlier sub-intervals of the present step. It is 0 between steps.
+    pub spent: u8,
     /// Relative displacement of the contact while it sticks.  For an elastic contact it is the displacement of the
     /// slider.
     pub stuck_at: S,
@@ -161,12 +169,14 @@ impl<S: Float> Status<S> {
         scene.dynamics.chain.law_with(self.level, self.stiction)
     }
 
-    pub(super) fn new(stiction: S) -> Self {
-        let zero = S::constant(0.0);
+    /// Creates the status of a stepper at rest, as a constant. `zero` is the number 0.
+    pub(super) const fn new(zero: S, stiction: S) -> Self {
         Self {
             contact: Contact::Stuck,
             unknown: true,
             wedged: false,
+            budget: 0,
+            spent: 0,
             stuck_at: zero,
             line: 0,
             base: [zero; 2],
@@ -175,8 +185,8 @@ impl<S: Float> Status<S> {
             steps: 0,
             exceeded: 0,
             contact_force: zero,
-            load: Total::zero(),
-            dissipated: Total::zero(),
+            load: Total::of_parts([zero; 2]),
+            dissipated: Total::of_parts([zero; 2]),
             energy: zero,
             pull: zero,
             given: zero,

@@ -75,7 +75,9 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
             };
             let mut steps = 0;
             match first_reach(
-                &force.seen(S::constant(1.0), zero, left),
+                &force
+                    .seen(S::constant(1.0), zero, left)
+                    .within(self.search()),
                 grip,
                 zero,
                 start,

@@ -1,5 +1,6 @@
 //! Types of a stepper, and of the results that it returns.
 
+use super::law::StepContact;
 use super::scene::StepScene;
 use super::state::{FixedStore, Status};
 use super::table::FixedTables;
@@ -37,6 +38,41 @@ pub type FixedStepper<
     FixedStore<S, D, MODES, HELD, INPUTS>,
     K,
 >;
+
+/// A stepper of an emitted solver for a declared step. It borrows its tables, which are constants of the program.
+pub type DeclaredStepper<
+    S,
+    const D: usize,
+    const MODES: usize,
+    const HELD: usize,
+    const INPUTS: usize,
+    K = Chain<S>,
+> = Stepper<
+    'static,
+    S,
+    D,
+    &'static FixedTables<S, D, MODES, HELD, INPUTS>,
+    FixedStore<S, D, MODES, HELD, INPUTS>,
+    K,
+>;
+
+impl<S, const D: usize, const MODES: usize, const HELD: usize, const INPUTS: usize, K>
+    DeclaredStepper<S, D, MODES, HELD, INPUTS, K>
+where
+    S: Float,
+    K: StepContact<S>,
+{
+    /// Creates a stepper at rest without load, as a constant. `zero` is the number 0, and `stiction` is μ.
+    #[doc(hidden)]
+    #[must_use]
+    pub const fn declared(
+        scene: StepScene<'static, S, K>,
+        tables: &'static FixedTables<S, D, MODES, HELD, INPUTS>,
+        (zero, stiction): (S, S),
+    ) -> Self {
+        Self::of(scene, tables, FixedStore::of(zero), (zero, stiction))
+    }
+}
 
 /// Result of one step of a stepper.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -363,6 +363,15 @@ impl<'a, S: Float> SystemStepper<'a, S> {
         self.stepper.mass(index)
     }
 
+    /// Returns the present displacement and velocity of all masses, in the order of the description. One call computes
+    /// each mode once, and costs one product of the mode shapes with the modes.
+    #[must_use]
+    pub fn masses(&self) -> Vec<MassNow<S>> {
+        let mut masses = vec![self.stepper.mass(usize::MAX); self.forces.len()];
+        self.stepper.read_masses(&mut masses);
+        masses
+    }
+
     fn sample(&mut self, load: &StepLoad<'_, S>) -> Result<(), OutOfDomain> {
         let steps = self.settings;
         load.spread(&steps.forces, steps.on_base, &mut self.forces)

@@ -62,6 +62,11 @@ pub struct BowedInput {
     /// Kinetic friction force F at vanishing speed, not negative.  A stuck contact holds up to μF.
     pub friction: ::core::primitive::f64,
 }
+/// Stepper of the declared step `STEP`.  It borrows its tables, which stay constants of the program, and has the methods and the costs of [`BowedStepper`].
+#[allow(dead_code, deprecated, non_camel_case_types)]
+pub struct BowedDeclaredStepper(
+    ::frictiongen::kernel::stepper::DeclaredStepper<::core::primitive::f64, 2, 2, 1, 2>,
+);
 #[allow(
     deprecated,
     non_snake_case,
@@ -274,6 +279,24 @@ const _: () = {
             Stepper::new(Self::STEP_SCENE, tables, FixedStore::new(), state)
                 .map(From::from)
         }
+        /// Creates a stepper with the declared step `STEP`, for a chain at rest without load.  It computes and copies no
+        /// tables, and can be the value of a `static`.
+        #[inline]
+        #[must_use]
+        #[allow(
+            dead_code,
+            clippy::init_numbered_fields,
+            reason = "an alias of the type has no constructor function"
+        )]
+        pub const fn declared_stepper() -> BowedDeclaredStepper {
+            BowedDeclaredStepper {
+                0: DeclaredStepper::declared(
+                    Self::STEP_SCENE,
+                    &Self::STEP_TABLES,
+                    (0.0, Self::CHAIN.stiction),
+                ),
+            }
+        }
     }
     ::frictiongen::kernel::not_provided!(Bowed : limits, simulation, self_check);
     ::frictiongen::kernel::wraps!(BowedStepper, FixedStepper of f64, 2, 2, 1, 2);
@@ -324,6 +347,56 @@ const _: () = {
         }
     }
     ::frictiongen::emitted_stepper!(Bowed, BowedStepper, f64, false, [1, 0]);
+    ::frictiongen::kernel::wraps!(
+        BowedDeclaredStepper, DeclaredStepper of f64, 2, 2, 1, 2
+    );
+    impl BowedDeclaredStepper {
+        /// Sets the input at the start of the first step.  Without this call the input there is 0.
+        ///
+        /// # Errors
+        /// Same errors as `advance`.  A call after the first step returns `OutOfDomain`.
+        pub fn begin(&mut self, input: BowedInput) -> Result<(), OutOfDomain> {
+            self.0
+                .begin(Sample {
+                    base: [0.0; 2],
+                    forces: &[input.force, input.string],
+                    friction: input.friction,
+                })
+        }
+        /// Takes a step, over which the input changes linearly from the last input to this one.
+        /// [`BowedStepper`] has the number of operations.
+        ///
+        /// # Errors
+        /// `OutOfDomain` for NaN, infinite numbers, negative friction, numbers whose squares overflow, and if the work
+        /// would overflow.  The stepper then keeps its state.
+        pub fn advance(
+            &mut self,
+            input: BowedInput,
+        ) -> Result<Stepped<f64>, OutOfDomain> {
+            self.0
+                .advance(Sample {
+                    base: [0.0; 2],
+                    forces: &[input.force, input.string],
+                    friction: input.friction,
+                })
+        }
+        /// Displacement and velocity of mass `string` now.
+        #[must_use]
+        pub fn string(&self) -> MassNow<f64> {
+            self.mass(0)
+        }
+        /// Displacement and velocity of mass `bow` now.
+        #[must_use]
+        pub fn bow(&self) -> MassNow<f64> {
+            self.mass(1)
+        }
+    }
+    impl ::core::ops::DerefMut for BowedDeclaredStepper {
+        fn deref_mut(&mut self) -> &mut Self::Target {
+            &mut self.0
+        }
+    }
+    ::frictiongen::emitted_stepper!(declared BowedDeclaredStepper, f64, false, [1, 0]);
     /// Tables: numbers alone, apart from the code that reads them.
     impl Bowed {
         /// Advance of each oscillator over a part of `STEP`, with the time s in parts: y′ = Ωu, u′ = −Ω(y + 2ζu) + drive.

@@ -108,6 +108,18 @@ pub struct SprungInput {
     /// Kinetic friction force F, not negative.  A stuck contact holds up to μF.
     pub friction: ::core::primitive::f64,
 }
+/// Stepper of the declared step `STEP`.  It borrows its tables, which stay constants of the program, and has the methods and the costs of [`SprungStepper`].
+#[allow(dead_code, deprecated, non_camel_case_types)]
+pub struct SprungDeclaredStepper(
+    ::frictiongen::kernel::stepper::DeclaredStepper<
+        ::core::primitive::f64,
+        4,
+        2,
+        2,
+        1,
+        ::frictiongen::kernel::motion::ElasticChain<::core::primitive::f64>,
+    >,
+);
 #[allow(
     deprecated,
     non_snake_case,
@@ -539,6 +551,24 @@ const _: () = {
             Stepper::new(Self::STEP_SCENE, tables, FixedStore::new(), state)
                 .map(From::from)
         }
+        /// Creates a stepper with the declared step `STEP`, for a chain at rest without load.  It computes and copies no
+        /// tables, and can be the value of a `static`.
+        #[inline]
+        #[must_use]
+        #[allow(
+            dead_code,
+            clippy::init_numbered_fields,
+            reason = "an alias of the type has no constructor function"
+        )]
+        pub const fn declared_stepper() -> SprungDeclaredStepper {
+            SprungDeclaredStepper {
+                0: DeclaredStepper::declared(
+                    Self::STEP_SCENE,
+                    &Self::STEP_TABLES,
+                    (0.0, Self::CHAIN.stiction),
+                ),
+            }
+        }
     }
     ::frictiongen::kernel::scene_functions!(Sprung, SprungAt, f64, At);
     ::frictiongen::emitted_system!(Sprung, SprungAt, f64, ["lower", "upper"]);
@@ -702,6 +732,56 @@ const _: () = {
         }
     }
     ::frictiongen::emitted_stepper!(Sprung, SprungStepper, f64, true, []);
+    ::frictiongen::kernel::wraps!(
+        SprungDeclaredStepper, DeclaredStepper of elastic f64, 4, 2, 2, 1
+    );
+    impl SprungDeclaredStepper {
+        /// Sets the input at the start of the first step.  Without this call the input there is 0.
+        ///
+        /// # Errors
+        /// Same errors as `advance`.  A call after the first step returns `OutOfDomain`.
+        pub fn begin(&mut self, input: SprungInput) -> Result<(), OutOfDomain> {
+            self.0
+                .begin(Sample {
+                    base: [input.displacement, input.velocity],
+                    forces: &[],
+                    friction: input.friction,
+                })
+        }
+        /// Takes a step, over which the input changes linearly from the last input to this one.
+        /// [`SprungStepper`] has the number of operations.
+        ///
+        /// # Errors
+        /// `OutOfDomain` for NaN, infinite numbers, negative friction, numbers whose squares overflow, and if the work
+        /// would overflow.  The stepper then keeps its state.
+        pub fn advance(
+            &mut self,
+            input: SprungInput,
+        ) -> Result<Stepped<f64>, OutOfDomain> {
+            self.0
+                .advance(Sample {
+                    base: [input.displacement, input.velocity],
+                    forces: &[],
+                    friction: input.friction,
+                })
+        }
+        /// Displacement and velocity of mass `lower` now.
+        #[must_use]
+        pub fn lower(&self) -> MassNow<f64> {
+            self.mass(0)
+        }
+        /// Displacement and velocity of mass `upper` now.
+        #[must_use]
+        pub fn upper(&self) -> MassNow<f64> {
+            self.mass(1)
+        }
+    }
+    impl ::core::ops::DerefMut for SprungDeclaredStepper {
+        fn deref_mut(&mut self) -> &mut Self::Target {
+            &mut self.0
+        }
+    }
+    ::frictiongen::emitted_stepper!(declared SprungDeclaredStepper, f64, true, []);
     /// Tables: numbers alone, apart from the code that reads them.
     impl Sprung {
         /// Advance of each oscillator over a part of `STEP`, with the time s in parts: y′ = Ωu, u′ = −Ω(y + 2ζu) + drive.

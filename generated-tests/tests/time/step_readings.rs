@@ -170,6 +170,67 @@ fn constant_tables_say_the_same_to_rounding() {
     );
 }
 
+/// A stepper that borrows its constant tables, as the value of a `static`.
+static SHAKEN_AT_REST: shown::ShakenDeclaredStepper = shown::Shaken::declared_stepper();
+
+/// A stepper that borrows its tables gives the same bits as one that owns a copy, needs less memory, and reads the other
+/// one's images.
+#[test]
+fn borrowed_tables_say_the_same_bits() {
+    fn check(name: &str, (borrows, owns): (impl Stepping, impl Stepping), strength: &Strength) {
+        let ((one, events), (other, _)) = (run(borrows, strength, 2), run(owns, strength, 2));
+        let bits = |said: &[f64]| said.iter().map(|value| value.to_bits()).collect::<Vec<_>>();
+        assert!(events > 30, "{name}: {events} events");
+        assert!(bits(&one) == bits(&other), "{name}");
+    }
+    let owns = shown::Shaken::stepper(shown::Shaken::STEP).expect("its step");
+    check("Shaken", (SHAKEN_AT_REST.clone(), owns.clone()), &SHAKEN);
+    let bowed = shown::Bowed::stepper(shown::Bowed::STEP).expect("its step");
+    check("Bowed", (shown::Bowed::declared_stepper(), bowed), &BOWED);
+    // The elastic contact.
+    let sprung = shown::Sprung::stepper(shown::Sprung::STEP).expect("its step");
+    check(
+        "Sprung",
+        (shown::Sprung::declared_stepper(), sprung),
+        &SHAKEN,
+    );
+    assert!(2 * size_of::<shown::ShakenDeclaredStepper>() < size_of::<shown::ShakenStepper>());
+    let mut borrows = SHAKEN_AT_REST.clone();
+    borrows
+        .restore_image(&owns.image())
+        .expect("the same scene and step");
+    assert_eq!(borrows.image(), owns.image());
+}
+
+/// All masses in one call have the bits of the masses one by one, in every state of the contact.
+#[test]
+fn all_masses_at_once_are_the_masses_one_by_one() {
+    let mut stepper = shown::Shaken::declared_stepper();
+    let system: System = system("Shaken");
+    let mut other = system.stepper(shown::Shaken::STEP).expect("its step");
+    let (mut stuck, mut slid) = (0, 0);
+    for step in 0..4000 {
+        let [base, velocity, _, friction] = acting(step);
+        let load = StepLoad {
+            base: [base * SHAKEN.base, velocity * SHAKEN.velocity],
+            ..StepLoad::friction(friction * SHAKEN.friction)
+        };
+        stepper.step(&load).expect("a sound load");
+        other.step(&load).expect("a sound load");
+        let counted = if stepper.contact().is_sticking() {
+            &mut stuck
+        } else {
+            &mut slid
+        };
+        *counted += 1;
+        assert_eq!(stepper.masses(), [stepper.lower(), stepper.upper()]);
+        assert_eq!(other.masses(), [other.mass_at(0), other.mass_at(1)]);
+    }
+    assert!(stuck > 100 && slid > 100, "{stuck}, {slid}");
+    // The product of two shapes with two modes, and the modes of the stuck chain.
+    assert_eq!(stepper.cost().masses, 2 * (12 + 12) + 2 * (4 * 2 + 4));
+}
+
 frictiongen::friction_system! {
     /// A scene whose step is nearly a radian of the faster mode. A series with too few terms would be wrong in such a
     /// step.

@@ -9,7 +9,7 @@ use cortex_m::peripheral::{Peripherals, SYST};
 use cortex_m_rt::entry;
 use cortex_m_semihosting::{debug, hprintln};
 use scenes::steps::machines::{Visitor, visit};
-use scenes::steps::script::{FRICTION, STEPS, Song, Tone, played};
+use scenes::steps::script::{FRICTION, STEPS, Song, Tone, Weather, played};
 use scenes::steps::{Cost, Machine, Outcome};
 
 #[panic_handler]
@@ -53,14 +53,16 @@ struct Kinds {
     all: Needs,
     sum: u64,
     exceeded: u32,
+    events: u32,
 }
 
-/// Measures all steps of a song or of a storm.
-fn measured<M: Machine>(timer: &mut SYST, storm: bool) -> Option<Kinds>
+/// Measures all steps under a load, with an event budget if `budget` is not 0.
+fn measured<M: Machine>(timer: &mut SYST, weather: Weather, budget: u8) -> Option<Kinds>
 where
     M::Scalar: Tone,
 {
     let (mut machine, mut song) = (M::start()?, Song::new());
+    machine.set_budget(budget);
     let empty = timer::ticks(timer, || ());
     let mut kinds = Kinds {
         sliding: Needs::NONE,
@@ -70,9 +72,10 @@ where
         all: Needs::NONE,
         sum: 0,
         exceeded: 0,
+        events: 0,
     };
     for _ in 0..STEPS {
-        let load = black_box(song.next(M::ON_BASE, storm));
+        let load = black_box(song.next(M::ON_BASE, weather));
         let friction = black_box(M::Scalar::of(FRICTION));
         let mut outcome = None;
         let mut ticks = 0;
@@ -97,8 +100,84 @@ where
         kinds.all.add(count, stack);
         kinds.sum += count;
         kinds.exceeded += u32::from(exceeded);
+        kinds.events = kinds.events.max(events);
     }
     Some(kinds)
+}
+
+/// Measures the worst step of all loads with each event budget, and compares it with the bound of its cost.
+fn budgets<M: Machine>(timer: &mut SYST)
+where
+    M::Scalar: Tone,
+{
+    for budget in [0, 1, 2, 4] {
+        let mut all = Needs::NONE;
+        let (mut exceeded, mut most) = (0, 0);
+        for weather in [Weather::Song, Weather::Storm, Weather::Breeze] {
+            let Some(kinds) = measured::<M>(timer, weather, budget) else {
+                return;
+            };
+            all.add(kinds.all.most, kinds.all.stack);
+            exceeded += kinds.exceeded;
+            most = most.max(kinds.events);
+        }
+        hprintln!(
+            "cost|{}|budget {}: worst|{}|{}",
+            M::NAME,
+            budget,
+            all.most,
+            all.stack
+        );
+        let Some(mut machine) = M::start() else {
+            return;
+        };
+        if M::SOFTWARE {
+            continue;
+        }
+        machine.set_budget(budget);
+        let bound = Cost::INSTRUCTIONS * machine.cost().most + Cost::FIXED;
+        hprintln!("cost|{}|budget {}: bound|{}|0", M::NAME, budget, bound);
+        hprintln!(
+            "# {}, budget {}: {} steps exceeded, up to {} events",
+            M::NAME,
+            budget,
+            exceeded,
+            most
+        );
+        if bound < all.most {
+            hprintln!("over: {}, budget {}", M::NAME, budget);
+        }
+    }
+}
+
+/// Measures the start of a stepper, and the calls that read its masses while the contact sticks.
+fn beside<M: Machine>(timer: &mut SYST)
+where
+    M::Scalar: Tone,
+{
+    let empty = timer::ticks(timer, || ());
+    let mut told = |what: &str, size: usize, call: &mut dyn FnMut()| {
+        let ticks = timer::ticks(timer, call);
+        let count = ((ticks - empty) * timer::INSTRUCTIONS + timer::TICKS / 2) / timer::TICKS;
+        hprintln!("cost|{}|{}|{}|{}", M::NAME, what, count, size);
+    };
+    told("stepper with its tables", M::SIZE, &mut || {
+        black_box(&M::start());
+    });
+    told("stepper with constant tables", M::DECLARED, &mut || {
+        M::start_declared()
+    });
+    // Under a small load the contact sticks, which is the more expensive state to read.
+    let Some(mut machine) = M::start() else {
+        return;
+    };
+    for _ in 0..4 {
+        machine.advance([M::Scalar::of(0.0); 2], M::Scalar::of(FRICTION));
+    }
+    told("reading the masses one by one", 0, &mut || {
+        machine.read_each()
+    });
+    told("reading all masses at once", 0, &mut || machine.read_all());
 }
 
 struct Bench<'t>(&'t mut SYST);
@@ -108,8 +187,10 @@ impl Visitor for Bench<'_> {
     where
         M::Scalar: Tone,
     {
-        let (Some(song), Some(storm)) = (measured::<M>(self.0, false), measured::<M>(self.0, true))
-        else {
+        let (Some(song), Some(storm)) = (
+            measured::<M>(self.0, Weather::Song, 0),
+            measured::<M>(self.0, Weather::Storm, 0),
+        ) else {
             hprintln!("{}: an error", M::NAME);
             return;
         };
@@ -137,7 +218,8 @@ impl Visitor for Bench<'_> {
                 hprintln!("cost|{}|step: {}|{}|{}", M::NAME, what, count, stack);
             }
         }
-        hprintln!("cost|{}|stepper with its tables|0|{}", M::NAME, M::SIZE);
+        budgets::<M>(self.0);
+        beside::<M>(self.0);
         hprintln!(
             "# {}: {} of {} steps exceeded",
             M::NAME,
@@ -191,8 +273,8 @@ impl Visitor for Ends {
     where
         M::Scalar: Tone,
     {
-        for (storm, name) in [(false, "song"), (true, "storm")] {
-            let [place, velocity, work] = played::<M>(storm).unwrap_or_default();
+        for (weather, name) in [(Weather::Song, "song"), (Weather::Storm, "storm")] {
+            let [place, velocity, work] = played::<M>(weather).unwrap_or_default();
             hprintln!(
                 "{} of {}: {:016x} {:016x} {:016x}",
                 name,

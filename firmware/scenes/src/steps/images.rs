@@ -1,6 +1,6 @@
 //! Images of steppers: a state as bytes, from which a stepper continues after a loss of power.
 
-use super::script::{FRICTION, STEPS, Song};
+use super::script::{FRICTION, STEPS, Song, Weather};
 use core::fmt::Arguments;
 use frictiongen::OutOfDomain;
 
@@ -60,7 +60,7 @@ macro_rules! song {
         let mut song = Song::<f32>::new();
         let mut stepper = Chain::stepper(Chain::STEP)?;
         let mut sample = || {
-            let [displacement, velocity] = song.next(true, false);
+            let [displacement, velocity] = song.next(true, Weather::Song);
             ChainInput {
                 displacement,
                 velocity,

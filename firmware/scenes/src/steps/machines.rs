@@ -32,6 +32,29 @@ macro_rules! machine {
                 Chain::stepper(Chain::STEP).ok().map(Run)
             }
 
+            /// Creates a stepper at rest that borrows its constant tables.
+            #[inline(never)]
+            #[cfg_attr(feature = "prove", no_panic::no_panic)]
+            pub fn start_declared() {
+                core::hint::black_box(&Chain::declared_stepper());
+            }
+
+            /// Reads the masses one by one.
+            #[inline(never)]
+            #[cfg_attr(feature = "prove", no_panic::no_panic)]
+            pub fn each(run: &Run) {
+                for index in 0..Chain::NATURAL_FREQUENCIES.len() {
+                    core::hint::black_box(&run.0.mass(index));
+                }
+            }
+
+            /// Reads all masses in one call.
+            #[inline(never)]
+            #[cfg_attr(feature = "prove", no_panic::no_panic)]
+            pub fn all(run: &Run) {
+                core::hint::black_box(&run.0.masses());
+            }
+
             /// Returns the time since the start, in s.
             #[inline(never)]
             #[cfg_attr(feature = "prove", no_panic::no_panic)]
@@ -64,8 +87,26 @@ macro_rules! machine {
                     advance(self, load, friction)
                 }
 
+                const DECLARED: usize = core::mem::size_of::<ChainDeclaredStepper>();
+
                 fn cost(&self) -> Cost {
                     self.0.cost()
+                }
+
+                fn set_budget(&mut self, events: u8) {
+                    self.0.set_event_budget(events);
+                }
+
+                fn start_declared() {
+                    start_declared();
+                }
+
+                fn read_each(&self) {
+                    each(self);
+                }
+
+                fn read_all(&self) {
+                    all(self);
                 }
 
                 fn bits(&self) -> [u64; 3] {

@@ -34,6 +34,16 @@ pub trait Machine: Sized {
     fn advance(&mut self, load: [Self::Scalar; 2], friction: Self::Scalar) -> Option<Outcome>;
     /// Returns the upper bound on the cost of a step.
     fn cost(&self) -> Cost;
+    /// Sets the event budget.
+    fn set_budget(&mut self, events: u8);
+    /// Creates a stepper at rest that borrows its constant tables.
+    fn start_declared();
+    /// Reads the masses one by one.
+    fn read_each(&self);
+    /// Reads all masses in one call.
+    fn read_all(&self);
+    /// Size in memory in bytes of a stepper that borrows its constant tables.
+    const DECLARED: usize;
     /// Size in memory in bytes, including the tables.
     const SIZE: usize = core::mem::size_of::<Self>();
     /// Returns the bits of displacement and velocity of the last mass, and of the work of the load.

@@ -17,6 +17,17 @@ const FAST: Turn = [0.999_005_111_495_252_4, 0.044_595_820_503_260_594];
 /// Angular frequencies of the two rotations, rad/s.
 const RATES: [f64; 2] = [14.451_326_206_513_047, 44.610_615_680_975_06];
 
+/// Kind of a load.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Weather {
+    /// A sum of two sinusoids.
+    Song,
+    /// A random load of up to 10⁴ times the friction force.
+    Storm,
+    /// A random load of up to 2.6 times the friction force, with more events than the other loads.
+    Breeze,
+}
+
 /// A load with two frequencies, the "song", or with random values, the "storm".
 #[derive(Clone, Copy, Debug)]
 pub struct Song<S> {
@@ -64,9 +75,14 @@ impl<S: Tone> Song<S> {
 
     /// Returns the next sample. For a base it is displacement in m and velocity in m/s, otherwise a force in N and
     /// zero.
-    pub fn next(&mut self, on_base: bool, storm: bool) -> [S; 2] {
-        if storm {
-            return self.storm(on_base);
+    pub fn next(&mut self, on_base: bool, weather: Weather) -> [S; 2] {
+        match weather {
+            Weather::Song => {}
+            Weather::Storm => return self.storm(on_base),
+            Weather::Breeze => {
+                let small = S::of(2.5e-4);
+                return self.storm(on_base).map(|value| value * small);
+            }
         }
         let turned = |[c, s]: [S; 2], [by_c, by_s]: Turn| {
             let (by_c, by_s) = (S::of(by_c), S::of(by_s));
@@ -113,14 +129,14 @@ impl<S: Tone> Default for Song<S> {
 }
 
 /// Returns the bits of the final state of a machine after a song or a storm, or `None` after an error.
-pub fn played<M: Machine>(storm: bool) -> Option<[u64; 3]>
+pub fn played<M: Machine>(weather: Weather) -> Option<[u64; 3]>
 where
     M::Scalar: Tone,
 {
     let mut song = Song::new();
     let mut machine = M::start()?;
     for _ in 0..STEPS {
-        machine.advance(song.next(M::ON_BASE, storm), M::Scalar::of(FRICTION))?;
+        machine.advance(song.next(M::ON_BASE, weather), M::Scalar::of(FRICTION))?;
     }
     Some(machine.bits())
 }

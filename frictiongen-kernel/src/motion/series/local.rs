@@ -101,7 +101,9 @@ impl<S: Float> LocalSeries<S> {
 /// A function of time whose zeros or peaks a *walk* finds. A walk is a search in steps that skip no zero.
 pub(crate) trait Walked<S> {
     /// Upper bound on the number of steps of one search along the function.
-    const MOST: u32 = MAX_STEPS;
+    fn most(&self) -> u32 {
+        MAX_STEPS
+    }
     /// Returns value and derivatives of the function at τ, with a bound on its third derivative from τ on.
     fn local(&self, tau: S) -> Local<S>;
     /// Returns the power series of the function from the start. The caller passes value and slope at the start, because

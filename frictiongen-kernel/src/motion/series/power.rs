@@ -58,7 +58,16 @@ impl<S: Float> Power<S> {
             reach,
             bound,
             noise,
+            most: WALK,
         }
+    }
+
+    /// Replaces this series f by g + share·(f − g), where g is another series.
+    pub(crate) fn mix(&mut self, other: &Self, share: S) {
+        for (term, other) in self.terms.iter_mut().zip(&other.terms) {
+            *term = *other + share * (*term - *other);
+        }
+        self.size = self.size.max(other.size);
     }
 }
 
@@ -72,10 +81,20 @@ pub(crate) struct PowerUpTo<'p, S> {
     reach: S,
     bound: S,
     noise: S,
+    most: u32,
+}
+
+impl<S: Float> PowerUpTo<'_, S> {
+    /// Changes the upper bound on the number of steps of a search.
+    pub(crate) fn within(self, most: u32) -> Self {
+        Self { most, ..self }
+    }
 }
 
 impl<S: Float> Walked<S> for PowerUpTo<'_, S> {
-    const MOST: u32 = WALK;
+    fn most(&self) -> u32 {
+        self.most
+    }
 
     fn local(&self, tau: S) -> Local<S> {
         let zero = S::constant(0.0);

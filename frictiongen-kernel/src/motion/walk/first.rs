@@ -55,7 +55,7 @@ pub(crate) fn first_zero<S: Float, F: Walked<S>>(
         series = Some(terms);
     }
     let mut exact = series.is_some();
-    for _ in 0..F::MOST {
+    for _ in 0..sum.most() {
         *steps = steps.saturating_add(1);
         let noise = if exact { zero } else { sum.noise() };
         let h = match verdict(&local, noise, tau, exact) {
@@ -107,7 +107,7 @@ pub(crate) fn first_reach<S: Float, F: Walked<S>>(
         _ => level,
     };
     let mut tau = from;
-    for _ in 0..F::MOST {
+    for _ in 0..sum.most() {
         *steps = steps.saturating_add(1);
         let local = sum.local(tau);
         let mut next = sum.reach();

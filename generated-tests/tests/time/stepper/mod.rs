@@ -5,6 +5,7 @@
 
 mod bad_input;
 pub mod both;
+mod budget;
 mod creep;
 mod energy;
 mod exact;

@@ -1,0 +1,49 @@
+//! Emits the stepper of a declared step, which borrows its constant tables.
+
+use super::emission::Emission;
+use super::names::TypeNames;
+use proc_macro2::TokenStream;
+
+/// Emits the type of the stepper.
+pub(super) fn types(emission: &Emission<'_>, literals: &TokenStream) -> TokenStream {
+    let Emission {
+        description,
+        scalar,
+        facade,
+        names: TypeNames {
+            stepper, declared, ..
+        },
+        ..
+    } = emission;
+    let (visibility, law) = (&description.visibility, emission.law_in_types());
+    let about = format!(
+        " Stepper of the declared step `STEP`.  It borrows its tables, which stay constants of the program, and has the methods and the costs of [`{stepper}`]."
+    );
+    let scalar = code!(::core::primitive::#scalar);
+    code! {
+        #[doc = #about]
+        #[allow(dead_code, deprecated, non_camel_case_types)]
+        #visibility struct #declared(#facade::kernel::stepper::DeclaredStepper<#scalar, #literals #law>);
+    }
+}
+
+/// Emits the function that creates the stepper.
+pub(super) fn associated(emission: &Emission<'_>) -> TokenStream {
+    let declared = &emission.names.declared;
+    code! {
+        /// Creates a stepper with the declared step `STEP`, for a chain at rest without load.  It computes and copies no
+        /// tables, and can be the value of a `static`.
+        #[inline]
+        #[must_use]
+        #[allow(dead_code, clippy::init_numbered_fields, reason = "an alias of the type has no constructor function")]
+        pub const fn declared_stepper() -> #declared {
+            #declared {
+                0: DeclaredStepper::declared(
+                    Self::STEP_SCENE,
+                    &Self::STEP_TABLES,
+                    (0.0, Self::CHAIN.stiction),
+                ),
+            }
+        }
+    }
+}

@@ -1,0 +1,125 @@
+//! The bounds on the events of a step, and the rule by which the stepper ends a sub-interval beyond them.
+//!
+//! The rule needs no search. A contact at rest stays stuck for the rest of the sub-interval, unless the force already
+//! exceeds μF. Otherwise the friction force is constant over the rest of
+//! the sub-interval. Of all forces up to the kinetic force, it is the one that moves the contact least. Friction
+//! therefore dissipates the force times this displacement, or nothing, and never creates energy. If the contact would
+//! not have stopped, the force is the kinetic force, and the rest is exact.
+
+use super::cost::{PIECES, RULE, SEARCH};
+use super::interval::{Departure, StepInterval, integral};
+use super::law::StepContact;
+use super::{MAX_EVENTS, MAX_STRETCHES};
+use crate::motion::{Contact, Law, Power, WALK};
+use crate::number::scalar::Float;
+
+/// Force in a stuck contact over μF beyond which the rule lets the contact break away. The excess is far above rounding,
+/// so that no contact that holds moves.
+const OVERLOADED: f64 = 1.0 + 1.0 / 1024.0;
+
+impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> {
+    /// Returns the number of events in this sub-interval at which the rule takes over, and the largest number of pieces
+    /// of motion in it.
+    pub(super) fn bounds(&self) -> (u32, u32) {
+        if self.status.budget == 0 {
+            // The rule takes the time of the last pieces, so that MAX_STRETCHES bounds both.
+            return (MAX_EVENTS, MAX_STRETCHES - RULE);
+        }
+        let events =
+            (u32::from(self.status.budget) + 1).saturating_sub(u32::from(self.status.spent));
+        let pieces = if self.scene.law.is_empty() { 1 } else { PIECES };
+        (events, pieces * events)
+    }
+
+    /// Returns the largest number of evaluations in a search.
+    #[inline]
+    pub(super) fn search(&self) -> u32 {
+        if self.status.budget == 0 {
+            WALK
+        } else {
+            SEARCH
+        }
+    }
+
+    /// Advances over the rest of the sub-interval by the rule.
+    pub(super) fn finish(&mut self, mut departing: Option<Departure<S>>) {
+        self.exceeded = true;
+        let left = S::constant(1.0) - self.progress;
+        if self.status.contact == Contact::Stuck {
+            departing = self.overloaded();
+            if self.status.contact == Contact::Stuck {
+                return self.move_held(left);
+            }
+        }
+        let zero = S::constant(0.0);
+        let contact = self.status.contact;
+        let sign: S = contact.sign();
+        let [level, slope] = self.law().kinetic_on(&self.line(), contact);
+        let kinetic = if slope.is_zero() || departing.is_some() {
+            level
+        } else {
+            level + slope * self.relative_rate()
+        };
+        let mut velocity = self.velocity_series([kinetic, zero]);
+        let moved = integral(velocity.used(), left);
+        if zero < sign * moved {
+            return self.slide_on(&velocity, kinetic, left);
+        }
+        if let Some(Departure { stuck, .. }) = departing {
+            // The contact would move against its departure. It therefore stays where it was stuck.
+            self.start_sticking(stuck);
+            return self.move_held(left);
+        }
+        if self.is_elastic() {
+            self.start_sticking(None);
+            return self.move_held(left);
+        }
+        let free = self.velocity_series([zero; 2]);
+        let freely = integral(free.used(), left);
+        // The displacement depends linearly on the force. The share of the kinetic force at which it vanishes is below
+        // 1. A share below −1 stands for a contact that reverses and then slides.
+        let share = (freely / (freely - moved))
+            .max(S::constant(-1.0))
+            .min(S::constant(1.0));
+        velocity.mix(&free, share);
+        self.slide_on(&velocity, share * kinetic, left);
+    }
+
+    /// Changes the state from sticking to sliding, if the force in the contact now exceeds μF by more than rounding.
+    fn overloaded(&mut self) -> Option<Departure<S>> {
+        let (law, force) = (self.law(), self.stuck_force());
+        if self.status.wedged || force.abs() <= law.grip() * S::constant(OVERLOADED) {
+            return None;
+        }
+        let contact = Contact::along(force);
+        if self.is_elastic() {
+            self.yield_under(force, contact);
+            return None;
+        }
+        let slide = law.slide(contact, force.abs());
+        self.start_sliding();
+        self.status.contact = slide.contact;
+        self.status.line = 0;
+        Some(Departure {
+            slope: self.acceleration(slide.excess),
+            stuck: Some(self.status.stuck_at),
+        })
+    }
+
+    /// Lets the contact slide over the rest of the sub-interval under a constant force.
+    fn slide_on(&mut self, velocity: &Power<S>, force: S, left: S) {
+        let zero = S::constant(0.0);
+        let contact = self.status.contact;
+        self.move_modes(velocity, [force, zero], left);
+        let rate = self.relative_rate();
+        if self.scene.law.is_empty() && zero < contact.sign::<S>() * rate {
+            return;
+        }
+        // The next sub-interval derives the contact's state from its velocity.
+        self.status.unknown = true;
+        if !self.is_elastic() {
+            self.status.contact = Contact::along(rate);
+            self.status.contact_force = force;
+        }
+    }
+}
