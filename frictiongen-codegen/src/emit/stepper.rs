@@ -125,6 +125,7 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
             }
     };
     let items = code! {
+        /// `Clone`, `Debug`, `From` and `Deref`: the stepper has all methods of the wrapped type.
         #facade::kernel::wraps!(#stepper, FixedStepper of #law_word #scalar, #literals);
 
         impl #stepper {
@@ -318,7 +319,7 @@ fn types(
         #[doc = #about]
         ///
         #(#[doc = #cost])*
-        #[allow(deprecated, non_camel_case_types)]
+        #[allow(deprecated, non_camel_case_types, reason = "names and attributes are those of the description")]
         #visibility struct #stepper(#facade::kernel::stepper::FixedStepper<#scalar, #literals #law_in_types>);
 
         #input
