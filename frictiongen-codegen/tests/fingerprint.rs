@@ -1,7 +1,8 @@
 //! Tests that the fingerprint in emitted code depends on every field of a scene, and on nothing else.
 #![allow(clippy::expect_used, reason = "a test may fail")]
 
-use frictiongen_codegen::{Limits, emit, parse_text};
+use frictiongen_codegen::standalone::{Origin, Source, c_source};
+use frictiongen_codegen::{Limits, SceneTables, emit, parse_text, pretty};
 use std::collections::HashSet;
 
 /// Returns the fingerprint in the code of a description.
@@ -113,4 +114,39 @@ fn the_layout_does_not_count() {
     let same = format!("/// A scene.\npub {}", SCENE.replace(", ", ",\n"))
         .replace("stiction: 1.5", "stiction: 3 / 2, damping: none,");
     assert_eq!(fingerprint(SCENE), fingerprint(&same));
+}
+
+/// Checks that the macro's code and the C from the same tables have the same checksum of the table, so that a reader can
+/// match them. The macro's line is from its tokens, that of the C from the tables.
+#[test]
+fn the_table_has_one_checksum() {
+    let text = "struct S { masses: { a: 1, b: 2 }, springs: { base - a: 1, a - b: 1 }, contact: b - wall, \
+        excitation: base, damping: modal(0.05), scalar: f32, provide: [limits, motion(b)], \
+        accuracy: 1e-2, range: { r: 0.4..2.0 } }";
+    let description = parse_text(text, &Limits::MACRO).expect("a valid scene");
+    let Some(SceneTables::Single(tables)) = &description.tables else {
+        panic!("tables in f32");
+    };
+    let source = Source {
+        scene: &description.scene,
+        tables,
+        origin: Origin {
+            description: text,
+            command: "test",
+        },
+    };
+    let of = |code: &str| -> String {
+        let mut lines = code
+            .lines()
+            .filter_map(|line| line.split_once("joined by commas: "));
+        let (before, sum) = lines.next().expect("a checksum");
+        let (_, count) = before
+            .split_once(" numbers")
+            .map(|(count, _)| count.rsplit_once(' ').unwrap_or_default())
+            .expect("a count");
+        format!("{count} {}", sum.get(..8).expect("eight digits"))
+    };
+    let rust = pretty(&description).expect("Rust");
+    let (_, rust) = rust.split_once("Tables: numbers alone").expect("tables");
+    assert_eq!(of(rust), of(&c_source(&source, "s", None).expect("C")));
 }

@@ -11,10 +11,10 @@ use crate::progress;
 use frictiongen::System;
 use frictiongen::study::InvalidScene;
 use frictiongen::study::columns::FrequencyUnit;
-use frictiongen::study::scene::{Accuracy, Declared, Provide, Proving, Range, Scene, Side};
+use frictiongen::study::scene::{Accuracy, Declared, Proving, Range, Scene, Side};
 use frictiongen::study::table::{Evidence, FINEST_PROVEN, Proof, Tables, Work};
 use frictiongen_codegen::standalone::{
-    Origin, Source, c_header, c_name, c_source, c_tables, c_tables_name, rust_source,
+    Origin, Source, c_header, c_name, c_source, c_tables, c_tables_name, left_out, rust_source,
 };
 use frictiongen_codegen::{Limits, SceneTables};
 use std::io::Write;
@@ -94,19 +94,7 @@ fn c_prefix(scene: &Scene, arguments: &CompileArguments) -> Result<String, Failu
 
 /// Prints a line on standard error about those items of `provide` that the files do not contain.
 fn say_what_is_left_out(scene: &Scene) {
-    let word = |item: &Provide| match item {
-        Provide::Motion(Some(masses)) if !masses.is_empty() => {
-            let names = masses.iter().filter_map(|mass| scene.masses.get(*mass));
-            let names: Vec<&str> = names.map(|mass| mass.name.as_str()).collect();
-            Some(format!("motion({})", names.join(", ")))
-        }
-        Provide::Orbit => Some("orbit".to_owned()),
-        Provide::Simulation => Some("simulation".to_owned()),
-        Provide::Stepper => Some("stepper".to_owned()),
-        // The files always contain a self-check.
-        Provide::Limits | Provide::Motion(_) | Provide::Stuck | Provide::SelfCheck => None,
-    };
-    let left_out: Vec<String> = scene.provide.iter().filter_map(word).collect();
+    let left_out = left_out(scene);
     if !left_out.is_empty() {
         progress::say(&format!(
             "frictiongen: `compile` leaves out {} of `provide`, because it writes only limits, the motion of the contact and stuck responses; use the macro or the library for the rest\n",

@@ -1,7 +1,7 @@
 //! Largest differences between the results of two scenes at the same frequencies and friction forces.
 
 use frictiongen::System;
-use frictiongen::study::scene::{Excitation, FrictionLaw};
+use frictiongen::study::scene::{Accuracy, Beyond, Excitation, FrictionLaw, Provide, Scene};
 use frictiongen::study::units::{Load, hertz};
 
 /// Number of compared frequencies.
@@ -9,6 +9,9 @@ pub const FREQUENCIES: u32 = 400;
 /// Range of the compared frequencies. It begins at the first number times the lowest natural frequency, and ends at the
 /// second number times the highest natural frequency.
 const BAND: (f64, f64) = (0.2, 1.5);
+/// A value counts as 0 if it is at most this fraction of the largest value of the same result. At a frequency where the
+/// exact result is 0, rounding leaves such a value.
+const NOISE: f64 = 1e-12;
 /// Friction for the comparison of motions, as a fraction of the smaller limit of the old scene.
 const FRICTION: f64 = 0.5;
 
@@ -34,6 +37,8 @@ pub struct Difference {
     pub median: f64,
     /// Number of frequencies at which both scenes have a result.
     pub compared: usize,
+    /// Scenes whose emitted code leaves this result out, as words for the reader. Empty if both provide it.
+    pub left_out_by: &'static str,
     /// Words for the compared frequencies, if a comparison was not possible at all frequencies of the band.
     pub where_both: &'static str,
 }
@@ -48,6 +53,8 @@ pub struct Answers {
     pub modes: Modes,
     /// Lowest and highest compared frequency, in Hz.
     pub band: Option<(f64, f64)>,
+    /// True if a declared `range` bounds the compared frequencies.
+    pub within_range: bool,
     /// Largest differences, one for each kind of result.
     pub differences: Vec<Difference>,
     /// Reasons why some results were not compared.
@@ -101,7 +108,20 @@ pub fn compare(old: &System, new: &System) -> Answers {
     ) else {
         return answers;
     };
-    let (from, to) = (BAND.0 * lowest, BAND.1 * highest);
+    let wide = (BAND.0 * lowest, BAND.1 * highest);
+    let (from, to) = [old, new]
+        .into_iter()
+        .filter_map(answered)
+        .fold(wide, |band, range| {
+            (band.0.max(range.0), band.1.min(range.1))
+        });
+    if from >= to {
+        let reason =
+            "limits and amplitudes: no frequency is in the declared `range` of both scenes";
+        answers.left_out.push(reason.to_owned());
+        return answers;
+    }
+    answers.within_range = (from, to) != wide;
     answers.band = Some((from, to));
     let ratio = (to / from).powf(1.0 / f64::from(FREQUENCIES - 1));
     let band: Vec<f64> = (0..FREQUENCIES)
@@ -110,6 +130,42 @@ pub fn compare(old: &System, new: &System) -> Answers {
     answers.differences = differences(old, new, &band);
     answers.left_out.extend(unshared(old, new));
     answers
+}
+
+/// Returns the range of frequencies in Hz in which the emitted code of a scene answers. Returns `None` if the code answers
+/// at every frequency.
+fn answered(system: &System) -> Option<(f64, f64)> {
+    let declared = &system.scene().declared;
+    let exact = declared.accuracy == Accuracy::Exact && declared.budget.is_none();
+    if exact || declared.beyond == Beyond::Exact {
+        return None;
+    }
+    let (low, high) = declared.range?.r;
+    let ratio_at_one_hertz = system.frequency_ratio_at_hertz(1.0);
+    Some((low / ratio_at_one_hertz, high / ratio_at_one_hertz))
+}
+
+/// Returns true if the emitted code of a scene has the continuous motion of a mass. `None` stands for the contact.
+fn provides(scene: &Scene, mass: Option<&str>) -> bool {
+    let named = |index: &usize| {
+        let own = scene.masses.get(*index).map(|own| own.name.as_str());
+        own == mass
+    };
+    scene.provide.iter().any(|item| match item {
+        Provide::Motion(None) => true,
+        Provide::Motion(Some(masses)) => mass.is_none() || masses.iter().any(named),
+        _ => false,
+    })
+}
+
+/// Returns words for the scenes whose emitted code leaves out the continuous motion of a mass, or of the contact.
+fn left_out_by(old: &Scene, new: &Scene, mass: Option<&str>) -> &'static str {
+    match (provides(old, mass), provides(new, mass)) {
+        (true, true) => "",
+        (false, true) => "the old emitted code leaves it out",
+        (true, false) => "the new emitted code leaves it out",
+        (false, false) => "the emitted code leaves it out",
+    }
 }
 
 /// Returns a sentence about masses that only one scene has. Returns `None` if both scenes have the same masses.
@@ -130,6 +186,7 @@ fn unshared(old: &System, new: &System) -> Option<String> {
 struct Series {
     name: String,
     unit: &'static str,
+    left_out_by: &'static str,
     where_both: &'static str,
     values: Vec<(f64, f64, f64)>,
 }
@@ -139,6 +196,7 @@ impl Series {
         Self {
             name: name.into(),
             unit,
+            left_out_by: "",
             where_both,
             values: Vec::new(),
         }
@@ -150,7 +208,16 @@ impl Series {
         }
     }
 
-    fn difference(self) -> Option<Difference> {
+    fn difference(mut self) -> Option<Difference> {
+        let sizes = self.values.iter().flat_map(|(_, old, new)| [old, new]);
+        let least = NOISE * sizes.fold(0.0, |size: f64, value| size.max(value.abs()));
+        for (_, old, new) in &mut self.values {
+            for value in [old, new] {
+                if value.abs() <= least {
+                    *value = 0.0;
+                }
+            }
+        }
         let relative = |old: f64, new: f64| {
             let size = old.abs().max(new.abs());
             if size == 0.0 {
@@ -175,6 +242,7 @@ impl Series {
             relative: relative(largest.1, largest.2),
             median: all.get(all.len() / 2).copied().unwrap_or(0.0),
             compared: all.len(),
+            left_out_by: self.left_out_by,
             where_both: self.where_both,
         })
     }
@@ -202,11 +270,15 @@ fn differences(old: &System, new: &System, band: &[f64]) -> Vec<Difference> {
     let names: Vec<&String> = names.collect();
     let shared = old.scene().masses.iter().map(|mass| &mass.name);
     let shared: Vec<&String> = shared.filter(|name| names.contains(name)).collect();
-    let mut motions: Vec<Series> = std::iter::once("contact".to_owned())
-        .chain(shared.iter().map(|name| (*name).clone()))
-        .map(|name| {
-            let name = format!("amplitude of {name} over {load}");
-            Series::new(name, of_length, CONTINUOUS)
+    let names = shared.iter().map(|name| Some(name.as_str()));
+    let mut motions: Vec<Series> = std::iter::once(None)
+        .chain(names)
+        .map(|mass| {
+            let name = format!("amplitude of {} over {load}", mass.unwrap_or("contact"));
+            Series {
+                left_out_by: left_out_by(old.scene(), new.scene(), mass),
+                ..Series::new(name, of_length, CONTINUOUS)
+            }
         })
         .collect();
     for hertz in band {

@@ -207,6 +207,12 @@ impl Differences {
                 computed(from),
                 computed(to)
             )?;
+            if self.answers.within_range {
+                writeln!(
+                    out,
+                    "  The declared `range` bounds these frequencies: outside it the emitted code refuses."
+                )?;
+            }
             for line in [
                 "A difference is relative to the larger of both values.",
                 "Amplitudes are those under half the smaller limit of the old scene, with that friction force in both scenes.",
@@ -230,6 +236,7 @@ impl Differences {
                 relative,
                 median,
                 compared,
+                left_out_by,
                 where_both,
             } = found;
             let over = if u32::try_from(*compared) == Ok(FREQUENCIES) {
@@ -242,7 +249,11 @@ impl Differences {
             } else {
                 format!(" {unit}")
             };
-            writeln!(out, "  {name}")?;
+            if left_out_by.is_empty() {
+                writeln!(out, "  {name}")?;
+            } else {
+                writeln!(out, "  {name} ({left_out_by})")?;
+            }
             if *relative <= ROUNDINGS {
                 writeln!(out, "    unchanged, to rounding{over}")?;
                 continue;
@@ -337,6 +348,7 @@ impl Differences {
                 "relative": number(found.relative),
                 "median": number(found.median),
                 "compared": found.compared,
+                "left_out": !found.left_out_by.is_empty(),
             })
         });
         let mut left_out: Vec<Json> = self

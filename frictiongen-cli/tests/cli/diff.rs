@@ -165,6 +165,52 @@ fn renamed_and_added() {
     );
 }
 
+/// Checks that the comparison stays where the emitted code answers, and names the results that the code leaves out. The
+/// natural frequencies are 1.907 and 5.5 Hz, so that the declared range cuts the band at both ends.
+#[test]
+fn within_the_declared_range() {
+    let declared = frame().replace(
+        "stiction: 1.2,",
+        "accuracy: 1e-3, range: { r: 0.5..1.5 }, provide: [limits, motion(upper)],",
+    );
+    let changed = Written::new("range", &declared.replace("1190.0", "1201.9"));
+    let old = Written::new("range-old", &declared);
+    let text = output("", &["diff", old.path(), changed.path()]);
+    // r = ω√(m₁/k₁): from 0.5 of the stiffer scene to 1.5 of the softer one.
+    let hertz = |r: f64, k: f64| r * (k / 3.27_f64).sqrt() / std::f64::consts::TAU;
+    let band = format!(
+        "answers at 400 frequencies from {:.6} to {:.6} Hz\n  The declared `range` bounds",
+        hertz(0.5, 1201.9),
+        hertz(1.5, 1190.0)
+    );
+    assert!(text.contains(&band), "{band}: {text}");
+    assert!(
+        text.contains("  amplitude of lower over Y (the emitted code leaves it out)\n"),
+        "{text}"
+    );
+    assert!(text.contains("  amplitude of upper over Y\n"), "{text}");
+    let apart = declared.replace("0.5..1.5", "2.0..2.5");
+    let found = json("apart", &declared, &apart);
+    assert!(
+        found["not_compared"]
+            .to_string()
+            .contains("no frequency is in the declared `range` of both scenes")
+    );
+    assert!(found["answers"].as_array().unwrap().is_empty());
+}
+
+/// Checks that the noise at an exact zero is no value. The limit of one undamped mass is 0 at r = 1/5, at which the band
+/// begins.
+#[test]
+fn a_zero_is_zero() {
+    let block = "struct Block { masses: { block: 2.0 }, springs: { base - block: 800.0 }, contact: block - wall,
+                 excitation: base }";
+    let found = json("zero", block, &block.replace("800", "808"));
+    let limit = &found["answers"][0];
+    assert_eq!(limit["name"], "limit of continuous motion F_lim/Y");
+    assert_eq!(limit["old"], 0.0, "{limit}");
+}
+
 #[test]
 fn scenes_of_different_kinds() {
     let found = json("kinds", &frame(), BLOCK);

@@ -5,7 +5,7 @@ use super::fingerprint::fingerprint;
 use super::names::TypeNames;
 use crate::Description;
 use crate::standalone::rust_text;
-use frictiongen_model::scene::FrictionLaw;
+use frictiongen_model::scene::{Beyond, FrictionLaw};
 use proc_macro2::{Ident, TokenStream};
 
 /// Number of masses from which on the documentation no longer names the methods of each mass.
@@ -53,7 +53,7 @@ pub(super) fn numbers_struct(
     let visibility = &description.visibility;
     code! {
         #[doc = #about]
-        #[allow(deprecated, non_camel_case_types, non_snake_case)]
+        #[allow(deprecated, non_camel_case_types, non_snake_case, reason = "names and attributes are those of the description")]
         #[::core::prelude::v1::derive(
             ::core::clone::Clone,
             ::core::marker::Copy,
@@ -127,8 +127,13 @@ fn offers(emission: &Emission<'_>) -> Vec<String> {
         "`frequency_ratio(omega)`, `friction_ratio(friction, load)`: r and β from units".to_owned(),
     ];
     if scene.needs_frequency() {
+        let refused = if emission.is_tabled() && scene.declared.beyond == Beyond::Error {
+            "outside the declared range of r"
+        } else {
+            "for a NaN or negative r"
+        };
         items.push(format!(
-            "`at(r)` returns [`{at}`], with `limits()`, `regime(beta)` and `margin(beta)`"
+            "`at(r)` returns [`{at}`], with `limits()`, `regime(beta)` and `margin(beta)`, or an error {refused}"
         ));
         items.push(
             "`limits_without_search(r)`, `limits_into(rs, continuous, sliding)`: both limits alone"

@@ -5,6 +5,7 @@ use super::emission::{Checked, Emission, Part, rounded};
 use super::fields::fields;
 use super::names::TypeNames;
 use super::units;
+use frictiongen_kernel::modal_sum::search::MAX_EVALUATIONS;
 use frictiongen_kernel::oscillator::mode::{Kind, Mode};
 use proc_macro2::{Literal, TokenStream};
 
@@ -33,7 +34,7 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
             #[doc = #at_about]
             ///
             #[doc = #work_about]
-            #[allow(deprecated, non_camel_case_types)]
+            #[allow(deprecated, non_camel_case_types, reason = "names and attributes are those of the description")]
             #visibility struct #at(#facade::kernel::#inner<#name>);
         }
     });
@@ -152,7 +153,7 @@ fn at_frequency(emission: &Emission<'_>) -> Part {
             (
                 "ends",
                 code!(Ends { #ends }),
-                "limits at both ends of the range of r",
+                "limits of β for r → 0 and for r → ∞, whatever `range` says",
             ),
             (
                 "rubbing",
@@ -201,7 +202,9 @@ fn at_frequency(emission: &Emission<'_>) -> Part {
             const NUMBERS: Numbers<'static, #scalar> = Numbers { #numbers };
     };
     let items = code! {
+        /// The functions `at`, `limits_without_search` and `limits_into`.
         #facade::kernel::scene_functions!(#name, #at, #scalar, #of);
+        /// The trait `FrictionSystem`, by which generic code calls any scene.
         #facade::emitted_system!(#name, #at, #scalar, [#(#names),*]);
     };
     Part {
@@ -301,7 +304,7 @@ fn work_about(emission: &Emission<'_>) -> String {
     let modes = emission.modes();
     let plural = if modes == 1 { "" } else { "s" };
     format!(
-        " Worst case: the operations of `{stage}`, and in each search `most_evaluations` sums over {modes} mode{plural}."
+        " Worst case: the operations of `{stage}`, and in each search at most `most_evaluations()` sums over {modes} mode{plural}.  This number depends on r, and never exceeds {MAX_EVALUATIONS}."
     )
 }
 

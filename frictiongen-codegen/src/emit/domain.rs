@@ -1,6 +1,7 @@
 //! Emits the range in which tables are valid, and lists the constants of tables for the self-check.
 
 use super::emission::{Checked, Emission};
+use super::fields::fields;
 use frictiongen_kernel::Float;
 use frictiongen_kernel::emitted::check::{self, Listed};
 use frictiongen_kernel::table::Domain;
@@ -13,11 +14,12 @@ pub(super) fn checked<S: Float + Listed<S>>(
     emission: &Emission<'_>,
     tables: &Tables<S>,
 ) -> Vec<Checked> {
-    let wide = |value: S| value.to_f64();
+    // The emitted tables have no negative zeros.
+    let wide = |value: S| value.to_f64() + 0.0;
     let index = &tables.index;
     let pieces = tables.pieces.iter().map(|piece| {
         let coefficients = piece.coefficients.iter().flatten();
-        let coefficients: Vec<f64> = coefficients.map(|number| number.to_f64()).collect();
+        let coefficients: Vec<f64> = coefficients.map(|number| wide(*number)).collect();
         ([wide(piece.from), wide(piece.origin)], coefficients)
     });
     let pieces: Vec<([f64; 2], Vec<f64>)> = pieces.collect();
@@ -99,17 +101,41 @@ pub(super) fn domain<S: Float>(emission: &Emission<'_>, tables: &Tables<S>) -> T
         (false, true) => " Where the tables hold: at no r and β of these a stuck state exists.",
         (false, false) => " Where the tables hold.",
     };
+    let fields = fields(
+        true,
+        &[
+            (
+                "r",
+                code!((#low, #high)),
+                "smallest and largest r of the tables",
+            ),
+            (
+                "beta",
+                code!((#least, #largest)),
+                "smallest and largest β that a caller may pass",
+            ),
+            (
+                "exact_beyond",
+                code!(#exact_beyond),
+                "outside, the exact formulas answer; if false, a call is an error",
+            ),
+            (
+                "always_continuous",
+                code!(#always_continuous),
+                "β_lim exceeds every β of the range, so that no code compares them",
+            ),
+            (
+                "never_stuck",
+                code!(#never_stuck),
+                "β*_lim exceeds every β of the range, so that no code evaluates it",
+            ),
+        ],
+    );
     code! {
         #[doc = #about]
         #[inline]
         fn domain(&self) -> Domain<#scalar> {
-            Domain {
-                r: (#low, #high),
-                beta: (#least, #largest),
-                exact_beyond: #exact_beyond,
-                always_continuous: #always_continuous,
-                never_stuck: #never_stuck,
-            }
+            Domain { #fields }
         }
     }
 }

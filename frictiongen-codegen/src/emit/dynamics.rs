@@ -84,7 +84,7 @@ pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> Constants {
             (
                 "participations",
                 code!(&[#(#participations),*]),
-                "factors of each mode in y and u of each mode of the stuck chain",
+                "factors in y and u: for each mode of `held` in turn, one pair for each mode that the contact drives",
             ),
             (
                 "shapes",

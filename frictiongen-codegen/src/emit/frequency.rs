@@ -31,24 +31,29 @@ pub(super) fn emit(emission: &Emission<'_>) -> Stage {
     let operations = operations_about(&operations);
     let on_base = emission.reduced.chain.on_moving_base.is_some();
     let response = if on_base {
-        " Sums over the modes, relative to the moving base: V of residue/λ·(1 − 2iζx)/(x² − 1 + 2iζx), times r²,"
+        " r²V of r²·residue/λ·(1 − 2iζx)/(x² − 1 + 2iζx), relative to the moving base and with r²·`on_moving_base` added,"
     } else if emission.loads_contact() {
-        " Sums over the modes: V = H, as the load acts on the mass that rubs,"
+        " r²V = r²H, as the load acts on the mass that rubs,"
     } else {
-        " Sums over the modes: V of residue/(x² − 1 + 2iζx),"
+        " r²V of residue/(x² − 1 + 2iζx),"
     };
     let from_base: &[&str] = if emission.reduced.quadratures.is_empty() {
         &[]
     } else {
         &FROM_BASE
     };
+    // The parts that are 0 without damping stand in the code as plain zeros.
+    let undamped = (!emission.damped())
+        .then(|| code!(#[doc = " Without damping r²G, r²H_c and the imaginary parts are 0."]));
     let about = code! {
         /// Sums V, H, U, G and H_c of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), and the functions of the modes.
         ///
+        /// Sums over the modes, with x = √λ/r = 1/R:
         #[doc = #response]
-        /// H of (φᵀw)²/(x² − 1 + 2iζx), U of (φᵀw)²uR², G of (φᵀw)²gR² and r²H_c of (φᵀw)²(g + 2ζRu), with x = √λ/r = 1/R.
-        /// All are times r²E.  E is the smallest |x² − 1| + 2ζx of the modes in contact, so that the sums stay finite on a
-        /// resonance.
+        /// r²H of (φᵀw)²/(x² − 1 + 2iζx), r²U of (φᵀw)²uR², r²G of (φᵀw)²gR² and r²H_c of (φᵀw)²(g + 2ζRu).
+        /// Each is returned times E as `v`, `h`, `u`, `g` or `reversal`.  E, the `scale`, is the smallest |x² − 1| + 2ζx of the
+        /// modes in contact, so that the sums stay finite on a resonance.
+        #undamped
         #(#[doc = #from_base])*
         ///
         #[doc = #operations]
@@ -85,7 +90,7 @@ pub(super) fn emit(emission: &Emission<'_>) -> Stage {
 
 /// Additional lines of emitted documentation, if damping acts on velocities relative to the moving base.
 const FROM_BASE: [&str; 3] = [
-    " Damping acts relative to the base: to residue·`response` in V comes i(φᵀw)·2ζλΓ/x·`response` with Γ = φᵀΓ1, and on a moving",
+    " Damping acts relative to the base: to residue·`response` in r²VE comes i(φᵀw)·2ζλΓ/x·`response` with Γ = φᵀΓ1, and on a moving",
     " base `static_residue` − 2iζx·wall takes the place of `static_residue`·(1 − 2iζx), wall being `static_residue` − (φᵀw)Γ.",
     " `QUADRATURES` has 2ζλΓ and wall of each mode.",
 ];
@@ -181,6 +186,11 @@ fn summed(emission: &Emission<'_>) -> (TokenStream, Count) {
         let at = local(&format!("at_{number}"));
         sums.extend(if number == 1 {
             code!(let sum = Self::CHAIN.begun_by(scale, #constants, &#mode, #at, #with_g);)
+        } else if number == 2 {
+            code! {
+                /// `false`: this mode is not the only one, so that E is not always its own `size`
+                let sum = Self::CHAIN.joined_by(&sum, #constants, &#mode, #at, false, #with_g);
+            }
         } else {
             code!(let sum = Self::CHAIN.joined_by(&sum, #constants, &#mode, #at, false, #with_g);)
         });

@@ -53,8 +53,8 @@ pub(super) fn formulas(emission: &Emission<'_>) -> TokenStream {
             #break_away
         }
 
-        /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²) (5.65, 5.80, 5.96, 7.49), with S the largest F(τ)/sin τ over
-        /// 0 < τ < π, F a sum over modes: with more friction the contact would reverse within the half period.
+        /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²) (5.65, 5.80, 5.96, 7.49), with S the largest J(τ)/sin τ over
+        /// 0 < τ < π, J a sum over modes: with more friction the contact would reverse within the half period.
         /// `constraint` is r²E times that maximum.
         ///
         #[doc = #continuous_count]

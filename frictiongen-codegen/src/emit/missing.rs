@@ -37,7 +37,10 @@ pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> Part {
         .collect();
     let mut items = TokenStream::new();
     if !missing.is_empty() {
-        items.extend(code!(#facade::kernel::not_provided!(#(#missing);*);));
+        items.extend(code! {
+            /// Placeholders for methods that `provide` does not list: the compiler refuses a call and says what to add.
+            #facade::kernel::not_provided!(#(#missing);*);
+        });
     }
     if let Some(masses) = &wanted.motion {
         let left_out = |name: &&Ident| masses.iter().all(|(_, mass)| mass != name);
@@ -48,7 +51,10 @@ pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> Part {
             .filter(left_out)
             .collect();
         if !names.is_empty() {
-            items.extend(code!(#facade::kernel::left_out!(#motion: #(#names),*);));
+            items.extend(code! {
+                /// Placeholders for masses whose motion `provide` does not list: the compiler refuses a call.
+                #facade::kernel::left_out!(#motion: #(#names),*);
+            });
         }
     }
     Part {

@@ -38,6 +38,7 @@ use names::TypeNames;
 use proc_macro2::{Ident, TokenStream};
 use quote::format_ident;
 
+pub(crate) use checksum::about_table;
 pub(crate) use fingerprint::fingerprint;
 pub use trace::traces;
 
@@ -122,8 +123,11 @@ fn in_block(types: &TokenStream, block: &TokenStream) -> TokenStream {
         #[allow(
             clippy::wildcard_imports,
             clippy::inline_always,
-            clippy::expl_impl_clone_on_copy,
             reason = "one import serves every scene, and the compiler folds constants after inlining"
+        )]
+        #[allow(
+            clippy::expl_impl_clone_on_copy,
+            reason = "`wraps!` implements both traits for types that stand outside this block"
         )]
         const _: () = { #block };
     }

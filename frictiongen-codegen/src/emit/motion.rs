@@ -35,12 +35,9 @@ pub(super) fn emit(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> Part 
     let visibility = &description.visibility;
     let tabled = emission.is_tabled();
     let (exact, how) = if tabled {
-        (
-            "Continuous",
-            ": the contact's to the declared accuracy, the masses' exact",
-        )
+        ("Continuous", accuracies(emission, masses))
     } else {
-        ("Exact continuous", "")
+        ("Exact continuous", String::new())
     };
     let about =
         format!(" {exact} motion of [`{name}`] at one frequency and one friction ratio{how}.");
@@ -51,7 +48,7 @@ pub(super) fn emit(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> Part 
     };
     let types = code! {
         #[doc = #about]
-        #[allow(deprecated, non_camel_case_types)]
+        #[allow(deprecated, non_camel_case_types, reason = "names and attributes are those of the description")]
         #visibility struct #motion(#facade::kernel::#inner<#name>);
     };
     let methods = masses.iter().map(|(mass, method)| {
@@ -105,6 +102,7 @@ pub(super) fn emit(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> Part 
             #in_lines
         }
 
+        /// `Clone`, `Copy`, `Debug`, `From` and `Deref`: the motion has all methods of the wrapped type.
         #wraps
 
         impl #motion {
@@ -116,6 +114,23 @@ pub(super) fn emit(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> Part 
         items,
         ..Part::default()
     }
+}
+
+/// Returns, for the documentation of a scene with tables, which motions come from the tables.
+fn accuracies(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> String {
+    let moves_as_contact = |mass: usize| emission.moves_as_contact(mass);
+    let same = masses.iter().find(|(mass, _)| moves_as_contact(*mass));
+    let tabled = same.map_or_else(String::new, |(_, name)| {
+        format!(", which is that of `{name}`,")
+    });
+    let exact = if masses.iter().all(|(mass, _)| moves_as_contact(*mass)) {
+        ""
+    } else if same.is_some() {
+        ", those of the other masses by the exact formulas"
+    } else {
+        ", those of the masses by the exact formulas"
+    };
+    format!(": that of the contact{tabled} to the declared accuracy{exact}")
 }
 
 /// Emits straight-line code for the motions of a scene with few modes, as methods of the kernel's `ProvidesMotion`.
@@ -139,6 +154,7 @@ fn in_lines(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> TokenStream 
         code! {
             /// The motion of mass k: its fundamental component, and the coefficients of each mode.
             ///
+            /// The coefficients are those of `contact_motion`, with φ_k(φᵀw) in place of (φᵀw)².
             /// The two products of a mode with itself cancel, so both are left out.  A mode with x < 1/2 is
             /// mass-controlled: `mass_wave` has its whole response, and its u and g are 0 in the sums.
             ///
@@ -158,7 +174,9 @@ fn in_lines(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> TokenStream 
     code! {
         /// The relative motion in the contact: its fundamental component, and the coefficients of each mode's functions.
         ///
-        /// d and q̃ are the free motions of a mode from a displacement and from a velocity.
+        /// d and q̃ are the free motions of a mode from a displacement and from a velocity.  `unscale` is 1/(r²E).  The
+        /// coefficients multiply (1 − d)/x² (`rise`), cos τ − d (`fall`, 0 without damping) and sin τ − Rq̃ (`forced`).
+        /// `harmonic` is (φᵀw)²/r², which only higher harmonics need.
         ///
         #[doc = #contact_operations]
         #[doc = #waves]

@@ -37,7 +37,7 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
         #[doc = #sizes_about]
         ///
         #[doc = #work_about]
-        #[allow(deprecated, non_camel_case_types)]
+        #[allow(deprecated, non_camel_case_types, reason = "names and attributes are those of the description")]
         #visibility struct #orbit(
             #facade::kernel::orbit::FixedOrbit<::core::primitive::#scalar, #sizes #law_in_types>
         );
@@ -81,6 +81,7 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
             }
         }
 
+        /// `Clone`, `Debug`, `From` and `Deref`: the steady state has all methods of the wrapped type.
         #facade::kernel::wraps!(#orbit, FixedOrbit of #law_word #scalar, #sizes);
 
         impl #orbit {

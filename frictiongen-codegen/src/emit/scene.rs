@@ -31,6 +31,7 @@ pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> Part {
         let quadratures = emission.reduced.quadratures.as_slice();
         constants.push(Checked::new("QUADRATURES", numbers, &quadratures));
     }
+    let range_about = range_about(low, high);
     let (low, high) = (emission.literal(low), emission.literal(high));
     let stage = frequency::emit(emission);
     // The kernel has the formulas of an elastic contact.
@@ -62,9 +63,11 @@ pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> Part {
         code!(undamped)
     };
     let items = code! {
+        /// `Clone`, `Copy`, `Debug`, `From` and `Deref`: the answers at one frequency have all methods of the wrapped type.
         #wraps
 
         impl Scene for #name {
+            /// The items that every scene has: types, constants and the calls of the frequency stage.
             #facade::kernel::scene_items!(#scalar, #damped, #modes #in_passes);
 
             #methods
@@ -73,7 +76,9 @@ pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> Part {
 
             #compliance
 
-            /// Smallest and largest 1/r at which the formulas are evaluated.  Beyond them, squares leave the range of the scalar.
+            #[doc = #range_about]
+            /// Any other 1/r is moved to the nearer of both, at which the formulas have reached their limits for r → ∞ or r → 0.
+            /// Between both, no square of √λ/r overflows or underflows.
             #[inline]
             fn inverse_ratio_range(&self) -> (#scalar, #scalar) {
                 (#low, #high)
@@ -127,7 +132,8 @@ fn shapes(emission: &Emission<'_>, wanted: &Wanted<'_>) -> Shapes {
         return Shapes {
             constant: None,
             methods: code! {
-                /// No motion of a mass is provided, so no mode shapes are needed.
+                /// Neither the continuous motion nor the stuck response of a mass is provided, so no formula at one frequency needs
+                /// mode shapes.
                 #[inline]
                 fn shape(&self, _: usize) -> Option<&[#scalar]> {
                     None
@@ -180,6 +186,23 @@ fn shapes(emission: &Emission<'_>, wanted: &Wanted<'_>) -> Shapes {
             #moves
         },
     }
+}
+
+/// Returns the documentation line of the range of 1/r.
+fn range_about(low: f64, high: f64) -> String {
+    let told = |value: f64| {
+        let exponent = value.log2();
+        if exponent.fract() == 0.0 {
+            format!("2^{exponent}")
+        } else {
+            format!("about {value:.1e}")
+        }
+    };
+    format!(
+        " Smallest and largest 1/r at which the formulas are evaluated: {} and {}.",
+        told(low),
+        told(high)
+    )
 }
 
 fn range<S: frictiongen_kernel::Float>(emission: &Emission<'_>) -> (f64, f64) {

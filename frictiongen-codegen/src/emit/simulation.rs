@@ -46,7 +46,7 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
         #[doc = #about]
         ///
         #[doc = #work_about]
-        #[allow(deprecated, non_camel_case_types)]
+        #[allow(deprecated, non_camel_case_types, reason = "names and attributes are those of the description")]
             #visibility struct #simulation(
                 #facade::kernel::simulation::#target<::core::primitive::#scalar, #parts #law_in_types>
             );
@@ -74,6 +74,7 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
         starts_under(emission, &parts)
     };
     let items = code! {
+        /// `Clone`, `Debug`, `From` and `Deref`: the simulation has all methods of the wrapped type.
         #facade::kernel::wraps!(#simulation, #target of #law_word #scalar, #parts);
 
         impl #simulation {

@@ -125,6 +125,7 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
     let calls_of = |stepper: &Ident| calls(emission, stepper, &sample, when);
     let of_stepper = calls_of(stepper);
     let mut items = code! {
+        /// `Clone`, `Debug`, `From` and `Deref`: the stepper has all methods of the wrapped type.
         #facade::kernel::wraps!(#stepper, FixedStepper of #law_word #scalar, #literals);
 
         #of_stepper
@@ -139,6 +140,7 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
         types.extend(declared::types(emission, &literals));
         associated.extend(declared::associated(emission));
         items.extend(code! {
+            /// `Clone`, `Debug`, `From` and `Deref`: the stepper has all methods of the wrapped type.
             #facade::kernel::wraps!(#declared, DeclaredStepper of #law_word #scalar, #literals);
 
             #of_declared
@@ -349,7 +351,7 @@ fn types(
         #[doc = #about]
         ///
         #(#[doc = #cost])*
-        #[allow(deprecated, non_camel_case_types)]
+        #[allow(deprecated, non_camel_case_types, reason = "names and attributes are those of the description")]
         #visibility struct #stepper(#facade::kernel::stepper::FixedStepper<#scalar, #literals #law_in_types>);
 
         #input

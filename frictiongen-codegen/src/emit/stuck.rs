@@ -30,7 +30,7 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
     };
     let types = code! {
         #[doc = #about]
-        #[allow(deprecated, non_camel_case_types)]
+        #[allow(deprecated, non_camel_case_types, reason = "names and attributes are those of the description")]
         #visibility struct #stuck(#facade::kernel::#inner<#name>);
     };
     let unit = match emission.scene.excitation {
@@ -73,10 +73,16 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
     });
     // The kernel's `Stuck` computes the responses for which the scene has no table.
     let (exact, wraps) = if tabled {
-        let wraps = code!(#facade::kernel::wraps!(#stuck, Sticking of tabled #name, Copy););
+        let wraps = code! {
+            /// `Clone`, `Copy`, `Debug`, `From` and `Deref`: the response has all methods of the wrapped type.
+            #facade::kernel::wraps!(#stuck, Sticking of tabled #name, Copy);
+        };
         (code!(Stuck<Self>), wraps)
     } else {
-        let wraps = code!(#facade::kernel::wraps!(#stuck, Stuck of #name, Copy););
+        let wraps = code! {
+            /// `Clone`, `Copy`, `Debug`, `From` and `Deref`: the response has all methods of the wrapped type.
+            #facade::kernel::wraps!(#stuck, Stuck of #name, Copy);
+        };
         (code!(#stuck), wraps)
     };
     let items = code! {

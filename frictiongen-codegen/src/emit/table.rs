@@ -10,7 +10,9 @@ use frictiongen_kernel::Float;
 use frictiongen_kernel::emitted::check::Listed;
 use frictiongen_kernel::table::Factor;
 use frictiongen_model::scene::Side;
-use frictiongen_model::table::{FINEST_PROVEN, FRICTION_SHARES, Product, Report, Tables, Work};
+use frictiongen_model::table::{
+    Evidence, FINEST_PROVEN, FRICTION_SHARES, Product, Report, Tables, Work,
+};
 use proc_macro2::{Literal, TokenStream};
 
 /// Emits the tables as constants and the functions that evaluate them. Emits nothing for an exact
@@ -29,7 +31,8 @@ fn tabled<S: Float + Listed<S>>(emission: &Emission<'_>, tables: &Tables<S>, mot
         names: TypeNames { name, .. },
         ..
     } = emission;
-    let number = |value: S| emission.literal(value.to_f64());
+    // The sign of a zero changes no answer.
+    let number = |value: S| emission.literal(value.to_f64() + 0.0);
     let functions = Literal::usize_unsuffixed(tables.functions);
     let terms = Literal::usize_unsuffixed(tables.terms);
     let index = &tables.index;
@@ -172,7 +175,7 @@ fn contact<S: Float>(emission: &Emission<'_>, tables: &Tables<S>) -> TokenStream
     let most = FRICTION_SHARES.iter().copied().fold(0.0, f64::max);
     let accuracy = tables.request.accuracy;
     let about = format!(
-        " To {accuracy:e} up to β = {most}·β_lim; nearer to it the error grows at most as 1/(1 − (β/β_lim)²)."
+        " To {accuracy:e} up to β = {most}·β_lim, relative in the amplitude and in rad in the phase; nearer to β_lim the error grows at most as 1/(1 − (β/β_lim)²)."
     );
     let proof = format!(" {}", tables.motion_proof.told());
     code! {
@@ -290,10 +293,15 @@ fn limit_about<S: Float>(tables: &Tables<S>) -> Vec<String> {
         }
         (false, _) => "",
     };
+    let made = if tables.proof.evidence == Evidence::Proven {
+        "  The expansion made this proof.  `frictiongen compile` makes it with `--prove`."
+    } else {
+        ""
+    };
     vec![
-        " β_lim (5.65, 5.80, 5.96, 7.49) from the table.".to_owned(),
+        " β_lim (5.65, 5.80, 5.96, 7.49) from the table.  Its error is relative.".to_owned(),
         String::new(),
-        format!(" {}{remedy}", tables.proof.told()),
+        format!(" {}{remedy}{made}", tables.proof.told()),
         String::new(),
         format!(
             " Operations: at every r a lookup of {}, {} additions and multiplications.",
@@ -310,7 +318,8 @@ pub(super) fn counted(count: usize, noun: &str) -> String {
 }
 
 fn sliding_about<S: Float>(tables: &Tables<S>) -> Vec<String> {
-    let mut about = vec![" β*_lim = |V|/(μ|H|) (6.11, 6.27, 6.33).".to_owned()];
+    let mut about =
+        vec![" β*_lim = |V|/(μ|H|) (6.11, 6.27, 6.33).  Its error is relative.".to_owned()];
     match &tables.sliding {
         Some(product) => {
             let (plain, divisions, roots) = product.operations();

@@ -24,10 +24,11 @@ pub use rust::rust_source;
 pub use stepping::StepperShape;
 pub use units::UnitConstants;
 
+use crate::emit::about_table;
 use constants::{Constants, Form};
 use frictiongen_kernel::Float;
-use frictiongen_model::scene::{Excitation, Scene};
-use frictiongen_model::table::Tables;
+use frictiongen_model::scene::{Excitation, Provide, Scene};
+use frictiongen_model::table::{Evidence, FINEST_PROVEN, Proof, Tables, Work};
 
 /// A scene with its tables and with their origin.
 #[derive(Clone, Copy, Debug)]
@@ -114,8 +115,27 @@ fn wrapped(places: &[usize]) -> String {
     lines.join("\n    ")
 }
 
+/// Returns those items of `provide` that the files leave out.
+#[must_use]
+pub fn left_out(scene: &Scene) -> Vec<String> {
+    let word = |item: &Provide| match item {
+        Provide::Motion(Some(masses)) if !masses.is_empty() => {
+            let names = masses.iter().filter_map(|mass| scene.masses.get(*mass));
+            let names: Vec<&str> = names.map(|mass| mass.name.as_str()).collect();
+            Some(format!("motion({})", names.join(", ")))
+        }
+        Provide::Orbit => Some("orbit".to_owned()),
+        Provide::Simulation => Some("simulation".to_owned()),
+        Provide::Stepper => Some("stepper".to_owned()),
+        // The files always contain a self-check.
+        Provide::Limits | Provide::Motion(_) | Provide::Stuck | Provide::SelfCheck => None,
+    };
+    scene.provide.iter().filter_map(word).collect()
+}
+
 /// Returns lines of text that describe the tables and their largest error.
-fn about<S: Float>(tables: &Tables<S>) -> Vec<String> {
+fn about<S: Float>(source: &Source<'_, S>) -> Vec<String> {
+    let Source { scene, tables, .. } = *source;
     let (low, high) = tables.request.r;
     let report = &tables.report;
     let mut about = vec![
@@ -130,7 +150,7 @@ fn about<S: Float>(tables: &Tables<S>) -> Vec<String> {
             "Largest error {:.1e}, at r = {}: checked at {} points that the fit did not see.",
             report.worst.error, report.worst.at, report.points,
         ),
-        format!("`beta_lim`: {}", tables.proof.told()),
+        format!("`beta_lim`: {}", told(tables, &tables.proof)),
     ];
     if tables.sliding.is_some() {
         about.push(format!("`beta*_lim`: {}", tables.sliding_proof.told()));
@@ -138,13 +158,41 @@ fn about<S: Float>(tables: &Tables<S>) -> Vec<String> {
     if tables.moves() {
         about.push(format!(
             "Amplitude and phase of the contact: {}",
-            tables.motion_proof.told()
+            told(tables, &tables.motion_proof)
         ));
     }
     if let Some(held) = &tables.held {
         about.push(format!("Stuck responses: {}", held.told()));
     }
+    let left_out = left_out(scene);
+    if !left_out.is_empty() {
+        about.push(format!(
+            "Left out of `provide`: {}.  The files have limits, the motion of the contact and stuck responses.",
+            left_out.join(", ")
+        ));
+    }
+    about.push("Errors are relative, but those of the phase are in rad.".to_owned());
+    about.push(format!(
+        "Index, buckets and pieces are those of `TABLE` in the code that the macro emits:{}",
+        about_table(tables)
+    ));
     about
+}
+
+/// Returns a sentence about the accuracy of the tables between the checked points. A command without `--prove` tries no
+/// proof, and the macro may have a proof of the same numbers.
+fn told<S>(tables: &Tables<S>, proof: &Proof) -> String {
+    if proof.evidence != Evidence::Checked || proof.work != Work(0) {
+        return proof.told();
+    }
+    let remedy = if FINEST_PROVEN <= tables.request.accuracy {
+        "  The macro and `frictiongen compile --prove` try to prove the same numbers."
+    } else {
+        ""
+    };
+    format!(
+        "Checked at points and not proven, as the command tried no proof: between the points an error may be larger.{remedy}"
+    )
 }
 
 /// Names and meanings of the polynomials of a piece.

@@ -41,12 +41,21 @@ pub struct Bowed;
 ///
 /// A step of `STEP` has at most 260 floating-point operations by the tables, about 20148 with one event, never
 /// more than 3732728.
-#[allow(deprecated, non_camel_case_types)]
+#[allow(
+    deprecated,
+    non_camel_case_types,
+    reason = "names and attributes are those of the description"
+)]
 pub struct BowedStepper(
     ::frictiongen::kernel::stepper::FixedStepper<::core::primitive::f64, 2, 2, 1, 2>,
 );
 /// Loads on [`Bowed`] at an instant, in the units of the scene: the input of a step.
-#[allow(deprecated, non_camel_case_types, non_snake_case)]
+#[allow(
+    deprecated,
+    non_camel_case_types,
+    non_snake_case,
+    reason = "names and attributes are those of the description"
+)]
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -95,8 +104,11 @@ pub struct BowedDeclaredStepper(
 #[allow(
     clippy::wildcard_imports,
     clippy::inline_always,
-    clippy::expl_impl_clone_on_copy,
     reason = "one import serves every scene, and the compiler folds constants after inlining"
+)]
+#[allow(
+    clippy::expl_impl_clone_on_copy,
+    reason = "`wraps!` implements both traits for types that stand outside this block"
 )]
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
@@ -210,7 +222,7 @@ const _: () = {
                     ],
                 },
             ],
-            /// factors of each mode in y and u of each mode of the stuck chain
+            /// factors in y and u: for each mode of `held` in turn, one pair for each mode that the contact drives
             participations: &[
                 [-1.0, 0.016414813299717747],
                 [-0.5, 0.008207406649858874],
@@ -298,7 +310,9 @@ const _: () = {
             }
         }
     }
+    /// Placeholders for methods that `provide` does not list: the compiler refuses a call and says what to add.
     ::frictiongen::kernel::not_provided!(Bowed : limits, simulation, self_check);
+    /// `Clone`, `Debug`, `From` and `Deref`: the stepper has all methods of the wrapped type.
     ::frictiongen::kernel::wraps!(BowedStepper, FixedStepper of f64, 2, 2, 1, 2);
     impl BowedStepper {
         /// Sets the input at the start of the first step.  Without this call the input there is 0.

@@ -21,7 +21,7 @@
 ///
 /// * `K1`, `M1`, `NATURAL_FREQUENCIES_HZ`, `NATURAL_FREQUENCIES`, `RESONANCES`, `MODE_SHAPES`, `SCENE_HASH`: constants of the chain
 /// * `frequency_ratio(omega)`, `friction_ratio(friction, load)`: r and β from units
-/// * `at(r)` returns [`DeclaredMotionAt`], with `limits()`, `regime(beta)` and `margin(beta)`
+/// * `at(r)` returns [`DeclaredMotionAt`], with `limits()`, `regime(beta)` and `margin(beta)`, or an error for a NaN or negative r
 /// * `limits_without_search(r)`, `limits_into(rs, continuous, sliding)`: both limits alone
 /// * `at(r)?.motion(beta)` returns [`DeclaredMotionMotion`], the continuous motion, with `contact()` and `block()`
 ///
@@ -39,10 +39,18 @@ pub struct DeclaredMotion;
 /// [`DeclaredMotion`] at one frequency ratio: limits, regime, continuous motion.
 ///
 /// Worst case: the operations of `tabled_limit` and `tabled_sliding_limit`.
-#[allow(deprecated, non_camel_case_types)]
+#[allow(
+    deprecated,
+    non_camel_case_types,
+    reason = "names and attributes are those of the description"
+)]
 pub struct DeclaredMotionAt(::frictiongen::kernel::table::Compiled<DeclaredMotion>);
-/// Continuous motion of [`DeclaredMotion`] at one frequency and one friction ratio: the contact's to the declared accuracy, the masses' exact.
-#[allow(deprecated, non_camel_case_types)]
+/// Continuous motion of [`DeclaredMotion`] at one frequency and one friction ratio: that of the contact to the declared accuracy, those of the masses by the exact formulas.
+#[allow(
+    deprecated,
+    non_camel_case_types,
+    reason = "names and attributes are those of the description"
+)]
 pub struct DeclaredMotionMotion(::frictiongen::kernel::table::Moving<DeclaredMotion>);
 #[allow(
     deprecated,
@@ -72,8 +80,11 @@ pub struct DeclaredMotionMotion(::frictiongen::kernel::table::Moving<DeclaredMot
 #[allow(
     clippy::wildcard_imports,
     clippy::inline_always,
-    clippy::expl_impl_clone_on_copy,
     reason = "one import serves every scene, and the compiler folds constants after inlining"
+)]
+#[allow(
+    clippy::expl_impl_clone_on_copy,
+    reason = "`wraps!` implements both traits for types that stand outside this block"
 )]
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
@@ -148,7 +159,7 @@ const _: () = {
             modes: &Self::MODES,
             /// constants of the chain
             chain: Self::CHAIN,
-            /// limits at both ends of the range of r
+            /// limits of β for r → 0 and for r → ∞, whatever `range` says
             ends: Ends {
                 /// β*_lim for r → 0
                 sliding_at_rest: 0.0,
@@ -170,10 +181,12 @@ const _: () = {
         const SHAPES: [[f64; 1]; 1] = transposed(&Self::MODE_SHAPES);
         /// Sums V, H, U, G and H_c of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), and the functions of the modes.
         ///
-        /// Sums over the modes, relative to the moving base: V of residue/λ·(1 − 2iζx)/(x² − 1 + 2iζx), times r²,
-        /// H of (φᵀw)²/(x² − 1 + 2iζx), U of (φᵀw)²uR², G of (φᵀw)²gR² and r²H_c of (φᵀw)²(g + 2ζRu), with x = √λ/r = 1/R.
-        /// All are times r²E.  E is the smallest |x² − 1| + 2ζx of the modes in contact, so that the sums stay finite on a
-        /// resonance.
+        /// Sums over the modes, with x = √λ/r = 1/R:
+        /// r²V of r²·residue/λ·(1 − 2iζx)/(x² − 1 + 2iζx), relative to the moving base and with r²·`on_moving_base` added,
+        /// r²H of (φᵀw)²/(x² − 1 + 2iζx), r²U of (φᵀw)²uR², r²G of (φᵀw)²gR² and r²H_c of (φᵀw)²(g + 2ζRu).
+        /// Each is returned times E as `v`, `h`, `u`, `g` or `reversal`.  E, the `scale`, is the smallest |x² − 1| + 2ζx of the
+        /// modes in contact, so that the sums stay finite on a resonance.
+        /// Without damping r²G, r²H_c and the imaginary parts are 0.
         ///
         /// Operations: 15: 6 ×, 2 +, 2 compare, 2 sign, 2 ÷, 1 sin_cos_pi.
         #[inline(always)]
@@ -215,21 +228,27 @@ const _: () = {
             (contact, modes)
         }
     }
+    /// The functions `at`, `limits_without_search` and `limits_into`.
     ::frictiongen::kernel::scene_functions!(
         DeclaredMotion, DeclaredMotionAt, f64, Compiled
     );
+    /// The trait `FrictionSystem`, by which generic code calls any scene.
     ::frictiongen::emitted_system!(DeclaredMotion, DeclaredMotionAt, f64, ["block"]);
+    /// `Clone`, `Copy`, `Debug`, `From` and `Deref`: the answers at one frequency have all methods of the wrapped type.
     ::frictiongen::kernel::wraps!(
         DeclaredMotionAt, Compiled of tabled DeclaredMotion, Copy
     );
     impl Scene for DeclaredMotion {
+        /// The items that every scene has: types, constants and the calls of the frequency stage.
         ::frictiongen::kernel::scene_items!(f64, undamped, 1);
         /// Components of a mass in the mode shapes.
         #[inline]
         fn shape(&self, mass: usize) -> Option<&[f64]> {
             Self::SHAPES.get(mass).map(<[f64; 1]>::as_slice)
         }
-        /// Smallest and largest 1/r at which the formulas are evaluated.  Beyond them, squares leave the range of the scalar.
+        /// Smallest and largest 1/r at which the formulas are evaluated: 2^-400 and 2^400.
+        /// Any other 1/r is moved to the nearer of both, at which the formulas have reached their limits for r → ∞ or r → 0.
+        /// Between both, no square of √λ/r overflows or underflows.
         #[inline]
         fn inverse_ratio_range(&self) -> (f64, f64) {
             (3.8725919148493183e-121, 2.5822498780869086e120)
@@ -241,8 +260,8 @@ const _: () = {
         fn break_away(&self, contact: &ContactAt<f64>) -> f64 {
             Self::CHAIN.stiction * contact.scale
         }
-        /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²) (5.65, 5.80, 5.96, 7.49), with S the largest F(τ)/sin τ over
-        /// 0 < τ < π, F a sum over modes: with more friction the contact would reverse within the half period.
+        /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²) (5.65, 5.80, 5.96, 7.49), with S the largest J(τ)/sin τ over
+        /// 0 < τ < π, J a sum over modes: with more friction the contact would reverse within the half period.
         /// `constraint` is r²E times that maximum.
         ///
         /// Operations: 6: 2 ×, 1 +, 1 sign, 1 ÷, 1 √.
@@ -269,23 +288,28 @@ const _: () = {
         #[inline]
         fn domain(&self) -> Domain<f64> {
             Domain {
+                /// smallest and largest r of the tables
                 r: (0.5, 2.0),
+                /// smallest and largest β that a caller may pass
                 beta: (0.0, 2.0),
+                /// outside, the exact formulas answer; if false, a call is an error
                 exact_beyond: true,
+                /// β_lim exceeds every β of the range, so that no code compares them
                 always_continuous: false,
+                /// β*_lim exceeds every β of the range, so that no code evaluates it
                 never_stuck: false,
             }
         }
-        /// β_lim (5.65, 5.80, 5.96, 7.49) from the table.
+        /// β_lim (5.65, 5.80, 5.96, 7.49) from the table.  Its error is relative.
         ///
-        /// Proven at every r: at most 5.82e-4 off, the bound being largest at r = 0.500548828125.
+        /// Proven at every r: at most 5.82e-4 off, the bound being largest at r = 0.500548828125.  The expansion made this proof.  `frictiongen compile` makes it with `--prove`.
         ///
         /// Operations: at every r a lookup of 1 comparison, 14 additions and multiplications.
         #[inline]
         fn tabled_limit(&self, r: f64) -> f64 {
             Self::TABLE.first(r)
         }
-        /// β*_lim = |V|/(μ|H|) (6.11, 6.27, 6.33).
+        /// β*_lim = |V|/(μ|H|) (6.11, 6.27, 6.33).  Its error is relative.
         ///
         /// Proven at every r: at most 5.86e-16 off, the bound being largest at r = 0.875.
         ///
@@ -299,7 +323,7 @@ const _: () = {
         type Moving = DeclaredMotionMotion;
         /// Numbers from which amplitude and phase of the contact follow (2.21, 5.35, 5.38, 7.20, 7.21).
         ///
-        /// To 1e-3 up to β = 0.98·β_lim; nearer to it the error grows at most as 1/(1 − (β/β_lim)²).
+        /// To 1e-3 up to β = 0.98·β_lim, relative in the amplitude and in rad in the phase; nearer to β_lim the error grows at most as 1/(1 − (β/β_lim)²).
         ///
         /// Proven at every r: at most 7.10e-4 off, the bound being largest at r = 0.9971381365212574.
         #[inline]
@@ -309,6 +333,7 @@ const _: () = {
             )
         }
     }
+    /// Placeholders for methods that `provide` does not list: the compiler refuses a call and says what to add.
     ::frictiongen::kernel::not_provided!(
         DeclaredMotionAt : stuck, orbit; DeclaredMotion : simulation, stepper, self_check
     );
@@ -316,7 +341,9 @@ const _: () = {
         type Motion = Continuous<Self>;
         /// The relative motion in the contact: its fundamental component, and the coefficients of each mode's functions.
         ///
-        /// d and q̃ are the free motions of a mode from a displacement and from a velocity.
+        /// d and q̃ are the free motions of a mode from a displacement and from a velocity.  `unscale` is 1/(r²E).  The
+        /// coefficients multiply (1 − d)/x² (`rise`), cos τ − d (`fall`, 0 without damping) and sin τ − Rq̃ (`forced`).
+        /// `harmonic` is (φᵀw)²/r², which only higher harmonics need.
         ///
         /// Operations: 5: 5 ×.
         /// The kernel adds one wave for each of 1 mode.  No search is made before an amplitude or a phase is asked for.
@@ -354,6 +381,7 @@ const _: () = {
         }
         /// The motion of mass k: its fundamental component, and the coefficients of each mode.
         ///
+        /// The coefficients are those of `contact_motion`, with φ_k(φᵀw) in place of (φᵀw)².
         /// The two products of a mode with itself cancel, so both are left out.  A mode with x < 1/2 is
         /// mass-controlled: `mass_wave` has its whole response, and its u and g are 0 in the sums.
         ///
@@ -424,6 +452,7 @@ const _: () = {
             Some(Motion::of_mass(*friction, fundamental, waves))
         }
     }
+    /// `Clone`, `Copy`, `Debug`, `From` and `Deref`: the motion has all methods of the wrapped type.
     ::frictiongen::kernel::wraps!(
         DeclaredMotionMotion, Moving of tabled DeclaredMotion, Copy
     );

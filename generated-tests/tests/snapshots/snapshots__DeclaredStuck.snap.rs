@@ -23,7 +23,7 @@
 ///
 /// * `K1`, `M1`, `NATURAL_FREQUENCIES_HZ`, `NATURAL_FREQUENCIES`, `RESONANCES`, `MODE_SHAPES`, `SCENE_HASH`: constants of the chain
 /// * `frequency_ratio(omega)`, `friction_ratio(friction, load)`: r and β from units
-/// * `at(r)` returns [`DeclaredStuckAt`], with `limits()`, `regime(beta)` and `margin(beta)`
+/// * `at(r)` returns [`DeclaredStuckAt`], with `limits()`, `regime(beta)` and `margin(beta)`, or an error outside the declared range of r
 /// * `limits_without_search(r)`, `limits_into(rs, continuous, sliding)`: both limits alone
 /// * `at(r)?.stuck()` returns [`DeclaredStuckStuck`], the response while the contact is stuck, with `contact_force()`, `lower()` and `upper()`
 ///
@@ -41,10 +41,18 @@ pub struct DeclaredStuck;
 /// [`DeclaredStuck`] at one frequency ratio: limits, regime, stuck response.
 ///
 /// Worst case: the operations of `tabled_limit` and `tabled_sliding_limit`.
-#[allow(deprecated, non_camel_case_types)]
+#[allow(
+    deprecated,
+    non_camel_case_types,
+    reason = "names and attributes are those of the description"
+)]
 pub struct DeclaredStuckAt(::frictiongen::kernel::table::Compiled<DeclaredStuck>);
 /// Response of [`DeclaredStuck`] at one frequency ratio while its contact is stuck.
-#[allow(deprecated, non_camel_case_types)]
+#[allow(
+    deprecated,
+    non_camel_case_types,
+    reason = "names and attributes are those of the description"
+)]
 pub struct DeclaredStuckStuck(::frictiongen::kernel::table::Sticking<DeclaredStuck>);
 #[allow(
     deprecated,
@@ -74,8 +82,11 @@ pub struct DeclaredStuckStuck(::frictiongen::kernel::table::Sticking<DeclaredStu
 #[allow(
     clippy::wildcard_imports,
     clippy::inline_always,
-    clippy::expl_impl_clone_on_copy,
     reason = "one import serves every scene, and the compiler folds constants after inlining"
+)]
+#[allow(
+    clippy::expl_impl_clone_on_copy,
+    reason = "`wraps!` implements both traits for types that stand outside this block"
 )]
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
@@ -167,7 +178,7 @@ const _: () = {
             modes: &Self::MODES,
             /// constants of the chain
             chain: Self::CHAIN,
-            /// limits at both ends of the range of r
+            /// limits of β for r → 0 and for r → ∞, whatever `range` says
             ends: Ends {
                 /// β*_lim for r → 0
                 sliding_at_rest: 0.0,
@@ -267,10 +278,11 @@ const _: () = {
         }
         /// Sums V, H, U, G and H_c of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), and the functions of the modes.
         ///
-        /// Sums over the modes: V of residue/(x² − 1 + 2iζx),
-        /// H of (φᵀw)²/(x² − 1 + 2iζx), U of (φᵀw)²uR², G of (φᵀw)²gR² and r²H_c of (φᵀw)²(g + 2ζRu), with x = √λ/r = 1/R.
-        /// All are times r²E.  E is the smallest |x² − 1| + 2ζx of the modes in contact, so that the sums stay finite on a
-        /// resonance.
+        /// Sums over the modes, with x = √λ/r = 1/R:
+        /// r²V of residue/(x² − 1 + 2iζx),
+        /// r²H of (φᵀw)²/(x² − 1 + 2iζx), r²U of (φᵀw)²uR², r²G of (φᵀw)²gR² and r²H_c of (φᵀw)²(g + 2ζRu).
+        /// Each is returned times E as `v`, `h`, `u`, `g` or `reversal`.  E, the `scale`, is the smallest |x² − 1| + 2ζx of the
+        /// modes in contact, so that the sums stay finite on a resonance.
         ///
         /// Operations: 164: 102 ×, 29 +, 14 ÷, 10 sign, 2 exp_m1, 2 one_minus_sinc_pi, 2 scaled_sinh_defect, 2 sin_cos_pi, 1 compare.
         #[inline(always)]
@@ -325,23 +337,29 @@ const _: () = {
             (contact, modes)
         }
     }
+    /// The functions `at`, `limits_without_search` and `limits_into`.
     ::frictiongen::kernel::scene_functions!(
         DeclaredStuck, DeclaredStuckAt, f32, Compiled
     );
+    /// The trait `FrictionSystem`, by which generic code calls any scene.
     ::frictiongen::emitted_system!(
         DeclaredStuck, DeclaredStuckAt, f32, ["lower", "upper"]
     );
+    /// `Clone`, `Copy`, `Debug`, `From` and `Deref`: the answers at one frequency have all methods of the wrapped type.
     ::frictiongen::kernel::wraps!(
         DeclaredStuckAt, Compiled of tabled DeclaredStuck, Copy
     );
     impl Scene for DeclaredStuck {
+        /// The items that every scene has: types, constants and the calls of the frequency stage.
         ::frictiongen::kernel::scene_items!(f32, damped, 2);
         /// Components of a mass in the mode shapes.
         #[inline]
         fn shape(&self, mass: usize) -> Option<&[f32]> {
             Self::SHAPES.get(mass).map(<[f32; 2]>::as_slice)
         }
-        /// Smallest and largest 1/r at which the formulas are evaluated.  Beyond them, squares leave the range of the scalar.
+        /// Smallest and largest 1/r at which the formulas are evaluated: 2^-50 and 2^50.
+        /// Any other 1/r is moved to the nearer of both, at which the formulas have reached their limits for r → ∞ or r → 0.
+        /// Between both, no square of √λ/r overflows or underflows.
         #[inline]
         fn inverse_ratio_range(&self) -> (f32, f32) {
             (8.881784e-16, 1125899900000000.0)
@@ -353,8 +371,8 @@ const _: () = {
         fn break_away(&self, contact: &ContactAt<f32>) -> f32 {
             contact.reversal + Self::CHAIN.inverse_mass * contact.scale
         }
-        /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²) (5.65, 5.80, 5.96, 7.49), with S the largest F(τ)/sin τ over
-        /// 0 < τ < π, F a sum over modes: with more friction the contact would reverse within the half period.
+        /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²) (5.65, 5.80, 5.96, 7.49), with S the largest J(τ)/sin τ over
+        /// 0 < τ < π, J a sum over modes: with more friction the contact would reverse within the half period.
         /// `constraint` is r²E times that maximum.
         ///
         /// Operations: 6: 2 ×, 1 +, 1 hypot, 1 ÷, 1 √.
@@ -381,23 +399,28 @@ const _: () = {
         #[inline]
         fn domain(&self) -> Domain<f32> {
             Domain {
+                /// smallest and largest r of the tables
                 r: (0.5, 2.0),
+                /// smallest and largest β that a caller may pass
                 beta: (0.0, f32::INFINITY),
+                /// outside, the exact formulas answer; if false, a call is an error
                 exact_beyond: false,
+                /// β_lim exceeds every β of the range, so that no code compares them
                 always_continuous: false,
+                /// β*_lim exceeds every β of the range, so that no code evaluates it
                 never_stuck: false,
             }
         }
-        /// β_lim (5.65, 5.80, 5.96, 7.49) from the table.
+        /// β_lim (5.65, 5.80, 5.96, 7.49) from the table.  Its error is relative.
         ///
-        /// Proven at every r: at most 9.61e-3 off, the bound being largest at r = 1.211608857948407.
+        /// Proven at every r: at most 9.61e-3 off, the bound being largest at r = 1.211608857948407.  The expansion made this proof.  `frictiongen compile` makes it with `--prove`.
         ///
         /// Operations: at every r a lookup of 2 comparisons, 10 additions and multiplications.
         #[inline]
         fn tabled_limit(&self, r: f32) -> f32 {
             Self::TABLE.first(r)
         }
-        /// β*_lim = |V|/(μ|H|) (6.11, 6.27, 6.33).
+        /// β*_lim = |V|/(μ|H|) (6.11, 6.27, 6.33).  Its error is relative.
         ///
         /// Proven at every r: at most 7.64e-7 off, the bound being largest at r = 1.6766069646300692.
         ///
@@ -407,6 +430,7 @@ const _: () = {
             Some(Self::SLIDING_LIMIT.magnitude(r))
         }
     }
+    /// Placeholders for methods that `provide` does not list: the compiler refuses a call and says what to add.
     ::frictiongen::kernel::not_provided!(
         DeclaredStuckAt : motion, orbit; DeclaredStuck : simulation, stepper, self_check
     );
@@ -503,6 +527,7 @@ const _: () = {
             })
         }
     }
+    /// `Clone`, `Copy`, `Debug`, `From` and `Deref`: the response has all methods of the wrapped type.
     ::frictiongen::kernel::wraps!(
         DeclaredStuckStuck, Sticking of tabled DeclaredStuck, Copy
     );

@@ -17,7 +17,7 @@
 ///
 /// * `K1`, `M1`, `NATURAL_FREQUENCIES_HZ`, `NATURAL_FREQUENCIES`, `RESONANCES`, `MODE_SHAPES`, `SCENE_HASH`: constants of the chain
 /// * `frequency_ratio(omega)`, `friction_ratio(friction, load)`: r and β from units
-/// * `at(r)` returns [`LimitsOnlyAt`], with `limits()`, `regime(beta)` and `margin(beta)`
+/// * `at(r)` returns [`LimitsOnlyAt`], with `limits()`, `regime(beta)` and `margin(beta)`, or an error for a NaN or negative r
 /// * `limits_without_search(r)`, `limits_into(rs, continuous, sliding)`: both limits alone
 ///
 /// Numbers in brackets are equations of L. Marino, *Dynamic analysis of mechanical systems with Coulomb friction*, Oxford 2021.  Counts of operations leave out those on constants alone, which the compiler computes.
@@ -33,8 +33,12 @@
 pub struct LimitsOnly;
 /// [`LimitsOnly`] at one frequency ratio: limits, regime.
 ///
-/// Worst case: the operations of `functions`, and in each search `most_evaluations` sums over 2 modes.
-#[allow(deprecated, non_camel_case_types)]
+/// Worst case: the operations of `functions`, and in each search at most `most_evaluations()` sums over 2 modes.  This number depends on r, and never exceeds 20000.
+#[allow(
+    deprecated,
+    non_camel_case_types,
+    reason = "names and attributes are those of the description"
+)]
 pub struct LimitsOnlyAt(::frictiongen::kernel::response::At<LimitsOnly>);
 #[allow(
     deprecated,
@@ -64,8 +68,11 @@ pub struct LimitsOnlyAt(::frictiongen::kernel::response::At<LimitsOnly>);
 #[allow(
     clippy::wildcard_imports,
     clippy::inline_always,
-    clippy::expl_impl_clone_on_copy,
     reason = "one import serves every scene, and the compiler folds constants after inlining"
+)]
+#[allow(
+    clippy::expl_impl_clone_on_copy,
+    reason = "`wraps!` implements both traits for types that stand outside this block"
 )]
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
@@ -156,7 +163,7 @@ const _: () = {
             modes: &Self::MODES,
             /// constants of the chain
             chain: Self::CHAIN,
-            /// limits at both ends of the range of r
+            /// limits of β for r → 0 and for r → ∞, whatever `range` says
             ends: Ends {
                 /// β*_lim for r → 0
                 sliding_at_rest: 0.5,
@@ -204,10 +211,12 @@ const _: () = {
         }
         /// Sums V, H, U, G and H_c of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), and the functions of the modes.
         ///
-        /// Sums over the modes: V of residue/(x² − 1 + 2iζx),
-        /// H of (φᵀw)²/(x² − 1 + 2iζx), U of (φᵀw)²uR², G of (φᵀw)²gR² and r²H_c of (φᵀw)²(g + 2ζRu), with x = √λ/r = 1/R.
-        /// All are times r²E.  E is the smallest |x² − 1| + 2ζx of the modes in contact, so that the sums stay finite on a
-        /// resonance.
+        /// Sums over the modes, with x = √λ/r = 1/R:
+        /// r²V of residue/(x² − 1 + 2iζx),
+        /// r²H of (φᵀw)²/(x² − 1 + 2iζx), r²U of (φᵀw)²uR², r²G of (φᵀw)²gR² and r²H_c of (φᵀw)²(g + 2ζRu).
+        /// Each is returned times E as `v`, `h`, `u`, `g` or `reversal`.  E, the `scale`, is the smallest |x² − 1| + 2ζx of the
+        /// modes in contact, so that the sums stay finite on a resonance.
+        /// Without damping r²G, r²H_c and the imaginary parts are 0.
         ///
         /// Operations: 40: 18 ×, 7 +, 5 compare, 4 sign, 4 ÷, 2 sin_cos_pi.
         #[inline(always)]
@@ -242,17 +251,24 @@ const _: () = {
             (contact, modes)
         }
     }
+    /// The functions `at`, `limits_without_search` and `limits_into`.
     ::frictiongen::kernel::scene_functions!(LimitsOnly, LimitsOnlyAt, f32, At);
+    /// The trait `FrictionSystem`, by which generic code calls any scene.
     ::frictiongen::emitted_system!(LimitsOnly, LimitsOnlyAt, f32, ["lower", "upper"]);
+    /// `Clone`, `Copy`, `Debug`, `From` and `Deref`: the answers at one frequency have all methods of the wrapped type.
     ::frictiongen::kernel::wraps!(LimitsOnlyAt, At of LimitsOnly, Copy);
     impl Scene for LimitsOnly {
+        /// The items that every scene has: types, constants and the calls of the frequency stage.
         ::frictiongen::kernel::scene_items!(f32, undamped, 2);
-        /// No motion of a mass is provided, so no mode shapes are needed.
+        /// Neither the continuous motion nor the stuck response of a mass is provided, so no formula at one frequency needs
+        /// mode shapes.
         #[inline]
         fn shape(&self, _: usize) -> Option<&[f32]> {
             None
         }
-        /// Smallest and largest 1/r at which the formulas are evaluated.  Beyond them, squares leave the range of the scalar.
+        /// Smallest and largest 1/r at which the formulas are evaluated: 2^-50 and 2^50.
+        /// Any other 1/r is moved to the nearer of both, at which the formulas have reached their limits for r → ∞ or r → 0.
+        /// Between both, no square of √λ/r overflows or underflows.
         #[inline]
         fn inverse_ratio_range(&self) -> (f32, f32) {
             (8.881784e-16, 1125899900000000.0)
@@ -264,8 +280,8 @@ const _: () = {
         fn break_away(&self, contact: &ContactAt<f32>) -> f32 {
             contact.scale
         }
-        /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²) (5.65, 5.80, 5.96, 7.49), with S the largest F(τ)/sin τ over
-        /// 0 < τ < π, F a sum over modes: with more friction the contact would reverse within the half period.
+        /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²) (5.65, 5.80, 5.96, 7.49), with S the largest J(τ)/sin τ over
+        /// 0 < τ < π, J a sum over modes: with more friction the contact would reverse within the half period.
         /// `constraint` is r²E times that maximum.
         ///
         /// Operations: 6: 2 ×, 1 +, 1 sign, 1 ÷, 1 √.
@@ -287,6 +303,7 @@ const _: () = {
             modulus_v / modulus_h
         }
     }
+    /// Placeholders for methods that `provide` does not list: the compiler refuses a call and says what to add.
     ::frictiongen::kernel::not_provided!(
         LimitsOnlyAt : motion, stuck, orbit; LimitsOnly : simulation, stepper, self_check
     );

@@ -18,7 +18,7 @@
 ///
 /// * `K1`, `M1`, `NATURAL_FREQUENCIES_HZ`, `NATURAL_FREQUENCIES`, `RESONANCES`, `MODE_SHAPES`, `SCENE_HASH`: constants of the chain
 /// * `frequency_ratio(omega)`, `friction_ratio(friction, load)`: r and β from units
-/// * `at(r)` returns [`OneMotionAt`], with `limits()`, `regime(beta)` and `margin(beta)`
+/// * `at(r)` returns [`OneMotionAt`], with `limits()`, `regime(beta)` and `margin(beta)`, or an error for a NaN or negative r
 /// * `limits_without_search(r)`, `limits_into(rs, continuous, sliding)`: both limits alone
 /// * `at(r)?.motion(beta)` returns [`OneMotionMotion`], the continuous motion, with `contact()` and `m3()`
 ///
@@ -35,11 +35,19 @@
 pub struct OneMotion;
 /// [`OneMotion`] at one frequency ratio: limits, regime, continuous motion.
 ///
-/// Worst case: the operations of `functions`, and in each search `most_evaluations` sums over 3 modes.
-#[allow(deprecated, non_camel_case_types)]
+/// Worst case: the operations of `functions`, and in each search at most `most_evaluations()` sums over 3 modes.  This number depends on r, and never exceeds 20000.
+#[allow(
+    deprecated,
+    non_camel_case_types,
+    reason = "names and attributes are those of the description"
+)]
 pub struct OneMotionAt(::frictiongen::kernel::response::At<OneMotion>);
 /// Exact continuous motion of [`OneMotion`] at one frequency and one friction ratio.
-#[allow(deprecated, non_camel_case_types)]
+#[allow(
+    deprecated,
+    non_camel_case_types,
+    reason = "names and attributes are those of the description"
+)]
 pub struct OneMotionMotion(::frictiongen::kernel::response::Continuous<OneMotion>);
 #[allow(
     deprecated,
@@ -69,8 +77,11 @@ pub struct OneMotionMotion(::frictiongen::kernel::response::Continuous<OneMotion
 #[allow(
     clippy::wildcard_imports,
     clippy::inline_always,
-    clippy::expl_impl_clone_on_copy,
     reason = "one import serves every scene, and the compiler folds constants after inlining"
+)]
+#[allow(
+    clippy::expl_impl_clone_on_copy,
+    reason = "`wraps!` implements both traits for types that stand outside this block"
 )]
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
@@ -188,7 +199,7 @@ const _: () = {
             modes: &Self::MODES,
             /// constants of the chain
             chain: Self::CHAIN,
-            /// limits at both ends of the range of r
+            /// limits of β for r → 0 and for r → ∞, whatever `range` says
             ends: Ends {
                 /// β*_lim for r → 0
                 sliding_at_rest: 0.1904761904761905,
@@ -288,10 +299,11 @@ const _: () = {
         }
         /// Sums V, H, U, G and H_c of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), and the functions of the modes.
         ///
-        /// Sums over the modes: V of residue/(x² − 1 + 2iζx),
-        /// H of (φᵀw)²/(x² − 1 + 2iζx), U of (φᵀw)²uR², G of (φᵀw)²gR² and r²H_c of (φᵀw)²(g + 2ζRu), with x = √λ/r = 1/R.
-        /// All are times r²E.  E is the smallest |x² − 1| + 2ζx of the modes in contact, so that the sums stay finite on a
-        /// resonance.
+        /// Sums over the modes, with x = √λ/r = 1/R:
+        /// r²V of residue/(x² − 1 + 2iζx),
+        /// r²H of (φᵀw)²/(x² − 1 + 2iζx), r²U of (φᵀw)²uR², r²G of (φᵀw)²gR² and r²H_c of (φᵀw)²(g + 2ζRu).
+        /// Each is returned times E as `v`, `h`, `u`, `g` or `reversal`.  E, the `scale`, is the smallest |x² − 1| + 2ζx of the
+        /// modes in contact, so that the sums stay finite on a resonance.
         ///
         /// Operations: 250: 153 ×, 47 +, 21 ÷, 15 sign, 3 exp_m1, 3 one_minus_sinc_pi, 3 scaled_sinh_defect, 3 sin_cos_pi, 2 compare.
         #[inline(always)]
@@ -312,6 +324,7 @@ const _: () = {
             ];
             let [at_1, at_2, at_3] = &modes;
             let sum = Self::CHAIN.begun_by(scale, constants_1, &mode_1, at_1, WITH_G);
+            /// `false`: this mode is not the only one, so that E is not always its own `size`
             let sum = Self::CHAIN
                 .joined_by(&sum, constants_2, &mode_2, at_2, false, WITH_G);
             let sum = Self::CHAIN
@@ -320,10 +333,14 @@ const _: () = {
             (contact, modes)
         }
     }
+    /// The functions `at`, `limits_without_search` and `limits_into`.
     ::frictiongen::kernel::scene_functions!(OneMotion, OneMotionAt, f64, At);
+    /// The trait `FrictionSystem`, by which generic code calls any scene.
     ::frictiongen::emitted_system!(OneMotion, OneMotionAt, f64, ["m1", "m2", "m3"]);
+    /// `Clone`, `Copy`, `Debug`, `From` and `Deref`: the answers at one frequency have all methods of the wrapped type.
     ::frictiongen::kernel::wraps!(OneMotionAt, At of OneMotion, Copy);
     impl Scene for OneMotion {
+        /// The items that every scene has: types, constants and the calls of the frequency stage.
         ::frictiongen::kernel::scene_items!(f64, damped, 3);
         /// Components of a mass in the mode shapes.
         #[inline]
@@ -333,7 +350,9 @@ const _: () = {
                 _ => None,
             }
         }
-        /// Smallest and largest 1/r at which the formulas are evaluated.  Beyond them, squares leave the range of the scalar.
+        /// Smallest and largest 1/r at which the formulas are evaluated: 2^-400 and 2^400.
+        /// Any other 1/r is moved to the nearer of both, at which the formulas have reached their limits for r → ∞ or r → 0.
+        /// Between both, no square of √λ/r overflows or underflows.
         #[inline]
         fn inverse_ratio_range(&self) -> (f64, f64) {
             (3.8725919148493183e-121, 2.5822498780869086e120)
@@ -346,8 +365,8 @@ const _: () = {
             contact.reversal
                 + Self::CHAIN.stiction * Self::CHAIN.inverse_mass * contact.scale
         }
-        /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²) (5.65, 5.80, 5.96, 7.49), with S the largest F(τ)/sin τ over
-        /// 0 < τ < π, F a sum over modes: with more friction the contact would reverse within the half period.
+        /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²) (5.65, 5.80, 5.96, 7.49), with S the largest J(τ)/sin τ over
+        /// 0 < τ < π, J a sum over modes: with more friction the contact would reverse within the half period.
         /// `constraint` is r²E times that maximum.
         ///
         /// Operations: 6: 2 ×, 1 +, 1 hypot, 1 ÷, 1 √.
@@ -369,15 +388,18 @@ const _: () = {
             modulus_v / (Self::CHAIN.stiction * modulus_h)
         }
     }
+    /// Placeholders for methods that `provide` does not list: the compiler refuses a call and says what to add.
     ::frictiongen::kernel::not_provided!(
         OneMotionAt : stuck, orbit; OneMotion : simulation, stepper, self_check
     );
+    /// Placeholders for masses whose motion `provide` does not list: the compiler refuses a call.
     ::frictiongen::kernel::left_out!(OneMotionMotion : m1, m2);
     /// The motions are those of the kernel, which sums over the modes in loops.  Worst case: a fixed number of operations
     /// for each mode.  No search is made before an amplitude or a phase is asked for.
     impl ProvidesMotion for OneMotion {
         type Motion = OneMotionMotion;
     }
+    /// `Clone`, `Copy`, `Debug`, `From` and `Deref`: the motion has all methods of the wrapped type.
     ::frictiongen::kernel::wraps!(OneMotionMotion, Continuous of OneMotion, Copy);
     impl OneMotionMotion {
         /// Motion of mass `m3` (5.50 and its exact form, 7.29).

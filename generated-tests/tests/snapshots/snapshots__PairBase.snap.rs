@@ -17,7 +17,7 @@
 ///
 /// * `K1`, `M1`, `NATURAL_FREQUENCIES_HZ`, `NATURAL_FREQUENCIES`, `RESONANCES`, `MODE_SHAPES`, `SCENE_HASH`: constants of the chain
 /// * `frequency_ratio(omega)`, `friction_ratio(friction, load)`: r and β from units
-/// * `at(r)` returns [`PairBaseAt`], with `limits()`, `regime(beta)` and `margin(beta)`
+/// * `at(r)` returns [`PairBaseAt`], with `limits()`, `regime(beta)` and `margin(beta)`, or an error for a NaN or negative r
 /// * `limits_without_search(r)`, `limits_into(rs, continuous, sliding)`: both limits alone
 /// * `at(r)?.motion(beta)` returns [`PairBaseMotion`], the continuous motion, with `contact()`, `lower()` and `upper()`
 ///
@@ -34,11 +34,19 @@
 pub struct PairBase;
 /// [`PairBase`] at one frequency ratio: limits, regime, continuous motion.
 ///
-/// Worst case: the operations of `functions`, and in each search `most_evaluations` sums over 2 modes.
-#[allow(deprecated, non_camel_case_types)]
+/// Worst case: the operations of `functions`, and in each search at most `most_evaluations()` sums over 2 modes.  This number depends on r, and never exceeds 20000.
+#[allow(
+    deprecated,
+    non_camel_case_types,
+    reason = "names and attributes are those of the description"
+)]
 pub struct PairBaseAt(::frictiongen::kernel::response::At<PairBase>);
 /// Exact continuous motion of [`PairBase`] at one frequency and one friction ratio.
-#[allow(deprecated, non_camel_case_types)]
+#[allow(
+    deprecated,
+    non_camel_case_types,
+    reason = "names and attributes are those of the description"
+)]
 pub struct PairBaseMotion(::frictiongen::kernel::response::Continuous<PairBase>);
 #[allow(
     deprecated,
@@ -68,8 +76,11 @@ pub struct PairBaseMotion(::frictiongen::kernel::response::Continuous<PairBase>)
 #[allow(
     clippy::wildcard_imports,
     clippy::inline_always,
-    clippy::expl_impl_clone_on_copy,
     reason = "one import serves every scene, and the compiler folds constants after inlining"
+)]
+#[allow(
+    clippy::expl_impl_clone_on_copy,
+    reason = "`wraps!` implements both traits for types that stand outside this block"
 )]
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
@@ -168,7 +179,7 @@ const _: () = {
             modes: &Self::MODES,
             /// constants of the chain
             chain: Self::CHAIN,
-            /// limits at both ends of the range of r
+            /// limits of β for r → 0 and for r → ∞, whatever `range` says
             ends: Ends {
                 /// β*_lim for r → 0
                 sliding_at_rest: 0.0,
@@ -218,10 +229,12 @@ const _: () = {
         }
         /// Sums V, H, U, G and H_c of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), and the functions of the modes.
         ///
-        /// Sums over the modes, relative to the moving base: V of residue/λ·(1 − 2iζx)/(x² − 1 + 2iζx), times r²,
-        /// H of (φᵀw)²/(x² − 1 + 2iζx), U of (φᵀw)²uR², G of (φᵀw)²gR² and r²H_c of (φᵀw)²(g + 2ζRu), with x = √λ/r = 1/R.
-        /// All are times r²E.  E is the smallest |x² − 1| + 2ζx of the modes in contact, so that the sums stay finite on a
-        /// resonance.
+        /// Sums over the modes, with x = √λ/r = 1/R:
+        /// r²V of r²·residue/λ·(1 − 2iζx)/(x² − 1 + 2iζx), relative to the moving base and with r²·`on_moving_base` added,
+        /// r²H of (φᵀw)²/(x² − 1 + 2iζx), r²U of (φᵀw)²uR², r²G of (φᵀw)²gR² and r²H_c of (φᵀw)²(g + 2ζRu).
+        /// Each is returned times E as `v`, `h`, `u`, `g` or `reversal`.  E, the `scale`, is the smallest |x² − 1| + 2ζx of the
+        /// modes in contact, so that the sums stay finite on a resonance.
+        /// Without damping r²G, r²H_c and the imaginary parts are 0.
         ///
         /// Operations: 43: 20 ×, 7 +, 5 compare, 5 ÷, 4 sign, 2 sin_cos_pi.
         #[inline(always)]
@@ -258,17 +271,23 @@ const _: () = {
             (contact, modes)
         }
     }
+    /// The functions `at`, `limits_without_search` and `limits_into`.
     ::frictiongen::kernel::scene_functions!(PairBase, PairBaseAt, f64, At);
+    /// The trait `FrictionSystem`, by which generic code calls any scene.
     ::frictiongen::emitted_system!(PairBase, PairBaseAt, f64, ["lower", "upper"]);
+    /// `Clone`, `Copy`, `Debug`, `From` and `Deref`: the answers at one frequency have all methods of the wrapped type.
     ::frictiongen::kernel::wraps!(PairBaseAt, At of PairBase, Copy);
     impl Scene for PairBase {
+        /// The items that every scene has: types, constants and the calls of the frequency stage.
         ::frictiongen::kernel::scene_items!(f64, undamped, 2);
         /// Components of a mass in the mode shapes.
         #[inline]
         fn shape(&self, mass: usize) -> Option<&[f64]> {
             Self::SHAPES.get(mass).map(<[f64; 2]>::as_slice)
         }
-        /// Smallest and largest 1/r at which the formulas are evaluated.  Beyond them, squares leave the range of the scalar.
+        /// Smallest and largest 1/r at which the formulas are evaluated: 2^-400 and 2^400.
+        /// Any other 1/r is moved to the nearer of both, at which the formulas have reached their limits for r → ∞ or r → 0.
+        /// Between both, no square of √λ/r overflows or underflows.
         #[inline]
         fn inverse_ratio_range(&self) -> (f64, f64) {
             (3.8725919148493183e-121, 2.5822498780869086e120)
@@ -280,8 +299,8 @@ const _: () = {
         fn break_away(&self, contact: &ContactAt<f64>) -> f64 {
             contact.scale
         }
-        /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²) (5.65, 5.80, 5.96, 7.49), with S the largest F(τ)/sin τ over
-        /// 0 < τ < π, F a sum over modes: with more friction the contact would reverse within the half period.
+        /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²) (5.65, 5.80, 5.96, 7.49), with S the largest J(τ)/sin τ over
+        /// 0 < τ < π, J a sum over modes: with more friction the contact would reverse within the half period.
         /// `constraint` is r²E times that maximum.
         ///
         /// Operations: 6: 2 ×, 1 +, 1 sign, 1 ÷, 1 √.
@@ -303,6 +322,7 @@ const _: () = {
             modulus_v / modulus_h
         }
     }
+    /// Placeholders for methods that `provide` does not list: the compiler refuses a call and says what to add.
     ::frictiongen::kernel::not_provided!(
         PairBaseAt : stuck, orbit; PairBase : simulation, stepper, self_check
     );
@@ -310,7 +330,9 @@ const _: () = {
         type Motion = PairBaseMotion;
         /// The relative motion in the contact: its fundamental component, and the coefficients of each mode's functions.
         ///
-        /// d and q̃ are the free motions of a mode from a displacement and from a velocity.
+        /// d and q̃ are the free motions of a mode from a displacement and from a velocity.  `unscale` is 1/(r²E).  The
+        /// coefficients multiply (1 − d)/x² (`rise`), cos τ − d (`fall`, 0 without damping) and sin τ − Rq̃ (`forced`).
+        /// `harmonic` is (φᵀw)²/r², which only higher harmonics need.
         ///
         /// Operations: 12: 12 ×.
         /// The kernel adds one wave for each of 2 modes.  No search is made before an amplitude or a phase is asked for.
@@ -367,6 +389,7 @@ const _: () = {
         }
         /// The motion of mass k: its fundamental component, and the coefficients of each mode.
         ///
+        /// The coefficients are those of `contact_motion`, with φ_k(φᵀw) in place of (φᵀw)².
         /// The two products of a mode with itself cancel, so both are left out.  A mode with x < 1/2 is
         /// mass-controlled: `mass_wave` has its whole response, and its u and g are 0 in the sums.
         ///
@@ -489,6 +512,7 @@ const _: () = {
             Some(Motion::of_mass(*friction, fundamental, waves))
         }
     }
+    /// `Clone`, `Copy`, `Debug`, `From` and `Deref`: the motion has all methods of the wrapped type.
     ::frictiongen::kernel::wraps!(PairBaseMotion, Continuous of PairBase, Copy);
     impl PairBaseMotion {
         /// Motion of mass `lower` (5.50 and its exact form, 7.29).

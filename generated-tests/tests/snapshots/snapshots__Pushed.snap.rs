@@ -38,12 +38,21 @@ pub struct Pushed;
 ///
 /// A part has at most 132 floating-point operations by the tables, about 7896 with one event, never
 /// more than 1559192.  A Cortex-M4F takes up to 4 instructions for each, and 400 for a part.
-#[allow(deprecated, non_camel_case_types)]
+#[allow(
+    deprecated,
+    non_camel_case_types,
+    reason = "names and attributes are those of the description"
+)]
 pub struct PushedStepper(
     ::frictiongen::kernel::stepper::FixedStepper<::core::primitive::f32, 1, 1, 0, 1>,
 );
 /// Loads on [`Pushed`] at an instant, in the units of the scene: the input of a step.
-#[allow(deprecated, non_camel_case_types, non_snake_case)]
+#[allow(
+    deprecated,
+    non_camel_case_types,
+    non_snake_case,
+    reason = "names and attributes are those of the description"
+)]
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -85,8 +94,11 @@ pub struct PushedInput {
 #[allow(
     clippy::wildcard_imports,
     clippy::inline_always,
-    clippy::expl_impl_clone_on_copy,
     reason = "one import serves every scene, and the compiler folds constants after inlining"
+)]
+#[allow(
+    clippy::expl_impl_clone_on_copy,
+    reason = "`wraps!` implements both traits for types that stand outside this block"
 )]
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
@@ -165,7 +177,7 @@ const _: () = {
             ],
             /// modes of the chain with its contact stuck, of states y and u
             held: &[],
-            /// factors of each mode in y and u of each mode of the stuck chain
+            /// factors in y and u: for each mode of `held` in turn, one pair for each mode that the contact drives
             participations: &[],
             /// φ, mass after mass
             shapes: Self::ALL_SHAPES.as_flattened(),
@@ -227,7 +239,9 @@ const _: () = {
                 .map(From::from)
         }
     }
+    /// Placeholders for methods that `provide` does not list: the compiler refuses a call and says what to add.
     ::frictiongen::kernel::not_provided!(Pushed : limits, simulation, self_check);
+    /// `Clone`, `Debug`, `From` and `Deref`: the stepper has all methods of the wrapped type.
     ::frictiongen::kernel::wraps!(PushedStepper, FixedStepper of f32, 1, 1, 0, 1);
     impl PushedStepper {
         /// Sets the input at the start of the first step.  Without this call the input there is 0.

@@ -33,7 +33,11 @@ pub struct Rubbed;
 /// Exact motion of [`Rubbed`] in time, from event to event.  `next` returns its segments.
 ///
 /// Worst case of `advance`: 4096 stretches of at most 128 steps, or of 4000 where the kinetic friction is constant; a step is a sum over at most 1 modes.
-#[allow(deprecated, non_camel_case_types)]
+#[allow(
+    deprecated,
+    non_camel_case_types,
+    reason = "names and attributes are those of the description"
+)]
 pub struct RubbedSimulation(
     ::frictiongen::kernel::simulation::FixedLinesSimulation<::core::primitive::f64, 1>,
 );
@@ -65,8 +69,11 @@ pub struct RubbedSimulation(
 #[allow(
     clippy::wildcard_imports,
     clippy::inline_always,
-    clippy::expl_impl_clone_on_copy,
     reason = "one import serves every scene, and the compiler folds constants after inlining"
+)]
+#[allow(
+    clippy::expl_impl_clone_on_copy,
+    reason = "`wraps!` implements both traits for types that stand outside this block"
 )]
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
@@ -145,7 +152,7 @@ const _: () = {
             ],
             /// modes of the chain with its contact stuck, of states y and u
             held: &[],
-            /// factors of each mode in y and u of each mode of the stuck chain
+            /// factors in y and u: for each mode of `held` in turn, one pair for each mode that the contact drives
             participations: &[],
             /// φ, mass after mass
             shapes: Self::ALL_SHAPES.as_flattened(),
@@ -195,7 +202,9 @@ const _: () = {
                 .map(From::from)
         }
     }
+    /// Placeholders for methods that `provide` does not list: the compiler refuses a call and says what to add.
     ::frictiongen::kernel::not_provided!(Rubbed : limits, stepper, self_check);
+    /// `Clone`, `Debug`, `From` and `Deref`: the simulation has all methods of the wrapped type.
     ::frictiongen::kernel::wraps!(RubbedSimulation, FixedLinesSimulation of f64, 1);
     impl RubbedSimulation {
         /// Displacement and velocity of mass `block` at the present instant.

@@ -16,7 +16,7 @@
 ///
 /// * `K1`, `M1`, `NATURAL_FREQUENCIES_HZ`, `NATURAL_FREQUENCIES`, `RESONANCES`, `MODE_SHAPES`, `SCENE_HASH`: constants of the chain
 /// * `frequency_ratio(omega)`, `friction_ratio(friction, load)`: r and β from units
-/// * `at(r)` returns [`SdofDampedAt`], with `limits()`, `regime(beta)` and `margin(beta)`
+/// * `at(r)` returns [`SdofDampedAt`], with `limits()`, `regime(beta)` and `margin(beta)`, or an error for a NaN or negative r
 /// * `limits_without_search(r)`, `limits_into(rs, continuous, sliding)`: both limits alone
 /// * `at(r)?.motion(beta)` returns [`SdofDampedMotion`], the continuous motion, with `contact()` and `block()`
 ///
@@ -33,11 +33,19 @@
 pub struct SdofDamped;
 /// [`SdofDamped`] at one frequency ratio: limits, regime, continuous motion.
 ///
-/// Worst case: the operations of `functions`, and in each search `most_evaluations` sums over 1 mode.
-#[allow(deprecated, non_camel_case_types)]
+/// Worst case: the operations of `functions`, and in each search at most `most_evaluations()` sums over 1 mode.  This number depends on r, and never exceeds 20000.
+#[allow(
+    deprecated,
+    non_camel_case_types,
+    reason = "names and attributes are those of the description"
+)]
 pub struct SdofDampedAt(::frictiongen::kernel::response::At<SdofDamped>);
 /// Exact continuous motion of [`SdofDamped`] at one frequency and one friction ratio.
-#[allow(deprecated, non_camel_case_types)]
+#[allow(
+    deprecated,
+    non_camel_case_types,
+    reason = "names and attributes are those of the description"
+)]
 pub struct SdofDampedMotion(::frictiongen::kernel::response::Continuous<SdofDamped>);
 #[allow(
     deprecated,
@@ -67,8 +75,11 @@ pub struct SdofDampedMotion(::frictiongen::kernel::response::Continuous<SdofDamp
 #[allow(
     clippy::wildcard_imports,
     clippy::inline_always,
-    clippy::expl_impl_clone_on_copy,
     reason = "one import serves every scene, and the compiler folds constants after inlining"
+)]
+#[allow(
+    clippy::expl_impl_clone_on_copy,
+    reason = "`wraps!` implements both traits for types that stand outside this block"
 )]
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
@@ -144,7 +155,7 @@ const _: () = {
             modes: &Self::MODES,
             /// constants of the chain
             chain: Self::CHAIN,
-            /// limits at both ends of the range of r
+            /// limits of β for r → 0 and for r → ∞, whatever `range` says
             ends: Ends {
                 /// β*_lim for r → 0
                 sliding_at_rest: 1.0,
@@ -166,10 +177,11 @@ const _: () = {
         const SHAPES: [[f64; 1]; 1] = transposed(&Self::MODE_SHAPES);
         /// Sums V, H, U, G and H_c of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), and the functions of the modes.
         ///
-        /// Sums over the modes: V = H, as the load acts on the mass that rubs,
-        /// H of (φᵀw)²/(x² − 1 + 2iζx), U of (φᵀw)²uR², G of (φᵀw)²gR² and r²H_c of (φᵀw)²(g + 2ζRu), with x = √λ/r = 1/R.
-        /// All are times r²E.  E is the smallest |x² − 1| + 2ζx of the modes in contact, so that the sums stay finite on a
-        /// resonance.
+        /// Sums over the modes, with x = √λ/r = 1/R:
+        /// r²V = r²H, as the load acts on the mass that rubs,
+        /// r²H of (φᵀw)²/(x² − 1 + 2iζx), r²U of (φᵀw)²uR², r²G of (φᵀw)²gR² and r²H_c of (φᵀw)²(g + 2ζRu).
+        /// Each is returned times E as `v`, `h`, `u`, `g` or `reversal`.  E, the `scale`, is the smallest |x² − 1| + 2ζx of the
+        /// modes in contact, so that the sums stay finite on a resonance.
         ///
         /// Operations: 63: 37 ×, 11 +, 6 ÷, 5 sign, 1 exp_m1, 1 one_minus_sinc_pi, 1 scaled_sinh_defect, 1 sin_cos_pi.
         #[inline(always)]
@@ -276,17 +288,23 @@ const _: () = {
             (contact, modes)
         }
     }
+    /// The functions `at`, `limits_without_search` and `limits_into`.
     ::frictiongen::kernel::scene_functions!(SdofDamped, SdofDampedAt, f64, At);
+    /// The trait `FrictionSystem`, by which generic code calls any scene.
     ::frictiongen::emitted_system!(SdofDamped, SdofDampedAt, f64, ["block"]);
+    /// `Clone`, `Copy`, `Debug`, `From` and `Deref`: the answers at one frequency have all methods of the wrapped type.
     ::frictiongen::kernel::wraps!(SdofDampedAt, At of SdofDamped, Copy);
     impl Scene for SdofDamped {
+        /// The items that every scene has: types, constants and the calls of the frequency stage.
         ::frictiongen::kernel::scene_items!(f64, damped, 1);
         /// Components of a mass in the mode shapes.
         #[inline]
         fn shape(&self, mass: usize) -> Option<&[f64]> {
             Self::SHAPES.get(mass).map(<[f64; 1]>::as_slice)
         }
-        /// Smallest and largest 1/r at which the formulas are evaluated.  Beyond them, squares leave the range of the scalar.
+        /// Smallest and largest 1/r at which the formulas are evaluated: 2^-400 and 2^400.
+        /// Any other 1/r is moved to the nearer of both, at which the formulas have reached their limits for r → ∞ or r → 0.
+        /// Between both, no square of √λ/r overflows or underflows.
         #[inline]
         fn inverse_ratio_range(&self) -> (f64, f64) {
             (3.8725919148493183e-121, 2.5822498780869086e120)
@@ -298,8 +316,8 @@ const _: () = {
         fn break_away(&self, contact: &ContactAt<f64>) -> f64 {
             contact.reversal + contact.scale
         }
-        /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²) (5.65, 5.80, 5.96, 7.49), with S the largest F(τ)/sin τ over
-        /// 0 < τ < π, F a sum over modes: with more friction the contact would reverse within the half period.
+        /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²) (5.65, 5.80, 5.96, 7.49), with S the largest J(τ)/sin τ over
+        /// 0 < τ < π, J a sum over modes: with more friction the contact would reverse within the half period.
         /// `constraint` is r²E times that maximum.
         ///
         /// Operations: 6: 2 ×, 1 +, 1 hypot, 1 ÷, 1 √.
@@ -319,6 +337,7 @@ const _: () = {
             1.0
         }
     }
+    /// Placeholders for methods that `provide` does not list: the compiler refuses a call and says what to add.
     ::frictiongen::kernel::not_provided!(
         SdofDampedAt : stuck, orbit; SdofDamped : simulation, stepper, self_check
     );
@@ -326,7 +345,9 @@ const _: () = {
         type Motion = SdofDampedMotion;
         /// The relative motion in the contact: its fundamental component, and the coefficients of each mode's functions.
         ///
-        /// d and q̃ are the free motions of a mode from a displacement and from a velocity.
+        /// d and q̃ are the free motions of a mode from a displacement and from a velocity.  `unscale` is 1/(r²E).  The
+        /// coefficients multiply (1 − d)/x² (`rise`), cos τ − d (`fall`, 0 without damping) and sin τ − Rq̃ (`forced`).
+        /// `harmonic` is (φᵀw)²/r², which only higher harmonics need.
         ///
         /// Operations: 9: 8 ×, 1 ÷.
         /// The kernel adds one wave for each of 1 mode.  No search is made before an amplitude or a phase is asked for.
@@ -366,6 +387,7 @@ const _: () = {
             Motion::of_contact(*friction, fundamental, waves)
         }
     }
+    /// `Clone`, `Copy`, `Debug`, `From` and `Deref`: the motion has all methods of the wrapped type.
     ::frictiongen::kernel::wraps!(SdofDampedMotion, Continuous of SdofDamped, Copy);
     impl SdofDampedMotion {
         /// Motion of mass `block` (5.50 and its exact form, 7.29).

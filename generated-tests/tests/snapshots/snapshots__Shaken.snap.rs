@@ -40,12 +40,21 @@ pub struct Shaken;
 ///
 /// A step of `STEP` has at most 386 floating-point operations by the tables, about 10634 with one event, never
 /// more than 1638804.
-#[allow(deprecated, non_camel_case_types)]
+#[allow(
+    deprecated,
+    non_camel_case_types,
+    reason = "names and attributes are those of the description"
+)]
 pub struct ShakenStepper(
     ::frictiongen::kernel::stepper::FixedStepper<::core::primitive::f64, 4, 2, 1, 1>,
 );
 /// Loads on [`Shaken`] at an instant, in the units of the scene: the input of a step.
-#[allow(deprecated, non_camel_case_types, non_snake_case)]
+#[allow(
+    deprecated,
+    non_camel_case_types,
+    non_snake_case,
+    reason = "names and attributes are those of the description"
+)]
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -94,8 +103,11 @@ pub struct ShakenDeclaredStepper(
 #[allow(
     clippy::wildcard_imports,
     clippy::inline_always,
-    clippy::expl_impl_clone_on_copy,
     reason = "one import serves every scene, and the compiler folds constants after inlining"
+)]
+#[allow(
+    clippy::expl_impl_clone_on_copy,
+    reason = "`wraps!` implements both traits for types that stand outside this block"
 )]
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
@@ -215,7 +227,7 @@ const _: () = {
                     ],
                 },
             ],
-            /// factors of each mode in y and u of each mode of the stuck chain
+            /// factors in y and u: for each mode of `held` in turn, one pair for each mode that the contact drives
             participations: &[
                 [-0.6493709202128115, 0.010770429057713646],
                 [-1.0, 0.01658594298337838],
@@ -308,7 +320,9 @@ const _: () = {
             }
         }
     }
+    /// Placeholders for methods that `provide` does not list: the compiler refuses a call and says what to add.
     ::frictiongen::kernel::not_provided!(Shaken : limits, simulation, self_check);
+    /// `Clone`, `Debug`, `From` and `Deref`: the stepper has all methods of the wrapped type.
     ::frictiongen::kernel::wraps!(ShakenStepper, FixedStepper of f64, 4, 2, 1, 1);
     impl ShakenStepper {
         /// Sets the input at the start of the first step.  Without this call the input there is 0.

@@ -19,7 +19,7 @@
 ///
 /// * `K1`, `M1`, `NATURAL_FREQUENCIES_HZ`, `NATURAL_FREQUENCIES`, `RESONANCES`, `MODE_SHAPES`, `SCENE_HASH`: constants of the chain
 /// * `frequency_ratio(omega)`, `friction_ratio(friction, load)`: r and β from units
-/// * `at(r)` returns [`SprungAt`], with `limits()`, `regime(beta)` and `margin(beta)`
+/// * `at(r)` returns [`SprungAt`], with `limits()`, `regime(beta)` and `margin(beta)`, or an error for a NaN or negative r
 /// * `limits_without_search(r)`, `limits_into(rs, continuous, sliding)`: both limits alone
 /// * `at(r)?.stuck()` returns [`SprungStuck`], the response while the contact is stuck, with `contact_force()`, `lower()` and `upper()`
 /// * `at(r)?.orbit(beta)` returns [`SprungOrbit`], the steady state in any regime, with `contact()`, `lower()` and `upper()`
@@ -39,16 +39,28 @@
 pub struct Sprung;
 /// [`Sprung`] at one frequency ratio: limits, regime, stuck response, steady states.
 ///
-/// Worst case: the operations of `functions`, and in each search `most_evaluations` sums over 2 modes.
-#[allow(deprecated, non_camel_case_types)]
+/// Worst case: the operations of `functions`, and in each search at most `most_evaluations()` sums over 2 modes.  This number depends on r, and never exceeds 20000.
+#[allow(
+    deprecated,
+    non_camel_case_types,
+    reason = "names and attributes are those of the description"
+)]
 pub struct SprungAt(::frictiongen::kernel::response::At<Sprung>);
 /// Response of [`Sprung`] at one frequency ratio while its contact is stuck.
-#[allow(deprecated, non_camel_case_types)]
+#[allow(
+    deprecated,
+    non_camel_case_types,
+    reason = "names and attributes are those of the description"
+)]
 pub struct SprungStuck(::frictiongen::kernel::response::Stuck<Sprung>);
 /// Exact motion of [`Sprung`] in time, from event to event.  `next` returns its segments.
 ///
 /// Worst case of `next`: 4000 steps of the search for the end of a segment, each a sum over at most 4 modes; of `advance` two segments.
-#[allow(deprecated, non_camel_case_types)]
+#[allow(
+    deprecated,
+    non_camel_case_types,
+    reason = "names and attributes are those of the description"
+)]
 pub struct SprungSimulation(
     ::frictiongen::kernel::simulation::FixedSimulation<
         ::core::primitive::f64,
@@ -61,7 +73,11 @@ pub struct SprungSimulation(
 /// Room for 4 modes of the chain and of the stuck chain, for 291 numbers (states at the starts of segments, Jacobian matrices) and for 5 Floquet multipliers.
 ///
 /// Worst case: 1048576 steps of all searches for events together, each a sum over at most 4 modes, and Newton's method on 5 unknowns.
-#[allow(deprecated, non_camel_case_types)]
+#[allow(
+    deprecated,
+    non_camel_case_types,
+    reason = "names and attributes are those of the description"
+)]
 pub struct SprungOrbit(
     ::frictiongen::kernel::orbit::FixedOrbit<
         ::core::primitive::f64,
@@ -80,7 +96,11 @@ pub struct SprungOrbit(
 ///
 /// A step of `STEP` has at most 640 floating-point operations by the tables, about 10888 with one event, never
 /// more than 1639058.
-#[allow(deprecated, non_camel_case_types)]
+#[allow(
+    deprecated,
+    non_camel_case_types,
+    reason = "names and attributes are those of the description"
+)]
 pub struct SprungStepper(
     ::frictiongen::kernel::stepper::FixedStepper<
         ::core::primitive::f64,
@@ -92,7 +112,12 @@ pub struct SprungStepper(
     >,
 );
 /// Loads on [`Sprung`] at an instant, in the units of the scene: the input of a step.
-#[allow(deprecated, non_camel_case_types, non_snake_case)]
+#[allow(
+    deprecated,
+    non_camel_case_types,
+    non_snake_case,
+    reason = "names and attributes are those of the description"
+)]
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -148,8 +173,11 @@ pub struct SprungDeclaredStepper(
 #[allow(
     clippy::wildcard_imports,
     clippy::inline_always,
-    clippy::expl_impl_clone_on_copy,
     reason = "one import serves every scene, and the compiler folds constants after inlining"
+)]
+#[allow(
+    clippy::expl_impl_clone_on_copy,
+    reason = "`wraps!` implements both traits for types that stand outside this block"
 )]
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
@@ -258,7 +286,7 @@ const _: () = {
             modes: &Self::MODES,
             /// constants of the chain
             chain: Self::CHAIN,
-            /// limits at both ends of the range of r
+            /// limits of β for r → 0 and for r → ∞, whatever `range` says
             ends: Ends {
                 /// β*_lim for r → 0
                 sliding_at_rest: 0.4678426266516825,
@@ -358,10 +386,11 @@ const _: () = {
         }
         /// Sums V, H, U, G and H_c of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), and the functions of the modes.
         ///
-        /// Sums over the modes: V of residue/(x² − 1 + 2iζx),
-        /// H of (φᵀw)²/(x² − 1 + 2iζx), U of (φᵀw)²uR², G of (φᵀw)²gR² and r²H_c of (φᵀw)²(g + 2ζRu), with x = √λ/r = 1/R.
-        /// All are times r²E.  E is the smallest |x² − 1| + 2ζx of the modes in contact, so that the sums stay finite on a
-        /// resonance.
+        /// Sums over the modes, with x = √λ/r = 1/R:
+        /// r²V of residue/(x² − 1 + 2iζx),
+        /// r²H of (φᵀw)²/(x² − 1 + 2iζx), r²U of (φᵀw)²uR², r²G of (φᵀw)²gR² and r²H_c of (φᵀw)²(g + 2ζRu).
+        /// Each is returned times E as `v`, `h`, `u`, `g` or `reversal`.  E, the `scale`, is the smallest |x² − 1| + 2ζx of the
+        /// modes in contact, so that the sums stay finite on a resonance.
         ///
         /// Operations: 164: 102 ×, 29 +, 14 ÷, 10 sign, 2 exp_m1, 2 one_minus_sinc_pi, 2 scaled_sinh_defect, 2 sin_cos_pi, 1 compare.
         #[inline(always)]
@@ -454,7 +483,7 @@ const _: () = {
                     ],
                 },
             ],
-            /// factors of each mode in y and u of each mode of the stuck chain
+            /// factors in y and u: for each mode of `held` in turn, one pair for each mode that the contact drives
             participations: &[
                 [-1.0, 0.011025457704632096],
                 [-0.8302868779585623, 0.016978674839672275],
@@ -570,10 +599,14 @@ const _: () = {
             }
         }
     }
+    /// The functions `at`, `limits_without_search` and `limits_into`.
     ::frictiongen::kernel::scene_functions!(Sprung, SprungAt, f64, At);
+    /// The trait `FrictionSystem`, by which generic code calls any scene.
     ::frictiongen::emitted_system!(Sprung, SprungAt, f64, ["lower", "upper"]);
+    /// `Clone`, `Copy`, `Debug`, `From` and `Deref`: the answers at one frequency have all methods of the wrapped type.
     ::frictiongen::kernel::wraps!(SprungAt, At of Sprung, Copy);
     impl Scene for Sprung {
+        /// The items that every scene has: types, constants and the calls of the frequency stage.
         ::frictiongen::kernel::scene_items!(f64, damped, 2);
         /// Components of a mass in the mode shapes.
         #[inline]
@@ -585,18 +618,22 @@ const _: () = {
         fn compliance(&self) -> Option<f64> {
             Some(Self::CONTACT.compliance)
         }
-        /// Smallest and largest 1/r at which the formulas are evaluated.  Beyond them, squares leave the range of the scalar.
+        /// Smallest and largest 1/r at which the formulas are evaluated: 2^-400 and 2^400.
+        /// Any other 1/r is moved to the nearer of both, at which the formulas have reached their limits for r → ∞ or r → 0.
+        /// Between both, no square of √λ/r overflows or underflows.
         #[inline]
         fn inverse_ratio_range(&self) -> (f64, f64) {
             (3.8725919148493183e-121, 2.5822498780869086e120)
         }
     }
+    /// Placeholders for methods that `provide` does not list: the compiler refuses a call and says what to add.
     ::frictiongen::kernel::not_provided!(SprungAt : motion; Sprung : self_check);
     /// The responses are those of the kernel, which sums over the modes in loops.  Worst case: a fixed number of
     /// operations for each mode, without a search.
     impl ProvidesStuck for Sprung {
         type Stuck = SprungStuck;
     }
+    /// `Clone`, `Copy`, `Debug`, `From` and `Deref`: the response has all methods of the wrapped type.
     ::frictiongen::kernel::wraps!(SprungStuck, Stuck of Sprung, Copy);
     impl SprungStuck {
         /// x̄* = V_k − H_kV/(H + ρ), the complex amplitude of mass `lower` over Y (6.11, 6.27, 6.33).
@@ -610,6 +647,7 @@ const _: () = {
             self.mass(1)
         }
     }
+    /// `Clone`, `Debug`, `From` and `Deref`: the simulation has all methods of the wrapped type.
     ::frictiongen::kernel::wraps!(SprungSimulation, FixedSimulation of elastic f64, 4);
     impl SprungSimulation {
         /// Displacement and velocity of mass `lower` at the present instant.
@@ -669,6 +707,7 @@ const _: () = {
                 .map(From::from)
         }
     }
+    /// `Clone`, `Debug`, `From` and `Deref`: the steady state has all methods of the wrapped type.
     ::frictiongen::kernel::wraps!(SprungOrbit, FixedOrbit of elastic f64, 4, 291, 5);
     impl SprungOrbit {
         /// Motion of mass `lower`.
@@ -682,6 +721,7 @@ const _: () = {
             self.mass(1)
         }
     }
+    /// `Clone`, `Debug`, `From` and `Deref`: the stepper has all methods of the wrapped type.
     ::frictiongen::kernel::wraps!(
         SprungStepper, FixedStepper of elastic f64, 4, 2, 2, 1
     );

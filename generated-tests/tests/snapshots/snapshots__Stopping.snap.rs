@@ -18,7 +18,7 @@
 ///
 /// * `K1`, `M1`, `NATURAL_FREQUENCIES_HZ`, `NATURAL_FREQUENCIES`, `RESONANCES`, `MODE_SHAPES`, `SCENE_HASH`: constants of the chain
 /// * `frequency_ratio(omega)`, `friction_ratio(friction, load)`: r and β from units
-/// * `at(r)` returns [`StoppingAt`], with `limits()`, `regime(beta)` and `margin(beta)`
+/// * `at(r)` returns [`StoppingAt`], with `limits()`, `regime(beta)` and `margin(beta)`, or an error for a NaN or negative r
 /// * `limits_without_search(r)`, `limits_into(rs, continuous, sliding)`: both limits alone
 /// * `at(r)?.orbit(beta)` returns [`StoppingOrbit`], the steady state in any regime, with `contact()`, `lower()` and `upper()`
 /// * `simulation(r, beta)` returns [`StoppingSimulation`], the motion in time from event to event, with `next()`, `lower()` and `upper()`
@@ -36,13 +36,21 @@
 pub struct Stopping;
 /// [`Stopping`] at one frequency ratio: limits, regime, steady states.
 ///
-/// Worst case: the operations of `functions`, and in each search `most_evaluations` sums over 2 modes.
-#[allow(deprecated, non_camel_case_types)]
+/// Worst case: the operations of `functions`, and in each search at most `most_evaluations()` sums over 2 modes.  This number depends on r, and never exceeds 20000.
+#[allow(
+    deprecated,
+    non_camel_case_types,
+    reason = "names and attributes are those of the description"
+)]
 pub struct StoppingAt(::frictiongen::kernel::response::At<Stopping>);
 /// Exact motion of [`Stopping`] in time, from event to event.  `next` returns its segments.
 ///
 /// Worst case of `next`: 4000 steps of the search for the end of a segment, each a sum over at most 3 modes; of `advance` two segments.
-#[allow(deprecated, non_camel_case_types)]
+#[allow(
+    deprecated,
+    non_camel_case_types,
+    reason = "names and attributes are those of the description"
+)]
 pub struct StoppingSimulation(
     ::frictiongen::kernel::simulation::FixedSimulation<::core::primitive::f64, 3>,
 );
@@ -51,7 +59,11 @@ pub struct StoppingSimulation(
 /// Room for 3 modes of the chain and of the stuck chain, for 280 numbers (states at the starts of segments, Jacobian matrices) and for 4 Floquet multipliers.
 ///
 /// Worst case: 1048576 steps of all searches for events together, each a sum over at most 3 modes, and Newton's method on 4 unknowns.
-#[allow(deprecated, non_camel_case_types)]
+#[allow(
+    deprecated,
+    non_camel_case_types,
+    reason = "names and attributes are those of the description"
+)]
 pub struct StoppingOrbit(
     ::frictiongen::kernel::orbit::FixedOrbit<::core::primitive::f64, 3, 280, 4>,
 );
@@ -83,8 +95,11 @@ pub struct StoppingOrbit(
 #[allow(
     clippy::wildcard_imports,
     clippy::inline_always,
-    clippy::expl_impl_clone_on_copy,
     reason = "one import serves every scene, and the compiler folds constants after inlining"
+)]
+#[allow(
+    clippy::expl_impl_clone_on_copy,
+    reason = "`wraps!` implements both traits for types that stand outside this block"
 )]
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
@@ -182,7 +197,7 @@ const _: () = {
             modes: &Self::MODES,
             /// constants of the chain
             chain: Self::CHAIN,
-            /// limits at both ends of the range of r
+            /// limits of β for r → 0 and for r → ∞, whatever `range` says
             ends: Ends {
                 /// β*_lim for r → 0
                 sliding_at_rest: 0.43650793650793657,
@@ -280,10 +295,11 @@ const _: () = {
         }
         /// Sums V, H, U, G and H_c of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), and the functions of the modes.
         ///
-        /// Sums over the modes: V of residue/(x² − 1 + 2iζx),
-        /// H of (φᵀw)²/(x² − 1 + 2iζx), U of (φᵀw)²uR², G of (φᵀw)²gR² and r²H_c of (φᵀw)²(g + 2ζRu), with x = √λ/r = 1/R.
-        /// All are times r²E.  E is the smallest |x² − 1| + 2ζx of the modes in contact, so that the sums stay finite on a
-        /// resonance.
+        /// Sums over the modes, with x = √λ/r = 1/R:
+        /// r²V of residue/(x² − 1 + 2iζx),
+        /// r²H of (φᵀw)²/(x² − 1 + 2iζx), r²U of (φᵀw)²uR², r²G of (φᵀw)²gR² and r²H_c of (φᵀw)²(g + 2ζRu).
+        /// Each is returned times E as `v`, `h`, `u`, `g` or `reversal`.  E, the `scale`, is the smallest |x² − 1| + 2ζx of the
+        /// modes in contact, so that the sums stay finite on a resonance.
         ///
         /// Operations: 164: 102 ×, 29 +, 14 ÷, 10 sign, 2 exp_m1, 2 one_minus_sinc_pi, 2 scaled_sinh_defect, 2 sin_cos_pi, 1 compare.
         #[inline(always)]
@@ -366,7 +382,7 @@ const _: () = {
                     ],
                 },
             ],
-            /// factors of each mode in y and u of each mode of the stuck chain
+            /// factors in y and u: for each mode of `held` in turn, one pair for each mode that the contact drives
             participations: &[
                 [-0.6907246979374844, 0.011264683757455306],
                 [-1.0, 0.016308500030608204],
@@ -405,17 +421,24 @@ const _: () = {
             Simulation::new(Self::DYNAMICS, r, beta, start, parts).map(From::from)
         }
     }
+    /// The functions `at`, `limits_without_search` and `limits_into`.
     ::frictiongen::kernel::scene_functions!(Stopping, StoppingAt, f64, At);
+    /// The trait `FrictionSystem`, by which generic code calls any scene.
     ::frictiongen::emitted_system!(Stopping, StoppingAt, f64, ["lower", "upper"]);
+    /// `Clone`, `Copy`, `Debug`, `From` and `Deref`: the answers at one frequency have all methods of the wrapped type.
     ::frictiongen::kernel::wraps!(StoppingAt, At of Stopping, Copy);
     impl Scene for Stopping {
+        /// The items that every scene has: types, constants and the calls of the frequency stage.
         ::frictiongen::kernel::scene_items!(f64, damped, 2);
-        /// No motion of a mass is provided, so no mode shapes are needed.
+        /// Neither the continuous motion nor the stuck response of a mass is provided, so no formula at one frequency needs
+        /// mode shapes.
         #[inline]
         fn shape(&self, _: usize) -> Option<&[f64]> {
             None
         }
-        /// Smallest and largest 1/r at which the formulas are evaluated.  Beyond them, squares leave the range of the scalar.
+        /// Smallest and largest 1/r at which the formulas are evaluated: 2^-400 and 2^400.
+        /// Any other 1/r is moved to the nearer of both, at which the formulas have reached their limits for r → ∞ or r → 0.
+        /// Between both, no square of √λ/r overflows or underflows.
         #[inline]
         fn inverse_ratio_range(&self) -> (f64, f64) {
             (3.8725919148493183e-121, 2.5822498780869086e120)
@@ -428,8 +451,8 @@ const _: () = {
             contact.reversal
                 + Self::CHAIN.stiction * Self::CHAIN.inverse_mass * contact.scale
         }
-        /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²) (5.65, 5.80, 5.96, 7.49), with S the largest F(τ)/sin τ over
-        /// 0 < τ < π, F a sum over modes: with more friction the contact would reverse within the half period.
+        /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²) (5.65, 5.80, 5.96, 7.49), with S the largest J(τ)/sin τ over
+        /// 0 < τ < π, J a sum over modes: with more friction the contact would reverse within the half period.
         /// `constraint` is r²E times that maximum.
         ///
         /// Operations: 6: 2 ×, 1 +, 1 hypot, 1 ÷, 1 √.
@@ -451,9 +474,11 @@ const _: () = {
             modulus_v / (Self::CHAIN.stiction * modulus_h)
         }
     }
+    /// Placeholders for methods that `provide` does not list: the compiler refuses a call and says what to add.
     ::frictiongen::kernel::not_provided!(
         StoppingAt : motion, stuck; Stopping : stepper, self_check
     );
+    /// `Clone`, `Debug`, `From` and `Deref`: the simulation has all methods of the wrapped type.
     ::frictiongen::kernel::wraps!(StoppingSimulation, FixedSimulation of f64, 3);
     impl StoppingSimulation {
         /// Displacement and velocity of mass `lower` at the present instant.
@@ -513,6 +538,7 @@ const _: () = {
                 .map(From::from)
         }
     }
+    /// `Clone`, `Debug`, `From` and `Deref`: the steady state has all methods of the wrapped type.
     ::frictiongen::kernel::wraps!(StoppingOrbit, FixedOrbit of f64, 3, 280, 4);
     impl StoppingOrbit {
         /// Motion of mass `lower`.

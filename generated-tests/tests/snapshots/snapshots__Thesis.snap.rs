@@ -17,7 +17,7 @@
 ///
 /// * `K1`, `M1`, `NATURAL_FREQUENCIES_HZ`, `NATURAL_FREQUENCIES`, `RESONANCES`, `MODE_SHAPES`, `SCENE_HASH`: constants of the chain
 /// * `frequency_ratio(omega)`, `friction_ratio(friction, load)`: r and β from units
-/// * `at(r)` returns [`ThesisAt`], with `limits()`, `regime(beta)` and `margin(beta)`
+/// * `at(r)` returns [`ThesisAt`], with `limits()`, `regime(beta)` and `margin(beta)`, or an error for a NaN or negative r
 /// * `limits_without_search(r)`, `limits_into(rs, continuous, sliding)`: both limits alone
 /// * `at(r)?.motion(beta)` returns [`ThesisMotion`], the continuous motion, with `contact()`, `first()`, `second()` and `third()`
 ///
@@ -34,11 +34,19 @@
 pub struct Thesis;
 /// [`Thesis`] at one frequency ratio: limits, regime, continuous motion.
 ///
-/// Worst case: the operations of `functions`, and in each search `most_evaluations` sums over 3 modes.
-#[allow(deprecated, non_camel_case_types)]
+/// Worst case: the operations of `functions`, and in each search at most `most_evaluations()` sums over 3 modes.  This number depends on r, and never exceeds 20000.
+#[allow(
+    deprecated,
+    non_camel_case_types,
+    reason = "names and attributes are those of the description"
+)]
 pub struct ThesisAt(::frictiongen::kernel::response::At<Thesis>);
 /// Exact continuous motion of [`Thesis`] at one frequency and one friction ratio.
-#[allow(deprecated, non_camel_case_types)]
+#[allow(
+    deprecated,
+    non_camel_case_types,
+    reason = "names and attributes are those of the description"
+)]
 pub struct ThesisMotion(::frictiongen::kernel::response::Continuous<Thesis>);
 #[allow(
     deprecated,
@@ -68,8 +76,11 @@ pub struct ThesisMotion(::frictiongen::kernel::response::Continuous<Thesis>);
 #[allow(
     clippy::wildcard_imports,
     clippy::inline_always,
-    clippy::expl_impl_clone_on_copy,
     reason = "one import serves every scene, and the compiler folds constants after inlining"
+)]
+#[allow(
+    clippy::expl_impl_clone_on_copy,
+    reason = "`wraps!` implements both traits for types that stand outside this block"
 )]
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
@@ -186,7 +197,7 @@ const _: () = {
             modes: &Self::MODES,
             /// constants of the chain
             chain: Self::CHAIN,
-            /// limits at both ends of the range of r
+            /// limits of β for r → 0 and for r → ∞, whatever `range` says
             ends: Ends {
                 /// β*_lim for r → 0
                 sliding_at_rest: 0.5,
@@ -236,10 +247,12 @@ const _: () = {
         }
         /// Sums V, H, U, G and H_c of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), and the functions of the modes.
         ///
-        /// Sums over the modes: V of residue/(x² − 1 + 2iζx),
-        /// H of (φᵀw)²/(x² − 1 + 2iζx), U of (φᵀw)²uR², G of (φᵀw)²gR² and r²H_c of (φᵀw)²(g + 2ζRu), with x = √λ/r = 1/R.
-        /// All are times r²E.  E is the smallest |x² − 1| + 2ζx of the modes in contact, so that the sums stay finite on a
-        /// resonance.
+        /// Sums over the modes, with x = √λ/r = 1/R:
+        /// r²V of residue/(x² − 1 + 2iζx),
+        /// r²H of (φᵀw)²/(x² − 1 + 2iζx), r²U of (φᵀw)²uR², r²G of (φᵀw)²gR² and r²H_c of (φᵀw)²(g + 2ζRu).
+        /// Each is returned times E as `v`, `h`, `u`, `g` or `reversal`.  E, the `scale`, is the smallest |x² − 1| + 2ζx of the
+        /// modes in contact, so that the sums stay finite on a resonance.
+        /// Without damping r²G, r²H_c and the imaginary parts are 0.
         ///
         /// Operations: 62: 27 ×, 12 +, 8 compare, 6 sign, 6 ÷, 3 sin_cos_pi.
         #[inline(always)]
@@ -258,6 +271,7 @@ const _: () = {
             ];
             let [at_1, at_2, at_3] = &modes;
             let sum = Self::CHAIN.begun_by(scale, constants_1, &mode_1, at_1, false);
+            /// `false`: this mode is not the only one, so that E is not always its own `size`
             let sum = Self::CHAIN
                 .joined_by(&sum, constants_2, &mode_2, at_2, false, false);
             let sum = Self::CHAIN
@@ -266,17 +280,23 @@ const _: () = {
             (contact, modes)
         }
     }
+    /// The functions `at`, `limits_without_search` and `limits_into`.
     ::frictiongen::kernel::scene_functions!(Thesis, ThesisAt, f64, At);
+    /// The trait `FrictionSystem`, by which generic code calls any scene.
     ::frictiongen::emitted_system!(Thesis, ThesisAt, f64, ["first", "second", "third"]);
+    /// `Clone`, `Copy`, `Debug`, `From` and `Deref`: the answers at one frequency have all methods of the wrapped type.
     ::frictiongen::kernel::wraps!(ThesisAt, At of Thesis, Copy);
     impl Scene for Thesis {
+        /// The items that every scene has: types, constants and the calls of the frequency stage.
         ::frictiongen::kernel::scene_items!(f64, undamped, 3);
         /// Components of a mass in the mode shapes.
         #[inline]
         fn shape(&self, mass: usize) -> Option<&[f64]> {
             Self::SHAPES.get(mass).map(<[f64; 3]>::as_slice)
         }
-        /// Smallest and largest 1/r at which the formulas are evaluated.  Beyond them, squares leave the range of the scalar.
+        /// Smallest and largest 1/r at which the formulas are evaluated: 2^-400 and 2^400.
+        /// Any other 1/r is moved to the nearer of both, at which the formulas have reached their limits for r → ∞ or r → 0.
+        /// Between both, no square of √λ/r overflows or underflows.
         #[inline]
         fn inverse_ratio_range(&self) -> (f64, f64) {
             (3.8725919148493183e-121, 2.5822498780869086e120)
@@ -288,8 +308,8 @@ const _: () = {
         fn break_away(&self, contact: &ContactAt<f64>) -> f64 {
             contact.scale
         }
-        /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²) (5.65, 5.80, 5.96, 7.49), with S the largest F(τ)/sin τ over
-        /// 0 < τ < π, F a sum over modes: with more friction the contact would reverse within the half period.
+        /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²) (5.65, 5.80, 5.96, 7.49), with S the largest J(τ)/sin τ over
+        /// 0 < τ < π, J a sum over modes: with more friction the contact would reverse within the half period.
         /// `constraint` is r²E times that maximum.
         ///
         /// Operations: 6: 2 ×, 1 +, 1 sign, 1 ÷, 1 √.
@@ -311,6 +331,7 @@ const _: () = {
             modulus_v / modulus_h
         }
     }
+    /// Placeholders for methods that `provide` does not list: the compiler refuses a call and says what to add.
     ::frictiongen::kernel::not_provided!(
         ThesisAt : stuck, orbit; Thesis : simulation, stepper, self_check
     );
@@ -319,6 +340,7 @@ const _: () = {
     impl ProvidesMotion for Thesis {
         type Motion = ThesisMotion;
     }
+    /// `Clone`, `Copy`, `Debug`, `From` and `Deref`: the motion has all methods of the wrapped type.
     ::frictiongen::kernel::wraps!(ThesisMotion, Continuous of Thesis, Copy);
     impl ThesisMotion {
         /// Motion of mass `first` (5.50 and its exact form, 7.29).

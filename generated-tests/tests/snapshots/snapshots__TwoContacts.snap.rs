@@ -46,7 +46,12 @@ pub struct TwoContactsStepper(
     >,
 );
 /// Loads on [`TwoContacts`] and friction forces, in the units of the scene: the input of a step.
-#[allow(deprecated, non_camel_case_types, non_snake_case)]
+#[allow(
+    deprecated,
+    non_camel_case_types,
+    non_snake_case,
+    reason = "names and attributes are those of the description"
+)]
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -61,7 +66,12 @@ pub struct TwoContactsInput {
     pub friction: TwoContactsFriction,
 }
 /// Friction forces of [`TwoContacts`], by contact.
-#[allow(deprecated, non_camel_case_types, non_snake_case)]
+#[allow(
+    deprecated,
+    non_camel_case_types,
+    non_snake_case,
+    reason = "names and attributes are those of the description"
+)]
 #[::core::prelude::v1::derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
@@ -139,8 +149,11 @@ pub struct TwoContactsOrbit(
 #[allow(
     clippy::wildcard_imports,
     clippy::inline_always,
-    clippy::expl_impl_clone_on_copy,
     reason = "one import serves every scene, and the compiler folds constants after inlining"
+)]
+#[allow(
+    clippy::expl_impl_clone_on_copy,
+    reason = "`wraps!` implements both traits for types that stand outside this block"
 )]
 const _: () = {
     impl TwoContacts {

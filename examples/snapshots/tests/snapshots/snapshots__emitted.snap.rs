@@ -20,7 +20,7 @@
 ///
 /// * `K1`, `M1`, `NATURAL_FREQUENCIES_HZ`, `NATURAL_FREQUENCIES`, `RESONANCES`, `MODE_SHAPES`, `SCENE_HASH`: constants of the chain
 /// * `frequency_ratio(omega)`, `friction_ratio(friction, load)`: r and β from units
-/// * `at(r)` returns [`MountAt`], with `limits()`, `regime(beta)` and `margin(beta)`
+/// * `at(r)` returns [`MountAt`], with `limits()`, `regime(beta)` and `margin(beta)`, or an error for a NaN or negative r
 /// * `limits_without_search(r)`, `limits_into(rs, continuous, sliding)`: both limits alone
 /// * `at(r)?.motion(beta)` returns [`MountMotion`], the continuous motion, with `contact()` and `machine()`
 /// * `at(r)?.orbit(beta)` returns [`MountOrbit`], the steady state in any regime, with `contact()`, `frame()` and `machine()`
@@ -38,18 +38,30 @@
 pub struct Mount;
 /// [`Mount`] at one frequency ratio: limits, regime, continuous motion, steady states.
 ///
-/// Worst case: the operations of `functions`, and in each search `most_evaluations` sums over 2 modes.
-#[allow(deprecated, non_camel_case_types)]
+/// Worst case: the operations of `functions`, and in each search at most `most_evaluations()` sums over 2 modes.  This number depends on r, and never exceeds 20000.
+#[allow(
+    deprecated,
+    non_camel_case_types,
+    reason = "names and attributes are those of the description"
+)]
 pub struct MountAt(::frictiongen::kernel::response::At<Mount>);
 /// Exact continuous motion of [`Mount`] at one frequency and one friction ratio.
-#[allow(deprecated, non_camel_case_types)]
+#[allow(
+    deprecated,
+    non_camel_case_types,
+    reason = "names and attributes are those of the description"
+)]
 pub struct MountMotion(::frictiongen::kernel::response::Continuous<Mount>);
 /// Steady state of [`Mount`] at one frequency and one friction ratio, in any regime.
 ///
 /// Room for 3 modes of the chain and of the stuck chain, for 280 numbers (states at the starts of segments, Jacobian matrices) and for 4 Floquet multipliers.
 ///
 /// Worst case: 1048576 steps of all searches for events together, each a sum over at most 3 modes, and Newton's method on 4 unknowns.
-#[allow(deprecated, non_camel_case_types)]
+#[allow(
+    deprecated,
+    non_camel_case_types,
+    reason = "names and attributes are those of the description"
+)]
 pub struct MountOrbit(
     ::frictiongen::kernel::orbit::FixedOrbit<::core::primitive::f64, 3, 280, 4>,
 );
@@ -81,8 +93,11 @@ pub struct MountOrbit(
 #[allow(
     clippy::wildcard_imports,
     clippy::inline_always,
-    clippy::expl_impl_clone_on_copy,
     reason = "one import serves every scene, and the compiler folds constants after inlining"
+)]
+#[allow(
+    clippy::expl_impl_clone_on_copy,
+    reason = "`wraps!` implements both traits for types that stand outside this block"
 )]
 const _: () = {
     use ::frictiongen::kernel::emitted::*;
@@ -179,7 +194,7 @@ const _: () = {
             modes: &Self::MODES,
             /// constants of the chain
             chain: Self::CHAIN,
-            /// limits at both ends of the range of r
+            /// limits of β for r → 0 and for r → ∞, whatever `range` says
             ends: Ends {
                 /// β*_lim for r → 0
                 sliding_at_rest: 0.0,
@@ -279,10 +294,11 @@ const _: () = {
         }
         /// Sums V, H, U, G and H_c of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), and the functions of the modes.
         ///
-        /// Sums over the modes: V of residue/(x² − 1 + 2iζx),
-        /// H of (φᵀw)²/(x² − 1 + 2iζx), U of (φᵀw)²uR², G of (φᵀw)²gR² and r²H_c of (φᵀw)²(g + 2ζRu), with x = √λ/r = 1/R.
-        /// All are times r²E.  E is the smallest |x² − 1| + 2ζx of the modes in contact, so that the sums stay finite on a
-        /// resonance.
+        /// Sums over the modes, with x = √λ/r = 1/R:
+        /// r²V of residue/(x² − 1 + 2iζx),
+        /// r²H of (φᵀw)²/(x² − 1 + 2iζx), r²U of (φᵀw)²uR², r²G of (φᵀw)²gR² and r²H_c of (φᵀw)²(g + 2ζRu).
+        /// Each is returned times E as `v`, `h`, `u`, `g` or `reversal`.  E, the `scale`, is the smallest |x² − 1| + 2ζx of the
+        /// modes in contact, so that the sums stay finite on a resonance.
         ///
         /// Operations: 164: 102 ×, 29 +, 14 ÷, 10 sign, 2 exp_m1, 2 one_minus_sinc_pi, 2 scaled_sinh_defect, 2 sin_cos_pi, 1 compare.
         #[inline(always)]
@@ -363,7 +379,7 @@ const _: () = {
                     ],
                 },
             ],
-            /// factors of each mode in y and u of each mode of the stuck chain
+            /// factors in y and u: for each mode of `held` in turn, one pair for each mode that the contact drives
             participations: &[
                 [-1.0, 0.03272999580865182],
                 [-0.8617723648393789, 0.02820580588920484],
@@ -381,10 +397,14 @@ const _: () = {
             rubbing: None,
         };
     }
+    /// The functions `at`, `limits_without_search` and `limits_into`.
     ::frictiongen::kernel::scene_functions!(Mount, MountAt, f64, At);
+    /// The trait `FrictionSystem`, by which generic code calls any scene.
     ::frictiongen::emitted_system!(Mount, MountAt, f64, ["frame", "machine"]);
+    /// `Clone`, `Copy`, `Debug`, `From` and `Deref`: the answers at one frequency have all methods of the wrapped type.
     ::frictiongen::kernel::wraps!(MountAt, At of Mount, Copy);
     impl Scene for Mount {
+        /// The items that every scene has: types, constants and the calls of the frequency stage.
         ::frictiongen::kernel::scene_items!(f64, damped, 2);
         /// Components of a mass in the mode shapes.
         #[inline]
@@ -394,7 +414,9 @@ const _: () = {
                 _ => None,
             }
         }
-        /// Smallest and largest 1/r at which the formulas are evaluated.  Beyond them, squares leave the range of the scalar.
+        /// Smallest and largest 1/r at which the formulas are evaluated: 2^-400 and 2^400.
+        /// Any other 1/r is moved to the nearer of both, at which the formulas have reached their limits for r → ∞ or r → 0.
+        /// Between both, no square of √λ/r overflows or underflows.
         #[inline]
         fn inverse_ratio_range(&self) -> (f64, f64) {
             (3.8725919148493183e-121, 2.5822498780869086e120)
@@ -407,8 +429,8 @@ const _: () = {
             contact.reversal
                 + Self::CHAIN.stiction * Self::CHAIN.inverse_mass * contact.scale
         }
-        /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²) (5.65, 5.80, 5.96, 7.49), with S the largest F(τ)/sin τ over
-        /// 0 < τ < π, F a sum over modes: with more friction the contact would reverse within the half period.
+        /// β_lim = |V|/√(U² + max(S, H_c + μm*/r²)²) (5.65, 5.80, 5.96, 7.49), with S the largest J(τ)/sin τ over
+        /// 0 < τ < π, J a sum over modes: with more friction the contact would reverse within the half period.
         /// `constraint` is r²E times that maximum.
         ///
         /// Operations: 6: 2 ×, 1 +, 1 hypot, 1 ÷, 1 √.
@@ -430,15 +452,19 @@ const _: () = {
             modulus_v / (Self::CHAIN.stiction * modulus_h)
         }
     }
+    /// Placeholders for methods that `provide` does not list: the compiler refuses a call and says what to add.
     ::frictiongen::kernel::not_provided!(
         MountAt : stuck; Mount : simulation, stepper, self_check
     );
+    /// Placeholders for masses whose motion `provide` does not list: the compiler refuses a call.
     ::frictiongen::kernel::left_out!(MountMotion : frame);
     impl ProvidesMotion for Mount {
         type Motion = MountMotion;
         /// The relative motion in the contact: its fundamental component, and the coefficients of each mode's functions.
         ///
-        /// d and q̃ are the free motions of a mode from a displacement and from a velocity.
+        /// d and q̃ are the free motions of a mode from a displacement and from a velocity.  `unscale` is 1/(r²E).  The
+        /// coefficients multiply (1 − d)/x² (`rise`), cos τ − d (`fall`, 0 without damping) and sin τ − Rq̃ (`forced`).
+        /// `harmonic` is (φᵀw)²/r², which only higher harmonics need.
         ///
         /// Operations: 19: 17 ×, 2 ÷.
         /// The kernel adds one wave for each of 2 modes.  No search is made before an amplitude or a phase is asked for.
@@ -499,6 +525,7 @@ const _: () = {
         }
         /// The motion of mass k: its fundamental component, and the coefficients of each mode.
         ///
+        /// The coefficients are those of `contact_motion`, with φ_k(φᵀw) in place of (φᵀw)².
         /// The two products of a mode with itself cancel, so both are left out.  A mode with x < 1/2 is
         /// mass-controlled: `mass_wave` has its whole response, and its u and g are 0 in the sums.
         ///
@@ -707,6 +734,7 @@ const _: () = {
             Some(Motion::of_mass(*friction, fundamental, waves))
         }
     }
+    /// `Clone`, `Copy`, `Debug`, `From` and `Deref`: the motion has all methods of the wrapped type.
     ::frictiongen::kernel::wraps!(MountMotion, Continuous of Mount, Copy);
     impl MountMotion {
         /// Motion of mass `machine` (5.50 and its exact form, 7.29).
@@ -739,6 +767,7 @@ const _: () = {
                 .map(From::from)
         }
     }
+    /// `Clone`, `Debug`, `From` and `Deref`: the steady state has all methods of the wrapped type.
     ::frictiongen::kernel::wraps!(MountOrbit, FixedOrbit of f64, 3, 280, 4);
     impl MountOrbit {
         /// Motion of mass `frame`.

@@ -76,7 +76,9 @@ pub(super) fn source<S: Float>(source: &Source<'_, S>, formulas: &Formulas, name
     };
     let Numbers { real, .. } = formulas.numbers;
     text.push_str(&format!(
-        "enum {name}_fault {name}_self_check(void)\n{{\n    \
+        "/* The compiler may write constants and units into the instructions, so that their checksums guard this text.  The\n \
+         * known answers guard what the compiler made of it. */\n\
+         enum {name}_fault {name}_self_check(void)\n{{\n    \
          const {real} constants[] = {{\n{}    }};\n    const {real} units[] = {{\n{}    }};\n",
         formulas.constants.expressions(),
         header::unit_names(source, name)

@@ -63,9 +63,10 @@ pub(super) fn source<S: Float>(source: &Source<'_, S>, formulas: &Formulas, name
          const {real} share = beta / continuous;\n    \
          const {real} turned = share * quadrature;\n    \
          const {real} product = ({one} - turned) * ({one} + turned);\n    \
+         /* The product is negative only if beta exceeds the exact beta_lim, within the accuracy of the table. */\n    \
          const {real} in_phase = sqrt{letter}(fabs{letter}(product));\n    \
          *amplitude = fabs{letter}(excitation) * {in_motion};\n    \
-         /* Not -turned: the angle of a zero has no sign. */\n    \
+         /* Not -turned: the angle of a zero has no sign.  The difference may need two moves by a turn. */\n    \
          *phase = wrapped(wrapped(atan2{letter}({zero} - turned, in_phase) - {direction}));\n    \
          return {ok};\n}}\n",
         outside = refusal(&outside, &status("OutOfDomain")),

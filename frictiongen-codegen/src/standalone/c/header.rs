@@ -11,17 +11,13 @@ use frictiongen_kernel::Float;
 /// Writes the header with the declarations. Its functions and constants begin with `name`.
 #[must_use]
 pub fn c_header<S: Float>(source: &Source<'_, S>, name: &str) -> String {
-    let Source {
-        scene,
-        tables,
-        origin,
-    } = source;
+    let Source { scene, origin, .. } = source;
     let numbers = Numbers::of::<S>(Language::C);
     let Numbers { real, .. } = numbers;
     let words = Words::of(scene);
     let guard = format!("{}_TABLES_H", name.to_uppercase());
     let mark = mark(source);
-    let lines = about(tables);
+    let lines = about(source);
     let lines: Vec<String> = lines.iter().map(|line| c_text(line)).collect();
     let about = lines.join("\n * ");
     let statuses: String = STATUSES
@@ -62,7 +58,7 @@ pub fn c_header<S: Float>(source: &Source<'_, S>, name: &str) -> String {
 fn mark<S: Float>(source: &Source<'_, S>) -> String {
     let numbers = piece_numbers(source.tables).into_iter();
     let bytes = numbers.flat_map(|number| number.to_bits().to_le_bytes());
-    let about = about(source.tables).join("\n") + &super::super::scene_hash(source.scene);
+    let about = about(source).join("\n") + &super::super::scene_hash(source.scene);
     let hash = bytes
         .chain(about.into_bytes())
         .fold(0x811c_9dc5_u32, |hash, byte| {

@@ -73,7 +73,11 @@ pub fn c_source<S: Float>(
             let origin = source.origin.c_comment(source.scene);
             format!("{origin}#include \"{header}\"\n#include \"{tables}\"\n\n")
         }
-        None => format!("{}{}\n", c_header(source, name), c_tables(source, name)?),
+        None => format!(
+            "{}{}\n",
+            c_header(source, name),
+            numbers::without_head(source, name)?
+        ),
     };
     text.push_str(
         "#include <math.h>\n#include <stdbool.h>\n#include <stddef.h>\n#include <stdint.h>\n#include <string.h>\n\n\

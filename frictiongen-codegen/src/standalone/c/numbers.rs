@@ -13,17 +13,21 @@ use frictiongen_kernel::Float;
 /// Writes the file that `frame.c` includes as `frame_tables.h`. Returns `None` if β*_lim is not stored as a product.
 #[must_use]
 pub fn c_tables<S: Float>(source: &Source<'_, S>, name: &str) -> Option<String> {
-    let formulas = Formulas::of(source, Language::C)?;
-    let tables = source.tables;
-    let lines = about(tables);
+    let lines = about(source);
     let lines: Vec<String> = lines.iter().map(|line| c_text(line)).collect();
-    let guard = format!("{}_NUMBERS_H", name.to_uppercase());
-    let mut text = format!(
-        "{origin}/* The numbers of {name}, which only its code includes.\n * {about} */\n\
-         #ifndef {guard}\n#define {guard}\n\n",
-        origin = source.origin.c_comment(source.scene),
-        about = lines.join("\n * "),
+    let origin = source.origin.c_comment(source.scene);
+    let about = format!(
+        "/* The numbers of {name}, which only its code includes.\n * {} */\n",
+        lines.join("\n * ")
     );
+    Some(format!("{origin}{about}{}", without_head(source, name)?))
+}
+
+/// Writes the numbers without origin and summary, for a file that also contains the header.
+pub(super) fn without_head<S: Float>(source: &Source<'_, S>, name: &str) -> Option<String> {
+    let formulas = Formulas::of(source, Language::C)?;
+    let guard = format!("{}_NUMBERS_H", name.to_uppercase());
+    let mut text = format!("#ifndef {guard}\n#define {guard}\n\n");
     text.push_str(&pieces(source, formulas.numbers));
     text.push_str(&formulas.constants.types());
     let reference = UnitConstants::of::<S>(source.scene).reference;

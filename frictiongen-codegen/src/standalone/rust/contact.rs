@@ -52,9 +52,10 @@ pub(super) fn source<S: Float>(
          let excitation = {excitation};\n{shares}    \
          let share = beta / continuous;\n    let turned = share * quadrature;\n    \
          let product = (1.0 - turned) * (1.0 + turned);\n    \
+         // The product is negative only if β exceeds the exact β_lim, within the accuracy of the table.\n    \
          let in_phase = {real}::sqrt(product.abs());\n    \
          let amplitude = {real}::abs(excitation) * {in_motion};\n    \
-         // Not -turned: the angle of a zero has no sign.\n    \
+         // Not -turned: the angle of a zero has no sign.  The difference may need two moves by a turn.\n    \
          let lag = {real}::atan2(0.0 - turned, in_phase) - direction;\n    \
          Ok((amplitude, wrapped(wrapped(lag))))\n}}\n\n\
          const HALF_TURN: {real} = core::{real}::consts::PI;\n\n\

@@ -28,7 +28,7 @@ pub fn rust_source<S: Float>(source: &Source<'_, S>) -> Option<String> {
          #![allow(dead_code, reason = \"a program may call some of the functions\")]\n\
          #![allow(non_snake_case, reason = \"masses have the names of the description\")]\n\n",
         name = source.scene.name,
-        about = about(tables).join("\n//! "),
+        about = about(source).join("\n//! "),
     ));
     text.push_str(&errors());
     text.push_str(&units(source, &words));
