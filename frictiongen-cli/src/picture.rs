@@ -6,12 +6,71 @@ use crate::failure::Failure;
 use crate::measure::{self, Measure};
 use frictiongen::System;
 use frictiongen_plot::desk::{Scales, sketch};
-use frictiongen_plot::{Figure, Label, Sketch};
+use frictiongen_plot::{Axis, Colour, Figure, Label, Line, Panel, Sketch, Stroke};
 use std::io::Write;
 
 /// Number of PNG pixels along a side of an SVG pixel.
 #[cfg(feature = "png")]
 const SCALE: f32 = 2.0;
+
+/// Ratio of the end of an axis to the largest value on it.
+pub const ROOM: f64 = 1.15;
+
+/// Returns panels with displacements in m, with forces of springs in N, and with the friction force in N, over the time
+/// in s. `motions` has the values of each motion or force at the times.
+pub fn over_time(times: &[f64], motions: &[(&Part, &[f64])], force: &[f64]) -> Vec<Panel> {
+    let ends = [times.first(), times.last()].map(|end| end.copied().unwrap_or(0.0));
+    let [first, last] = ends;
+    let time = || {
+        Axis::new(
+            "time (s)",
+            first,
+            if first < last { last } else { first + 1.0 },
+        )
+    };
+    let track = |values: &[f64]| -> Vec<(f64, f64)> {
+        times.iter().copied().zip(values.iter().copied()).collect()
+    };
+    let edge = |values: &mut dyn Iterator<Item = f64>| {
+        let most = values.map(f64::abs).fold(0.0, f64::max);
+        if 0.0 < most { most * ROOM } else { 1.0 }
+    };
+    let mut panels = Vec::new();
+    for (forces, label) in [(false, "displacement (m)"), (true, "force (N)")] {
+        let shown = motions.iter().enumerate();
+        let shown: Vec<_> = shown
+            .filter(|(_, (part, _))| part.of.is_force() == forces)
+            .collect();
+        if shown.is_empty() {
+            continue;
+        }
+        let high = edge(
+            &mut shown
+                .iter()
+                .flat_map(|(_, (_, values))| values.iter().copied()),
+        );
+        let mut panel = Panel::new("", time(), Axis::new(label, -high, high));
+        for (place, (part, values)) in shown {
+            panel = panel.with(Line::new(
+                part_name(part),
+                Colour::Series(place),
+                Stroke::Solid,
+                vec![track(values)],
+            ));
+        }
+        panels.push(panel);
+    }
+    let high = edge(&mut force.iter().copied());
+    let force = Line::new(
+        "friction force",
+        Colour::Black,
+        Stroke::Solid,
+        vec![track(force)],
+    );
+    let axis = Axis::new("friction force (N)", -high, high);
+    panels.push(Panel::new("", time(), axis).with(force));
+    panels
+}
 
 /// Returns the units of the axes of a picture.
 pub fn scales(system: &System, in_hertz: bool, measure: &Measure) -> Scales {

@@ -41,7 +41,7 @@ pub struct PeriodicArguments {
     /// Arguments for the format of the output.
     #[command(flatten)]
     pub format: FormatArguments,
-    /// Write to this file; the file extension sets the format: .csv, .json
+    /// Write to this file; the file extension sets the format: .csv, .json, and with --motion also .svg or .png
     #[arg(short, long, value_name = "OUT")]
     pub output: Option<PathBuf>,
 }

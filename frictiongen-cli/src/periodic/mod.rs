@@ -1,10 +1,12 @@
 //! `frictiongen periodic`: finds the steady state under any periodic load.
 
+#[cfg(feature = "pictures")]
+mod draw;
 mod load;
 
 use crate::args::{FileArgument, PeriodicArguments};
 use crate::asked::{parts, without_rates};
-use crate::destination::Destination;
+use crate::destination::{Destination, Form};
 use crate::failure::Failure;
 use crate::grid::{self, Quantity};
 use crate::measure::Measure;
@@ -20,8 +22,13 @@ use std::io::Write;
 /// Runs `frictiongen periodic`.
 pub fn run(arguments: &PeriodicArguments, out: &mut dyn Write) -> Result<(), Failure> {
     let (scene_file, output) = (&arguments.scene, arguments.output.as_deref());
-    let destination = Destination::of(output, Some(scene_file), &arguments.format, false)?;
+    let destination = Destination::of(output, Some(scene_file), &arguments.format, true)?;
     let form = destination.form;
+    if matches!(form, Form::Svg | Form::Png) && !arguments.motion {
+        return Err(Failure::new(
+            "a picture shows the motion over a period: add --motion",
+        ));
+    }
     let system = scene(arguments)?;
     let mut parts = parts(&system, &arguments.of)?;
     without_rates(&parts)?;
@@ -59,6 +66,10 @@ pub fn run(arguments: &PeriodicArguments, out: &mut dyn Write) -> Result<(), Fai
         }
         let force = asked.forces.first().copied().unwrap_or_default();
         let row = asked.row(force)?;
+        #[cfg(feature = "pictures")]
+        if matches!(form, Form::Svg | Form::Png) {
+            return draw::motion(&asked.table, &row, form, out);
+        }
         output::write(
             &MotionReport {
                 asked: &asked,

@@ -5,7 +5,7 @@ use super::spectrum::SpectrumReport;
 use crate::asked::Part;
 use crate::destination::Form;
 use crate::failure::Failure;
-use crate::picture;
+use crate::picture::{self, over_time};
 use frictiongen::System;
 use frictiongen::measure::columns::SpectrumRow;
 use frictiongen::measure::{Identified, Observation, PeakResponse};
@@ -70,40 +70,11 @@ pub fn driven(
     form: Form,
     out: &mut dyn Write,
 ) -> Result<(), Failure> {
-    let times = &driven.motion.time;
-    let last = times.last().copied().unwrap_or(1.0);
-    let time = || Axis::new("time (s)", 0.0, last);
-    let track = |values: &[f64]| -> Vec<(f64, f64)> {
-        times.iter().copied().zip(values.iter().copied()).collect()
-    };
-    let mut panels = Vec::new();
-    for (forces, label) in [(false, "displacement (m)"), (true, "force (N)")] {
-        let tracks = driven.parts.iter().zip(&driven.motion.motions).enumerate();
-        let tracks = tracks.filter(|(_, (part, _))| part.of.is_force() == forces);
-        let tracks: Vec<Track<'_>> = tracks
-            .map(|(place, (part, [values, _]))| (place, part, track(values)))
-            .collect();
-        if tracks.is_empty() {
-            continue;
-        }
-        let high = edge(tracks.iter().map(|(.., values)| values.as_slice()));
-        let mut panel = Panel::new("", time(), Axis::new(label, -high, high));
-        for (place, part, values) in tracks {
-            panel = panel.with(Line::new(
-                picture::part_name(part),
-                Colour::Series(place),
-                Stroke::Solid,
-                vec![values],
-            ));
-        }
-        panels.push(panel);
-    }
-    let force = track(&driven.motion.force);
-    let high = edge([force.as_slice()].into_iter());
-    let gripped = Panel::new("", time(), Axis::new("friction force (N)", -high, high)).with(
-        Line::new("friction force", Colour::Black, Stroke::Solid, vec![force]),
-    );
-    panels.push(gripped);
+    let motions = driven.parts.iter().zip(&driven.motion.motions);
+    let motions: Vec<(&Part, &[f64])> = motions
+        .map(|(part, [values, _])| (part, values.as_slice()))
+        .collect();
+    let panels = over_time(&driven.motion.time, &motions, &driven.motion.force);
     let title = Label::verbatim(&system.scene().name);
     let figure = Figure::new("", title, 1, panels).with_caption(Label::verbatim(&driven.account()));
     picture::write_with(figure, sketch_under_record(system.scene()), form, out)
@@ -150,14 +121,4 @@ pub fn spectrum(
     let figure =
         Figure::new("", title, 1, panels).with_caption(Label::verbatim(&spectrum.description()));
     picture::write_with(figure, sketch_under_record(system.scene()), form, out)
-}
-
-/// A motion: its index, its name, and its values over time.
-type Track<'d> = (usize, &'d Part, Vec<(f64, f64)>);
-
-/// Returns the upper bound of a symmetric axis that contains all values of the given motions.
-fn edge<'t>(tracks: impl Iterator<Item = &'t [(f64, f64)]>) -> f64 {
-    let values = tracks.flatten().map(|(_, value)| value.abs());
-    let most = values.fold(0.0, f64::max);
-    if 0.0 < most { most * ROOM } else { 1.0 }
 }

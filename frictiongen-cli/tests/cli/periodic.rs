@@ -200,3 +200,29 @@ fn loads_that_mean_nothing() {
     ];
     assert!(failure("", &rate)[0].contains("displacements and forces of springs only"));
 }
+
+/// A picture has the motions, the friction force and the loop of the contact. It needs --motion.
+#[test]
+fn a_picture_of_one_period() {
+    let block = file("drawn.friction", PUSHED);
+    let table = file("drawn.csv", TRIANGLE);
+    let path = file("drawn.svg", "");
+    let asked = ["periodic", &block, &table, "--friction", "8", "-o", &path];
+    let refusal = failure("", &asked);
+    assert!(
+        refusal[0].ends_with("a picture shows the motion over a period: add --motion"),
+        "{refusal:?}"
+    );
+    output("", &[&asked[..], &["--motion"]].concat());
+    let picture = fs::read_to_string(&path).unwrap();
+    for text in [
+        "hysteresis loop of the contact",
+        "the motion repeats after one period of the load",
+        "friction force 8.000000 N",
+    ] {
+        assert!(picture.contains(text), "{text}");
+    }
+    for path in [block, table, path] {
+        fs::remove_file(path).unwrap();
+    }
+}

@@ -361,6 +361,7 @@ const _: () = {
         }
     }
     ::frictiongen::emitted_stepper!(Bowed, BowedStepper, f64, false, [1, 0]);
+    /// `Clone`, `Debug`, `From` and `Deref`: the stepper has all methods of the wrapped type.
     ::frictiongen::kernel::wraps!(
         BowedDeclaredStepper, DeclaredStepper of f64, 2, 2, 1, 2
     );

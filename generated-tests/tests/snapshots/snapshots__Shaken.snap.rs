@@ -371,6 +371,7 @@ const _: () = {
         }
     }
     ::frictiongen::emitted_stepper!(Shaken, ShakenStepper, f64, true, []);
+    /// `Clone`, `Debug`, `From` and `Deref`: the stepper has all methods of the wrapped type.
     ::frictiongen::kernel::wraps!(
         ShakenDeclaredStepper, DeclaredStepper of f64, 4, 2, 1, 1
     );

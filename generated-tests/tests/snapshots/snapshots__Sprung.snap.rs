@@ -772,6 +772,7 @@ const _: () = {
         }
     }
     ::frictiongen::emitted_stepper!(Sprung, SprungStepper, f64, true, []);
+    /// `Clone`, `Debug`, `From` and `Deref`: the stepper has all methods of the wrapped type.
     ::frictiongen::kernel::wraps!(
         SprungDeclaredStepper, DeclaredStepper of elastic f64, 4, 2, 2, 1
     );

@@ -46,6 +46,26 @@ impl PeriodicRow {
         })
     }
 
+    /// Returns the times of the samples of the motion, in s.
+    #[must_use]
+    pub fn times(&self) -> Vec<f64> {
+        let state = &self.state;
+        let steps = 0..state.forces().len();
+        steps
+            .map(|step| state.start() + step as f64 * state.step())
+            .collect()
+    }
+
+    /// Returns the displacement of a motion, or the force of a spring, at each sample. With `turned` the sign is reversed.
+    #[must_use]
+    pub fn values(&self, part: usize, turned: bool) -> Vec<f64> {
+        let values = self.state.tracks().get(part).map(|track| &track.values);
+        let values = values.into_iter().flatten();
+        values
+            .map(|[value, _]| if turned { 0.0 - value } else { *value })
+            .collect()
+    }
+
     /// Returns the rows of the motion over a period.
     pub fn samples(&self) -> impl Iterator<Item = PeriodicSample<'_>> {
         (0..self.state.forces().len()).map(|step| PeriodicSample { row: self, step })
