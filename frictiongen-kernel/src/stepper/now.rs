@@ -259,7 +259,7 @@ impl<
     /// about as much as one call of [`mass`](Self::mass) and one product of the mode shapes with the modes, because it
     /// computes each mode once.
     #[must_use]
-    pub fn masses(&self) -> [MassNow<S>; MODES] {
+    pub fn all_masses(&self) -> [MassNow<S>; MODES] {
         let zero = S::constant(0.0);
         let mut masses = [MassNow {
             displacement: zero,

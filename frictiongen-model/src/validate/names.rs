@@ -51,6 +51,7 @@ pub const RESERVED: &[&str] = &[
     "stuck_fraction",
     // These are methods of a stepper, and fields of its input.
     "advance",
+    "all_masses",
     "begin",
     "begin_with",
     "cost",
@@ -59,7 +60,6 @@ pub const RESERVED: &[&str] = &[
     "image",
     "image_len",
     "IMAGE",
-    "masses",
     "read_masses",
     "restore",
     "restore_image",

@@ -366,7 +366,7 @@ impl<'a, S: Float> SystemStepper<'a, S> {
     /// Returns the present displacement and velocity of all masses, in the order of the description. One call computes
     /// each mode once, and costs one product of the mode shapes with the modes.
     #[must_use]
-    pub fn masses(&self) -> Vec<MassNow<S>> {
+    pub fn all_masses(&self) -> Vec<MassNow<S>> {
         let mut masses = vec![self.stepper.mass(usize::MAX); self.forces.len()];
         self.stepper.read_masses(&mut masses);
         masses

@@ -223,8 +223,8 @@ fn all_masses_at_once_are_the_masses_one_by_one() {
             &mut slid
         };
         *counted += 1;
-        assert_eq!(stepper.masses(), [stepper.lower(), stepper.upper()]);
-        assert_eq!(other.masses(), [other.mass_at(0), other.mass_at(1)]);
+        assert_eq!(stepper.all_masses(), [stepper.lower(), stepper.upper()]);
+        assert_eq!(other.all_masses(), [other.mass_at(0), other.mass_at(1)]);
     }
     assert!(stuck > 100 && slid > 100, "{stuck}, {slid}");
     // The product of two shapes with two modes, and the modes of the stuck chain.
