@@ -183,7 +183,7 @@ fn the_rest_is_refused_by_name() {
     }
     let told = failure(FRAME, &["expand"]);
     assert!(
-        told.contains("the macro emits only the motion in time of a scene with `contacts`"),
+        told.contains("which a scene with `contacts` or `dampers` does not have; write, for example, `provide: [stuck, orbit]`"),
         "{told}"
     );
     for line in [
