@@ -24,6 +24,7 @@ pub fn answer(question: &Question) -> Result<Value, String> {
         OptimumKind::Stuck => "the contact is stuck, and more friction changes nothing",
         OptimumKind::Trivial => "the contact is stuck over the whole range, and this motion rests",
         OptimumKind::Bounded => "a bound keeps the friction from a smaller amplitude",
+        OptimumKind::Balanced => "more friction raises one quantity, less raises another",
     };
     Ok(json!({
         "beta": best.beta,
