@@ -132,7 +132,7 @@ pub struct CheckArguments {
 /// Arguments of `frictiongen new`.
 #[derive(Debug, Args)]
 pub struct NewArguments {
-    /// File to write, which must not exist yet; standard output if it is - or left out
+    /// File to write, which must not exist yet. Without FILE, or with `-`, the command writes to standard output
     pub file: Option<PathBuf>,
 }
 

@@ -7,7 +7,7 @@ Grids:
   comma-separated list of these:
   0.9   0.2:0.01:2.5   0.2:2.5   0,0.5,1:0.1:2,inf
   `map` also accepts a range a:b of frictions.
-  Decimals have a point, not a comma. A frequency may be 0 and inf. A friction must be finite.
+  Decimals have a point, not a comma. A frequency may be 0 or inf. A friction must be finite.
   A grid has at most 10 million points.
 
 Exit status:
@@ -140,8 +140,9 @@ pub const TIMES: &str = "\
 Motions:
   The output has the contact and every mass, or the motions of --of. Each motion has a displacement,
   divided by P/k1 (by Y for base motion), and a velocity, the derivative with respect to tau = omega t.
-  With a load they are in m and m/s. Motions of masses are absolute. The motion of the contact is relative.
-  tau is 0 at a maximum of the excitation, at the start of the run (before the cycles that --skip omits)
+  With --force or --base, displacements are in m and velocities in m/s. Motions of masses are absolute. The
+  motion of the contact is relative. The run starts at tau = 0, at a maximum of the excitation. --skip does not
+  shift tau
   contact.friction  the friction force, divided by P (by k1 Y for base motion); with a load, in N. While
                     the contact sticks, it is the force that keeps the contact at rest
   contact.state     stuck, forward or backward; the direction is the sign of the relative velocity
@@ -303,9 +304,10 @@ Ranges:
   r = 0 most features repeat infinitely often.
 
 Sensitivities:
-  Each line names the parameter that changes its first number most, and the change in per cent for one per cent of
-  this parameter. JSON has the derivatives with respect to all parameters. With a load, the other quantities are
-  constant in N and m. Without a load, r and beta are constant.
+  Each line names the parameter to which the line's first number is most sensitive, and the change of this number
+  in per cent for one per cent more of the parameter. JSON has the derivatives with respect to all parameters. With
+  a load, the derivatives are at constant friction in N and constant load in N or m. Without a load, they are at
+  constant r and beta.
 
 Exit status:
   0 without errors. Otherwise 2, with one line on standard error for each error.

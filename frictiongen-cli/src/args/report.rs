@@ -18,8 +18,9 @@ Defaults, which the page also states:
   motions    the contact and every mass, for up to four masses. For a longer chain: the contact, the masses
              at the contact and at the load, the last mass, and the mass that moves farthest with the
              contact stuck
-  best       the friction that `frictiongen optimum` finds, for up to four motions. For a chain of more
-             than four masses: for the two motions that are largest with the contact stuck
+  best       the friction with the smallest peak of each mass, as `frictiongen optimum` finds it. If the
+             chain has more than four masses, the page has it for the two masses that move farthest with
+             the contact stuck
 Without --base or --force, the page uses the non-dimensional groups r and beta.
 
 ";

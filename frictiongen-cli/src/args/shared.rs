@@ -6,7 +6,7 @@ use std::path::PathBuf;
 /// The description to read.
 #[derive(Debug, Args)]
 pub struct FileArgument {
-    /// File with the description; standard input if it is - or left out
+    /// File with the description. Without FILE, or with `-`, the command reads standard input
     pub file: Option<PathBuf>,
 }
 
