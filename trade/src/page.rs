@@ -92,7 +92,7 @@ fn against_hand(rows: &[Row], text: &mut String) -> Written {
     }
     writeln!(
         text,
-        "{aims} ratios are missed; in {slower} the C is faster.\n\n{table}"
+        "A ratio is the time of C divided by the time of this library.  {aims} ratios are below their aim.  C is faster in {slower} rows.\n\n{table}"
     )
 }
 
@@ -131,7 +131,7 @@ fn against_stepper(rows: &[Row], text: &mut String) -> Written {
 }
 
 fn every_way(rows: &[Row], text: &mut String) -> Written {
-    text.push_str("## Every way\n\nA row is for all contacts and dampings with one number of masses.  The time is the median of the scenes' median times.  Errors are relative to the exact answer.  \"no answer\" counts the points at which the method gave no number.  Operations are those of the emitted function without search, or of the frequency stage.\n\n");
+    text.push_str("## Every way\n\nA row combines all contacts and dampings with one number of masses.  The time is the median of the scenes' median times.  Errors are relative to the exact answer.  \"no answer\" counts the points at which the method gave no number.  Operations are those of the emitted function for limits without search.  For other answers they are those of the sums and functions that depend on r alone.\n\n");
     let mut table = Table::new(
         "masses | answer | by | a call | operations | 99 of 100 usual points within | 99 of 100 of all | worst | no answer",
     );
@@ -159,7 +159,7 @@ fn every_way(rows: &[Row], text: &mut String) -> Written {
 }
 
 fn on_device(firmware: &str, text: &mut String) -> Written {
-    text.push_str("## On a Cortex-M\n\nThe table has the instructions of a call on the emulated processors, from `firmware/figures.txt` (`scripts/firmware`).\n\n");
+    text.push_str("## On a Cortex-M\n\nThe table gives the instructions of a call on the emulated processors, from `firmware/figures.txt` (`scripts/firmware`).\n\n");
     let mut table = Table::new("scene | call | M4F | M7");
     let lines = || {
         firmware

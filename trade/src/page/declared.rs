@@ -25,7 +25,7 @@ const CHOICES: [u8; 5] = [2, 3, 4, 6, 9];
 /// Writes the whole section.
 pub fn declared(measure: &Measure, text: &mut String) -> Written {
     let rows = &measure.rows;
-    text.push_str("## Against declared accuracies\n\nHere the same scenes have `accuracy` and `range: { r: 0.2..2.5 }`, so that piecewise polynomials replace the formulas.  `table` is the time of both limits, or of the contact's amplitude, from r on.  Bytes are the size of pieces, buckets, zeros and poles.  Comparisons are the number that finds a piece.  The error is the largest difference from double-double at the clock's points and the usual points.\n\n");
+    text.push_str("## Against declared accuracies\n\nIn this section the scenes have `accuracy` and `range: { r: 0.2..2.5 }`, so that piecewise polynomials replace the formulas.  The column `table` is the time from r to both limits, or to the contact's amplitude.  `before` is the time of the earlier searches, and `exact now` that of the present ones.  A ratio is the time to its left divided by the time of the table.  `bytes` is the size of pieces, buckets, zeros and poles.  `comparisons` is the number of comparisons that find a piece.  `error` is the largest difference from double-double at the points of the clock and the usual points.\n\n");
     at_usual(rows, text)?;
     contact(rows, text)?;
     typical(rows, text)?;
@@ -103,7 +103,7 @@ fn at_usual(rows: &[Row], text: &mut String) -> Written {
     }
     writeln!(
         text,
-        "**Both limits to 1e-{USUAL}.** Aims: {} times the searches before, {} times limits without search.  {} and {} are missed.\n\n{table}",
+        "**Both limits to 1e-{USUAL}.** The aims are {} times the speed of the earlier searches, and {} times the speed of limits without search.  {} and {} rows miss these aims.\n\n{table}",
         LIMITS[0], LIMITS[1], aims[0], aims[1],
     )
 }
@@ -130,7 +130,7 @@ fn contact(rows: &[Row], text: &mut String) -> Written {
     }
     writeln!(
         text,
-        "**The contact's amplitude to 1e-{USUAL}**, with the check that the motion is continuous.  Aim, with five damped masses: {CONTACT} times the amplitude before.\n\n{table}"
+        "**The contact's amplitude to 1e-{USUAL}.** The times include the check that the motion is continuous.  The aim, for five damped masses only, is {CONTACT} times the speed of the earlier searches.\n\n{table}"
     )
 }
 
@@ -189,7 +189,7 @@ fn others(rows: &[Row], text: &mut String) -> Written {
     }
     writeln!(
         text,
-        "**Every accuracy.** The table is for both limits.  The run-time `System::compile` made the tables of 1e-12, which do not exist for every scene.\n\n{table}"
+        "**The other accuracies.** The table is for both limits.  `System::compile` made the tables of 1e-12 at run time.  Some scenes have no table of this accuracy.\n\n{table}"
     )
 }
 

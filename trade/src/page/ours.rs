@@ -53,7 +53,10 @@ pub fn before(rows: &[Row], text: &mut String) -> Written {
             ],
         );
     }
-    writeln!(text, "{aims} ratios are missed.\n\n{table}")
+    writeln!(
+        text,
+        "A ratio is the earlier time divided by the present time.  {aims} ratios are below their aim.\n\n{table}"
+    )
 }
 
 /// Writes the section on the times of the run-time `System` over those of emitted scenes.
@@ -88,7 +91,7 @@ pub fn run_time(rows: &[Row], text: &mut String) -> Written {
     }
     writeln!(
         text,
-        "## The run-time `System` over emitted scenes\n\n{aims} ratios are missed.\n\n{table}"
+        "## The run-time `System` over emitted scenes\n\nA ratio is the time of a `System` divided by that of emitted code.  {aims} ratios are above their aim.\n\n{table}"
     )
 }
 
@@ -98,7 +101,7 @@ pub fn tails(tails: &[Tail], text: &mut String) -> Written {
     let [low, high] = RANGE;
     writeln!(
         text,
-        "## The slowest calls of exact limits\n\nThe limits at {points} frequency ratios, log-uniform from r = {low} to {high}, are timed one by one.  A time is the shortest of 3 calls, or of 20 calls for the slowest 100 ratios, without the time of the clock itself.  The ratios are to the median, with aims of at most {} and {}.  The column of evaluations has the largest number in one search, as `limits_searched` returns it.  The number in brackets counts the searches that stopped at their bound.\n",
+        "## The slowest calls of exact limits\n\nCalls of the exact limits are timed one by one, at {points} frequency ratios, log-uniform from r = {low} to {high}.  The time at an r is the shortest of 3 calls, or of 20 calls at the slowest 100 values of r.  It does not include the time of reading the clock.  A ratio is a time divided by the median time, with aims of at most {} and {}.  The column of evaluations has the largest number of evaluations in one search, as `limits_searched` returns it.  The number in brackets counts the searches that stopped at their bound.\n",
         TAILS[0], TAILS[1],
     )?;
     let mut table = Table::of_scenes(
