@@ -126,8 +126,8 @@ pub(crate) struct DominantSums<S> {
 }
 
 impl<S: Scalar> DominantSums<S> {
-    /// Adds the compliance of an elastic contact to those sums of H that do not contain it. These are the sums without
-    /// the term of a mode.
+    /// Adds the compliance of an elastic contact to the sums of H that leave out the term of a mode. The sums over all
+    /// modes already contain the compliance.
     pub fn with_compliance(mut self, compliance: S) -> Self {
         self.own.h.re = self.own.h.re + compliance;
         if matches!(self.which, Which::First) {
@@ -138,8 +138,8 @@ impl<S: Scalar> DominantSums<S> {
 
     /// Returns two values of V, the response of the contact of a damped chain to the load. The first value serves the
     /// phase of the dominant mode, the second the phases of all other modes. A mode is in phase with its own term of V.
-    /// V without this term therefore gives the same phase as the full V. The function uses the smaller of both values,
-    /// because its phase is more accurate.
+    /// V without this term therefore gives the same phase as the full V. Of the full V and V without the term, the
+    /// function uses the smaller one, because its phase is more accurate.
     pub fn turning(&self, contact: &ContactAt<S>) -> (Complex<S>, Complex<S>) {
         let size = |v| complex::size(v, true);
         let all = size(contact.v).named("v_size", "(|Re V| + |Im V|)·r²E", None);

@@ -102,7 +102,7 @@ impl<S: Float> Chain<S> {
         let scale = Self::scale_at(modes, inverse_r);
         let responses = modes.iter().map(|mode| {
             if WITH_G {
-                // Code size matters here, so that the code calls a function instead of inlining it.
+                // Code size matters here. The code therefore calls a function instead of inlining it.
                 mode.response(inverse_r, 0)
             } else {
                 mode.functions(inverse_r, false)
@@ -194,8 +194,9 @@ fn smallest<S: Float, U: Uniform>(modes: &[Mode<S>], inverse_r: S) -> S {
             least = least.min(mode.size_but_zero(U::KIND, inverse_r));
         }
     }
-    // An exact zero of |x² − 1| is the smallest. The code replaces it after the comparison. The result is the same as
-    // with a replacement before, because no other number is as small as the replacement.
+    // If one |x² − 1| is exactly 0, it is the smallest. The code replaces this 0 after it has found the smallest
+    // number. A replacement before the comparison would give the same result, because no other |x² − 1| is as small as
+    // the number that replaces 0.
     let least = if U::DAMPED {
         least
     } else {

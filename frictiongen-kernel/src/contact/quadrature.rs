@@ -37,8 +37,8 @@ impl<S> Quadratures<S> for InPhase {
     }
 }
 
-/// List of [`Quadrature`] values, one for each mode. Each entry has the two fields. An empty list means that no mode
-/// has a load in quadrature.
+/// List of [`Quadrature`] values, one for each mode. Each entry contains `load` and `wall`, in this order. An empty
+/// list means that no mode has a load in quadrature.
 impl<S: Copy> Quadratures<S> for &[[S; 2]] {
     #[inline]
     fn of(self, mode: usize) -> Option<Quadrature<S>> {
@@ -74,9 +74,9 @@ impl<S: Scalar> Mode<S> {
 
 impl<S: Scalar> Chain<S> {
     /// Returns the term of a mode in V, the response of the contact to the load. On a moving base V is relative to the
-    /// base. The function then uses v − 1 = (1 − 2iζx)/(x² − 1 + 2iζx) in place of v, which avoids a difference of
-    /// nearly equal numbers. If damping acts relative to the base, the base motion itself causes no damping force. In
-    /// this case `wall` replaces the static residue in the imaginary part.
+    /// base. The function then uses v − 1 = (1 − 2iζx)/(x² − 1 + 2iζx) in place of the response v of the mode, which
+    /// avoids a difference of nearly equal numbers. If damping acts relative to the base, the base motion itself causes
+    /// no damping force. In this case `wall` replaces the static residue in the imaginary part.
     #[inline]
     pub(crate) fn load_term(
         &self,

@@ -9,8 +9,8 @@ use crate::number::lanes::Lanes;
 use crate::number::scalar::{Float, Scalar};
 use crate::oscillator::mode::{Kind, Mode};
 
-/// Number of frequencies that the code computes at once. They fill two packed registers of two numbers, or one register
-/// of eight numbers if the processor has such registers.
+/// Number of frequencies that the code computes at once. This number of frequencies fills two packed registers of two
+/// numbers each, or one register of eight numbers if the processor has registers of that size.
 pub(crate) const SIDE_BY_SIDE: usize = if cfg!(target_feature = "avx512f") {
     8
 } else {

@@ -23,7 +23,7 @@ pub struct Chain<S> {
 /// Response and damping functions of one mode at one frequency, multiplied by the scale E of [`ContactAt`].
 #[derive(Clone, Copy, Debug)]
 pub struct ModeAt<S> {
-    /// Natural frequency of the mode over the excitation frequency, x = √λ/r = 1/R.
+    /// Natural frequency of the mode divided by the excitation frequency, x = √λ/r = 1/R.
     pub x: S,
     /// Response of the mode to a harmonic force, multiplied by the scale E of the chain: E/(x² − 1 + 2iζx) = E·v/x².
     pub response: Complex<S>,

@@ -146,8 +146,8 @@ macro_rules! scene_functions {
             /// # Errors
             /// `OutOfDomain` for NaN and negative r.  At r = 0 and r = ∞ the limits take their limiting values.
             ///
-            /// Worst case: the operations of the frequency stage without G, and of the formulas of both limits.  If
-            /// masses may act as an absorber: a second frequency stage with a sum over the modes.
+            /// Worst case: the operations of the frequency stage without G, and the operations of the formulas of both
+            /// limits. If masses may act as an absorber: a second frequency stage with a sum over the modes.
             #[inline]
             pub fn limits_without_search(
                 r: $scalar,

@@ -1,11 +1,12 @@
 //! Response of a mass-controlled mode to a unit force that changes its sign every half period. A mode is
 //! mass-controlled if it resonates far below the excitation frequency. Its inertia then outweighs its spring.
 //!
-//! In a half period the response y obeys y″ + 2ζx y′ + x²y = 1. In the next half period y repeats with the opposite
-//! sign. The solution is y = Σ_{n≥2} h_{n−2} e_n with e_n(τ) = πⁿE_n(τ/π)/n!, where E_n are the Euler polynomials. The
-//! coefficients are h_0 = 1, h_1 = −2ζx, h_m = −2ζx h_{m−1} − x²h_{m−2}. They decrease like powers of the modulus of
-//! the mode's roots. For large n the polynomials e_n approach sinusoids. The code therefore sums a few orders, and adds
-//! the rest of the series as one sinusoid in closed form.
+//! In a half period the response y obeys y″ + 2ζx y′ + x²y = 1, where ζ is the damping ratio of the mode and x its
+//! natural frequency divided by the excitation frequency. In the next half period y repeats with the opposite sign. The
+//! solution is y = Σ_{n≥2} h_{n−2} e_n with e_n(τ) = πⁿE_n(τ/π)/n!, where E_n are the Euler polynomials. The
+//! coefficients are h_0 = 1, h_1 = −2ζx, h_m = −2ζx h_{m−1} − x²h_{m−2}. The coefficients decrease like powers of |s|,
+//! where s are the roots of s² + 2ζx s + x² = 0. For large n the polynomials e_n approach sinusoids. The code therefore
+//! sums a few orders, and adds the rest of the series as one sinusoid in closed form.
 //!
 //! For all other modes y is the sum of three terms: the return from rest, the lag and the static displacement (see
 //! [`motion`](crate::response::coefficients)). Far above the resonance each of these terms is of order 1, while y
@@ -28,7 +29,7 @@ pub(crate) fn is_mass_controlled<S: Scalar>(kind: Kind, zeta: S, x: S) -> S::Con
     if !S::MASS_CONTROLLED {
         return x.lt(S::constant(0.0));
     }
-    // The faster root of an overdamped mode is below 2ζx, so that 2ζx is a safe rate.
+    // Both decay rates of an overdamped mode are smaller than 2ζx, so that 2ζx is a safe bound.
     let rate = if kind == Kind::Over {
         (zeta + zeta) * x
     } else {
@@ -99,8 +100,9 @@ mod tests {
     use crate::oscillator::decay::{Damped, Decay};
     use crate::oscillator::mode::Mode;
 
-    /// Returns the response of a mode and its slope in double-double, as a reference for the tests. The terms of each sum
-    /// nearly cancel. This increases the relative error by at most a factor x⁻², which double-double can afford.
+    /// Returns the response of a mode and its slope in double-double, as a reference for the tests. The terms of each
+    /// sum nearly cancel. This cancellation multiplies the relative error by at most x⁻², which double-double can
+    /// afford.
     fn put_together(mode: &Mode<Dd>, x: Dd, t: Dd) -> (Dd, Dd) {
         let response = mode.response(x, 0);
         let (u, g) = (response.u / response.size, response.g / response.size);

@@ -97,7 +97,7 @@ pub(crate) fn phase<S: Float>(t: S) -> (S, S) {
     t.sin_cos_pi()
 }
 
-/// Returns the phase after a time τ, in half-turns in [0, 2). `t` is the phase before, and τ is in rad of the
+/// Returns the phase after a time τ, in half-turns in [0, 2). `t` is the phase before the time τ. τ is in rad of the
 /// excitation.
 pub(crate) fn moved<S: Float>(t: S, tau: S) -> S {
     let two = S::constant(2.0);

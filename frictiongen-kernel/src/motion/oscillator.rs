@@ -21,7 +21,7 @@ const OSCILLATES: f64 = 0.05;
 #[derive(Clone, Copy, Debug)]
 pub struct Part<S> {
     pub(crate) kind: Kind,
-    /// Undamped natural frequency over the excitation frequency, x = σ/r.
+    /// Undamped natural frequency divided by the excitation frequency, x = σ/r.
     pub(crate) x: S,
     pub(crate) zeta: S,
     /// q = √|1 − ζ²|, with the modal damping ratio ζ.
@@ -33,7 +33,8 @@ pub struct Part<S> {
     /// Complex amplitude of the steady displacement, y = Re(steady·e^{iτ_e}). If `near` is true, it is the complex
     /// amplitude of the force instead.
     steady: Complex<S>,
-    /// Complex amplitude of φ/x = Re(direct·e^{iτ_e}). The excitation adds φ to y′ directly, so that u = (y′ − φ)/x.
+    /// Complex amplitude of φ/x = Re(direct·e^{iτ_e}). The excitation adds the velocity φ to y′ directly, so that u =
+    /// (y′ − φ)/x.
     direct: Complex<S>,
     /// True if the excitation is near the resonance. The code then computes the forced motion from differences that
     /// vanish at the resonance.
@@ -100,8 +101,8 @@ impl<S: Float> Part<S> {
         part.kind = mode.kind;
         (part.zeta, part.q, part.sigma) = (mode.zeta, mode.q, mode.frequency);
         let [first, second] = drive;
-        // For y alone the force is r²Ψ = ωφ₂ + (2ζω + ir)φ₁. The code computes the force over r, because r³ may
-        // overflow or underflow.
+        // The equation of motion of y alone has the force Ψ, with r²Ψ = ωφ₂ + (2ζω + ir)φ₁. φ₁ and φ₂ are the two
+        // numbers in `drive`. The code computes rΨ, because r³ may overflow or underflow.
         let over_r = mode.frequency / r;
         let loss = (mode.zeta + mode.zeta) * over_r;
         let force = Complex::new(
@@ -184,8 +185,8 @@ impl<S: Float> Part<S> {
     }
 
     /// Returns y and its first three derivatives for the motion that starts from rest under y″ + 2ζxy′ + x²y =
-    /// Re(force·e^{i(θ + τ)}). Call it only if the excitation is near the resonance. `t` is τ, and `phase` is (cos θ,
-    /// sin θ).
+    /// Re(force·e^{i(θ + τ)}). Call this function only if the excitation is near the resonance. `t` is τ, and `phase`
+    /// is (cos θ, sin θ).
     pub(crate) fn grown(&self, t: S, phase: (S, S)) -> [S; 4] {
         let at = Instant::new(t);
         let (x, one) = (self.x, S::constant(1.0));
@@ -361,8 +362,8 @@ impl<S: Float> Part<S> {
         };
     }
 
-    /// Returns true if the free motion is a decaying oscillation, whose amplitude bounds it. Otherwise it is a sum of
-    /// exponentials that may cancel.
+    /// Returns true if the free motion is a decaying oscillation. The amplitude of the oscillation then bounds the
+    /// motion. Otherwise the free motion is a sum of exponentials that may cancel.
     pub(crate) fn oscillates(&self) -> bool {
         S::constant(OSCILLATES) < self.q2
     }

@@ -7,8 +7,8 @@ use crate::number::scalar::Float;
 
 impl<S: Float, K: ContactChain<S>> Dynamics<'_, S, K> {
     /// Computes y and u of the stuck chain's modes from the state (y, u) of the chain's modes. `z` is the displacement
-    /// of the contact, and `rate` its rate in the time t√(k₁/m₁). The function first subtracts the static displacements
-    /// that z causes from y, and the velocities that `rate` causes from u.
+    /// of the contact, and `rate` the derivative of z with respect to the time t√(k₁/m₁). The function first subtracts
+    /// the static displacements that z causes from y, and the velocities that `rate` causes from u.
     pub(crate) fn project<'s>(
         &self,
         receptance: S,

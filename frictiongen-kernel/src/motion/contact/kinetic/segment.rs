@@ -47,8 +47,8 @@ impl<'a, S: Float, K: ContactChain<S>> Setting<'a, S, K> {
         }
     }
 
-    /// Returns the contact force over the load amplitude P. While the contact sticks, this force keeps the contact at
-    /// rest.
+    /// Returns the contact force divided by P, the amplitude of the load. While the contact sticks, this force keeps
+    /// the contact at rest.
     pub(crate) fn contact_force(
         &self,
         level: &impl Level<'a, S>,
