@@ -130,7 +130,7 @@ pub enum Accuracy {
     /// Exact formulas, without tables.
     #[default]
     Exact,
-    /// Tables whose relative error is at most this number over the scene's `range`.
+    /// Tables whose relative error is at most this number in the scene's `range`.
     Relative(f64),
 }
 
@@ -168,7 +168,7 @@ pub enum Proving {
     Whole,
 }
 
-/// The range of r and β over which a declared accuracy is valid.
+/// The range of r and β in which a declared accuracy is valid.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Range {
@@ -216,8 +216,8 @@ pub enum FrictionLaw {
     #[default]
     Coulomb,
     /// Kinetic friction that is piecewise linear in the sliding speed. Each point has a speed, in the scene's own
-    /// units, and a level, which is the friction force over F. The level at rest is 1. Beyond the last point the level
-    /// is constant.
+    /// units, and a level, which is the friction force divided by F. The level at rest is 1. Beyond the last point the
+    /// level is constant.
     Stribeck(Vec<[f64; 2]>),
 }
 
@@ -236,9 +236,9 @@ impl FrictionLaw {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum StepInput {
-    /// The input keeps the value of the sample over the whole step.
+    /// The input keeps the value of the sample during the whole step.
     Hold,
-    /// The input changes linearly over the step, and reaches the sample at the end of the step.
+    /// The input changes linearly during the step, and reaches the sample at the end of the step.
     #[default]
     Linear,
 }
@@ -311,7 +311,8 @@ impl Scene {
     }
 
     /// Returns true if the emitted code has a method that depends on the frequency of excitation. The stepper does not
-    /// depend on it. The simulation does not depend on it either, if the kinetic friction depends on the speed.
+    /// depend on this frequency. If the kinetic friction depends on the speed, the simulation does not depend on it
+    /// either.
     #[must_use]
     pub fn needs_frequency(&self) -> bool {
         let constant = self.friction == FrictionLaw::Coulomb;

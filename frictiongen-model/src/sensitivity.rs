@@ -2,7 +2,7 @@
 //! perturbation of the modes, in double-double.
 //!
 //! The modes are the eigenvectors of GᵀG. With v = √Γφ, the change of GᵀG between modes i and j is vᵢᵀ(dGᵀG)vⱼ = Σ_e
-//! (dκ/κ)ₑ κₑδᵢₑδⱼₑ − ½(λ_i + λ_j) Σ_m (dγ/γ)_m vᵢₘvⱼₘ. δ are the elongations of the springs.
+//! (dκ/κ)ₑ κₑδᵢₑδⱼₑ − ½(λ_i + λ_j) Σ_m (dγ/γ)_m vᵢₘvⱼₘ. δᵢₑ is the elongation of spring e in mode i.
 
 mod base;
 mod equal;

@@ -88,7 +88,7 @@ impl<S: Scalar> Steps<S> {
         }
     }
 
-    /// Returns the number of coefficients of an input's polynomial over a step.
+    /// Returns the number of coefficients of the polynomial that describes an input during a step.
     #[must_use]
     pub fn coefficients(&self) -> usize {
         match (self.on_base, self.input) {

@@ -4,8 +4,8 @@
 //! `modal_sum::mass_controlled` uses them.
 
 /// Number of Euler polynomials of even order that a response sums in `f64`. `SINGLE` is the number in `f32`. Each
-/// further polynomial divides the third harmonic of the neglected remainder by at least six. With this number,
-/// (1/6)^(2·`DOUBLE`) is below the rounding error.
+/// further order n, even or odd, divides the third harmonic of the neglected remainder by at least six. The sum
+/// contains the orders up to 2·`DOUBLE`, and (1/6)^(2·`DOUBLE`) is below the rounding error.
 const DOUBLE: usize = 11;
 const SINGLE: usize = 5;
 

@@ -8,8 +8,8 @@
 use core::f64::consts::FRAC_PI_4;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-/// Number that replaces an exact zero of x² − 1, where x is the resonance of a mode over the excitation frequency. In
-/// any precision it is far smaller than every other possible |x² − 1|.
+/// Number that replaces an exact zero of x² − 1, where x is the natural frequency of a mode divided by the excitation
+/// frequency. In any precision this number is far smaller than every other possible |x² − 1|.
 pub const NEXT_TO_POLE: f64 = 1.0 / (1u64 << 60) as f64;
 
 /// A number, or a symbol for a number, over which all closed forms are written.

@@ -261,7 +261,8 @@ where
         }
         let setting = cycle_map.setting;
         setting.load_state(displacements, velocities, cycle_map.modes);
-        // An elastic contact does not stick as soon as the motion alone is known.  It slides on in its direction.
+        // From the modes alone, the law of an elastic contact would return a stuck contact. The code therefore passes
+        // the direction of sliding.
         let sliding = ContactState {
             contact: longest.contact_state.contact,
             ..ContactState::stuck(U::constant(t.to_f64()))

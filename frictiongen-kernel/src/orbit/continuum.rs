@@ -2,8 +2,8 @@
 //!
 //! Two members of the continuum differ by a free vibration at an even multiple of the excitation frequency, in phase
 //! with the reversals. A motion that never stops keeps its amplitude of this vibration. Each stop of the contact
-//! reduces the amplitude, by less and less. A motion with stops therefore tends to the member without stops that has
-//! the largest amplitude.
+//! reduces this amplitude, by less than the previous stop did. A motion with stops therefore tends to the member
+//! without stops that has the largest amplitude.
 
 use super::cycle_map::CycleMap;
 use super::cycle_map::unit;
@@ -20,8 +20,8 @@ const ROUNDINGS: f64 = 256.0;
 const BISECTIONS: u32 = 60;
 /// A search for the end of a continuum doubles the amplitude of the free vibration at most this number of times.
 const DOUBLINGS: u32 = 20;
-/// Difference from 1 of the shift in the inverse iteration. The iteration finds the eigenvector of the half-period map
-/// for the multiplier 1.
+/// Difference between 1 and the shift of the inverse iteration. The iteration finds the eigenvector of the half-period
+/// map for the multiplier 1.
 const SHIFT: f64 = 1e-8;
 
 /// Sets the cycle map to one member of a continuum of steady motions: the member to which the motion converges.
@@ -68,8 +68,8 @@ pub(super) fn member<S: Float, K: ContactChain<S>>(
         if !SquareMatrix::new(workspace.matrix, size).solve_shifted(shift, workspace.other) {
             return Err(NoOrbit::Unsettled);
         }
-        // (shift − D)⁻¹ divides the eigenvector's component by shift − 1, and hardly changes the other components.  The
-        // weight restores the eigenvector's component.
+        // (shift − D)⁻¹ divides the eigenvector's component by shift − 1, and hardly changes the other components. The
+        // factor `weight` restores the eigenvector's component.
         let weight = shift - one;
         for (state, other) in workspace.state.iter_mut().zip(workspace.other.iter()) {
             *state = *other * weight;

@@ -12,7 +12,8 @@ impl<T: ProvidesOrbit> At<T> {
     /// Returns the steady state at β = F/P in which motion from rest ends, in any regime.
     ///
     /// At the start the excitation is at its maximum, and every mass is at x̄ = 0 without velocity. A moving base is
-    /// then at Y. A contact with the base therefore starts at z̄ = −Y, and may stick there.
+    /// then at Y. A contact with the moving base therefore starts at the relative displacement z = −Y, and may stick
+    /// there.
     ///
     /// # Errors
     /// [`NoOrbit`] gives the reason why there is no steady state.
@@ -36,7 +37,8 @@ impl<T: ProvidesOrbit> At<T> {
     /// a maximum of the excitation.
     ///
     /// # Errors
-    /// [`NoOrbit`], also for a state that does not have one finite number for each mass.
+    /// [`NoOrbit`] gives the reason why there is no steady state. [`NoOrbit`] also for a state that does not have one
+    /// finite number for each mass.
     #[inline]
     pub fn orbit_from(
         &self,
@@ -76,7 +78,7 @@ impl<T: ProvidesOrbit> At<T> {
     }
 }
 
-/// Steady states of a scene with tables. The exact formulas compute these states.
+/// Methods that return the steady states of a scene with tables. They use the exact formulas, not the tables.
 impl<T: Tabled + ProvidesOrbit> Compiled<T> {
     /// Returns the steady state at β = F/P in which motion from rest ends, in any regime.
     ///
@@ -95,7 +97,7 @@ impl<T: Tabled + ProvidesOrbit> Compiled<T> {
         self.exact().orbit_or_last_cycles(beta)
     }
 
-    /// Returns the steady state that a motion from another state reaches, as [`At::orbit_from`] does.
+    /// Returns the steady state that a motion from a given state reaches, as [`At::orbit_from`] does.
     ///
     /// # Errors
     /// Same errors as [`At::orbit_from`].

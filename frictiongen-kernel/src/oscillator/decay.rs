@@ -61,7 +61,7 @@ pub trait Decay<S: Float>: Copy {
     /// Returns the modal damping ratio ζ.
     fn zeta(&self) -> S;
     /// Evaluates the free displacement p of a mode at one instant, and the other functions of time in [`Basis`]. x is
-    /// the natural frequency over the excitation frequency, 1/R.
+    /// the natural frequency divided by the excitation frequency, 1/R.
     fn basis(&self, x: S, at: &Instant<S>) -> Basis<S>;
     /// Evaluates the free displacement p and its derivative p′ at one instant, without the other functions of
     /// [`Basis`].

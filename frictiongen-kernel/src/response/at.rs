@@ -99,8 +99,8 @@ impl<T: Scene> At<T> {
         }
     }
 
-    /// Returns both limits without a search. β_lim is then an upper bound. The call is faster than [`new`](Self::new),
-    /// because it stores nothing for a motion. The results have the same bits as those of
+    /// Returns β_lim and β*_lim without a search. The value for β_lim is an upper bound. The call is faster than
+    /// [`new`](Self::new), because it stores nothing for a motion. The results have the same bits as those of
     /// [`continuous_limit_without_search`](Self::continuous_limit_without_search) and
     /// [`sliding_limit`](Self::sliding_limit).
     ///

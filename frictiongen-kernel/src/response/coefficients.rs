@@ -2,9 +2,9 @@
 //!
 //! The response of mode i has a term with V, the response to the load, and a term with friction. Both terms have a pole
 //! at the mode's resonance, and the poles partly cancel. The formulas therefore use ν = p v/V and κ = (p v U − w u
-//! V)/V. In these two, U and V leave out the terms of mode i if the terms would cancel. The result is free of
-//! cancellation: x̄_k = Re[Q ρ e^{iτ}] + β Im[κ e^{iτ}] + β Σ φ_k w [ (1 − d) − g d + uR²(sin τ − …) ], with ρ = V_k/V
-//! and Q = √(|V|² − β²U²).
+//! V)/V. In ν and κ, U and V leave out the terms of mode i if the terms would cancel. p and w are the products φᵀp and
+//! φᵀw of the mode, v its response, and u and g its damping functions. The result has no cancellation: x̄_k = Re[Q ρ
+//! e^{iτ}] + β Im[κ e^{iτ}] + β Σ φ_k w [ (1 − d) − g d + uR²(sin τ − …) ], with ρ = V_k/V and Q = √(|V|² − β²U²).
 //!
 //! Close to a damped resonance, g d and Qρ are large and nearly proportional to cos τ. The code therefore moves −g cos
 //! τ into the fundamental component, and keeps the small term g (cos τ − d).
@@ -395,8 +395,8 @@ impl<S: Scalar> Chain<S> {
         self.stuck_with(shape, (modes, quadratures), at, (contact, &sums), inverse_r)
     }
 
-    /// Returns the complex amplitude of a mass while the contact is stuck. `sums` leave out the terms of the dominant
-    /// mode for this mode, because the terms would cancel.
+    /// Returns the complex amplitude of a mass while the contact is stuck. `sums` has separate sums for the dominant
+    /// mode. They leave out the terms of that mode, because the terms would cancel.
     #[inline]
     fn stuck_with(
         &self,

@@ -39,8 +39,8 @@ pub trait Scene: Clone {
         &[]
     }
 
-    /// Returns the compliance ρ of an elastic contact: k₁ over the stiffness of the spring in series with its slider.
-    /// Returns `None` for a rigid contact.  ρ is a term of the contact's receptance H.
+    /// Returns the compliance ρ of an elastic contact: k₁ divided by the stiffness of the spring in series with its
+    /// slider. Returns `None` for a rigid contact. ρ is a term of the contact's receptance H.
     #[inline]
     fn compliance(&self) -> Option<Self::Scalar> {
         None
@@ -119,8 +119,8 @@ pub trait Scene: Clone {
 
     /// Returns both limits without a search: an upper bound on β_lim, and β*_lim. The latter is not corrected for
     /// masses that act as an absorber. r must be neither 0 nor infinite. The second result is the real part of H, the
-    /// receptance of the contact, multiplied by r² and by the scale E of [`ContactAt`]. If it is small, masses may act
-    /// as an absorber.
+    /// receptance of the contact, multiplied by r² and by the scale E of [`ContactAt`]. If the second result is small,
+    /// masses may act as an absorber.
     #[inline]
     fn limits_without_search(
         &self,

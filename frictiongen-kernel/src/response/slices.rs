@@ -76,7 +76,7 @@ impl<T: Scene> At<T> {
         })
     }
 
-    /// Computes both limits at several frequency ratios at once, none of which is 0 or infinite.
+    /// Computes both limits at several frequency ratios at the same time. None of the ratios may be 0 or infinite.
     #[inline(always)]
     fn side_by_side(
         scene: &T,

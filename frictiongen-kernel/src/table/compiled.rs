@@ -196,7 +196,7 @@ impl<T: Tabled> Compiled<T> {
 
     /// Returns true if β is below β*_lim, for a β below β_lim. With μ ≤ 1 the result is always true, because β_lim is
     /// then the smaller limit. A stuck state and a motion that slides all the time cannot both exist, because the
-    /// difference of both motions would lose energy for ever.
+    /// difference of the two motions would lose energy for ever.
     #[inline]
     fn slides_if_admitted(&self, beta: T::Scalar) -> bool {
         let one = T::Scalar::constant(1.0);

@@ -13,7 +13,7 @@ use crate::response::{Continuous, MotionOf, ProvidesMotion};
 /// Numbers from the tables at one frequency ratio. They give the amplitude and the phase of the contact at any β.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContactTable<S> {
-    /// Limit of continuous motion β_lim.
+    /// Limit β_lim of continuous motion.
     pub limit: S,
     /// a = β_lim·U/|V|. β_lim·U is the velocity that friction at β_lim gives the contact at a reversal. |V| is the
     /// amplitude of the contact without friction.
@@ -67,8 +67,8 @@ impl<S: Float> ContactTable<S> {
         }
     }
 
-    /// Returns √((1 − ρ²) + ρ²(1 − a²)), the in-phase term of the contact's motion divided by |V|, the amplitude
-    /// without friction. `share` is ρ = β/β_lim.
+    /// Returns √((1 − ρ²) + ρ²(1 − a²)) with a = β_lim·U/|V|, the in-phase term of the contact's motion divided by |V|,
+    /// the amplitude without friction. `share` is ρ = β/β_lim.
     #[inline]
     fn in_phase(&self, share: S) -> S {
         let one = S::constant(1.0);

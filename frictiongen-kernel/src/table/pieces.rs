@@ -43,7 +43,7 @@ impl<S: Float, B: Copy + Into<usize>, const F: usize, const C: usize> Table<'_, 
         let bucket = ((r - self.low) * self.density).to_index();
         let bucket = bucket & self.buckets.len().wrapping_sub(1);
         let first: usize = self.buckets.get(bucket).copied().map_or(0, Into::into);
-        // If the number of halvings is a constant, the compiler keeps one of these arms, without branches.
+        // If the number of halvings is a constant, the compiler keeps only the arm for this number, without branches.
         match self.halvings {
             0 => self.pieces.get(first),
             1 => self.among::<2>(first, r),

@@ -3,8 +3,9 @@
 
 use crate::number::scalar::Float;
 
-/// Real factor of a rational function of r². The factor belongs to one zero or pole s = x + iy, with s = ir, or to a
-/// pair of them. In a damped chain the function is the squared modulus of a response.
+/// Real factor in the numerator or the denominator of a rational function of r². The factor belongs to one zero or pole
+/// of the function, or to a pair of them. A zero or pole is given as s = x + iy in the complex plane of s = ir. In a
+/// damped chain the rational function is the squared modulus of a response.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Factor<S> {
     /// Factor (r − y)(r + y) of a zero on the imaginary axis. It stores y as a rounded value and a rounding error, so
@@ -55,7 +56,8 @@ impl<S: Float> Factor<S> {
 }
 
 /// Rational function of r: the product of the factors in `numerator`, divided by the product of the factors in
-/// `denominator`, times `gain`. If `squared` is true, the function is `gain` times the square root of that quotient.
+/// `denominator`, times `gain`. If `squared` is true, the function is `gain` times the square root of the quotient of
+/// the products.
 #[derive(Clone, Copy, Debug)]
 pub struct Quotient<'a, S> {
     /// Constant factor of the function.

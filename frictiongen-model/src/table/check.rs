@@ -37,8 +37,8 @@ pub(super) fn piece<S: Float>(
     let spread = (0..POINTS).map(|k| from + (GOLDEN * (k + 1) as f64).fract() * (to - from));
     let mut places: Vec<f64> = spread.collect();
     if let Some(zero) = zero {
-        // The error must stay relative close to a zero, so every decade of the distance to the zero gets the same
-        // number of points.
+        // Close to a zero the relative error must stay small. Every decade of the distance to the zero therefore gets
+        // the same number of points.
         let length = if zero.at > from { from - to } else { to - from };
         let towards = (0..POINTS).map(|k| (GOLDEN * (k + 1) as f64).fract() * DECADES);
         places.extend(towards.map(|decades| zero.at + length * 10_f64.powf(-decades)));

@@ -3,8 +3,8 @@
 
 use super::exact::Exact;
 
-/// Step of the search for kinks of β_lim, in units of √λ/r. This ratio is the natural frequency of the fastest mode
-/// over the excitation frequency.
+/// Step of the search for kinks of β_lim, in units of √λ/r. √λ/r is the natural frequency of the fastest mode divided
+/// by the excitation frequency.
 const STEP: f64 = 0.005;
 /// Distance in τ, in rad, above which two maxima of the velocity constraint count as different.
 const JUMP: f64 = 0.1;

@@ -1,4 +1,4 @@
-//! Regimes that can occur at the permitted friction ratios, according to the tables.
+//! Regimes that, according to the tables, cannot occur at the permitted friction ratios.
 
 use super::bounds::unit;
 use super::product::Product;
@@ -15,15 +15,16 @@ const HALVINGS: u32 = 12;
 /// Number of equal intervals of r at the start of the proof that a limit exceeds a friction ratio.
 const PARTS: usize = 64;
 
-/// Regimes that cannot occur up to a largest friction ratio, over the range of the tables.
+/// Regimes that cannot occur at any friction ratio up to a given largest one, at any r in the range of the tables.
 ///
 /// A flag is true only if a proof covers every number of the type in the range, in the emitted arithmetic. If a flag is
 /// false, the regime may occur.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Reach {
-    /// True if β_lim exceeds every friction ratio. The closed form of the continuous motion is then always valid.
+    /// True if β_lim exceeds each of these friction ratios. The closed form of the continuous motion is then always
+    /// valid.
     pub always_continuous: bool,
-    /// True if β*_lim exceeds every friction ratio. A stuck state then never exists.
+    /// True if β*_lim exceeds each of these friction ratios. A stuck state then never exists.
     pub never_stuck: bool,
 }
 
@@ -207,15 +208,15 @@ mod tests {
         let [limit, sliding] = least(&tables);
         let name = format!("{kind}{count}, {zeta}, {stiction}: {limit} and {sliding}");
         let reach = |most| tables.reach(stiction, most);
-        // Close to the limit, the bound on the rounding errors may leave it undecided whether the friction ratio is
-        // below.
+        // Close to the limit, the bound on the rounding errors may leave undecided whether the friction ratio is below
+        // the limit.
         for (share, is_below) in [(0.5, true), (0.99, true), (1.001, false), (2.0, false)] {
             assert_eq!(reach(share * limit).always_continuous, is_below, "{name}");
             assert_eq!(reach(share * sliding).never_stuck, is_below, "{name}");
         }
         assert_eq!(reach(f64::INFINITY), Reach::default());
-        // The search finds the largest friction ratio that is reported as continuous. It must be below every limit of
-        // the emitted code, with the rounding errors of the table's number type.
+        // The search finds the largest friction ratio that is reported as continuous. This friction ratio must be below
+        // every β_lim that the emitted code computes, rounding errors included.
         let (mut said, mut unsaid) = (0.99 * limit, 1.001 * limit);
         for _ in 0..40 {
             let middle = 0.5 * (said + unsaid);
@@ -259,8 +260,8 @@ mod tests {
         assert!(!tables.reach(1.0, 0.6).always_continuous);
     }
 
-    /// Checks the flags for μ = 2. Near the resonance β*_lim is 1/2, which is below β_lim. A stuck state then exists in
-    /// addition to the closed form.
+    /// Checks the flags for a mass on a wall with μ = 2, at r from 0.9 to 1.1. β*_lim is 1/2 there, and β_lim is
+    /// larger. For β between the two limits, a stuck state exists in addition to the continuous motion.
     #[test]
     fn a_stuck_state_beside_the_closed_form() {
         let modal = scene("Wall", 1, 0.05, 2.0);

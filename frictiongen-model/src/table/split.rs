@@ -10,7 +10,7 @@ use frictiongen_kernel::number::dd::Dd;
 pub struct Edge {
     /// The zero as a double.
     pub at: f64,
-    /// The exact root minus its rounded value `at`.
+    /// The exact zero minus its rounded value `at`.
     pub rest: f64,
 }
 

@@ -276,7 +276,7 @@ impl<S: Float> Tables<S> {
     }
 
     /// Builds the tables of the limits and of the contact's motion. If polynomials of the usual degree do not suffice,
-    /// the method tries higher degrees. They are necessary if a mode changes a function within some hundred rounding
+    /// the method tries higher degrees. They are necessary if a mode changes a function within a few hundred rounding
     /// units of r.
     fn built_within(
         exact: &mut Exact<'_>,

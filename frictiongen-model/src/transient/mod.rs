@@ -17,7 +17,8 @@ use frictiongen_kernel::{Float, Scalar};
 use plain::{EQUAL, Plain, close, driven, in_contact, plain_modes, sorted, turned};
 
 /// If a modal damping ratio exceeds this value, the frequencies of the held modes (modes of the chain with its contact
-/// stuck) may be close to one another. Below it, chains of up to 64 masses have rounding errors of only a few units.
+/// stuck) may be close to one another. If no damping ratio exceeds it, chains of up to 64 masses have rounding errors
+/// of only a few units.
 const NEAR_CRITICAL: f64 = 0.9;
 
 /// Returns the largest relative rounding error in a motion of the scene if the contact sticks and is released at once
@@ -68,7 +69,7 @@ pub struct Transient<S> {
     pub participations: Vec<[S; 2]>,
     /// Constants of the whole chain, which belong to no single mode.
     pub chain: Chain<S>,
-    /// k₁ over the stiffness of an elastic contact. `None` for a rigid contact.
+    /// k₁ divided by the stiffness of an elastic contact. `None` for a rigid contact.
     pub compliance: Option<S>,
     /// Index of the mass that slides on a support. `None` if two masses slide on each other.
     pub rubbing: Option<usize>,
@@ -193,8 +194,8 @@ impl Transient<Dual<Dd>> {
     /// Creates the data from modal data with derivatives, including the derivatives of the held modes (contact stuck).
     /// The weights get no derivatives, because they only give first guesses of a state.
     ///
-    /// Returns `None` if single modes have no derivative. This happens in three cases: two equal modes that the contact
-    /// drives separate, two held modes are equal, or the contact begins to drive a mode.
+    /// Returns `None` if single modes have no derivative. This happens in three cases: two equal modes become
+    /// different, two held modes are equal, or the contact begins to drive a mode.
     #[must_use]
     pub fn along(scene: &Scene, modal: &Modal<Dual<Dd>>) -> Option<Self> {
         let plain = plain_modes(modal);

@@ -38,7 +38,7 @@ pub(super) fn check(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>
                 most = (value, index);
             }
         }
-        // A number that is too large or too small by itself is already reported.
+        // A number that is too large or too small by itself has already been reported by another check.
         let told = most.0 > LARGEST || least.0 < SMALLEST;
         (if told { 1.0 } else { most.0 / least.0 }, most.1)
     };

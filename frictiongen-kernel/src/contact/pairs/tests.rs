@@ -112,7 +112,7 @@ fn agree<S: Float>() -> [usize; 2] {
 
 #[test]
 fn pairs_of_modes_have_the_bits_of_single_ones() {
-    // [`DrivenModes`] exist for any number of undamped modes (`dampings[0]`), and for a single mode with `dampings[3]`.
+    // `DrivenModes` exist for any number of undamped modes (`dampings[0]`), and for a single mode with `dampings[3]`.
     // They do not exist if the contact drives none of the modes.
     let laid_out = ((7 * 4 - (7 + 1)) + (4 - 2)) * 2 * 9;
     assert_eq!(agree::<f64>(), [7 * 4 * 4 * 2 * 9, laid_out]);

@@ -13,7 +13,7 @@ use frictiongen_kernel::number::dd::Dd;
 /// Factor that covers the rounding errors of a whole bound. It allows thousands of rounding units of double precision.
 const UP: f64 = 1.0 + OUTWARD;
 
-/// A term of the sum: the residue of a mode over its denominator, which is v² + rate·v + square, or v + square.
+/// A term of the sum: the residue of a mode divided by its denominator, which is v² + rate·v + square, or v + square.
 struct Term {
     rate: Ball,
     square: Ball,
@@ -96,7 +96,8 @@ impl Sum {
             let slope = others.fold(one, |product, (_, other)| product * (*root - *other));
             weights.push(self.numerator(*root).most() / slope.least());
         }
-        // q is evaluated on a circle beyond all zeros, poles and frequencies. The mean of its values is its constant.
+        // The code evaluates q on a circle beyond all zeros, poles and frequencies. The mean of these values is the
+        // constant term of q.
         let sizes = self.terms.iter().map(|term| {
             let (rate, square) = (term.rate.most(), term.square.most());
             if self.damped {

@@ -40,7 +40,7 @@ fn asked(accuracy: f64, side: Side) -> super::Request {
     }
 }
 
-/// Returns β*_lim and |V| at r in double-double, each with a bound on the error of its own sum.
+/// Returns β*_lim and |V| at r in double-double, each with a bound on the error of the sum from which it is computed.
 fn exact(exact: &Exact<'_>, r: f64) -> [(Dd, f64); 2] {
     let [v, h] = exact.receptances(r);
     let [v, h] = [v, h].map(|sum| complex::modulus(sum, true));
@@ -354,7 +354,7 @@ fn a_zero_that_is_a_number_is_named() {
     assert_eq!(tables.sliding_proof.evidence, Evidence::Partly);
 }
 
-/// Checks that the weights of the zeros show their error, which is far below the accuracy.
+/// Checks that the weight of a zero shows an error of the zero, even if this error is far smaller than the accuracy.
 #[test]
 fn zeros_that_are_none() {
     for (kind, count, zeta, stiction) in KINDS {
