@@ -9,7 +9,7 @@ use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::response::Ends;
 
 /// A residue counts as rounding noise if it is at most this fraction of the largest value that it can have. The code
-/// sets such a residue to exactly zero.
+/// sets a residue of this size to exactly zero.
 pub(crate) const NOISE: f64 = 1e-26;
 
 /// A scene in modal coordinates (section 2 of `docs/derivation.md`), to about 30 digits. The type `T` is a number, or a

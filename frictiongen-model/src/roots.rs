@@ -197,8 +197,8 @@ const FIRST_STEPS: (usize, f64) = (100, 1e-14);
 /// Upper bound on the number of steps in double-double, and the relative correction at which the iteration ends.
 const LAST_STEPS: (usize, f64) = (60, 1e-29);
 
-/// A root counts as real if its imaginary part is at most this fraction of its modulus. Rounding alone can cause such
-/// an imaginary part.
+/// A root counts as real if its imaginary part is at most this fraction of its modulus. Rounding alone can cause an
+/// imaginary part of this size.
 const REAL: f64 = 1e-13;
 
 /// Converts a double-double to another number type.

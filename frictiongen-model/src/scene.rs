@@ -106,7 +106,7 @@ pub enum Precision {
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Provide {
-    /// Both limits and the regime at any frequency ratio.
+    /// The limits β_lim and β*_lim and the regime at any frequency ratio.
     Limits,
     /// The exact continuous motion of the contact and of masses. `None` selects every mass, a list selects the masses
     /// with these indices.
@@ -375,7 +375,7 @@ impl Scene {
 
 impl Scene {
     /// Returns true if masses beyond the contact can act as an absorber. The load reaches these masses only through a
-    /// mass of the contact. While the contact is stuck, they can resonate on their own.
+    /// mass of the contact. While the contact is stuck, these masses can resonate on their own.
     #[must_use]
     pub fn has_absorber(&self) -> bool {
         let sides = [self.contact.from, self.contact.to];

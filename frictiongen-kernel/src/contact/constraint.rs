@@ -267,9 +267,9 @@ fn fill<S: Float, D: Decay<S>>(
 /// Returns the term of a mode in the difference between the velocity constraint's sum and `start`·sin τ. `start` is the
 /// limit of the constraint for τ → 0. The term is −m(1 + g)(sin τ − p) + mu((cos τ − p′) − 2ζx·sin τ), with m = (φᵀw)².
 /// Here p is the free displacement of the mode, and u and g are its damping functions. The function leaves out
-/// −2ζx·mu·sin τ, which the caller adds for all modes at once. Close to a resonance the sum and `start`·sin τ are
-/// nearly proportional. A subtraction of the two would leave mainly rounding error. The formula of the term contains no
-/// such subtraction.
+/// −2ζx·mu·sin τ, which the caller adds for all modes at the same time. Close to a resonance the sum and `start`·sin τ
+/// are nearly proportional. A subtraction of the two would leave mainly rounding error. The formula of the term
+/// contains no such subtraction.
 fn constraint_wave<S: Float, D: Decay<S>>(
     mode: &Mode<S>,
     at: &ModeAt<S>,

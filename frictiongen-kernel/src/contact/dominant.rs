@@ -1,8 +1,8 @@
 //! Modal sums V, U and H of the contact that leave out the terms of the dominant mode. The dominant mode outweighs all
 //! others.
 //!
-//! The contribution of a mode to the motion of a mass contains a difference of two products of these sums. In this
-//! difference the terms of the mode itself cancel. Close to the mode's resonance these terms outweigh all others, and
+//! The contribution of a mode to the motion of a mass contains a difference of two products of the sums V, U and H. In
+//! this difference the mode's own terms cancel. Close to the mode's resonance its own terms outweigh all others, and
 //! their rounding errors would remain. For this *dominant* mode the code therefore uses sums over all other modes.
 //!
 //! All other modes use the full sums, so that their rounding errors are equal. The motion of a mass far from the
@@ -74,7 +74,7 @@ impl<S: Scalar> Terms<S> {
 }
 
 /// Selects the modal sum that is paired with V (the response to the load). The contribution of a mode to a motion
-/// contains both sums, and in it the mode's own terms cancel.
+/// contains V and the selected sum. In this contribution the mode's own terms cancel.
 #[derive(Clone, Copy)]
 pub(crate) enum Partner {
     /// The damping function U of the contact, for a continuous motion.
@@ -210,8 +210,8 @@ impl<S: Scalar> DominantParts<S> {
 
 impl<S: Scalar> Chain<S> {
     /// Selects the dominant mode, whose own terms in the modal sums V, U and H outweigh all others. Returns the sums
-    /// without these terms for the dominant mode, and the full sums for all other modes. In a chain of two modes, each
-    /// mode gets the terms of the other mode.
+    /// without the dominant mode's terms for the dominant mode, and the full sums for all other modes. In a chain of
+    /// two modes, each mode gets the terms of the other mode.
     pub(crate) fn dominant_sums<'a>(
         &self,
         (modes, quadratures): (
@@ -315,7 +315,7 @@ impl<S: Scalar> Chain<S> {
         scale: S,
         index: usize,
     ) -> Heaviest<S> {
-        // On a moving base the sums contain v − 1, but v itself cancels.
+        // On a moving base the sums contain v − 1, but only the terms with v cancel in the difference.
         let v = if self.on_moving_base.is_some() {
             self.plus(own.v, complex::real(mode.static_residue * scale))
         } else {
@@ -340,8 +340,8 @@ impl<S: Scalar> Chain<S> {
     }
 
     /// Returns the sums V, U and H for one mode from `others`, the sums over the other modes. For a mass-controlled
-    /// mode the result contains the full U, because such a mode has no term of U that cancels. A mass-controlled mode
-    /// resonates far below the excitation frequency.
+    /// mode the result contains the full U, because a mass-controlled mode has no term of U that cancels. A
+    /// mass-controlled mode resonates far below the excitation frequency.
     fn in_full(
         &self,
         mode: &Mode<S>,

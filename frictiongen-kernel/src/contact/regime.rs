@@ -98,8 +98,8 @@ impl<S: Float> Limits<S> {
 ///
 /// # Errors
 /// [`OutOfDomain`] if a result slice and the slice of frequency ratios have different lengths. Both result slices then
-/// stay unchanged. [`OutOfDomain`] also at the first r for which `limits` fails. The limits before that r are then
-/// already written.
+/// stay unchanged. At the first r for which `limits` fails, the function stops and returns the same error. The result
+/// slices then contain the limits for the frequency ratios before that r.
 #[inline]
 pub fn limits_into<S: Float>(
     rs: &[S],

@@ -117,9 +117,9 @@ impl<S: Scalar> Chain<S> {
         self.scaled(mode, scale, false, 0)
     }
 
-    /// Multiplies the response and damping functions of a mode by the scale E of the chain. E is the smallest |x²
-    /// − 1| + 2ζx of the modes that the contact drives. A first pass over the modes computes E. If `single` is true, E
-    /// is the |x² − 1| + 2ζx of this mode itself. The code then takes E/(|x² − 1| + 2ζx) as exactly 1.
+    /// Multiplies the response and damping functions of a mode by the scale E of the chain. E is the smallest |x² − 1|
+    /// + 2ζx of the modes that the contact drives. A first pass over the modes computes E. If `single` is true, only
+    /// this mode determines E. The code then takes E/(|x² − 1| + 2ζx) as exactly 1.
     #[inline]
     pub fn scaled(
         &self,
@@ -209,8 +209,8 @@ impl<S: Scalar> Chain<S> {
         self.contact_loaded((modes, InPhase), responses, scale, inverse_r, with_g, keep)
     }
 
-    /// Computes the modal sums V, H, U, G and H_c of the contact for modes with loads in quadrature. Without such loads
-    /// [`contact_of`](Self::contact_of) gives the same sums.
+    /// Computes the modal sums V, H, U, G and H_c of the contact for modes with loads in quadrature. Without loads in
+    /// quadrature [`contact_of`](Self::contact_of) gives the same sums.
     #[inline]
     pub fn contact_loaded(
         &self,

@@ -9,18 +9,18 @@
 //! sums a few orders, and adds the rest of the series as one sinusoid in closed form.
 //!
 //! For all other modes y is the sum of three terms: the return from rest, the lag and the static displacement (see
-//! [`motion`](crate::response::coefficients)). Far above the resonance each of these terms is of order 1, while y
-//! itself is small. At the start and end of the half period y vanishes, and in the middle y′ vanishes, but the terms do
-//! not. The rounding error of their sum would exceed the motion of a mass far from load and contact. The Euler
-//! polynomials have no such error, because they vanish at the same instants as y and y′.
+//! [`motion`](crate::response::coefficients)). If the excitation is far above the resonance, each of the three terms is
+//! of order 1, while y itself is small. At the start and end of the half period y vanishes, and in the middle y′
+//! vanishes, but the three terms do not. The rounding error of their sum would exceed the motion of a mass far from
+//! load and contact. The Euler polynomials have no such error, because they vanish at the same instants as y and y′.
 
 use crate::number::complex::{self, Complex};
 use crate::number::scalar::{Float, Scalar};
 use crate::oscillator::decay::{Basis, Instant};
 use crate::oscillator::mode::Kind;
 
-/// A mode counts as mass-controlled if its x = √λ/r is below this bound. Such a mode resonates far below the excitation
-/// frequency. For an overdamped mode the bound applies to 2ζx.
+/// A mode counts as mass-controlled if its x = √λ/r is below this bound. A mass-controlled mode resonates far below the
+/// excitation frequency. For an overdamped mode the bound applies to 2ζx.
 const SLOW: f64 = 0.5;
 /// Returns true if a mode is mass-controlled: its resonance x = √λ/r is far below the excitation frequency. For a
 /// scalar without Euler polynomials the result is false.
@@ -35,8 +35,8 @@ pub(crate) fn is_mass_controlled<S: Scalar>(kind: Kind, zeta: S, x: S) -> S::Con
     } else {
         x
     };
-    // One constant serves both cases. A choice between two constants would cost a conversion from double precision on a
-    // microcontroller.
+    // The code compares both kinds of rate with the same constant. A choice between two constants would cost a
+    // conversion from double precision on a microcontroller.
     rate.lt(S::constant(SLOW))
 }
 
@@ -171,7 +171,7 @@ mod tests {
         let (mut sine, mut cosine) = ((0.0, 0.0), (0.0, 0.0));
         for i in 0..INSTANTS {
             let t = (f64::from(i) + 0.5) / f64::from(INSTANTS);
-            // Both formulas get the same instant and the same mode, rounded to `f32`.
+            // The formulas in `f32` and in double-double get the same instant and the same mode, rounded to `f32`.
             let (t, x, zeta) = (t as f32, x as f32, zeta as f32);
             let wide = |value: f32| Dd::from(f64::from(value));
             let (value, slope) = put_together(&mode(wide(zeta)), wide(x), wide(t));
@@ -187,7 +187,8 @@ mod tests {
     }
 
     /// Checks that the series of Euler polynomials in `f32` has enough orders. The error from the neglected orders must
-    /// be below the rounding error. With one order less it would exceed the rounding error.
+    /// be below the rounding error. With one order less, the error from the neglected orders would exceed the rounding
+    /// error.
     #[test]
     fn single_precision_has_enough_orders() {
         let mut worst = (0.0_f64, 0.0_f64);

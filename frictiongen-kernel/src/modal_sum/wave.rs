@@ -23,8 +23,8 @@ pub struct Wave<S, D> {
     pub forced: S,
     /// Coefficient of the term (1 − d)/x², where d is the free motion that starts at rest from displacement 1.
     pub rise: S,
-    /// True for a mode that resonates far below the excitation frequency. For such a mode, `rise` is the coefficient of
-    /// the response to a unit force that changes its sign every half period.
+    /// True for a mode that resonates far below the excitation frequency. If true, `rise` is the coefficient of the
+    /// response to a unit force that changes its sign every half period.
     pub mass_controlled: bool,
     /// Residue φ_k(φᵀw)/r² from the contact to mass k. Only the harmonics of the motion need this residue.
     pub residue: S,

@@ -127,7 +127,7 @@ impl<'a, S: Float, K: ContactChain<S>> Dynamics<'a, S, K> {
         Complex::new(constants.load, quadrature)
     }
 
-    /// Returns the components of a mass in all mode shapes, or an empty slice if no such mass exists.
+    /// Returns the components of a mass in all mode shapes, or an empty slice if no mass has this index.
     pub(crate) fn shape(&self, mass: usize) -> &'a [S] {
         let modes = self.modes.len();
         let mut shapes = self.shapes.chunks_exact(modes.max(1));

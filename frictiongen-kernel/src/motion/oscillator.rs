@@ -363,7 +363,7 @@ impl<S: Float> Part<S> {
     }
 
     /// Returns true if the free motion is a decaying oscillation. The amplitude of the oscillation then bounds the
-    /// motion. Otherwise the free motion is a sum of exponentials that may cancel.
+    /// motion. Otherwise the free motion is a sum of exponentials that may cancel each other.
     pub(crate) fn oscillates(&self) -> bool {
         S::constant(OSCILLATES) < self.q2
     }

@@ -201,8 +201,8 @@ impl<S: Float> Scalar for Dual<S> {
     fn one_minus_sinc_pi(self) -> Self {
         let z = self.value;
         let value = z.one_minus_sinc_pi();
-        // The derivative (sinc − cos)/z is computed from 1 − cos and 1 − sinc. Both vanish with z, and their difference
-        // loses hardly any digits.
+        // The derivative (sinc − cos)/z is computed from 1 − cos and 1 − sinc. Both terms vanish with z, and their
+        // difference loses hardly any digits.
         let derivative = if z.is_zero() {
             z
         } else {

@@ -135,7 +135,7 @@ pub trait Float:
     /// True if the scalar carries a derivative in addition to its value. Iterations then make one more Newton step,
     /// because the derivative is correct one step later than the value.
     const CARRIES: bool = false;
-    /// True if a processor can compute with two numbers of this type at once.
+    /// True if a processor can compute with two numbers of this type at the same time.
     const PAIRS: bool = false;
     /// Returns `self` rounded to the nearest `f64`.
     fn to_f64(self) -> f64;
@@ -218,7 +218,7 @@ pub trait Float:
 /// Scalar that carries no derivative in addition to its value. Dual numbers are not plain.
 ///
 /// Iterations find motions from rest and steady states. An iteration stops as soon as its value is correct, when a
-/// derivative may still be wrong. Functions that start such an iteration require this trait, so that the compiler
-/// rejects dual numbers. [`Orbit::carrying`](crate::orbit::Orbit::carrying) adds derivatives to a steady state that is
-/// already known.
+/// derivative may still be wrong. Functions that start an iteration of this kind require this trait, so that the
+/// compiler rejects dual numbers. [`Orbit::carrying`](crate::orbit::Orbit::carrying) adds derivatives to a steady state
+/// that is already known.
 pub trait Plain: Float {}

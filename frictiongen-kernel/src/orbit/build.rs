@@ -84,7 +84,7 @@ where
         if multipliers.as_ref().len() != size {
             return Err(OutOfDomain::Length(Slice::Multipliers).into());
         }
-        // A stuck state exists for β ≥ β*_lim. Only the motion itself shows whether it ends in that state.
+        // A stuck state exists for β ≥ β*_lim. Only the motion itself shows whether it ends in the stuck state.
         let holding =
             (!(beta < question.sliding)).then_some(setting.law_at(question.sliding).grip());
         let unbounded = unbounded(&dynamics, question.r, beta)?;

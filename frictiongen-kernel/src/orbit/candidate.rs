@@ -20,7 +20,7 @@ const MOST_FOLLOWED: u32 = 64;
 
 /// Largest allowed size of a marginal steady state, divided by the size of the motion that converges to it. A marginal
 /// state belongs to a continuum of steady states. The size of the motion counts as at least P/k₁. Away from a resonance
-/// both sizes are of the order of the excitation.
+/// the sizes of the state and of the motion are of the order of the excitation.
 const MOST_GROWN: f64 = 64.0;
 
 /// Number of successive equal half cycles after which a motion counts as converging to a member of a continuum of

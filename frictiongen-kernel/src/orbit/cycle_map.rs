@@ -92,8 +92,8 @@ impl<'f, 'a, S: Float, K: ContactChain<S>> CycleMap<'f, 'a, S, K> {
         self.setting.dynamics.state_size()
     }
 
-    /// Returns the number of scalars that the contact stores, such as its force. In a state vector they follow the
-    /// modes.
+    /// Returns the number of scalars that the contact stores, such as its force. In a state vector these scalars follow
+    /// the modes.
     pub(super) fn remembered(&self) -> usize {
         self.setting.dynamics.chain.remembered()
     }

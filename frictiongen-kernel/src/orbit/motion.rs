@@ -93,8 +93,8 @@ where
     /// negative at that instant, the function adds half a turn.
     ///
     /// If the contact stops at its largest displacement, the lag belongs to the beginning of the stop. If several
-    /// maxima are equal, the lag of smallest size counts. If two such lags have opposite signs, the positive lag
-    /// counts.
+    /// maxima are equal, the lag of smallest size counts. If two lags of equal size have opposite signs, the positive
+    /// lag counts.
     pub fn phase(&self) -> S {
         self.best().lag.unwrap_or(S::constant(0.0))
     }

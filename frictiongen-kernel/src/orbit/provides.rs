@@ -23,11 +23,11 @@ impl<T: ProvidesOrbit> At<T> {
     }
 
     /// Returns the steady state of [`orbit`](Self::orbit). If the motion from rest does not settle, returns its last 64
-    /// cycles. For such cycles `is_settled()` is false, and an amplitude is the largest of these cycles.
+    /// cycles. In this case `is_settled()` is false, and an amplitude is the largest in the last 64 cycles.
     ///
     /// # Errors
     /// [`NoOrbit`] if β is negative or not finite, if the motion is unbounded, or if an undamped mode never settles.
-    /// [`NoOrbit`] also if a cycle has too many events, or if the motion takes too many search steps.
+    /// The same error results if a cycle has too many events, or if the motion takes too many search steps.
     #[inline]
     pub fn orbit_or_last_cycles(&self, beta: T::Scalar) -> Result<T::Orbit, NoOrbit> {
         T::settled(self, beta, Start::Rest, true)
@@ -37,8 +37,8 @@ impl<T: ProvidesOrbit> At<T> {
     /// a maximum of the excitation.
     ///
     /// # Errors
-    /// [`NoOrbit`] gives the reason why there is no steady state. [`NoOrbit`] also for a state that does not have one
-    /// finite number for each mass.
+    /// [`NoOrbit`] gives the reason why there is no steady state. A state that does not have one finite number for each
+    /// mass gives an error as well.
     #[inline]
     pub fn orbit_from(
         &self,
@@ -53,8 +53,8 @@ impl<T: ProvidesOrbit> At<T> {
     /// cycles, as [`orbit_or_last_cycles`](Self::orbit_or_last_cycles) does.
     ///
     /// # Errors
-    /// Same errors as [`orbit_or_last_cycles`](Self::orbit_or_last_cycles). [`NoOrbit`] also for a state that does not
-    /// have one finite number for each mass.
+    /// Same errors as [`orbit_or_last_cycles`](Self::orbit_or_last_cycles). A state that does not have one finite
+    /// number for each mass gives an error as well.
     #[inline]
     pub fn orbit_or_last_cycles_from(
         &self,

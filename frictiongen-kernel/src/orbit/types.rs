@@ -49,7 +49,8 @@ impl<S: Float> SegmentStart<S> {
         rests.then_some(self.relative)
     }
 
-    /// Returns true if an elastic contact sticks. Such a contact stores its force, and its spring lets it move.
+    /// Returns true if an elastic contact sticks. A stuck elastic contact stores its force, and its spring lets it
+    /// move.
     pub(super) fn is_loaded(&self) -> bool {
         self.contact_state.contact == Contact::Stuck && self.contact_state.memory.is_some()
     }

@@ -51,7 +51,7 @@ impl<S: Float> Instant<S> {
     }
 }
 
-/// Damping of the modes of a scene. It is a type parameter, so that the code of undamped scenes contains no
+/// Damping of the modes of a scene. The damping is a type parameter, so that the code of undamped scenes contains no
 /// exponentials.
 pub trait Decay<S: Float>: Copy {
     /// Creates the damping from the kind of damping and the modal damping ratio of a mode.
@@ -165,7 +165,7 @@ pub(crate) fn turn<S: Float>(kind: Kind, zeta: S, q: S, x: S, (t, tau): (S, S)) 
 }
 
 /// Returns the two factors e^{x(−ζ ± iq)τ} by which the free motion of a mode grows or decays. Each factor belongs to
-/// one of its two complex solutions. τ is the time of `turn`.
+/// one of the two complex solutions of the free motion. τ is the time of `turn`.
 pub(crate) fn multipliers<S: Float>(kind: Kind, q: S, turn: &Turn<S>) -> [Complex<S>; 2] {
     let im = q * turn.s;
     match kind {

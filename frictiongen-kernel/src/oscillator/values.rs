@@ -79,8 +79,8 @@ impl<S: Float> Basis<S> {
     }
 }
 
-/// Free motion of one mode over a time τ: c = e^{−ζxτ}cos(qxτ) and s = e^{−ζxτ}sin(qxτ)/q. Both depend only on q², so
-/// that they also describe overdamped modes, with a negative q².
+/// Free motion of one mode over a time τ: c = e^{−ζxτ}cos(qxτ) and s = e^{−ζxτ}sin(qxτ)/q. c and s depend only on q²,
+/// so that they also describe overdamped modes, with a negative q².
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Turn<S> {
     pub c: S,

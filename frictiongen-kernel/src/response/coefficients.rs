@@ -44,8 +44,8 @@ impl<S: Scalar> Chain<S> {
         let less = (modulus_v - velocity_part).max(zero);
         let more = (modulus_v + velocity_part).max(zero);
         let root = if self.damped || self.on_moving_base.is_some() {
-            // On a moving base both factors grow as r⁴, and with damping V may almost vanish. The product may then
-            // overflow or underflow, so that the code takes the root of each factor.
+            // On a moving base the factors |V| − βU and |V| + βU grow as r⁴, and with damping V may almost vanish. The
+            // product of the factors may then overflow or underflow, so that the code takes the root of each factor.
             less.sqrt() * more.sqrt()
         } else {
             (less * more).sqrt()
@@ -138,7 +138,7 @@ impl<S: Scalar> Chain<S> {
     }
 
     /// Returns the functions of a mode, with u and g set to 0 for a mass-controlled mode (resonance far below the
-    /// excitation). The response of such a mode is a single function that already contains u and g.
+    /// excitation). The response of a mass-controlled mode is a single function that already contains u and g.
     fn without_parts(&self, mode: &Mode<S>, at: &ModeAt<S>, index: usize) -> ModeAt<S> {
         let (slow, zero) = (
             is_mass_controlled(mode.kind, mode.zeta, at.x),
@@ -178,8 +178,8 @@ impl<S: Scalar> Chain<S> {
         self.fundamental_loaded(shape, (modes, InPhase), at, contact, friction, inverse_r)
     }
 
-    /// Returns the fundamental component of the motion of mass k for modes with loads in quadrature. Without such loads
-    /// [`fundamental`](Self::fundamental) gives the same component.
+    /// Returns the fundamental component of the motion of mass k for modes with loads in quadrature. Without loads in
+    /// quadrature [`fundamental`](Self::fundamental) gives the same component.
     pub fn fundamental_loaded(
         &self,
         shape: &[S],
@@ -362,7 +362,7 @@ impl<S: Scalar> Chain<S> {
     }
 
     /// Returns the complex amplitude of mass k while the contact is stuck, for modes with loads in quadrature. Without
-    /// such loads [`stuck`](Self::stuck) gives the same amplitude.
+    /// loads in quadrature [`stuck`](Self::stuck) gives the same amplitude.
     pub fn stuck_loaded(
         &self,
         shape: &[S],

@@ -111,8 +111,8 @@ impl<T: TabledMotion> Compiled<T> {
     /// Returns the continuous motion at the friction ratio β = F/P, if β is below the limits in the tables.
     ///
     /// # Errors
-    /// [`NotContinuous`] names the regime if the motion is not continuous. It also reports an undamped resonance that
-    /// is unbounded at this β, and a β outside the domain.
+    /// [`NotContinuous`] names the regime if the motion is not continuous. The error also reports an undamped resonance
+    /// that is unbounded at this β, and a β outside the domain.
     pub fn motion(&self, beta: T::Scalar) -> Result<T::Moving, NotContinuous> {
         let mut table = None;
         if !self.is_within() {
@@ -184,14 +184,14 @@ impl<T: TabledMotion> Moving<T> {
     }
 
     /// Returns the motion of a mass, given by its index in the description, from the exact formulas. Returns a motion
-    /// at rest if the scene has no such mass.
+    /// at rest if the scene has no mass with this index.
     #[must_use]
     pub fn mass(&self, mass: usize) -> MotionOf<T> {
         self.exact().mass(mass)
     }
 
-    /// Returns the motion of a mass as [`mass`](Self::mass) does. Returns `None` if the scene has no such mass or does
-    /// not provide the motion of this mass.
+    /// Returns the motion of a mass as [`mass`](Self::mass) does. Returns `None` if the scene has no mass with this
+    /// index or does not provide the motion of this mass.
     #[must_use]
     pub fn mass_at(&self, mass: usize) -> Option<MotionOf<T>> {
         self.exact().mass_at(mass)

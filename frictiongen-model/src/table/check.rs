@@ -13,8 +13,8 @@ use frictiongen_kernel::Float;
 const POINTS: usize = 64;
 /// Closest distance of a comparison point from a zero, in decades. It is 10^−13 of the length of the piece.
 const DECADES: f64 = 13.0;
-/// Number of frequency ratios over the range at which the check compares a product over zeros and poles with the exact
-/// values. Further points are near zeros, resonances and sub-harmonics.
+/// Number of frequency ratios, spread over the range, at which the check compares a product over zeros and poles with
+/// the exact values. Further points are near zeros, resonances and sub-harmonics.
 const PRODUCT_POINTS: usize = 256;
 /// Allowed error of r in the comparison, in rounding units. It covers the rounding of r in the computation of an exact
 /// value.

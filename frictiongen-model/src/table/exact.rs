@@ -51,7 +51,7 @@ impl<'a> Exact<'a> {
         Self {
             modal,
             // Macros build tables, and macros run without optimisation. Without optimisation the sums are slower if
-            // they process two modes at once.
+            // they process two modes at the same time.
             reduced: Reduced {
                 two_at_once: false,
                 ..modal.reduced(|value| value.to_f64())

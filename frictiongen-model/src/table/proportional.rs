@@ -5,8 +5,8 @@
 //! the receptance follow from those of the undamped chain.
 //!
 //! The force of a spring contains the factor 1 + bs. A response may therefore have a zero at s = −1/b. The order of
-//! this zero is the number of springs that transmit the force. An iteration cannot find such a multiple zero to its
-//! last digits.
+//! this zero is the number of springs that transmit the force. An iteration cannot find a multiple zero to its last
+//! digits.
 
 use super::rational::Rational;
 use super::zeros::{EQUAL, Zero};

@@ -49,7 +49,7 @@ impl<S: Float> Tables<S> {
         }
         let always_continuous = self.limit_is_above(most);
         let sliding = self.sliding.as_ref();
-        // As in the kernel, no stuck state exists below β_lim if μ ≤ 1.
+        // As in the kernel, no stuck state exists at a β smaller than β_lim if μ ≤ 1.
         let decides = always_continuous && stiction <= 1.0;
         Reach {
             always_continuous,

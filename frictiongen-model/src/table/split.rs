@@ -49,8 +49,9 @@ pub struct Landmarks {
     pub zeros: Vec<Edge>,
     /// Resonances of undamped modes within the range of r. The phase of the contact's response jumps there.
     pub jumps: Vec<f64>,
-    /// Frequency ratios, in ascending order, at which the code also computes the error of a table. They lie at and near
-    /// zeros of β_lim, resonances and sub-harmonics.
+    /// Frequency ratios, in ascending order, at which the code computes the error of a table, in addition to the points
+    /// that the fit and the check choose in each piece. They lie at and near zeros of β_lim, resonances and
+    /// sub-harmonics.
     pub closely: Vec<f64>,
 }
 
@@ -62,7 +63,7 @@ impl Landmarks {
         zeros.find(|zero| to(zero.at) == origin)
     }
 
-    /// Adds a frequency ratio at which the code also computes the error of a table.
+    /// Adds a frequency ratio to the list `closely`.
     pub fn look_at(&mut self, r: f64) {
         let place = self.closely.partition_point(|known| *known < r);
         self.closely.insert(place, r);

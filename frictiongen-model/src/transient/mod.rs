@@ -21,9 +21,9 @@ use plain::{EQUAL, Plain, close, driven, in_contact, plain_modes, sorted, turned
 /// of only a few units.
 const NEAR_CRITICAL: f64 = 0.9;
 
-/// Returns the largest relative rounding error in a motion of the scene if the contact sticks and is released at once
-/// ([`Transient::excess_loss`]). Returns `None` if the error is acceptable. It is acceptable up to √ε of the scene's
-/// number type, which keeps half of the digits.
+/// Returns the largest relative rounding error in a motion of the scene if the contact sticks and is released
+/// immediately ([`Transient::excess_loss`]). Returns `None` if the error is acceptable. An error up to √ε of the
+/// scene's number type is acceptable, because it keeps half of the digits.
 #[must_use]
 pub fn excess_loss(scene: &Scene) -> Option<f64> {
     let near_critical = |ratio: f64| NEAR_CRITICAL <= ratio;
@@ -53,14 +53,14 @@ pub fn excess_loss(scene: &Scene) -> Option<f64> {
 /// Modes of a scene for the motion in time: the modes with the contact sliding, and the modes with the contact stuck.
 #[derive(Clone, Debug)]
 pub struct Transient<S> {
-    /// All modes of the sliding chain. The modes that the contact drives come first, and both groups are in ascending
-    /// order of resonance. The contact drives only one of several equal modes.
+    /// All modes of the sliding chain. The modes that the contact drives come first, then the other modes. Both groups
+    /// are in ascending order of resonance. The contact drives only one of several equal modes.
     pub modes: Vec<Mode<S>>,
     /// Mode shapes φ: for each mass in turn, the mass's component in each mode.
     pub shapes: Vec<S>,
-    /// Weights φᵀΓ of the masses, for each mode in turn. They convert displacements of the masses to modal coordinates.
-    /// If damping acts relative to the moving base, the list also contains the loads in quadrature, two numbers for
-    /// each mode.
+    /// Weights φᵀΓ of the masses, for each mode in turn. The weights convert displacements of the masses to modal
+    /// coordinates. If damping acts relative to the moving base, the list also contains the loads in quadrature, two
+    /// numbers for each mode.
     pub weights: Vec<S>,
     /// Held modes, which are the modes of the chain with its contact stuck.
     pub held: Vec<HeldMode<S>>,
@@ -137,7 +137,7 @@ impl<S: Scalar> Transient<S> {
         }
     }
 
-    /// Returns the largest relative rounding error in a motion if the contact sticks and is released at once
+    /// Returns the largest relative rounding error in a motion if the contact sticks and is released immediately
     /// ([`held_loss`](Dynamics::held_loss)). Returns `None` if the error is at most √ε of the number type, which keeps
     /// half of the digits. With a larger error no result in the time domain is useful. Only modes near or above
     /// critical damping cause a larger error.

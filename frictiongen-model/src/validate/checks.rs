@@ -57,7 +57,8 @@ impl Checks {
     }
 }
 
-/// Reports an error if a node names a mass that does not exist. Only a scene built at run time can have such a node.
+/// Reports an error if a node names a mass that does not exist. Only a scene built at run time can have a node with
+/// this error.
 pub(super) fn check_node(scene: &Scene, node: Node, path: Path, errors: &mut Vec<SceneError>) {
     if let Node::Mass(index) = node
         && index >= scene.masses.len()

@@ -71,7 +71,7 @@ fn check_names(scene: &Scene, errors: &mut Vec<SceneError>) {
     }
 }
 
-/// Reports errors in the sides of a contact. Returns true if there are none.
+/// Reports errors in the sides of a contact. Returns true if the sides have no errors.
 fn check_sides(
     scene: &Scene,
     contact: &NamedContact,

@@ -1,8 +1,8 @@
 //! Upper bounds on the derivatives of a modal sum after a given instant, and the state of each mode at this instant.
 //!
 //! The code splits the motion of a mode into a free motion and a forced motion. The forced motion is a constant plus
-//! sinusoids. For some modes it does not split the motion. These modes *keep their forcing*: their state contains the
-//! whole motion, and the later motion follows from this state by the equation of the mode (section 9 of
+//! sinusoids. Some modes *keep their forcing*: the code does not split their motion. The state of such a mode contains
+//! the whole motion, and the later motion follows from this state by the equation of the mode (section 9 of
 //! `docs/derivation.md`).
 
 use crate::modal_sum::wave::{Sum, Wave};
@@ -10,7 +10,8 @@ use crate::number::scalar::Float;
 use crate::oscillator::decay::{Basis, Decay, Instant};
 
 /// The code does not split a mode into free and forced motion if its x is closer to the resonance x = 1 than this
-/// distance. Close to x = 1 both motions are large and nearly cancel. Their sum would be mainly rounding error.
+/// distance. Close to x = 1 the free and the forced motion are large and nearly cancel. Their sum would be mainly
+/// rounding error.
 const NEAR_EXCITATION: f64 = 0.125;
 /// Bound on the rounding error of a mode at a grid node, in rounding units of the mode's amplitude. The same bound
 /// applies to sin τ and cos τ. The matrix of one step from node to node has three roundings, and its fourth power has

@@ -204,9 +204,9 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         }
     }
 
-    /// Returns the cells of `among` in which the sum may exceed the level. In such a cell a Bernstein coefficient of
-    /// the cubic exceeds the level minus the error of the cubic. The coefficients are the values at both nodes, and
-    /// value ± slope·h/3.
+    /// Returns the cells of `among` in which the sum may exceed the level. In these cells a Bernstein coefficient of
+    /// the cubic exceeds the level minus the error of the cubic. The coefficients are the values at the two nodes of
+    /// the cell, and value ± slope·h/3.
     pub(super) fn open_of(&self, grid: &Grid<S>, negative: bool, among: u32) -> u32 {
         let zero = S::constant(0.0);
         let Stretch {

@@ -74,7 +74,8 @@ impl<S: Float, K: ContactChain<S>> Dynamics<'_, S, K> {
         }
     }
 
-    /// Computes the state of one mode that the contact drives. [`release`](Self::release) calls it for every such mode.
+    /// Computes the state of one mode that the contact drives. [`release`](Self::release) calls it for every mode that
+    /// the contact drives.
     pub(crate) fn released(
         &self,
         receptance: S,
@@ -100,8 +101,8 @@ impl<S: Float, K: ContactChain<S>> Dynamics<'_, S, K> {
 }
 
 impl<S: Float, K: ContactChain<S>> Dynamics<'_, S, K> {
-    /// Returns the largest relative change of a state if the contact sticks and is released at once. The tested states
-    /// move two modes, but not the contact.
+    /// Returns the largest relative change of a state if the contact sticks and is immediately released. The tested
+    /// states move two modes, but not the contact.
     ///
     /// If the modes of the chain with its contact stuck are well separated, the change is of the order of rounding. If
     /// many modes are at or beyond critical damping, their frequencies are close together. The contributions of the

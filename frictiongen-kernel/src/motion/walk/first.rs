@@ -1,6 +1,6 @@
-//! Searches for the first zero of a function in steps that skip no zero. Such a search is called a *walk*. A bound on
-//! the third derivative limits each step to a length over which the function is certainly positive. Towards the zero
-//! the steps become shorter, so that the walk converges to the zero.
+//! Searches for the first zero of a function in steps that skip no zero. A search of this kind is called a *walk*. A
+//! bound on the third derivative limits each step to a length over which the function is certainly positive. Towards
+//! the zero the steps become shorter, so that the walk converges to the zero.
 
 use super::step;
 use crate::motion::series::{Local, LocalSeries, ROUNDINGS, Walked};
@@ -163,7 +163,8 @@ enum RootVerdict<S> {
     Above,
     /// The function has a zero at this distance from the present instant.
     Zero(S),
-    /// The function touches zero without crossing it. At this distance it has its present value again.
+    /// The function touches zero without crossing it. At this distance the function has its present value a second
+    /// time.
     Past(S),
 }
 

@@ -7,7 +7,7 @@ use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::table::Factor;
 
-/// Factor on a sum of small relative errors. It covers the products of these errors.
+/// Factor on a sum of small relative errors. The factor covers the products of these errors.
 pub(super) const UP: f64 = 1.03;
 /// A sum of relative errors counts as small up to this value. [`UP`] covers the products of errors of this size.
 const SMALL: f64 = 0.02;

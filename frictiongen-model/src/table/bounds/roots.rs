@@ -84,7 +84,8 @@ impl Sum {
         sum * all
     }
 
-    /// Returns the product over these zeros with its bounds, or `None` if the function cannot prove any bounds.
+    /// Returns the sum as a product over the given zeros, with bounds, or `None` if the function cannot prove any
+    /// bounds.
     pub fn factored(&self, zeros: &[Zero], highest: f64) -> Option<Factored> {
         let roots: Vec<Vec<Disc>> = zeros.iter().map(|zero| self.roots(zero)).collect();
         let all: Vec<Disc> = roots.iter().flatten().copied().collect();

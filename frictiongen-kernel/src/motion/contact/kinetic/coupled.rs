@@ -47,14 +47,14 @@ impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {
         }
     }
 
-    /// Length in τ of the piece over which a power series is valid.
+    /// Length in τ of the longest piece in which a power series is valid.
     fn stretch(&self, modes: &[Part<S>], line: &KineticLine<S>) -> S {
         let steep = self.acceleration(self.law().level() * line.slope.abs());
         S::constant(1.0) / (self.turning(modes) + steep)
     }
 
-    /// Returns the relative velocity z̄′ as a power series over a piece, with s from 0 to 1. Advances the modes from
-    /// the start of the piece to s = `to`.
+    /// Returns the relative velocity z̄′ in a piece as a power series in s, where s goes from 0 to 1. Advances the
+    /// modes from the start of the piece to s = `to`.
     fn velocity_series(
         &self,
         modes: &mut [Part<S>],

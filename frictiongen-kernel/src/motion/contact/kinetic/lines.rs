@@ -41,8 +41,8 @@ pub struct Lines<'a, S> {
     place: usize,
     /// Line crossing at the end of the piece that the last search has found.
     next: LineCrossing,
-    /// Number of successive pieces of length zero. `cut` counts the sequences of such pieces that the code has ended by
-    /// a longer piece.
+    /// Number of successive pieces of length zero. `cut` counts the sequences of pieces of length zero that the code
+    /// has ended by a longer piece.
     still: u32,
     cut: u32,
 }
