@@ -20,7 +20,7 @@ pub struct Driven {
     pub inverse_mass: Dd,
 }
 
-/// One mode of the chain with its contact stuck. It is a pair of roots, the zeros of s² + 2αs + ω².
+/// One mode of the chain with its contact stuck. A pair of roots describes the mode, the zeros of s² + 2αs + ω².
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Pair {
     /// ω, the natural frequency of the mode.

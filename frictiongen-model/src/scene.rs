@@ -164,7 +164,7 @@ pub enum Proving {
     /// About a second. Tables whose proof needs longer are checked but not proven.
     #[default]
     Quick,
-    /// The time of a whole proof, as on the command line: some seconds in code without optimisation.
+    /// The time of a whole proof, as on the command line: a few seconds in code without optimisation.
     Whole,
 }
 

@@ -12,8 +12,8 @@ use crate::oscillator::decay::Decay;
 use crate::oscillator::mode::Mode;
 
 /// Safety margin of a comparison of β with β_lim, in rounding units. If β is below the computed β_lim by more than this
-/// margin, β is below the exact β_lim as well. The search contributes an error of up to four units, the formula of
-/// β_lim the rest.
+/// margin, β is below the exact β_lim as well. The search contributes an error of up to four units, and the formula of
+/// β_lim contributes the rest.
 const CLEAR: f64 = 32.0;
 /// Upper bound on the phase error of a mode due to the rounding of r, as a fraction of a half turn. A mode with a
 /// larger error is so fast that two searches at the same r may differ. For such a mode the code does not use the search
@@ -265,9 +265,9 @@ fn fill<S: Float, D: Decay<S>>(
 }
 
 /// Returns the term of a mode in the difference between the velocity constraint's sum and `start`·sin τ. `start` is the
-/// limit of the constraint for τ → 0. The term is −m(1 + g)(sin τ − p) + mu((cos τ − p′) − 2ζx·sin τ), with m = (φᵀw)².
-/// Here p is the free displacement of the mode, and u and g are its damping functions. The function leaves out
-/// −2ζx·mu·sin τ, which the caller adds for all modes at the same time. Close to a resonance the sum and `start`·sin τ
+/// limit of the constraint for τ → 0. The term is −m·(1 + g)·(sin τ − p) + m·u·((cos τ − p′) − 2ζx·sin τ), with m =
+/// (φᵀw)². Here p is the free displacement of the mode, and u and g are its damping functions. The function leaves out
+/// −2ζx·m·u·sin τ, which the caller adds for all modes at the same time. Close to a resonance the sum and `start`·sin τ
 /// are nearly proportional. A subtraction of the two would leave mainly rounding error. The formula of the term
 /// contains no such subtraction.
 fn constraint_wave<S: Float, D: Decay<S>>(

@@ -8,9 +8,9 @@
 //! All other modes use the full sums, so that their rounding errors are equal. The motion of a mass far from the
 //! contact is a small difference of modal terms. Equal rounding errors cancel in this difference.
 //!
-//! One dominant mode is enough. Proof: two modes have the terms a, b in V and c, d in U, with ac ≥ bd. The products ad
-//! and bc remain in the contribution of the second mode. The larger of ad and bc is at least √(ac·bd) ≥ bd, and bd is
-//! the product that cancels.
+//! One dominant mode is enough. Proof: the first of two modes has the terms a in V and c in U, the second has b in V
+//! and d in U, and ac ≥ bd. The products ad and bc remain in the contribution of the second mode. The larger of ad and
+//! bc is at least √(ac·bd) ≥ bd, and bd is the product that cancels.
 
 use crate::contact::quadrature::Quadratures;
 use crate::contact::sums::{Chain, ContactAt, ModeAt};
@@ -116,8 +116,8 @@ enum Which<S> {
     Numbered(S),
 }
 
-/// Modal sums V, U and H of the contact. `own` leaves out the terms of the dominant mode, and serves this mode.
-/// `others` contains all terms, and serves all other modes.
+/// Modal sums V, U and H of the contact. `own` is for the dominant mode, and leaves out its terms. `others` is for all
+/// other modes, and contains all terms.
 #[derive(Clone, Copy)]
 pub(crate) struct DominantSums<S> {
     which: Which<S>,
@@ -136,10 +136,10 @@ impl<S: Scalar> DominantSums<S> {
         self
     }
 
-    /// Returns two values of V, the response of the contact of a damped chain to the load. The first value serves the
-    /// phase of the dominant mode, the second the phases of all other modes. A mode is in phase with its own term of V.
-    /// V without this term therefore gives the same phase as the full V. Of the full V and V without the term, the
-    /// function uses the smaller one, because its phase is more accurate.
+    /// Returns two values of V, the response of the contact of a damped chain to the load. The first value is for the
+    /// phase of the dominant mode, the second for the phases of all other modes. A mode is in phase with its own term
+    /// of V. V without this term therefore gives the same phase as the full V. Of the full V and V without the term,
+    /// the function uses the smaller one, because its phase is more accurate.
     pub fn turning(&self, contact: &ContactAt<S>) -> (Complex<S>, Complex<S>) {
         let size = |v| complex::size(v, true);
         let all = size(contact.v).named("v_size", "(|Re V| + |Im V|)·r²E", None);
@@ -315,7 +315,7 @@ impl<S: Scalar> Chain<S> {
         scale: S,
         index: usize,
     ) -> Heaviest<S> {
-        // On a moving base the sums contain v − 1, but only the terms with v cancel in the difference.
+        // On a moving base the sums contain v − 1, but only the terms with v cancel in the difference of products.
         let v = if self.on_moving_base.is_some() {
             self.plus(own.v, complex::real(mode.static_residue * scale))
         } else {

@@ -3,7 +3,7 @@
 //! Damping on velocities relative to the moving base adds the load C·1·ẏ to the load K_b·y of the springs (section 1 of
 //! `docs/derivation.md`). Divided by the displacement of the base, the total load on mode i is p_i + 2iζ_iλ_iΓ_i/x_i.
 //! Here Γ_i = φᵀΓ1 is the participation factor, and x_i = √λ_i/r. If damping acts on absolute velocities, the scene has
-//! no load in quadrature. It then uses the type [`InPhase`], so that its formulas have no additional cost.
+//! no load in quadrature. The scene then uses the type [`InPhase`], so that its formulas have no additional cost.
 
 use crate::contact::sums::{Chain, ModeAt};
 use crate::number::complex::{self, Complex};

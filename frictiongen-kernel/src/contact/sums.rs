@@ -53,7 +53,7 @@ impl<S: Scalar> ModeAt<S> {
 pub struct ContactAt<S> {
     /// Scale E: the smallest |x² − 1 + 2iζx| of the modes that the contact drives, with |Re| + |Im| as the modulus.
     pub scale: S,
-    /// Response V of the relative displacement to the excitation, without friction. It is multiplied by r² and by the
+    /// Response V of the relative displacement to the excitation, without friction. V is multiplied by r² and by the
     /// scale E.
     pub v: Complex<S>,
     /// Damping function U of the contact, multiplied by r² and by the scale E. A square wave of friction force causes a
@@ -62,8 +62,8 @@ pub struct ContactAt<S> {
     /// Damping function G of the contact, multiplied by r² and by the scale E. A square wave of friction force causes a
     /// response z̄, and G is this response at the reversal.
     pub g: S,
-    /// H_c, the contribution of damping to the acceleration of the contact at a reversal. It is multiplied by r² and by
-    /// the scale E.
+    /// H_c, the contribution of damping to the acceleration of the contact at a reversal. H_c is multiplied by r² and
+    /// by the scale E.
     pub reversal: S,
     /// Receptance H of the contact, multiplied by r² and by the scale E. H is the response of the relative displacement
     /// to a harmonic contact force.
@@ -117,9 +117,9 @@ impl<S: Scalar> Chain<S> {
         self.scaled(mode, scale, false, 0)
     }
 
-    /// Multiplies the response and damping functions of a mode by the scale E of the chain. E is the smallest |x² − 1|
-    /// + 2ζx of the modes that the contact drives. A first pass over the modes computes E. If `single` is true, only
-    /// this mode determines E. The code then takes E/(|x² − 1| + 2ζx) as exactly 1.
+    /// Multiplies the response and damping functions of a mode by the scale E of the chain, which is the smallest
+    /// number |x² − 1| + 2ζx of the modes that the contact drives. A first pass over the modes computes E. If `single`
+    /// is true, only this mode determines E. The code then takes E/(|x² − 1| + 2ζx) as exactly 1.
     #[inline]
     pub fn scaled(
         &self,

@@ -30,8 +30,8 @@ pub struct Part<S> {
     pub(crate) q2: S,
     /// Undamped natural frequency σ as a frequency ratio, so that x = σ/r.
     sigma: S,
-    /// Complex amplitude of the steady displacement, y = Re(steady·e^{iτ_e}). If `near` is true, it is the complex
-    /// amplitude of the force instead.
+    /// Complex amplitude of the steady displacement, y = Re(steady·e^{iτ_e}). If `near` is true, the field is the
+    /// complex amplitude of the force instead.
     steady: Complex<S>,
     /// Complex amplitude of φ/x = Re(direct·e^{iτ_e}). The excitation adds the velocity φ to y′ directly, so that u =
     /// (y′ − φ)/x.
@@ -95,7 +95,8 @@ impl<S: Float> Part<S> {
     }
 
     /// Creates the oscillator of a mode of the chain with its contact stuck, at the frequency ratio r. `drive` has two
-    /// complex amplitudes, each multiplied by r: of the direct change of the velocity, and of the force on the mode.
+    /// complex amplitudes, each multiplied by r. The first is for the direct change of the velocity, the second for the
+    /// force on the mode.
     pub(crate) fn from_stuck_mode(mode: &HeldMode<S>, r: S, drive: [Complex<S>; 2]) -> Self {
         let mut part = Self::empty();
         part.kind = mode.kind;
@@ -142,7 +143,7 @@ impl<S: Float> Part<S> {
         turn(self.kind, self.zeta, self.q, self.x, (t, tau))
     }
 
-    /// Returns the state [y, u] of a free motion after a time. `free` is the state before, and `turn` has the
+    /// Returns the state [y, u] of a free motion after a time. `free` is the state before this time, and `turn` has the
     /// coefficients of the free motion for this time.
     #[inline]
     pub(crate) fn turned(&self, free: [S; 2], turn: &Turn<S>) -> [S; 2] {

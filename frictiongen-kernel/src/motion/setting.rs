@@ -49,8 +49,9 @@ impl<'a, S: Copy, K> Setting<'a, S, K> {
 }
 
 impl<'a, S: Float, K: ContactChain<S>> Setting<'a, S, K> {
-    /// Creates a setting, which is a scene at the frequency ratio r and the friction ratio β.  Also computes the
-    /// oscillators: `parts` receives one for each mode of the chain, and then one for each mode of the stuck chain.
+    /// Creates a setting, which is a scene at the frequency ratio r and the friction ratio β. Also computes the
+    /// oscillators: `parts` receives one oscillator for each mode of the chain, and then one for each mode of the stuck
+    /// chain.
     ///
     /// # Errors
     /// [`OutOfDomain`] if r is NaN, negative, zero or infinite, or so near to 0 or ∞ that the formulas would overflow

@@ -35,7 +35,7 @@ pub fn mul<S: Scalar>(a: Complex<S>, b: Complex<S>, damped: bool) -> Complex<S> 
     }
 }
 
-/// Returns |Re a| + |Im a|. It has the same order of magnitude as |a|, and needs no square root.
+/// Returns |Re a| + |Im a|. This sum has the same order of magnitude as |a|, and needs no square root.
 #[inline(always)]
 pub(crate) fn size<S: Scalar>(a: Complex<S>, damped: bool) -> S {
     if damped {

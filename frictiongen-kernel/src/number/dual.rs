@@ -177,7 +177,8 @@ impl<S: Float> Scalar for Dual<S> {
     fn atan2(self, x: Self) -> Self {
         let (y, size) = (self, self.value.abs().max(x.value.abs()));
         let value = y.value.atan2(x.value);
-        // y and x are divided by the larger of the two, since its square may overflow or underflow.
+        // The code divides y and x by `size`, the larger of the two, because the square of `size` may overflow or
+        // underflow.
         let (sy, sx) = (y.value / size, x.value / size);
         let slope = (sx * y.slope - sy * x.slope) / (size * (sx * sx + sy * sy));
         Self { value, slope }

@@ -2,7 +2,7 @@
 //!
 //! With `f64` and `f32` a formula evaluates to a number. With [`Dd`](crate::number::dd::Dd) the number has about 31
 //! digits and serves as the accuracy reference. With the expression type of the code generator a formula becomes Rust
-//! source. A formula must therefore not branch on a scalar. It builds a condition with [`lt`](Scalar::lt) or
+//! source. A formula must therefore not branch on a scalar. The formula builds a condition with [`lt`](Scalar::lt) or
 //! [`is_zero`](Scalar::is_zero), and passes the condition to [`select`](Scalar::select).
 
 use core::f64::consts::FRAC_PI_4;
@@ -55,7 +55,7 @@ pub trait Scalar:
     fn exp_m1(self) -> Self;
     /// Returns the angle of the vector (`x`, `self`), in (−π, π].
     fn atan2(self, x: Self) -> Self;
-    /// Returns √(self² + other²). No intermediate result overflows or underflows, even if the squares would.
+    /// Returns √(self² + other²). No intermediate result overflows or underflows, even if self² or other² would.
     #[inline]
     #[must_use]
     fn hypot(self, other: Self) -> Self {

@@ -112,8 +112,8 @@ macro_rules! half_turns {
 
             /// Returns (sin πh, cos πh), with h in half-turns.
             ///
-            /// Each result is within 1.1 units in the last place for every finite h. Each result is exactly 0 or ±1
-            /// where sine and cosine are. Large numbers are even integers, with the result (0, 1). An infinite h or NaN
+            /// Each result is within 1.1 units in the last place for every finite h. If the mathematical value is 0 or
+            /// ±1, the result is exact. Large numbers are even integers, with the result (0, 1). An infinite h or NaN
             /// gives NaN.
             ///
             /// ```

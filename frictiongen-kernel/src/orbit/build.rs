@@ -59,8 +59,8 @@ where
     }
 
     /// Computes the steady state at r and β that a motion reaches from the given start. The motion starts at a maximum
-    /// of the excitation. If `last` is true in the question and the motion does not settle, the result contains the
-    /// last cycles of the motion, and [`Self::is_settled`] is false.
+    /// of the excitation. If `last` is true in `question` and the motion does not settle, the result contains the last
+    /// cycles of the motion, and [`Self::is_settled`] is false.
     ///
     /// # Errors
     /// [`NoOrbit`] gives the reason why no steady state exists or was found.  Slices of a wrong length give

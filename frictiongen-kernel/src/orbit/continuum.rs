@@ -1,4 +1,5 @@
-//! Selects one member of a continuum of steady motions. Without damping, such a continuum exists at r = 1/2n.
+//! Selects one member of a continuum of steady motions. Without damping, a continuum of this kind exists at r = 1/(2n),
+//! with n = 1, 2, ….
 //!
 //! Two members of the continuum differ by a free vibration at an even multiple of the excitation frequency, in phase
 //! with the reversals. A motion that never stops keeps its amplitude of this vibration. Each stop of the contact
@@ -68,8 +69,8 @@ pub(super) fn member<S: Float, K: ContactChain<S>>(
         if !SquareMatrix::new(workspace.matrix, size).solve_shifted(shift, workspace.other) {
             return Err(NoOrbit::Unsettled);
         }
-        // (shift − D)⁻¹ divides the eigenvector's component by shift − 1, and hardly changes the other components. The
-        // factor `weight` restores the eigenvector's component.
+        // (shift − D)⁻¹, with the derivative D of the map, divides the eigenvector's component by shift − 1, and hardly
+        // changes the other components. The factor `weight` restores the eigenvector's component.
         let weight = shift - one;
         for (state, other) in workspace.state.iter_mut().zip(workspace.other.iter()) {
             *state = *other * weight;

@@ -1,8 +1,9 @@
 //! Detects a contact that sticks for ever. For β ≥ β*_lim the contact may stick for ever at the end of a motion, with
 //! or without an offset.
 //!
-//! The force in a stuck contact is the sum of three parts: V/H of the forced motion, a constant force due to the
-//! offset, and the force of the chain's free vibration. The contact never slides again if this sum can never exceed μβ.
+//! The force in a stuck contact is the sum of three parts: the force V/H of the forced motion, a constant force due to
+//! the offset, and the force of the chain's free vibration. The contact never slides again if this sum can never exceed
+//! μβ.
 
 use super::cycle_map::{CycleMap, EventPattern};
 use super::types::MAX_CYCLES;

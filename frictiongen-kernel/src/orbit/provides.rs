@@ -27,7 +27,7 @@ impl<T: ProvidesOrbit> At<T> {
     ///
     /// # Errors
     /// [`NoOrbit`] if β is negative or not finite, if the motion is unbounded, or if an undamped mode never settles.
-    /// The same error results if a cycle has too many events, or if the motion takes too many search steps.
+    /// Too many events in a cycle, or too many search steps of the motion, give an error as well.
     #[inline]
     pub fn orbit_or_last_cycles(&self, beta: T::Scalar) -> Result<T::Orbit, NoOrbit> {
         T::settled(self, beta, Start::Rest, true)

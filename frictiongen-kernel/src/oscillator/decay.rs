@@ -3,7 +3,8 @@
 //!
 //! The free displacement that starts with unit speed from x̄ = 0 is p = e^{−ζxτ}·sin(qxτ)/(qx). The motion of a mode in
 //! a half period is a combination of p, its derivative p′ and three differences ([`Basis`]). Some of the differences
-//! vanish where p vanishes, others at the resonance of the mode. The code computes all of them without cancellation.
+//! vanish where p vanishes, others at the resonance of the mode. The code computes all differences without
+//! cancellation.
 
 use super::mode::{Kind, Mode};
 pub(crate) use super::values::Turn;

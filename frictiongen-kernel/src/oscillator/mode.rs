@@ -12,7 +12,7 @@ use super::{critical, overdamped, undamped, underdamped};
 use crate::number::complex;
 use crate::number::scalar::Scalar;
 
-/// Kind of damping of a mode. It selects the closed form in which the functions of the mode are evaluated.
+/// Kind of damping of a mode. The kind selects the closed form in which the functions of the mode are evaluated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// No damping, ζ = 0.

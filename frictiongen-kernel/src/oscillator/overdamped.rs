@@ -93,8 +93,8 @@ pub(super) fn basis<S: Float>(x: S, zeta: S, q: S, at: &Instant<S>) -> Basis<S> 
     let (free, slope) = (sinh / x, cosh - zeta * sinh);
     let decay = zeta * time;
     let one_minus_d = if S::constant(2.0) < sum && time < sum {
-        // The code computes both decays from their terms of second and higher order. In the formulas of the other
-        // branches, the terms would cancel to a fraction 1/ζ² of their size.
+        // The code computes e^a − 1 − a of both exponentials e^a, that is, their terms of second and higher order. In
+        // the formulas of the other branches, the terms would cancel to a fraction 1/ζ² of their size.
         let (slow, fast) = (exp_m1_minus(-(time / sum)), exp_m1_minus(-(time * sum)));
         (fast / sum - slow * sum) * half / q
     } else if decay < half {

@@ -133,7 +133,7 @@ pub(super) fn complement_and_factor<S: Scalar>(decay: S, at: Option<usize>) -> (
 
 /// Returns x·sin τ − sin xτ and cos τ − cos xτ. Close to the resonance x = 1 both are differences of nearly equal
 /// terms, and the damping functions that multiply them are large. The function therefore computes products instead of
-/// differences. For τ → 0 it also keeps the digits of the second difference, because the velocity constraint divides
+/// differences. For τ → 0 the function also keeps the digits of cos τ − cos xτ, because the velocity constraint divides
 /// this difference by sin τ.
 #[inline]
 pub(super) fn differences<S: Float>(x: S, sine_x: S, versine_x: S, at: &Instant<S>) -> (S, S) {

@@ -186,11 +186,11 @@ impl<T: Scene> At<T> {
     /// larger r.
     ///
     /// The bounds at the smallest r of a sweep are therefore valid for the whole sweep. For slow modes, the bound is
-    /// 256 evaluations for β_lim and 1024 for an amplitude. Fast modes add max √λ(1 + 2ζ)/16r evaluations to both
+    /// 256 evaluations for β_lim and 1024 for an amplitude. Fast modes add max √λ(1 + 2ζ)/(16r) evaluations to both
     /// bounds, which is one evaluation for 16 half turns of the fastest mode in a half period. Neither bound exceeds
     /// [`MAX_EVALUATIONS`](search::MAX_EVALUATIONS).
     ///
-    /// A search counts its evaluations. It stops before it would exceed its bound, and then reports
+    /// A search counts its evaluations. The search stops before it would exceed its bound, and then reports
     /// [`Effort::Exceeded`]. In an undamped scene β_lim needs no search for r ≥ √λ_max/2. Searches usually need far
     /// fewer evaluations than the bound. `docs/evidence.md` has measured numbers. In random scenes, only searches with
     /// more than 2·10⁴ half turns reached their bound (section 9 of `docs/derivation.md`).

@@ -59,6 +59,6 @@ pub struct ModalCoefficients<S> {
     /// excitation divided by the natural frequency of the mode.
     pub forced: S,
     /// φ_k(φᵀw)/r², the residue of the mode in the response of mass k to a force in the contact. Only the harmonics
-    /// need it.
+    /// need this residue.
     pub harmonic: S,
 }

@@ -396,7 +396,7 @@ impl<S: Scalar> Chain<S> {
     }
 
     /// Returns the complex amplitude of a mass while the contact is stuck. `sums` has separate sums for the dominant
-    /// mode. They leave out the terms of that mode, because the terms would cancel.
+    /// mode. These sums leave out the terms of the dominant mode, because the terms would cancel.
     #[inline]
     fn stuck_with(
         &self,

@@ -121,7 +121,7 @@ impl<T: ProvidesMotion> At<T> {
 
     /// Returns the closed form of the continuous motion at any β with 0 ≤ β < |V|/|U|, without a check of the regime.
     /// At larger β the formula has no real value. The closed form is a steady state only if [`motion`](Self::motion)
-    /// returns it too.
+    /// returns a motion for this β.
     #[inline]
     #[must_use]
     pub fn closed_form(self, beta: T::Scalar) -> Continuous<T> {

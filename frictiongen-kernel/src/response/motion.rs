@@ -272,8 +272,8 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
     }
 }
 
-/// Returns the instant of the half period 0 to π that corresponds to τ. The flag is true if τ lies in the other half
-/// period, where the motion has the opposite sign.
+/// Returns the instant of the half period 0 to π that corresponds to τ. The flag of the result is true if τ lies in the
+/// other half period, where the motion has the opposite sign.
 fn instant<S: Float>(tau: S) -> (Instant<S>, bool) {
     let half_turns = tau * S::inverse_pi();
     let whole = half_turns.floor();

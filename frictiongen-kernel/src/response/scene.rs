@@ -117,10 +117,10 @@ pub trait Scene: Clone {
         self.numbers().chain.sliding_limit(contact)
     }
 
-    /// Returns the limits β_lim and β*_lim without a search: an upper bound on β_lim, and β*_lim. β*_lim is not
-    /// corrected for masses that act as an absorber. r must be neither 0 nor infinite. The second result is the real
-    /// part of H, the receptance of the contact, multiplied by r² and by the scale E of [`ContactAt`]. If the second
-    /// result is small, masses may act as an absorber.
+    /// Returns an upper bound on β_lim, and β*_lim, without a search. The value of β*_lim is not corrected for masses
+    /// that act as an absorber. r must be neither 0 nor infinite. The second result is the real part of H, the
+    /// receptance of the contact, multiplied by r² and by the scale E of [`ContactAt`]. If the second result is small,
+    /// masses may act as an absorber.
     #[inline]
     fn limits_without_search(
         &self,

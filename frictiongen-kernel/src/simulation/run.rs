@@ -48,8 +48,8 @@ impl<S: Float> Moment<S> {
 /// segment lasts longer than a cycle without an event, the iterator returns pieces of one cycle.
 ///
 /// `P` owns the oscillators: an array in emitted code, a vector at run time. `L` is the kinetic friction: [`Constant`],
-/// or straight [`Lines`] that give it as a function of the speed. `K`, the constants of the chain, selects the law of
-/// the contact.
+/// or straight [`Lines`] that give the force as a function of the speed. `K`, the constants of the chain, selects the
+/// law of the contact.
 #[derive(Clone, Debug)]
 pub struct Simulation<'a, S, P, L = Constant, K = Chain<S>> {
     setting: Setting<'a, S, K>,
@@ -75,9 +75,9 @@ pub type FixedLinesSimulation<S, const PARTS: usize> =
     Simulation<'static, S, [Part<S>; PARTS], Lines<'static, S>>;
 
 /// Upper bound on the pieces of motion that one call follows if the kinetic friction changes with the speed. A piece
-/// ends at an event, or when the speed reaches the next straight line of the friction law. It also ends where the power
-/// series of the motion no longer converges. A call that reaches the bound returns, and the motion continues in another
-/// segment.
+/// ends at an event, or when the speed reaches the next straight line of the friction law. A piece also ends where the
+/// power series of the motion no longer converges. A call that reaches the bound returns, and the motion continues in
+/// another segment.
 pub const MAX_STRETCHES: u32 = 4096;
 
 impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, K: ContactChain<S>>

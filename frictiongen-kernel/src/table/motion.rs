@@ -10,7 +10,8 @@ use crate::number::scalar::Float;
 use crate::response::motion::Largest;
 use crate::response::{Continuous, MotionOf, ProvidesMotion};
 
-/// Numbers from the tables at one frequency ratio. They give the amplitude and the phase of the contact at any β.
+/// Numbers from the tables at one frequency ratio. These numbers give the amplitude and the phase of the contact at any
+/// β.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContactTable<S> {
     /// Limit β_lim of continuous motion.

@@ -8,8 +8,8 @@ use crate::number::scalar::Float;
 /// damped chain the rational function is the squared modulus of a response.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Factor<S> {
-    /// Factor (r − y)(r + y) of a zero on the imaginary axis. It stores y as a rounded value and a rounding error, so
-    /// that r − y keeps its digits close to the zero.
+    /// Factor (r − y)(r + y) of a zero on the imaginary axis. The variant stores y as a rounded value and a rounding
+    /// error, so that r − y keeps its digits close to the zero.
     Zero {
         /// Imaginary part y of the zero, rounded to the number type.
         at: S,
@@ -121,7 +121,8 @@ fn product<S: Float>(factors: &[Factor<S>], r: S) -> S {
     product
 }
 
-/// Multiplies a product by the factor at index `place`. Returns the product unchanged if there is no such factor.
+/// Multiplies a product by the factor at index `place`. Returns the product unchanged if the list has no factor at this
+/// index.
 #[inline(always)]
 fn times<S: Float>(product: S, factors: &[Factor<S>], place: usize, r: S) -> S {
     match factors.get(place) {

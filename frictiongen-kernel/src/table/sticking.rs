@@ -43,8 +43,8 @@ pub trait TabledStuck: Tabled + ProvidesStuck {
 }
 
 impl<T: TabledStuck> Compiled<T> {
-    /// Returns the response while the contact is stuck, to the declared accuracy. It exists for β ≥ β*_lim, the limit
-    /// of sliding.
+    /// Returns the response while the contact is stuck, to the declared accuracy. This response exists for β ≥ β*_lim,
+    /// the limit of sliding.
     ///
     /// # Errors
     /// [`StuckResonance`] on an undamped resonance of the chain with its contact stuck.

@@ -8,8 +8,8 @@ use super::split::Landmarks;
 use super::worst::Worst;
 use frictiongen_kernel::Float;
 
-/// Number of comparison points in each piece. The distance between neighbouring points is at most 1/46 of the piece.
-/// For a macro without a proof, this check is the only evidence.
+/// Number of comparison points in each piece. The distance between neighbouring points is at most 1/46 of the length of
+/// the piece. For a macro without a proof, this check is the only evidence.
 const POINTS: usize = 64;
 /// Closest distance of a comparison point from a zero, in decades. It is 10^−13 of the length of the piece.
 const DECADES: f64 = 13.0;

@@ -21,8 +21,8 @@ use frictiongen_kernel::{Complex, Float};
 const POINTS: usize = 64;
 /// Relative distances from a zero or a pole at which the code compares a response with its exact value.
 const BESIDE: [f64; 7] = [0.0, 1e-15, -1e-13, 1e-10, -1e-7, 1e-4, -1e-2];
-/// Largest relative difference between a pole and a number of the table's type that count as equal. The iteration
-/// leaves an uncertainty in the last of the 30 digits of a pole.
+/// A pole and a number of the table's type count as equal if their relative difference is at most this value. The
+/// iteration leaves an uncertainty in the last of the 30 digits of a pole.
 const SAME: f64 = 1e-26;
 /// Number of candidates in the search for a frequency ratio far from all zeros and poles. The code computes the gain at
 /// this frequency ratio.

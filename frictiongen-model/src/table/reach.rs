@@ -21,10 +21,10 @@ const PARTS: usize = 64;
 /// false, the regime may occur.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Reach {
-    /// True if β_lim exceeds each of these friction ratios. The closed form of the continuous motion is then always
-    /// valid.
+    /// True if β_lim exceeds every friction ratio up to the given largest one. The closed form of the continuous motion
+    /// is then always valid.
     pub always_continuous: bool,
-    /// True if β*_lim exceeds each of these friction ratios. A stuck state then never exists.
+    /// True if β*_lim exceeds every friction ratio up to the given largest one. A stuck state then never exists.
     pub never_stuck: bool,
 }
 

@@ -25,8 +25,9 @@ fn counts(power: usize, exact_difference: bool) -> f64 {
     (power % 2 + 2 + 3 * (power / 2) + of_difference) as f64
 }
 
-/// Returns an upper bound on the rounding error of the evaluation in the table's scalar. Near a zero, the error is
-/// divided by the distance from the zero.
+/// Returns an upper bound on the rounding error of the evaluation in the table's scalar. `away` is the range of
+/// distances of r from a zero of the function, if the piece is near one. The result is then the error divided by this
+/// distance.
 pub fn rounding<S: Float>(
     coefficients: &[f64],
     origin: f64,

@@ -1,5 +1,5 @@
 //! Frequency ratios at which a table must be divided, and frequency ratios near zeros and resonances at which the code
-//! must compute its error.
+//! must compute the error of the table.
 
 use super::zeros::{Zeros, contact_modes};
 use crate::modal::Modal;
@@ -36,7 +36,7 @@ const BESIDE: [f64; 13] = [
 /// this value.
 const OUTSIDE: f64 = 1e-2;
 /// A resonance, a sub-harmonic or a zero causes a narrow feature of β_lim if its damping is at most this value. For a
-/// sub-harmonic of a mode the damping is ζ times the order. For a complex zero x + iy of V it is |x|/y.
+/// sub-harmonic of a mode the damping is ζ times the order. For a complex zero x + iy of V the damping is |x|/y.
 const BROAD: f64 = 0.5;
 /// Largest number of sub-harmonics that the code considers for each mode.
 const MOST: usize = 10_000;

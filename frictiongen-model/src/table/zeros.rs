@@ -170,7 +170,7 @@ impl Zeros {
             })
             .collect();
         // At r = 0 a base may carry the contact along without relative motion. V then has a zero at s = 0. Without
-        // damping it is a double zero.
+        // damping this zero is double.
         let at_rest = modal.on_moving_base && modal.static_motion.is_zero();
         let known = match (at_rest, damped) {
             (false, _) => 0,

@@ -14,8 +14,8 @@ use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::number::dual::Dual;
 use frictiongen_kernel::{Float, Scalar};
 
-/// Two squared frequencies count as equal if their relative difference is at most this value. It is a thousand rounding
-/// units of double-double.
+/// Two squared frequencies count as equal if their relative difference is at most this value. This value is a thousand
+/// rounding units of double-double.
 const ROUNDING: f64 = 1e-29;
 
 /// Returns the held modes, which are the modes of the chain with its contact stuck. The second result has the

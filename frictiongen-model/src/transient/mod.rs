@@ -17,13 +17,13 @@ use frictiongen_kernel::{Float, Scalar};
 use plain::{EQUAL, Plain, close, driven, in_contact, plain_modes, sorted, turned};
 
 /// If a modal damping ratio exceeds this value, the frequencies of the held modes (modes of the chain with its contact
-/// stuck) may be close to one another. If no damping ratio exceeds it, chains of up to 64 masses have rounding errors
-/// of only a few units.
+/// stuck) may be close to one another. If no damping ratio exceeds this value, chains of up to 64 masses have rounding
+/// errors of only a few units.
 const NEAR_CRITICAL: f64 = 0.9;
 
-/// Returns the largest relative rounding error in a motion of the scene if the contact sticks and is released
-/// immediately ([`Transient::excess_loss`]). Returns `None` if the error is acceptable. An error up to √ε of the
-/// scene's number type is acceptable, because it keeps half of the digits.
+/// Returns the largest relative rounding error in a motion of the scene if the contact sticks and is immediately
+/// released ([`Transient::excess_loss`]). Returns `None` if the error is acceptable. An error up to √ε of the scene's
+/// number type is acceptable, because it keeps half of the digits.
 #[must_use]
 pub fn excess_loss(scene: &Scene) -> Option<f64> {
     let near_critical = |ratio: f64| NEAR_CRITICAL <= ratio;
@@ -137,7 +137,7 @@ impl<S: Scalar> Transient<S> {
         }
     }
 
-    /// Returns the largest relative rounding error in a motion if the contact sticks and is released immediately
+    /// Returns the largest relative rounding error in a motion if the contact sticks and is immediately released
     /// ([`held_loss`](Dynamics::held_loss)). Returns `None` if the error is at most √ε of the number type, which keeps
     /// half of the digits. With a larger error no result in the time domain is useful. Only modes near or above
     /// critical damping cause a larger error.

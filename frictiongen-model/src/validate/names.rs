@@ -77,8 +77,8 @@ pub const RESERVED: &[&str] = &[
     "eq",
     "fmt",
     "ne",
-    // Methods that the prelude gives every type, and that take the value itself. A method would hide a mass with its
-    // name.
+    // Methods that the prelude gives every type, and that take the value itself. One of these methods would hide a mass
+    // with the same name.
     "into",
     "try_into",
 ];

@@ -50,7 +50,7 @@ impl Parts {
     }
 }
 
-/// Returns the smallest mass index in the component of `mass`. Path compression makes this fast for long chains.
+/// Returns the smallest mass index in the component of `mass`. Path compression makes the search fast for long chains.
 fn root(parent: &mut [usize], mass: usize) -> usize {
     let mut top = mass;
     while let Some(&above) = parent.get(top)

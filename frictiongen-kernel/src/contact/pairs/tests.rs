@@ -4,7 +4,7 @@ use super::*;
 use crate::contact::driven::DrivenModes;
 use crate::number::complex::Complex;
 
-/// Returns a pseudo-random number between 0.1 and 1.1 for the mode with an index.
+/// Returns a pseudo-random number between 0.1 and 1.1 for the mode with the given index.
 fn scattered(index: usize, salt: usize) -> f64 {
     ((index * 37 + salt * 11) as f64 * 0.618_033_988_749_894_9).fract() + 0.1
 }

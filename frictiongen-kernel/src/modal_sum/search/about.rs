@@ -2,8 +2,8 @@
 //! in it exceeds the largest value found.
 //!
 //! Near the maximum, Taylor's theorem bounds the sum. Farther away, a cubic through the value and slope of the next
-//! node bounds it (section 9 of `docs/derivation.md`). A *summit* is a position from which one Newton step leads to the
-//! maximum.
+//! node bounds the sum (section 9 of `docs/derivation.md`). A *summit* is a position from which one Newton step leads
+//! to the maximum.
 
 use super::grid::{Grid, Node, Open};
 use super::summit::{Cubic, REACH, Summit, beyond_cubic};

@@ -134,9 +134,9 @@ pub(super) struct Bounds<S> {
 impl<S: Float> Bounds<S> {
     /// Computes bounds on a modal sum that hold from the instant `at` for the duration `time`.
     ///
-    /// Let y be the displacement of a mode, and x its natural frequency over that of the excitation. The bounds follow
-    /// from the energy (x y⁽ⁿ⁾)² + (y⁽ⁿ⁺¹⁾)² of the nth derivative of y. Damping decreases this energy, and only the
-    /// nth derivative of the force on the mode can increase it.
+    /// Let y be the displacement of a mode, and x the natural frequency of the mode divided by the excitation
+    /// frequency. The bounds follow from the energy (x y⁽ⁿ⁾)² + (y⁽ⁿ⁺¹⁾)² of the nth derivative of y. Damping decreases
+    /// this energy, and only the nth derivative of the force on the mode can increase it.
     pub fn of<D: Decay<S>>(sum: &Sum<'_, S, D>, at: &Instant<S>, time: S) -> Self {
         let (zero, one, two) = (S::constant(0.0), S::constant(1.0), S::constant(2.0));
         let (mut cosine, mut sine) = (sum.cosine, sum.sine);

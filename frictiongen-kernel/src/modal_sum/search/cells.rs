@@ -29,8 +29,8 @@ const FINER: f64 = 10.0;
 const NONE: Open = [0, 0];
 
 impl<S: Float, D: Decay<S>> Search<'_, S, D> {
-    /// Returns true if the search may still evaluate one more grid and its local maxima. If not, marks the search as
-    /// incomplete.
+    /// Returns true if the search may still evaluate one more grid and its local maxima. If the search may not do so,
+    /// marks it as incomplete.
     fn has_room(&mut self) -> bool {
         self.peak.exceeded |= self.most - self.peak.evaluations < COST + SUMMITS * EVALUATIONS;
         !self.peak.exceeded

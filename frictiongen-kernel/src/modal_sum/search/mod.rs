@@ -88,7 +88,7 @@ pub struct Problem<S> {
     pub tolerance: S,
 }
 
-/// Position of a maximum of a modal sum, or a position near which the search looks for one.
+/// Position of a maximum of a modal sum, or a position near which the search looks for a maximum.
 #[derive(Clone, Copy, Debug)]
 pub struct Maximiser<S> {
     /// Phase τ of the position, in rad.

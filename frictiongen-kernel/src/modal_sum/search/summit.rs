@@ -24,7 +24,8 @@ pub(super) struct Summit<S> {
     pub level: S,
 }
 
-/// Value and first three derivatives of a function at a position. They define its Taylor polynomial of third degree.
+/// Value and first three derivatives of a function at a position. These numbers define the Taylor polynomial of third
+/// degree.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Cubic<S> {
     pub value: S,
@@ -35,7 +36,8 @@ pub(super) struct Cubic<S> {
 
 #[cfg(test)]
 impl<S: Float> Summit<S> {
-    /// Returns the upper bound on a local maximum. The flag is true for a maximum of the negative of the sum.
+    /// Returns the upper bound on a local maximum. The flag of the result is true for a maximum of the negative of the
+    /// sum.
     pub fn height(&self) -> (S, bool) {
         (self.level, self.negative)
     }

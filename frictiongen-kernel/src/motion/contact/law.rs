@@ -105,7 +105,7 @@ pub trait ContactChain<S: Float>: Copy + Debug {
     /// `t`.
     fn contact_state(setting: &Setting<'_, S, Self>, parts: &[Part<S>], t: S) -> ContactState<S>;
 
-    /// Derives the state of the contact from the state of the modes, if the contact slid before.
+    /// Derives the state of the contact from the state of the modes, if the contact was sliding until then.
     #[inline]
     fn sliding_state(
         setting: &Setting<'_, S, Self>,

@@ -112,7 +112,8 @@ pub struct SegmentEnd<S> {
     pub steps: u32,
 }
 
-/// A segment of the motion whose end the search has found. The oscillators are still in their state at its start.
+/// A segment of the motion whose end the search has found. The oscillators are still in their state at the start of the
+/// segment.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Sought<S> {
     /// State of the contact at the segment's start.

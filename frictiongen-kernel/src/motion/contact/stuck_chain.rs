@@ -33,8 +33,8 @@ impl<S: Float, K: ContactChain<S>> Dynamics<'_, S, K> {
     }
 
     /// Computes the excitation of a mode of the stuck chain, multiplied by r. The first result is the complex amplitude
-    /// of the term that the excitation adds to the mode's velocity, the second that of the force on the mode. `base` is
-    /// the coefficient s: 1 if the contact rubs on the moving base, otherwise 0.
+    /// of the term that the excitation adds to the mode's velocity. The second result is the complex amplitude of the
+    /// force on the mode. `base` is the coefficient s: 1 if the contact rubs on the moving base, otherwise 0.
     pub(crate) fn stuck_drive(
         &self,
         (mode, participations): (&HeldMode<S>, &[[S; 2]]),

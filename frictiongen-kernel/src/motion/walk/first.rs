@@ -189,7 +189,7 @@ fn verdict<S: Float>(local: &Local<S>, noise: S, tau: S, exact: bool) -> RootVer
     let mut shift = -(value / slope);
     if !((shift * curve).abs() <= slope.abs()) {
         // The slope is almost zero. The zero of the tangent may be far too late. The code therefore takes the zero of
-        // the parabola with the same curvature.
+        // the parabola with the same value, slope and curvature.
         let two = S::constant(2.0);
         let root = (slope * slope - two * value * curve).sqrt();
         shift = two * value / (root - slope);

@@ -63,7 +63,8 @@ impl<S: Float> OscillatorSum<'_, S> {
             } else if zero < width {
                 width
             } else {
-                // The function is zero within rounding everywhere, so that its curvature gives no width of the peak.
+                // The function is zero everywhere to within rounding. Its curvature therefore gives no width of the
+                // peak.
                 self.reach * S::constant(1.0 / f64::from(MAX_CLIMBS))
             };
             from = tau.max(top) + step;

@@ -1,8 +1,8 @@
 //! Proves that the emitted products over zeros and poles equal β*_lim and |V| within an error bound.
 //!
 //! [`roots`] proves in double-double that V and H equal products over the computed zeros. [`factor`] bounds the errors
-//! of the emitted numbers, and the rounding errors of their evaluation. The proof uses no samples. It takes a few
-//! hundred operations for each mode, at any accuracy.
+//! of the emitted numbers, and the rounding errors of their evaluation. The proof uses no samples. The proof takes a
+//! few hundred operations for each mode, at any accuracy.
 
 mod ball;
 mod factor;
@@ -278,7 +278,7 @@ impl Receptances {
             return None;
         }
         let error = error * (1.0 + 2.0 * error) * UP;
-        // The gain has its own error term. With a safe side the emitted gain differs from the exact gain on purpose.
+        // The gain has its own error term. With `side: safe` the emitted gain differs from the exact gain on purpose.
         let gain =
             Ball::exact(Dd::from(product.gain.to_f64())) * meant.gain.inverse() - Ball::number(1.0);
         let gain = (gain.at.to_f64() - gain.off, gain.at.to_f64() + gain.off);

@@ -31,8 +31,8 @@ pub(super) struct Sum {
 pub(super) struct Factored {
     /// The constant in N = gain·Π(v − z_j)·(1 + δ).
     pub gain: Ball,
-    /// Bound on |δ| without the contributions of the zeros. Each zero adds its weight, divided by the distance of v
-    /// from the zero.
+    /// Bound on |δ|, with the δ of `gain`, without the contributions of the zeros. Each zero adds its weight, divided
+    /// by the distance of v from the zero.
     pub tail: f64,
     /// The zeros, each with the weight of its remainder.
     pub zeros: Vec<(Zero, f64)>,
@@ -168,7 +168,7 @@ impl Sum {
     }
 }
 
-/// Returns evenly spaced points of the unit circle. Their number is the power of two that is at least `count`.
+/// Returns evenly spaced points of the unit circle. Their number is the smallest power of two that is at least `count`.
 fn circle(count: usize) -> Vec<Disc> {
     let one = Disc::real(Ball::number(1.0));
     let half = Ball::number(0.5);

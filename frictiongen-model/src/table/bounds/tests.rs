@@ -58,7 +58,7 @@ fn exact(exact: &Exact<'_>, r: f64) -> [(Dd, f64); 2] {
     [(v / h / exact.modal.stiction, noise[0]), (v, noise[1])]
 }
 
-/// Returns random frequency ratios, and the numbers of the scalar at and near each zero.
+/// Returns random frequency ratios, and the numbers of the scalar type at and near each zero.
 fn places<S: Float>(zeros: &Zeros) -> Vec<f64> {
     let mut state = 5;
     let mut places: Vec<f64> = (0..500)

@@ -1,8 +1,8 @@
 //! Sliding motion under a kinetic friction force that changes with the speed.
 //!
 //! On one straight line of the friction law the force is level + slope·velocity, which couples the modes. The code
-//! divides the motion into short pieces, and computes each piece as a power series. A piece is at most as long as one
-//! radian of the fastest rate. The rate takes into account the modes, the excitation and the friction law.
+//! divides the motion into short pieces, and computes each piece as a power series. In a piece, the fastest oscillation
+//! and the friction law together change the motion by at most a radian.
 
 use super::line::KineticLine;
 use super::lines::{LineCrossing, Lines};
