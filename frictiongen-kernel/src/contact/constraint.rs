@@ -26,7 +26,7 @@ const MOST_TOLERANCE: f64 = 1.0 / 4096.0;
 
 impl<S: Float> Chain<S> {
     /// Finds the velocity constraint max(S, H_c + μm*/r²), multiplied by r² and by the scale E of [`ContactAt`]. S is
-    /// the maximum of the sum over the modes (5.54, 7.36). A search over the half period finds S and proves that no
+    /// the maximum of the sum over the modes (5.54, 7.36). A search of the half period finds S and proves that no
     /// larger value exists. The search starts from the break-away term H_c + μm*/r². `waves` is working space with one
     /// element for each mode.
     pub fn velocity_constraint<D: Decay<S>>(

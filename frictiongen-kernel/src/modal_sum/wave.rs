@@ -1,4 +1,4 @@
-//! Sum of modal motions over a half period, with bounds on its size and its derivatives.
+//! Sum of modal motions in a half period, with bounds on its size and its derivatives.
 //!
 //! A *wave* is the term of one mode in the sum. x is the natural frequency of the mode divided by the excitation
 //! frequency.
@@ -8,7 +8,7 @@ use crate::number::scalar::Float;
 use crate::oscillator::decay::{Basis, Decay, Instant};
 use crate::oscillator::mode::Mode;
 
-/// Term of one mode in a modal sum over the half period: a linear combination of the functions of time in [`Basis`].
+/// Term of one mode in a modal sum in the half period: a linear combination of the functions of time in [`Basis`].
 #[derive(Clone, Copy, Debug)]
 pub struct Wave<S, D> {
     /// Natural frequency of the mode divided by the excitation frequency, x = √λ/r = 1/R.
@@ -81,7 +81,7 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
         at_rest || S::constant(1.0) < self.x * lasts * S::constant(S::RESOLUTION)
     }
 
-    /// Returns an upper bound on the modulus of the modal term over the half period.
+    /// Returns an upper bound on the modulus of the modal term in the half period.
     fn amplitude_bound(&self) -> S {
         let one = S::constant(1.0);
         let Self {
@@ -93,7 +93,7 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
             ..
         } = *self;
         let pi = S::pi();
-        // |p| ≤ min(1/x, π), |p′| ≤ 1, 0 ≤ (1 − d)/x² ≤ min((2 + 2ζ)/x², π²/2), with p and d as in [`Basis`].
+        // |p| ≤ min(1/x, π), |p′| ≤ 1, 0 ≤ (1 − d)/x² ≤ min((2 + 2ζ)/x², π²/2), with p and d as in `Basis`.
         let p = (one / x).min(pi);
         let r = (S::constant(2.0) * (one + self.decay.zeta()) / (x * x)).min(pi * pi);
         free.abs() * p

@@ -323,7 +323,7 @@ impl<S: Float> Part<S> {
         ]
     }
 
-    /// Returns the two factors e^{x(−ζ ± iq)τ} by which the free motion grows or decays over the time τ.
+    /// Returns the two factors e^{x(−ζ ± iq)τ} by which the free motion grows or decays during the time τ.
     pub(crate) fn multipliers(&self, tau: S) -> [Complex<S>; 2] {
         let turn = self.turn(tau * S::inverse_pi(), tau);
         multipliers(self.kind, self.q, &turn)

@@ -15,7 +15,7 @@ use crate::number::matrix::SquareMatrix;
 use crate::number::pairs::{pairs, pairs_mut};
 use crate::number::scalar::Float;
 
-/// Rounding error of a member of the continuum over half a cycle, in rounding units of the state.
+/// Rounding error of a member of the continuum during half a cycle, in rounding units of the state.
 const ROUNDINGS: f64 = 256.0;
 /// Number of bisections in the search for the end of a continuum of steady states.
 const BISECTIONS: u32 = 60;

@@ -153,8 +153,8 @@ impl<S: Float> Damped<S> {
     }
 }
 
-/// Returns the free motion of a mode over the time τ = πt. The natural frequency of the mode is x times the excitation
-/// frequency.
+/// Returns the free motion of a mode during the time τ = πt. The natural frequency of the mode is x times the
+/// excitation frequency.
 #[inline]
 pub(crate) fn turn<S: Float>(kind: Kind, zeta: S, q: S, x: S, (t, tau): (S, S)) -> Turn<S> {
     match kind {

@@ -114,7 +114,7 @@ pub(super) fn basis<S: Float>(x: S, zeta: S, q: S, at: &Instant<S>) -> Basis<S> 
     Basis::damped(x, zeta, free, slope, one_minus_d, at)
 }
 
-/// Returns the free motion of an overdamped mode over the time τ.
+/// Returns the free motion of an overdamped mode during the time τ.
 #[inline]
 pub(super) fn turn<S: Float>(x: S, zeta: S, q: S, tau: S) -> Turn<S> {
     let half = S::constant(0.5);

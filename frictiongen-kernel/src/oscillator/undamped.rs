@@ -59,7 +59,7 @@ pub(super) fn basis<S: Float>(x: S, at: &Instant<S>) -> Basis<S> {
     }
 }
 
-/// Returns the free motion of an undamped mode over the time τ = πt.
+/// Returns the free motion of an undamped mode during the time τ = πt.
 #[inline]
 pub(super) fn turn<S: Float>(x: S, t: S) -> Turn<S> {
     let (s, c) = (x * t).sin_cos_pi();

@@ -134,7 +134,7 @@ pub(super) fn heavy<S: Float>(x: S, zeta: S, q: S, at: &Instant<S>) -> Basis<S> 
     Basis::damped(x, zeta, free, slope, one_minus_d, at)
 }
 
-/// Returns the free motion of an underdamped mode over the time τ = πt.
+/// Returns the free motion of an underdamped mode during the time τ = πt.
 #[inline]
 pub(super) fn turn<S: Float>(x: S, zeta: S, q: S, t: S, tau: S) -> Turn<S> {
     let decay_factor = (-(zeta * x * tau)).exp();

@@ -79,18 +79,19 @@ impl<S: Float> Basis<S> {
     }
 }
 
-/// Free motion of one mode over a time τ: c = e^{−ζxτ}cos(qxτ) and s = e^{−ζxτ}sin(qxτ)/q. c and s depend only on q²,
+/// Free motion of one mode during a time τ: c = e^{−ζxτ}cos(qxτ) and s = e^{−ζxτ}sin(qxτ)/q. c and s depend only on q²,
 /// so that they also describe overdamped modes, with a negative q².
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Turn<S> {
     pub c: S,
     pub s: S,
-    /// Factor e^{−ζxτ} by which an oscillation decays over the time τ. For modes that do not oscillate the factor is 1.
+    /// Factor e^{−ζxτ} by which an oscillation decays during the time τ. For modes that do not oscillate the factor
+    /// is 1.
     pub decay_factor: S,
 }
 
 impl<S: Float> Turn<S> {
-    /// Advances a free displacement y and a scaled velocity u = y′/x over the time τ.
+    /// Advances a free displacement y and a scaled velocity u = y′/x by the time τ.
     #[inline]
     pub(crate) fn moved(&self, zeta: S, [y, u]: [S; 2]) -> [S; 2] {
         let drag = zeta * self.s;

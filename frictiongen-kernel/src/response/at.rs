@@ -170,8 +170,8 @@ impl<T: Scene> At<T> {
     }
 
     /// Searches for the velocity constraint max(S, H_c + μm*/r²), on which β_lim depends (5.54, 7.36). S is a maximum
-    /// over the half period. H_c + μm*/r² comes from the break-away condition at a reversal. The result is multiplied
-    /// by r² and by the scale E of [`ContactAt`].
+    /// in the half period. H_c + μm*/r² comes from the break-away condition at a reversal. The result is multiplied by
+    /// r² and by the scale E of [`ContactAt`].
     #[must_use]
     pub fn velocity_constraint(&self) -> Peak<T::Scalar> {
         let numbers = self.scene.numbers();
@@ -224,7 +224,7 @@ impl<T: Scene> At<T> {
     }
 
     /// Returns the exact β_lim, the limit of continuous motion (5.65, 5.80, 5.96, 7.49). An elastic contact sticks
-    /// after each reversal, so that β_lim is then 0. A search finds the velocity constraint S, a maximum over the half
+    /// after each reversal, so that β_lim is then 0. A search finds the velocity constraint S, a maximum in the half
     /// period, and proves that no larger value exists. Without damping, a search is needed only if the excitation is
     /// slower than half the natural frequency of some mode.
     ///

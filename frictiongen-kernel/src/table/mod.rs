@@ -1,5 +1,4 @@
-//! Piecewise polynomials (tables) for one scene over a range of frequency ratios. Their results have a declared
-//! accuracy.
+//! Piecewise polynomials (tables) for one scene in a range of frequency ratios. Their results have a declared accuracy.
 //!
 //! For one scene the limit of continuous motion β_lim is a function of r alone. Three further functions of r give the
 //! contact's amplitude and phase at any β. The code generator computes all four functions exactly and writes [`Table`]s

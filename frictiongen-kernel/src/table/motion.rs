@@ -228,7 +228,7 @@ impl<T: TabledMotion> SteadyContact<T> {
         }
     }
 
-    /// Returns the maximum of |z̄| over the period, in units of P/k₁ (of Y for base motion).
+    /// Returns the maximum of |z̄| in the period, in units of P/k₁ (of Y for base motion).
     #[inline]
     #[must_use]
     pub fn amplitude(&self) -> T::Scalar {

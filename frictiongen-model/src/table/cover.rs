@@ -51,7 +51,7 @@ fn clamped(value: f64, [least, most]: [f64; 2]) -> f64 {
     value.clamp(least, most)
 }
 
-/// Approximation of the tabulated functions by polynomial pieces over a range of r: settings and state of the
+/// Approximation of the tabulated functions by polynomial pieces in a range of r: settings and state of the
 /// construction.
 pub(super) struct Cover<'a, 'm, S> {
     /// Exact values with which each polynomial piece is compared, and the allowed errors of the fit.

@@ -1,4 +1,4 @@
-//! Fits polynomials over one interval of r, through Chebyshev points, and rounds them to the number type of the table.
+//! Fits polynomials in one interval of r, through Chebyshev points, and rounds them to the number type of the table.
 
 use super::digits::{above, to_decimals};
 use super::exact::{ANGLE, Exact, SIZE};

@@ -63,7 +63,7 @@ impl<S: Float> Tables<S> {
         (S::constant(low).to_f64(), S::constant(high).to_f64())
     }
 
-    /// Returns true if a proof shows that the emitted β_lim exceeds `most` over the whole range.
+    /// Returns true if a proof shows that the emitted β_lim exceeds `most` in the whole range.
     fn limit_is_above(&self, most: f64) -> bool {
         let (low, high) = self.ends();
         let mut above = !self.pieces.is_empty();
@@ -88,7 +88,7 @@ impl<S: Float> Tables<S> {
         above
     }
 
-    /// Returns true if a proof shows that an emitted product over zeros and poles exceeds `most` over the whole range.
+    /// Returns true if a proof shows that an emitted product over zeros and poles exceeds `most` in the whole range.
     fn is_above(&self, product: &Product<S>, most: f64) -> bool {
         let (low, high) = self.ends();
         let least = |r: Interval| size::<S>(product, r).low;
@@ -106,8 +106,8 @@ fn polynomial<T: Number>(coefficients: &[f64], t: T) -> T {
         .fold(zero, |sum, coefficient| sum * t + T::number(*coefficient))
 }
 
-/// Returns true if a function exceeds the number `most` over a whole interval. `least` returns a lower bound on the
-/// function over an interval.
+/// Returns true if a function exceeds the number `most` in a whole interval. `least` returns a lower bound on the
+/// function in an interval.
 fn exceeds(r: Interval, halvings: u32, least: &impl Fn(Interval) -> f64, most: f64) -> bool {
     if most < least(r) {
         return true;
@@ -128,8 +128,8 @@ fn rounded<S: Float>(exact: Interval) -> Interval {
     exact * (Interval::ONE + Interval::within(2.0 * unit)) + Interval::within(smallest)
 }
 
-/// Returns an interval that contains the modulus of a product over an interval of r, with the rounding errors of every
-/// operation.
+/// Returns an interval that contains the modulus of a product for every r in an interval, with the rounding errors of
+/// every operation.
 fn size<S: Float>(product: &Product<S>, r: Interval) -> Interval {
     let of = |factors: &[Factor<S>]| {
         factors.iter().fold(Interval::ONE, |all, factor| {

@@ -68,7 +68,7 @@ pub struct Tables<S> {
     pub held: Option<Held<S>>,
     /// Size of the tables, and the errors that the check has found.
     pub report: Report,
-    /// Proof, complete or partial, that β_lim from the table has the requested accuracy over the range of r.
+    /// Proof, complete or partial, that β_lim from the table has the requested accuracy in the range of r.
     pub proof: Proof,
     /// Proof that amplitude and phase of the contact have the requested accuracy. The proof covers β/β_lim up to the
     /// largest ratio in `FRICTION_SHARES`.

@@ -1,4 +1,4 @@
-//! Search for the largest value of a modal sum over a half period, with a proof that no larger value exists.
+//! Search for the largest value of a modal sum in a half period, with a proof that no larger value exists.
 //!
 //! The search covers the half period by grids. The interval between two nodes of a grid is a *cell*. A cubic and a
 //! bound on the fourth derivative give an upper bound on the sum in a cell. A cell is *open* while its bound exceeds

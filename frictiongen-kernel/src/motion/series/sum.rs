@@ -16,7 +16,7 @@ pub(crate) struct OscillatorSum<'a, S> {
     pub sine: S,
     /// Sine and cosine of the excitation's phase at the start of the searched interval.
     pub phase: (S, S),
-    /// Length in τ over which the function is searched.
+    /// Length in τ within which the function is searched.
     pub reach: S,
     /// Rounding error of a value of the function.
     pub noise: S,

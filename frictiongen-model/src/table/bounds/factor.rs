@@ -1,4 +1,4 @@
-//! Bounds the error of an emitted factor over a cell of r, relative to the factor with the exact zero.
+//! Bounds the error of an emitted factor in a cell of r, relative to the factor with the exact zero.
 
 use super::super::request::is_single;
 use super::super::zeros::Zero;
@@ -116,7 +116,7 @@ impl Known {
         x.max(along)
     }
 
-    /// Returns the bounds of the emitted factor over a cell.
+    /// Returns the bounds of the emitted factor in a cell.
     pub fn bounds<S: Float>(&self, factor: &Factor<S>, cell: Cell) -> Option<Bounds> {
         let (unit, _) = unit::<S>();
         let wide = |value: S| Dd::from(value.to_f64());

@@ -207,7 +207,7 @@ impl Receptances {
         }
     }
 
-    /// Returns bounds on the relative error of the product over a cell, or `None` if no bound is known.
+    /// Returns bounds on the relative error of the product in a cell, or `None` if no bound is known.
     fn cell<S: Float>(
         &self,
         product: &Product<S>,

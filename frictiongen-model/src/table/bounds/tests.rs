@@ -202,7 +202,7 @@ fn farthest<S: Float>(a: &Quotient<'_, S>, b: &Quotient<'_, S>) -> f64 {
     places.map(ratio).fold(0.0, f64::max)
 }
 
-/// Returns true if a product is proven over the whole range.
+/// Returns true if a product is proven in the whole range.
 fn passes(proof: &Proof) -> bool {
     proof.evidence != Evidence::Checked && proof.open_length() == 0.0
 }

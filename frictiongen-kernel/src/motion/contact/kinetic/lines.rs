@@ -136,8 +136,8 @@ impl<'a, S: Float> Lines<'a, S> {
     /// instead, returns the length of the extension.
     ///
     /// If the speed only touches a point of the law, rounding may switch the motion between two lines without end.
-    /// After `STILL` pieces of length zero the motion therefore continues along its line over the returned length. This
-    /// length is a fraction of the power series' length.
+    /// After `STILL` pieces of length zero the motion therefore continues along its line through the returned length.
+    /// This length is a fraction of the power series' length.
     pub(crate) fn leads_to(&mut self, next: LineCrossing, moves: bool) -> Option<S> {
         self.next = next;
         if moves || next == LineCrossing::None {
