@@ -2,8 +2,8 @@
 //!
 //! The modules, from the lowest layer to the highest, are [`number`], [`oscillator`], [`modal_sum`], [`contact`],
 //! [`response`], [`table`] and [`motion`]. Each module uses only modules that precede it in this list. [`simulation`],
-//! [`stepper`] and [`orbit`] use these modules, and not one another. [`joints`] has the motion of scenes with several
-//! contacts. [`errors`] has the error types of all modules.
+//! [`stepper`] and [`orbit`] use the modules of this list, and not one another. [`joints`] has the motion of scenes
+//! with several contacts. [`errors`] has the error types of all modules.
 #![cfg_attr(not(any(test, feature = "std")), no_std)]
 
 pub mod combination;

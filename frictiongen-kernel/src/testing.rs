@@ -14,7 +14,7 @@ pub use fuzzing::Random as Lcg;
 
 pub type TestWave = Wave<f64, Damped<f64>>;
 
-/// Number of derivatives of a wave that the tests compute. They include the derivatives in the Taylor series of a
+/// Number of derivatives of a wave that the tests compute. This number covers the derivatives in the Taylor series of a
 /// search.
 pub const ORDERS: usize = 18;
 
@@ -75,8 +75,9 @@ fn turning(tau: f64, order: usize) -> (f64, f64) {
     [(c, s), (-s, c), (-c, -s), (s, -c)][order % 4]
 }
 
-/// Returns a and b of y = 1/x² + a·d + b·p, the response of a mode to a unit force that changes its sign every half
-/// period. They follow from y(π) = −y(0) and y′(π) = −y′(0), with d = p′ + 2ζx p and d′ = −x²p.
+/// Returns the coefficients a and b of y = 1/x² + a·d + b·p, the response of a mode to a unit force that changes its
+/// sign every half period. The coefficients follow from y(π) = −y(0) and y′(π) = −y′(0), with d = p′ + 2ζx p and d′ =
+/// −x²p.
 fn mass_controlled_parts(x: f64, zeta: f64) -> (f64, f64) {
     let end = free(x, zeta, PI, 1);
     let (p, slope) = (end[0], end[1]);

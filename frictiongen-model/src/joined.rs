@@ -91,9 +91,9 @@ fn rayleigh(scene: &Scene, mass: f64, stiffness: f64) -> Vec<Vec<Dd>> {
     matrix
 }
 
-/// Returns the numbers of the two ends of a spring, dashpot or contact. Numbers count the masses, then the wall, then
-/// the base. The end that counts as positive comes first: the later mass, or the mass if the other end is a support.
-/// Returns `None` unless the ends are two nodes of the chain, one of them a mass.
+/// Returns the numbers of the two ends of a spring, dashpot or contact. The numbers count the masses first, then the
+/// wall, then the base. The end that counts as positive comes first: the later mass, or the mass if the other end is a
+/// support. Returns `None` unless the ends are two nodes of the chain, one of them a mass.
 #[must_use]
 pub fn numbered(masses: usize, from: Node, to: Node) -> Option<(usize, usize)> {
     let number = |node| match node {

@@ -9,7 +9,7 @@ use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::response::Ends;
 
 /// A residue counts as rounding noise if it is at most this fraction of the largest value that it can have. The code
-/// sets such a residue to exactly zero.
+/// sets a residue of this size to exactly zero.
 pub(crate) const NOISE: f64 = 1e-26;
 
 /// A scene in modal coordinates (section 2 of `docs/derivation.md`), to about 30 digits. The type `T` is a number, or a
@@ -33,8 +33,8 @@ pub struct Modal<T = Dd> {
     /// φᵀK_w1, the modal forces if all masses move by 1, with the stiffnesses K_w of the springs to the wall. The list
     /// is empty unless damping acts on velocities relative to the moving base.
     pub walls: Vec<T>,
-    /// wᵀΓ⁻¹C̄1/r, the relative acceleration of the contact that damping causes if the base moves at unit velocity. It
-    /// is 0 unless damping acts on velocities relative to the moving base.
+    /// wᵀΓ⁻¹C̄1/r, the relative acceleration of the contact that damping causes if the base moves at unit velocity.
+    /// This acceleration is 0 unless damping acts on velocities relative to the moving base.
     pub inertial_drag: T,
     /// m* = wᵀΓ⁻¹w, the inverse effective mass of the contact.
     pub inverse_mass: T,
@@ -337,7 +337,8 @@ impl<T: Float> Modal<T> {
     pub fn ends(&self) -> Ends<T> {
         let mu = self.stiction;
         if let Some(compliance) = self.compliance {
-            // The force of an elastic contact is bounded by its displacement.
+            // For r → ∞ the force in a stuck elastic contact is the displacement of the contact divided by the
+            // compliance.
             let zero = T::constant(0.0);
             let receptance = self.static_receptance + compliance;
             return Ends {

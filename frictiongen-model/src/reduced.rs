@@ -37,8 +37,8 @@ pub struct Reduced<S> {
     pub unbounded: Vec<S>,
     /// Those frequency ratios of `unbounded` at which friction in the contact does not act on the resonant mode.
     pub invisible: Vec<S>,
-    /// True if the sums over the modes may process two modes at once. The results have the same bits. Optimised code is
-    /// then faster, but code without optimisation is slower.
+    /// True if the sums over the modes may process two modes at the same time. The results have the same bits.
+    /// Optimised code is then faster, but code without optimisation is slower.
     pub two_at_once: bool,
 }
 

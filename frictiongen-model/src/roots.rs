@@ -1,6 +1,6 @@
 //! Natural frequencies of the chain with its contact stuck. They are the roots of 1/κ + Σ c_i/(s² + 2ζ_iσ_i s + λ_i)
-//! over the modes i. κ is the stiffness of the contact over k₁, and 1/κ its *compliance*. The compliance of a rigid
-//! contact is 0.
+//! over the modes i. κ is the stiffness of the contact divided by k₁, and 1/κ is the *compliance* of the contact. The
+//! compliance of a rigid contact is 0.
 //!
 //! Without damping, one root lies between each pair of neighbouring resonances. With an elastic contact, another root
 //! lies above the last resonance. With damping, the simultaneous iteration of Aberth and Ehrlich starts from the
@@ -20,7 +20,7 @@ pub struct Driven {
     pub inverse_mass: Dd,
 }
 
-/// One mode of the chain with its contact stuck. It is a pair of roots, the zeros of s² + 2αs + ω².
+/// One mode of the chain with its contact stuck. A pair of roots describes the mode, the zeros of s² + 2αs + ω².
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Pair {
     /// ω, the natural frequency of the mode.
@@ -55,12 +55,13 @@ pub(crate) fn pairs(modes: &[Driven], compliance: Dd) -> Vec<Pair> {
 }
 
 /// Returns the undamped root ω between two neighbouring resonances, where 1/κ + Σ c_i/(λ_i − ω²) rises from −∞ to ∞. If
-/// `high` is `None`, `low` is the last resonance, and the result is the root above it. The function applies regula
-/// falsi with the Illinois rule to the sum times both neighbouring denominators.
+/// `high` is `None`, `low` is the last resonance, and the result is the root above `low`. The function multiplies the
+/// sum by the denominators of the two neighbouring modes, and applies regula falsi with the Illinois rule to the
+/// product.
 fn between(modes: &[Driven], compliance: Dd, low: Dd, high: Option<Dd>) -> Dd {
     let value = |omega: Dd| {
         let gap = |sigma: Dd| (sigma - omega) * (sigma + omega);
-        // Above the last resonance the first denominator alone has the factor of both.
+        // Above the last resonance there is only one neighbouring mode. The factor of the second denominator is then 1.
         let upper = || high.map_or(Dd::ONE, gap);
         let start = if compliance.is_zero() {
             Dd::ZERO
@@ -68,7 +69,7 @@ fn between(modes: &[Driven], compliance: Dd, low: Dd, high: Option<Dd>) -> Dd {
             compliance * gap(low) * upper()
         };
         modes.iter().fold(start, |sum, mode| {
-            // In the terms of the two neighbouring modes, one of both denominators cancels.
+            // In the term of each neighbouring mode, the denominator of this mode cancels.
             let weight = if mode.sigma == low {
                 upper()
             } else if Some(mode.sigma) == high {
@@ -79,7 +80,8 @@ fn between(modes: &[Driven], compliance: Dd, low: Dd, high: Option<Dd>) -> Dd {
             sum + mode.inverse_mass * weight
         })
     };
-    // Above the last resonance Σ c_i/(ω² − λ_i) = 1/κ, and no denominator is smaller than that of the last resonance.
+    // Returns an upper bound on the root above the last resonance. There Σ c_i/(ω² − λ_i) = 1/κ, and no denominator is
+    // smaller than that of the last resonance.
     let last = || {
         let sum = modes
             .iter()
@@ -92,8 +94,8 @@ fn between(modes: &[Driven], compliance: Dd, low: Dd, high: Option<Dd>) -> Dd {
     let mut last = None;
     for step in 0..200 {
         let mut c = b - at_b * (b - a) / (at_b - at_a);
-        // If the weights of the two modes differ much, regula falsi keeps the same bound for many steps. Every eighth
-        // step therefore bisects.
+        // If the weights of the two modes differ greatly, regula falsi keeps the same bound for many steps. Every
+        // eighth step therefore bisects.
         if step % 8 == 7 || !(a < c && c < b) {
             c = (a + b) * half;
         }
@@ -195,8 +197,8 @@ const FIRST_STEPS: (usize, f64) = (100, 1e-14);
 /// Upper bound on the number of steps in double-double, and the relative correction at which the iteration ends.
 const LAST_STEPS: (usize, f64) = (60, 1e-29);
 
-/// A root counts as real if its imaginary part is at most this fraction of its modulus. Rounding alone can cause such
-/// an imaginary part.
+/// A root counts as real if its imaginary part is at most this fraction of its modulus. Rounding alone can cause an
+/// imaginary part of this size.
 const REAL: f64 = 1e-13;
 
 /// Converts a double-double to another number type.
@@ -204,8 +206,8 @@ pub(crate) fn to<S: Float>(value: Dd) -> S {
     S::constant(value.hi) + S::constant(value.lo)
 }
 
-/// Improves the estimates of all roots of a polynomial P at once (Aberth and Ehrlich). Each step is a Newton step for
-/// one root, computed from P′/P after division by the factors of the other roots. The first `known` roots stay
+/// Improves the estimates of all roots of a polynomial P simultaneously (Aberth and Ehrlich). Each step is a Newton
+/// step for one root, computed from P′/P after division by the factors of the other roots. The first `known` roots stay
 /// unchanged.
 pub(crate) fn iterate<S: Float>(
     roots: &mut [Complex<Dd>],

@@ -106,7 +106,7 @@ pub enum Precision {
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Provide {
-    /// Both limits and the regime at any frequency ratio.
+    /// The limits β_lim and β*_lim and the regime at any frequency ratio.
     Limits,
     /// The exact continuous motion of the contact and of masses. `None` selects every mass, a list selects the masses
     /// with these indices.
@@ -130,7 +130,7 @@ pub enum Accuracy {
     /// Exact formulas, without tables.
     #[default]
     Exact,
-    /// Tables whose relative error is at most this number over the scene's `range`.
+    /// Tables whose relative error is at most this number in the scene's `range`.
     Relative(f64),
 }
 
@@ -164,11 +164,11 @@ pub enum Proving {
     /// About a second. Tables whose proof needs longer are checked but not proven.
     #[default]
     Quick,
-    /// The time of a whole proof, as on the command line: some seconds in code without optimisation.
+    /// The time of a whole proof, as on the command line: a few seconds in code without optimisation.
     Whole,
 }
 
-/// The range of r and β over which a declared accuracy is valid.
+/// The range of r and β in which a declared accuracy is valid.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Range {
@@ -216,8 +216,8 @@ pub enum FrictionLaw {
     #[default]
     Coulomb,
     /// Kinetic friction that is piecewise linear in the sliding speed. Each point has a speed, in the scene's own
-    /// units, and a level, which is the friction force over F. The level at rest is 1. Beyond the last point the level
-    /// is constant.
+    /// units, and a level, which is the friction force divided by F. The level at rest is 1. Beyond the last point the
+    /// level is constant.
     Stribeck(Vec<[f64; 2]>),
 }
 
@@ -236,9 +236,9 @@ impl FrictionLaw {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum StepInput {
-    /// The input keeps the value of the sample over the whole step.
+    /// The input keeps the value of the sample during the whole step.
     Hold,
-    /// The input changes linearly over the step, and reaches the sample at the end of the step.
+    /// The input changes linearly during the step, and reaches the sample at the end of the step.
     #[default]
     Linear,
 }
@@ -311,7 +311,8 @@ impl Scene {
     }
 
     /// Returns true if the emitted code has a method that depends on the frequency of excitation. The stepper does not
-    /// depend on it. The simulation does not depend on it either, if the kinetic friction depends on the speed.
+    /// depend on this frequency. If the kinetic friction depends on the speed, the simulation does not depend on it
+    /// either.
     #[must_use]
     pub fn needs_frequency(&self) -> bool {
         let constant = self.friction == FrictionLaw::Coulomb;
@@ -374,7 +375,7 @@ impl Scene {
 
 impl Scene {
     /// Returns true if masses beyond the contact can act as an absorber. The load reaches these masses only through a
-    /// mass of the contact. While the contact is stuck, they can resonate on their own.
+    /// mass of the contact. While the contact is stuck, these masses can resonate on their own.
     #[must_use]
     pub fn has_absorber(&self) -> bool {
         let sides = [self.contact.from, self.contact.to];

@@ -2,7 +2,7 @@
 //! perturbation of the modes, in double-double.
 //!
 //! The modes are the eigenvectors of GᵀG. With v = √Γφ, the change of GᵀG between modes i and j is vᵢᵀ(dGᵀG)vⱼ = Σ_e
-//! (dκ/κ)ₑ κₑδᵢₑδⱼₑ − ½(λ_i + λ_j) Σ_m (dγ/γ)_m vᵢₘvⱼₘ. δ are the elongations of the springs.
+//! (dκ/κ)ₑ κₑδᵢₑδⱼₑ − ½(λ_i + λ_j) Σ_m (dγ/γ)_m vᵢₘvⱼₘ. δᵢₑ is the elongation of spring e in mode i.
 
 mod base;
 mod equal;
@@ -86,7 +86,7 @@ impl Modal {
     }
 
     /// Returns the modal data with derivatives with respect to one quantity of the scene. `scene` must be the scene of
-    /// this modal analysis. Returns `None` if the scene has no such quantity.
+    /// this modal analysis. Returns `None` if the scene does not have this quantity.
     #[must_use]
     pub fn along(&self, scene: &Scene, quantity: Quantity) -> Option<Modal<Dual<Dd>>> {
         let mut along = self.fixed();
@@ -173,7 +173,7 @@ fn factors(scene: &Scene, along: Option<Quantity>) -> Option<(Dual<Dd>, Dual<Dd>
 }
 
 /// Relative changes dγ/γ of each mass ratio and dκ/κ of each stiffness ratio. The first mass and the first spring are
-/// the references. A change of either therefore changes all other ratios.
+/// the references. A change of the first mass or of the first spring therefore changes all other ratios.
 struct Change {
     masses: Vec<Dd>,
     springs: Vec<Dd>,

@@ -5,8 +5,9 @@ use crate::modal::Modal;
 use frictiongen_kernel::Float;
 
 impl<T: Float> Modal<T> {
-    /// Returns the friction threshold β_n,i of each mode i (6.2, 6.26). Below this friction ratio, the motion at the
-    /// undamped resonance of the mode is unbounded. The entry is `None` for a mode that the contact does not drive.
+    /// Returns the friction threshold β_n,i of each mode i (6.2, 6.26). If β is smaller than the threshold, the motion
+    /// at the undamped resonance of the mode is unbounded. The entry is `None` for a mode that the contact does not
+    /// drive.
     #[must_use]
     pub fn resonance_thresholds(&self) -> Vec<Option<T>> {
         self.loads

@@ -27,8 +27,8 @@ pub struct Steps<S> {
     pub input: Input,
     /// Points (speed, level) of the friction law. The list is empty for Coulomb's law.
     pub law: Vec<[S; 2]>,
-    /// Velocity in the scene's units for which dz̄/dτ is 1, at r = 1 under a load of amplitude 1. It is √(k₁/m₁),
-    /// divided by k₁ if the load is a force.
+    /// Velocity in the scene's units for which dz̄/dτ is 1, at r = 1 under a load of amplitude 1. This velocity is
+    /// √(k₁/m₁), divided by k₁ if the load is a force.
     pub speed: S,
 }
 
@@ -88,7 +88,7 @@ impl<S: Scalar> Steps<S> {
         }
     }
 
-    /// Returns the number of coefficients of an input's polynomial over a step.
+    /// Returns the number of coefficients of the polynomial that describes an input during a step.
     #[must_use]
     pub fn coefficients(&self) -> usize {
         match (self.on_base, self.input) {

@@ -1,4 +1,4 @@
-//! Checks that a scene makes physical sense. The checks report all errors at once. Each error names the item of the
+//! Checks that a scene makes physical sense. The checks report all errors together. Each error names the item of the
 //! scene that causes it.
 //!
 //! A description read from text and a scene built at run time pass the same checks. The text parser converts each
@@ -37,7 +37,7 @@ pub fn validate(scene: &Scene) -> Result<(), Vec<SceneError>> {
 /// Checks a scene whose description has errors. It checks only the items that the parser could read.
 ///
 /// # Errors
-/// Returns every error of these items, in the order of the fields.
+/// Returns every error of the items that the parser could read, in the order of the fields.
 pub fn validate_known(scene: &Scene, checks: &Checks) -> Result<(), Vec<SceneError>> {
     let mut errors = Vec::new();
     masses::check(scene, checks, &mut errors);

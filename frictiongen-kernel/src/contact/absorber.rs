@@ -4,19 +4,20 @@
 //! while the contact is stuck, V and H vanish together. V is the response of the contact to the load, and H is its
 //! receptance (response to a contact force). The amplitude V/H of the contact force would then be a quotient of
 //! rounding errors. This module divides out the common zero. With s = r² and the distance d = s − s₀ from the zero, V =
-//! v₁d − v₂d² + v₃d³ − …, where v_n = Σα/(λ − s)^{n+1} with the residues α = (φᵀw)(φᵀp). H has a series of the same
-//! form.
+//! v₁d − v₂d² + v₃d³ − …, where v_n = Σα/(λ − s)^{n+1} with the residues α = (φᵀw)(φᵀp) of the modes and their squared
+//! frequency ratios λ. H has a series of the same form.
 
 use crate::contact::sums::{Chain, ContactAt, ModeAt};
 use crate::number::scalar::Float;
 use crate::oscillator::mode::Mode;
 
-/// A modal sum counts as zero if it is below this number of rounding errors of its largest term.
+/// A modal sum counts as zero if its modulus is smaller than this number times the rounding error of its largest term.
 const ROUNDINGS: f64 = 64.0;
 
 /// Returns the largest relative distance from an absorber frequency at which the series is more accurate than the
-/// quotient V/H. At an absorber frequency V (response to the load) and H (receptance) are both zero. The error of the
-/// series is the fourth power of the distance. The error of the quotient is one rounding divided by the distance.
+/// quotient V/H. At an absorber frequency V (response to the load) and H (receptance) are both zero. The code uses
+/// three terms of the series, so that its relative error is about the third power of this distance. The relative error
+/// of the quotient is about one rounding unit divided by this distance.
 fn near<S: Float>() -> S {
     S::constant(S::EPSILON).sqrt().sqrt()
 }
@@ -62,7 +63,7 @@ impl<S: Float> Chain<S> {
         if h.abs() > near * h_size || v.abs() > near * slope_size {
             return None;
         }
-        // Three iterations on the series of H give the distance from the zero of H.
+        // Three iterations with the series of H give d, the distance from the zero of H.
         let mut d = h / h1;
         for _ in 0..3 {
             d = (h + h2 * d * d - h3 * d * d * d) / h1;

@@ -1,5 +1,5 @@
-//! Searches for the velocity constraint S, each with a proof that no larger value exists, and the decision whether a
-//! continuous motion exists.
+//! Searches for the velocity constraint S, each of which proves that no larger value exists. The module also decides
+//! whether a continuous motion exists.
 
 use crate::contact::regime::check_beta;
 use crate::contact::sums::{Chain, ContactAt, ModeAt};
@@ -12,21 +12,21 @@ use crate::oscillator::decay::Decay;
 use crate::oscillator::mode::Mode;
 
 /// Safety margin of a comparison of β with β_lim, in rounding units. If β is below the computed β_lim by more than this
-/// margin, β is below the exact β_lim as well. The search contributes an error of up to four units, the formula of
-/// β_lim the rest.
+/// margin, β is below the exact β_lim as well. The search contributes an error of up to four units, and the formula of
+/// β_lim contributes the rest.
 const CLEAR: f64 = 32.0;
 /// Upper bound on the phase error of a mode due to the rounding of r, as a fraction of a half turn. A mode with a
-/// larger error is so fast that two searches at the same r may differ. The code then does not use the cheaper search.
+/// larger error is so fast that two searches at the same r may differ. For such a mode the code does not use the search
+/// that only compares S with the largest value that β allows.
 const UNTURNED: f64 = 1e-4;
 
-/// Upper bound on the relative tolerance of a search for the velocity constraint S. Some β_lim hardly depend on S, so
-/// that a larger tolerance would suffice for β_lim itself. The amplitude of the motion at β_lim would then be
-/// inaccurate.
+/// Upper bound on the relative tolerance of a search for the velocity constraint S. If β_lim hardly depends on S, a
+/// larger tolerance would suffice for β_lim itself. The amplitude of the motion at β_lim would then be inaccurate.
 const MOST_TOLERANCE: f64 = 1.0 / 4096.0;
 
 impl<S: Float> Chain<S> {
     /// Finds the velocity constraint max(S, H_c + μm*/r²), multiplied by r² and by the scale E of [`ContactAt`]. S is
-    /// the maximum of the sum over the modes (5.54, 7.36). A search over the half period finds S and proves that no
+    /// the maximum of the sum over the modes (5.54, 7.36). A search of the half period finds S and proves that no
     /// larger value exists. The search starts from the break-away term H_c + μm*/r². `waves` is working space with one
     /// element for each mode.
     pub fn velocity_constraint<D: Decay<S>>(
@@ -62,7 +62,8 @@ impl<S: Float> Chain<S> {
     }
 
     /// Returns true if the velocity constraint S equals its limit for τ → 0, so that no search is needed. An undamped
-    /// chain meets this condition if R ≥ 1/2 for every mode. `ratios` are x = 1/R of the modes.
+    /// chain meets this condition if R ≥ 1/2 for every mode. `ratios` are x = 1/R of the modes, where R is the
+    /// excitation frequency divided by the natural frequency of the mode.
     pub(crate) fn start_decides(&self, mut ratios: impl Iterator<Item = S>) -> bool {
         !self.damped && ratios.all(|x| x <= S::constant(2.0))
     }
@@ -143,7 +144,7 @@ impl<S: Float> Chain<S> {
     }
 
     /// Returns true if β is below the exact limit of continuous motion. For most β the function does not compute the
-    /// limit. It only decides by a cheaper search whether the velocity constraint exceeds the largest value that β
+    /// limit. Instead, a cheaper search only decides whether the velocity constraint exceeds the largest value that β
     /// allows.
     pub fn is_continuous<D: Decay<S>>(
         &self,
@@ -160,7 +161,7 @@ impl<S: Float> Chain<S> {
         let break_away = self.break_away(contact);
         let excitation = complex::modulus(contact.v, self.damped);
         let quadrature = beta * contact.u;
-        // The product of both factors may underflow, although neither of their roots does.
+        // The product of the difference and the sum may underflow. The product of their square roots does not.
         let root = (excitation - quadrature).sqrt() * (excitation + quadrature).sqrt();
         let allowed = S::constant(1.0 - 1e-3) * root / beta;
         // Where U is much larger than S, `allowed` is mainly rounding error, and the cheaper search proves nothing.
@@ -174,8 +175,7 @@ impl<S: Float> Chain<S> {
             let start = self.start_constraint(contact);
             let above = allowed - start;
             let peak = self.constraint_above(contact, at, waves, start, above);
-            // A search that stopped at its bound found nothing larger than `above`, but has not proven that nothing
-            // larger exists.
+            // A search that stopped at its largest number of evaluations has not proven that no value exceeds `above`.
             if peak.value <= above && !peak.exceeded {
                 return true;
             }
@@ -265,9 +265,11 @@ fn fill<S: Float, D: Decay<S>>(
 }
 
 /// Returns the term of a mode in the difference between the velocity constraint's sum and `start`·sin τ. `start` is the
-/// limit of the constraint for τ → 0. The term is −m(1 + g)(sin τ − p) + mu((cos τ − p′) − 2ζx·sin τ), with m = (φᵀw)².
-/// The function leaves out −2ζx·mu·sin τ, which the caller adds for all modes at once. Close to a resonance the sum and
-/// `start`·sin τ are nearly proportional. The difference of the two would be mainly rounding error.
+/// limit of the constraint for τ → 0. The term is −m·(1 + g)·(sin τ − p) + m·u·((cos τ − p′) − 2ζx·sin τ), with m =
+/// (φᵀw)². Here p is the free displacement of the mode, and u and g are its damping functions. The function leaves out
+/// −2ζx·m·u·sin τ, which the caller adds for all modes at the same time. Close to a resonance the sum and `start`·sin τ
+/// are nearly proportional. A subtraction of the two would leave mainly rounding error. The formula of the term
+/// contains no such subtraction.
 fn constraint_wave<S: Float, D: Decay<S>>(
     mode: &Mode<S>,
     at: &ModeAt<S>,

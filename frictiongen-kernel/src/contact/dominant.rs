@@ -1,16 +1,16 @@
 //! Modal sums V, U and H of the contact that leave out the terms of the dominant mode. The dominant mode outweighs all
 //! others.
 //!
-//! The contribution of a mode to the motion of a mass contains a difference of two products of these sums. In this
-//! difference the terms of the mode itself cancel. Close to the mode's resonance these terms outweigh all others, and
+//! The contribution of a mode to the motion of a mass contains a difference of two products of the sums V, U and H. In
+//! this difference the mode's own terms cancel. Close to the mode's resonance its own terms outweigh all others, and
 //! their rounding errors would remain. For this *dominant* mode the code therefore uses sums over all other modes.
 //!
 //! All other modes use the full sums, so that their rounding errors are equal. The motion of a mass far from the
 //! contact is a small difference of modal terms. Equal rounding errors cancel in this difference.
 //!
-//! One dominant mode is enough. Proof: two modes have the terms a, b in V and c, d in U, with ac ≥ bd. The products ad
-//! and bc remain in the contribution of the second mode. The larger of ad and bc is at least √(ac·bd) ≥ bd, and bd is
-//! the product that cancels.
+//! One dominant mode is enough. Proof: the first of two modes has the terms a in V and c in U, the second has b in V
+//! and d in U, and ac ≥ bd. The products ad and bc remain in the contribution of the second mode. The larger of ad and
+//! bc is at least √(ac·bd) ≥ bd, and bd is the product that cancels.
 
 use crate::contact::quadrature::Quadratures;
 use crate::contact::sums::{Chain, ContactAt, ModeAt};
@@ -74,7 +74,7 @@ impl<S: Scalar> Terms<S> {
 }
 
 /// Selects the modal sum that is paired with V (the response to the load). The contribution of a mode to a motion
-/// contains both sums, and in it the mode's own terms cancel.
+/// contains V and the selected sum. In this contribution the mode's own terms cancel.
 #[derive(Clone, Copy)]
 pub(crate) enum Partner {
     /// The damping function U of the contact, for a continuous motion.
@@ -116,8 +116,8 @@ enum Which<S> {
     Numbered(S),
 }
 
-/// Modal sums V, U and H of the contact. `own` leaves out the terms of the dominant mode, and serves this mode.
-/// `others` contains all terms, and serves all other modes.
+/// Modal sums V, U and H of the contact. `own` is for the dominant mode, and leaves out its terms. `others` is for all
+/// other modes, and contains all terms.
 #[derive(Clone, Copy)]
 pub(crate) struct DominantSums<S> {
     which: Which<S>,
@@ -126,8 +126,8 @@ pub(crate) struct DominantSums<S> {
 }
 
 impl<S: Scalar> DominantSums<S> {
-    /// Adds the compliance of an elastic contact to those sums of H that do not contain it. These are the sums without
-    /// the term of a mode.
+    /// Adds the compliance of an elastic contact to the sums of H that leave out the term of a mode. The sums over all
+    /// modes already contain the compliance.
     pub fn with_compliance(mut self, compliance: S) -> Self {
         self.own.h.re = self.own.h.re + compliance;
         if matches!(self.which, Which::First) {
@@ -136,10 +136,10 @@ impl<S: Scalar> DominantSums<S> {
         self
     }
 
-    /// Returns two values of V, the response of the contact of a damped chain to the load. The first value serves the
-    /// phase of the dominant mode, the second the phases of all other modes. A mode is in phase with its own term of V.
-    /// V without this term therefore gives the same phase as the full V. The function uses the smaller of both values,
-    /// because its phase is more accurate.
+    /// Returns two values of V, the response of the contact of a damped chain to the load. The first value is for the
+    /// phase of the dominant mode, the second for the phases of all other modes. A mode is in phase with its own term
+    /// of V. V without this term therefore gives the same phase as the full V. Of the full V and V without the term,
+    /// the function uses the smaller one, because its phase is more accurate.
     pub fn turning(&self, contact: &ContactAt<S>) -> (Complex<S>, Complex<S>) {
         let size = |v| complex::size(v, true);
         let all = size(contact.v).named("v_size", "(|Re V| + |Im V|)·r²E", None);
@@ -210,8 +210,8 @@ impl<S: Scalar> DominantParts<S> {
 
 impl<S: Scalar> Chain<S> {
     /// Selects the dominant mode, whose own terms in the modal sums V, U and H outweigh all others. Returns the sums
-    /// without these terms for the dominant mode, and the full sums for all other modes. In a chain of two modes, each
-    /// mode gets the terms of the other mode.
+    /// without the dominant mode's terms for the dominant mode, and the full sums for all other modes. In a chain of
+    /// two modes, each mode gets the terms of the other mode.
     pub(crate) fn dominant_sums<'a>(
         &self,
         (modes, quadratures): (
@@ -315,7 +315,7 @@ impl<S: Scalar> Chain<S> {
         scale: S,
         index: usize,
     ) -> Heaviest<S> {
-        // On a moving base the sums contain v − 1, but v itself cancels.
+        // On a moving base the sums contain v − 1, but only the terms with v cancel in the difference of products.
         let v = if self.on_moving_base.is_some() {
             self.plus(own.v, complex::real(mode.static_residue * scale))
         } else {
@@ -340,8 +340,8 @@ impl<S: Scalar> Chain<S> {
     }
 
     /// Returns the sums V, U and H for one mode from `others`, the sums over the other modes. For a mass-controlled
-    /// mode the result contains the full U, because such a mode has no term of U that cancels. A mass-controlled mode
-    /// resonates far below the excitation frequency.
+    /// mode the result contains the full U, because a mass-controlled mode has no term of U that cancels. A
+    /// mass-controlled mode resonates far below the excitation frequency.
     fn in_full(
         &self,
         mode: &Mode<S>,

@@ -36,8 +36,8 @@ impl<S: Scalar> Chain<S> {
     }
 
     /// Returns the break-away term H_c + μm*/r², multiplied by r² and by the scale E (5.63, 7.47). The contact breaks
-    /// away at a reversal if Z + βG exceeds β times this term. As μ ≥ 1, the result is never below
-    /// [`start_constraint`](Self::start_constraint).
+    /// away at a reversal if Z + βG exceeds β times this term, where Z is the amplitude of the contact's motion and G
+    /// its damping function. As μ ≥ 1, the result is never below [`start_constraint`](Self::start_constraint).
     #[inline]
     pub fn break_away(&self, contact: &ContactAt<S>) -> S {
         let inverse_mass = self.stiction * self.inverse_mass * contact.scale;

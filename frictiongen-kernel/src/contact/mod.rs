@@ -1,11 +1,11 @@
 //! Contact of the chain at one frequency: modal sums, limits of continuous and stuck motion, and the regime.
 //!
-//! * [`sums`] defines the modal sums V, U, G, H and H_c, and [`pairs`] evaluates them for two modes at once.
+//! * [`sums`] defines the modal sums V, U, G, H and H_c, and [`pairs`] evaluates them for two modes at the same time.
 //! * [`quadrature`] adds the load that damping relative to a moving base causes.
 //! * `dominant` leaves out the largest modal terms where they would cancel.
-//! * [`limits`] has the formulas of both limits.
-//! * [`driven`] (undamped chains) and `several` (several frequencies at once) compute the limits faster, if no search
-//!   for S is needed.
+//! * [`limits`] has the formulas of the limits β_lim and β*_lim.
+//! * [`driven`] (for undamped chains) and `several` (for several frequencies at the same time) compute the limits
+//!   faster, if no search for S is needed.
 //! * [`constraint`] searches for the velocity constraint S of the exact limit, and decides whether a continuous motion
 //!   exists.
 //! * [`absorber`] covers the frequencies at which V and H are both zero.

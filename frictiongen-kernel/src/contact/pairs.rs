@@ -1,9 +1,9 @@
-//! Modal sums of the contact for a run-time `System`, computed for two neighbouring modes at once.
+//! Modal sums of the contact for a run-time `System`, computed for two neighbouring modes at the same time.
 //!
-//! A processor computes two numbers with one packed instruction if the compiler finds the same operation on both. In
-//! emitted code the compiler often finds such pairs, but in a loop over modes it does not. The formulas are therefore
-//! evaluated with `Lanes`, arrays of two numbers. Every operation is the same as for one mode alone, and the sums add
-//! one mode after the other. The results therefore have the same bits as those of emitted code.
+//! A processor computes two numbers with one packed instruction if the compiler finds the same operation on both
+//! numbers. In emitted code the compiler often finds two equal operations, but in a loop over modes it does not. The
+//! formulas are therefore evaluated with `Lanes`, arrays of two numbers. Every operation is the same as for one mode
+//! alone, and the sums add one mode after the other. The results therefore have the same bits as those of emitted code.
 
 use crate::contact::quadrature::{InPhase, Quadratures};
 use crate::contact::sums::{Chain, ContactAt, ModeAt};
@@ -66,8 +66,9 @@ impl<S: Float> Chain<S> {
         }
     }
 
-    /// Returns the kind of damping of the modes if the code can compute two modes at once. All modes must be undamped,
-    /// or all must be lightly damped. The processor must compute with two numbers of the scalar type at once.
+    /// Returns the kind of damping of the modes if the code can compute two modes at the same time. All modes must be
+    /// undamped, or all must be lightly damped. The processor must compute with two numbers of the scalar type at the
+    /// same time.
     #[inline(always)]
     pub(super) fn common_kind(&self, modes: &[Mode<S>]) -> Option<Kind> {
         if !S::PAIRS {
@@ -92,7 +93,7 @@ impl<S: Float> Chain<S> {
     }
 
     /// Computes the modal sums of the contact, one mode after the other, for modes with loads in quadrature. Without
-    /// such loads [`in_turn`](Self::in_turn) gives the same sums.
+    /// loads in quadrature [`in_turn`](Self::in_turn) gives the same sums.
     pub fn loaded_in_turn<const WITH_G: bool>(
         &self,
         (modes, quadratures): (&[Mode<S>], impl Quadratures<S>),
@@ -102,7 +103,7 @@ impl<S: Float> Chain<S> {
         let scale = Self::scale_at(modes, inverse_r);
         let responses = modes.iter().map(|mode| {
             if WITH_G {
-                // Code size matters here, so that the code calls a function instead of inlining it.
+                // Code size matters here. The code therefore calls a function instead of inlining it.
                 mode.response(inverse_r, 0)
             } else {
                 mode.functions(inverse_r, false)
@@ -194,8 +195,9 @@ fn smallest<S: Float, U: Uniform>(modes: &[Mode<S>], inverse_r: S) -> S {
             least = least.min(mode.size_but_zero(U::KIND, inverse_r));
         }
     }
-    // An exact zero of |x² − 1| is the smallest. The code replaces it after the comparison. The result is the same as
-    // with a replacement before, because no other number is as small as the replacement.
+    // If one |x² − 1| is exactly 0, it is the smallest. The code replaces this 0 after it has found the smallest
+    // number. A replacement before the comparison would give the same result, because no other |x² − 1| is as small as
+    // the number that replaces 0.
     let least = if U::DAMPED {
         least
     } else {

@@ -3,7 +3,7 @@
 //! Damping on velocities relative to the moving base adds the load C·1·ẏ to the load K_b·y of the springs (section 1 of
 //! `docs/derivation.md`). Divided by the displacement of the base, the total load on mode i is p_i + 2iζ_iλ_iΓ_i/x_i.
 //! Here Γ_i = φᵀΓ1 is the participation factor, and x_i = √λ_i/r. If damping acts on absolute velocities, the scene has
-//! no load in quadrature. It then uses the type [`InPhase`], so that its formulas have no additional cost.
+//! no load in quadrature. The scene then uses the type [`InPhase`], so that its formulas have no additional cost.
 
 use crate::contact::sums::{Chain, ModeAt};
 use crate::number::complex::{self, Complex};
@@ -37,8 +37,8 @@ impl<S> Quadratures<S> for InPhase {
     }
 }
 
-/// List of [`Quadrature`] values, one for each mode. Each entry has the two fields. An empty list means that no mode
-/// has a load in quadrature.
+/// List of [`Quadrature`] values, one for each mode. Each entry contains `load` and `wall`, in this order. An empty
+/// list means that no mode has a load in quadrature.
 impl<S: Copy> Quadratures<S> for &[[S; 2]] {
     #[inline]
     fn of(self, mode: usize) -> Option<Quadrature<S>> {
@@ -74,9 +74,9 @@ impl<S: Scalar> Mode<S> {
 
 impl<S: Scalar> Chain<S> {
     /// Returns the term of a mode in V, the response of the contact to the load. On a moving base V is relative to the
-    /// base. The function then uses v − 1 = (1 − 2iζx)/(x² − 1 + 2iζx) in place of v, which avoids a difference of
-    /// nearly equal numbers. If damping acts relative to the base, the base motion itself causes no damping force. In
-    /// this case `wall` replaces the static residue in the imaginary part.
+    /// base. The function then uses v − 1 = (1 − 2iζx)/(x² − 1 + 2iζx) in place of the response v of the mode, which
+    /// avoids a difference of nearly equal numbers. If damping acts relative to the base, the base motion itself causes
+    /// no damping force. In this case `wall` replaces the static residue in the imaginary part.
     #[inline]
     pub(crate) fn load_term(
         &self,

@@ -82,9 +82,9 @@ impl<S: Float> Limits<S> {
         Ok(regime(check_beta(beta)?, self.continuous, self.sliding))
     }
 
-    /// Returns the margin β/min(β_lim, β*_lim) − 1 from the stored limits, without another search. The margin is
-    /// negative below both limits, where continuous motion exists. With μ = 1 continuous motion is the only steady
-    /// state there. With μ > 1 a stick-slip state may coexist.
+    /// Returns the margin β/min(β_lim, β*_lim) − 1 from the stored limits, without a search. The margin is negative if
+    /// β is smaller than both limits. A continuous motion then exists, and with μ = 1 it is the only steady state. With
+    /// μ > 1 a stick-slip state may coexist.
     ///
     /// # Errors
     /// [`OutOfDomain`] for NaN, negative and infinite β.
@@ -97,8 +97,9 @@ impl<S: Float> Limits<S> {
 /// length. The closure `limits` computes the limits at one frequency ratio.
 ///
 /// # Errors
-/// [`OutOfDomain`] if a slice has another length, which leaves both result slices unchanged. [`OutOfDomain`] also at
-/// the first r for which `limits` fails. The limits before that r are then already written.
+/// [`OutOfDomain`] if a result slice and the slice of frequency ratios have different lengths. Both result slices then
+/// stay unchanged. At the first r for which `limits` fails, the function stops and returns the same error. The result
+/// slices then contain the limits for the frequency ratios before that r.
 #[inline]
 pub fn limits_into<S: Float>(
     rs: &[S],
@@ -129,9 +130,9 @@ pub(crate) fn check_rooms(
     Ok(())
 }
 
-/// Returns the margin β/min(β_lim, β*_lim) − 1. The margin is negative below both limits, where continuous motion
-/// exists. With μ = 1 continuous motion is the only steady state there. The margin is 0 where β equals the lower limit,
-/// also if both are 0.
+/// Returns the margin β/min(β_lim, β*_lim) − 1. The margin is negative if β is smaller than both limits. A continuous
+/// motion then exists, and with μ = 1 it is the only steady state. The margin is 0 if β equals the lower limit, even if
+/// β and this limit are 0.
 #[inline]
 pub fn margin<S: Float>(beta: S, continuous: S, sliding: S) -> S {
     let limit = continuous.min(sliding);
@@ -143,7 +144,7 @@ pub fn margin<S: Float>(beta: S, continuous: S, sliding: S) -> S {
 }
 
 /// Returns `limit` for a finite r > 0, `at_rest` for r = 0, and `at_infinity` for r = ∞. The modal sums have no value
-/// at r = 0 and r = ∞, so that the caller passes these two limits.
+/// at r = 0 and r = ∞. The caller therefore passes the limiting values `at_rest` and `at_infinity`.
 #[inline]
 pub fn with_ends<S: Float>(r: S, limit: S, at_rest: S, at_infinity: S) -> S {
     if r == S::constant(0.0) {

@@ -1,7 +1,8 @@
-//! Limits β_lim and β*_lim at several frequencies at once, without the search for the velocity constraint S.
+//! Limits β_lim and β*_lim, computed for several frequencies at the same time, without the search for the velocity
+//! constraint S.
 //!
-//! The processor evaluates several frequencies at once with packed (SIMD) instructions. The operations and their order
-//! are the same as for one frequency, so that the results have the same bits.
+//! The processor evaluates several frequencies at the same time with packed (SIMD) instructions. The operations and
+//! their order are the same as for one frequency, so that the results have the same bits.
 
 use crate::contact::pairs::{Light, Undamped, Uniform};
 use crate::contact::sums::{Chain, ContactAt};
@@ -9,8 +10,8 @@ use crate::number::lanes::Lanes;
 use crate::number::scalar::{Float, Scalar};
 use crate::oscillator::mode::{Kind, Mode};
 
-/// Number of frequencies that the code computes at once. They fill two packed registers of two numbers, or one register
-/// of eight numbers if the processor has such registers.
+/// Number of frequencies that the code computes at the same time. This number of frequencies fills two packed registers
+/// of two numbers each, or one register of eight numbers if the processor has registers of that size.
 pub(crate) const SIDE_BY_SIDE: usize = if cfg!(target_feature = "avx512f") {
     8
 } else {

@@ -23,7 +23,7 @@ pub struct Chain<S> {
 /// Response and damping functions of one mode at one frequency, multiplied by the scale E of [`ContactAt`].
 #[derive(Clone, Copy, Debug)]
 pub struct ModeAt<S> {
-    /// Natural frequency of the mode over the excitation frequency, x = √λ/r = 1/R.
+    /// Natural frequency of the mode divided by the excitation frequency, x = √λ/r = 1/R.
     pub x: S,
     /// Response of the mode to a harmonic force, multiplied by the scale E of the chain: E/(x² − 1 + 2iζx) = E·v/x².
     pub response: Complex<S>,
@@ -53,7 +53,7 @@ impl<S: Scalar> ModeAt<S> {
 pub struct ContactAt<S> {
     /// Scale E: the smallest |x² − 1 + 2iζx| of the modes that the contact drives, with |Re| + |Im| as the modulus.
     pub scale: S,
-    /// Response V of the relative displacement to the excitation, without friction. It is multiplied by r² and by the
+    /// Response V of the relative displacement to the excitation, without friction. V is multiplied by r² and by the
     /// scale E.
     pub v: Complex<S>,
     /// Damping function U of the contact, multiplied by r² and by the scale E. A square wave of friction force causes a
@@ -62,8 +62,8 @@ pub struct ContactAt<S> {
     /// Damping function G of the contact, multiplied by r² and by the scale E. A square wave of friction force causes a
     /// response z̄, and G is this response at the reversal.
     pub g: S,
-    /// H_c, the contribution of damping to the acceleration of the contact at a reversal. It is multiplied by r² and by
-    /// the scale E.
+    /// H_c, the contribution of damping to the acceleration of the contact at a reversal. H_c is multiplied by r² and
+    /// by the scale E.
     pub reversal: S,
     /// Receptance H of the contact, multiplied by r² and by the scale E. H is the response of the relative displacement
     /// to a harmonic contact force.
@@ -117,9 +117,9 @@ impl<S: Scalar> Chain<S> {
         self.scaled(mode, scale, false, 0)
     }
 
-    /// Multiplies the response and damping functions of a mode by the scale E of the chain. E is the smallest |x²
-    /// − 1| + 2ζx of the modes that the contact drives. A first pass over the modes computes E. If `single` is true, E
-    /// is the |x² − 1| + 2ζx of this mode itself. The code then takes E/(|x² − 1| + 2ζx) as exactly 1.
+    /// Multiplies the response and damping functions of a mode by the scale E of the chain, which is the smallest
+    /// number |x² − 1| + 2ζx of the modes that the contact drives. A first pass over the modes computes E. If `single`
+    /// is true, only this mode determines E. The code then takes E/(|x² − 1| + 2ζx) as exactly 1.
     #[inline]
     pub fn scaled(
         &self,
@@ -209,8 +209,8 @@ impl<S: Scalar> Chain<S> {
         self.contact_loaded((modes, InPhase), responses, scale, inverse_r, with_g, keep)
     }
 
-    /// Computes the modal sums V, H, U, G and H_c of the contact for modes with loads in quadrature. Without such loads
-    /// [`contact_of`](Self::contact_of) gives the same sums.
+    /// Computes the modal sums V, H, U, G and H_c of the contact for modes with loads in quadrature. Without loads in
+    /// quadrature [`contact_of`](Self::contact_of) gives the same sums.
     #[inline]
     pub fn contact_loaded(
         &self,

@@ -2,7 +2,7 @@
 //!
 //! In Rust, the pattern of `let r = …` refers to a constant `r` if one is in scope, and then does not compile. A user
 //! may have a constant with the name of a local variable of emitted code. Emitted code therefore imports the functions
-//! of this module. These functions hide the user's constants. A pattern in turn may hide a function.
+//! of this module. The functions hide the user's constants, and the pattern may hide a function.
 
 macro_rules! locals {
     ($($name:ident)*) => {

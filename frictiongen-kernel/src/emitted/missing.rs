@@ -1,12 +1,12 @@
 //! Traits of methods that a scene does not provide. If a user calls such a method, the compiler message says what to
 //! add to the scene.
 //!
-//! Emitted code contains each such method as well, but the method requires a trait of this module. No type implements
-//! the trait, so that a call does not compile. The compiler message names the text to add and the field of the scene
-//! that needs it.
+//! Emitted code contains a method even if the scene does not provide it, but the method then requires a trait of this
+//! module. No type implements the trait, so that a call does not compile. The compiler message names the text to add
+//! and the field of the scene that needs it.
 
-/// Trait that no type implements. The methods of a scene that need `limits` require it, if the scene provides only its
-/// motion in time. A call then does not compile, and the message says what to add.
+/// Trait that no type implements. The methods of a scene that need `limits` require this trait if the scene provides
+/// only its motion in time. A call then does not compile, and the message says what to add.
 #[diagnostic::on_unimplemented(
     message = "this scene does not provide `limits`",
     label = "add `limits` to the scene's `provide: [...]`"
@@ -18,8 +18,8 @@ pub trait AddLimitsToProvide {
     fn answer() -> Self::Answer;
 }
 
-/// Trait that no type implements. The method `motion` requires it, if the scene does not list `motion` under `provide`.
-/// A call then does not compile, and the message says what to add.
+/// Trait that no type implements. The method `motion` requires this trait if the scene does not list `motion` under
+/// `provide`. A call then does not compile, and the message says what to add.
 #[diagnostic::on_unimplemented(
     message = "this scene does not provide `motion`",
     label = "add `motion` to the scene's `provide: [...]`"
@@ -31,8 +31,8 @@ pub trait AddMotionToProvide {
     fn answer() -> Self::Answer;
 }
 
-/// Trait that no type implements. The orbit methods require it, if the scene does not list `orbit` under `provide`. A
-/// call then does not compile, and the message says what to add.
+/// Trait that no type implements. The orbit methods require this trait if the scene does not list `orbit` under
+/// `provide`. A call then does not compile, and the message says what to add.
 #[diagnostic::on_unimplemented(
     message = "this scene does not provide `orbit`",
     label = "add `orbit` to the scene's `provide: [...]`"
@@ -44,8 +44,8 @@ pub trait AddOrbitToProvide {
     fn answer() -> Self::Answer;
 }
 
-/// Trait that no type implements. The method `self_check` requires it, if the scene does not list `self_check` under
-/// `provide`. A call then does not compile, and the message says what to add.
+/// Trait that no type implements. The method `self_check` requires this trait if the scene does not list `self_check`
+/// under `provide`. A call then does not compile, and the message says what to add.
 #[diagnostic::on_unimplemented(
     message = "this scene does not provide `self_check`",
     label = "add `self_check` to the scene's `provide: [...]`"
@@ -57,8 +57,8 @@ pub trait AddSelfCheckToProvide {
     fn answer() -> Self::Answer;
 }
 
-/// Trait that no type implements. The simulation methods require it, if the scene does not list `simulation` under
-/// `provide`. A call then does not compile, and the message says what to add.
+/// Trait that no type implements. The simulation methods require this trait if the scene does not list `simulation`
+/// under `provide`. A call then does not compile, and the message says what to add.
 #[diagnostic::on_unimplemented(
     message = "this scene does not provide `simulation`",
     label = "add `simulation` to the scene's `provide: [...]`"
@@ -70,8 +70,8 @@ pub trait AddSimulationToProvide {
     fn answer() -> Self::Answer;
 }
 
-/// Trait that no type implements. The stepper methods require it, if the scene does not list `stepper` under `provide`.
-/// A call then does not compile, and the message says what to add.
+/// Trait that no type implements. The stepper methods require this trait if the scene does not list `stepper` under
+/// `provide`. A call then does not compile, and the message says what to add.
 #[diagnostic::on_unimplemented(
     message = "this scene does not provide `stepper`",
     label = "add `stepper` to the scene's `provide: [...]`"
@@ -83,8 +83,8 @@ pub trait AddStepperToProvide {
     fn answer() -> Self::Answer;
 }
 
-/// Trait that no type implements. The method `stuck` requires it, if the scene does not list `stuck` under `provide`. A
-/// call then does not compile, and the message says what to add.
+/// Trait that no type implements. The method `stuck` requires this trait if the scene does not list `stuck` under
+/// `provide`. A call then does not compile, and the message says what to add.
 #[diagnostic::on_unimplemented(
     message = "this scene does not provide `stuck`",
     label = "add `stuck` to the scene's `provide: [...]`"
@@ -96,8 +96,8 @@ pub trait AddStuckToProvide {
     fn answer() -> Self::Answer;
 }
 
-/// Trait that no type implements. The method for the motion of a mass requires it, if the scene's `motion(…)` leaves
-/// out this mass. A call then does not compile, and the message says what to add.
+/// Trait that no type implements. The method for the motion of a mass requires this trait if the scene's `motion(…)`
+/// leaves out this mass. A call then does not compile, and the message says what to add.
 #[diagnostic::on_unimplemented(
     message = "this scene does not provide the motion of this mass",
     label = "add the mass to `motion(...)` in the scene's `provide: [...]`"

@@ -5,8 +5,8 @@ pub mod locals;
 pub mod missing;
 mod shapes;
 
-// A user's constant may have the name of a local variable in emitted code. The functions of `locals` hide such
-// constants.
+// A user's constant may have the name of a local variable in emitted code. The functions of `locals` hide a user's
+// constant of this kind.
 pub use crate::Complex;
 pub use crate::Scalar;
 pub use crate::contact::regime::Limits;
@@ -126,8 +126,8 @@ macro_rules! scene_functions {
             /// Evaluates the scene at the frequency ratio r = ω√(m₁/k₁), to the declared accuracy.
             ///
             /// # Errors
-            /// `OutOfDomain` for NaN and negative r. Also `OutOfDomain` outside the declared range, unless the scene
-            /// declares `beyond: exact`.
+            /// `OutOfDomain` for NaN and negative r. An r outside the declared range gives the same error, unless the
+            /// scene declares `beyond: exact`.
             ///
             /// Worst case: comparisons of r with its range.  If the scene declares `beyond: exact` and r is outside the
             /// range: the operations of the frequency stage.
@@ -146,8 +146,9 @@ macro_rules! scene_functions {
             /// # Errors
             /// `OutOfDomain` for NaN and negative r.  At r = 0 and r = ∞ the limits take their limiting values.
             ///
-            /// Worst case: the operations of the frequency stage without G, and of the formulas of both limits.  If
-            /// masses may act as an absorber: a second frequency stage with a sum over the modes.
+            /// Worst case: the operations of the frequency stage without G, and the operations of the formulas of the
+            /// limits β_lim and β*_lim. If masses may act as an absorber: a second frequency stage with a sum over the
+            /// modes.
             #[inline]
             pub fn limits_without_search(
                 r: $scalar,
@@ -156,12 +157,13 @@ macro_rules! scene_functions {
                 $crate::response::At::limits_without_search(&Self, r)
             }
 
-            /// Computes both limits at each frequency ratio of a slice, and writes them to two slices of the same
-            /// length.
+            /// Computes the limits β_lim and β*_lim at each frequency ratio of a slice, and writes them to two slices
+            /// of the same length.
             ///
             /// # Errors
-            /// `OutOfDomain` for slices of unequal lengths, which leaves both result slices unchanged. `OutOfDomain`
-            /// also at the first r for which `at` fails. The limits before that r are then already written.
+            /// `OutOfDomain` for slices of unequal lengths, which leaves both result slices unchanged. At the first r
+            /// for which `at` fails, the function stops and returns the same error. The result slices then contain the
+            /// limits for the frequency ratios before that r.
             ///
             /// Worst case: for each r the work of `at` and `limits`.
             pub fn limits_into(

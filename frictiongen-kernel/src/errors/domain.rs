@@ -52,7 +52,8 @@ pub enum OutOfDomain {
     Friction(Given),
     /// Stiction μ, the ratio of the static to the kinetic friction force.
     Stiction(Given),
-    /// Input for the first step of a stepper, such as an initial state. The caller gave it after that step.
+    /// Input that a stepper accepts only before its first step, such as an initial state. The caller gave this input
+    /// later.
     Begun,
     /// Saved state of a stepper that had another scene or another time step dt.
     Saved,

@@ -16,7 +16,7 @@ pub enum Halt {
     Patterns,
     /// The motion has more events than the solver follows.
     Events,
-    /// The motion needs more stretches than the solver follows. A stretch is a time interval over which the solver uses
+    /// The motion needs more stretches than the solver follows. A stretch is a time interval in which the solver uses
     /// one power series.
     Stretches,
     /// The solver finds events without any time between them.

@@ -33,9 +33,10 @@ pub enum Regime {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum NotContinuous {
-    /// The friction ratio β lies between both limits: β_lim ≤ β < β*_lim. The contact alternately sticks and slides.
+    /// The friction ratio β lies between the two limits: β_lim ≤ β < β*_lim. The contact alternately sticks and slides.
     StickSlip,
-    /// The friction ratio β is at or above both limits. No motion slides all the time, and a stuck state exists.
+    /// The friction ratio β is at or above β_lim, and at or above β*_lim. No motion slides all the time, and a stuck
+    /// state exists.
     Stuck,
     /// The excitation is on an undamped resonance, with too little friction to bound the amplitude.
     Unbounded,

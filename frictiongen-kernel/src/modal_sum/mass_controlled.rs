@@ -1,25 +1,26 @@
 //! Response of a mass-controlled mode to a unit force that changes its sign every half period. A mode is
 //! mass-controlled if it resonates far below the excitation frequency. Its inertia then outweighs its spring.
 //!
-//! In a half period the response y obeys y″ + 2ζx y′ + x²y = 1. In the next half period y repeats with the opposite
-//! sign. The solution is y = Σ_{n≥2} h_{n−2} e_n with e_n(τ) = πⁿE_n(τ/π)/n!, where E_n are the Euler polynomials. The
-//! coefficients are h_0 = 1, h_1 = −2ζx, h_m = −2ζx h_{m−1} − x²h_{m−2}. They decrease like powers of the modulus of
-//! the mode's roots. For large n the polynomials e_n approach sinusoids. The code therefore sums a few orders, and adds
-//! the rest of the series as one sinusoid in closed form.
+//! In a half period the response y obeys y″ + 2ζx y′ + x²y = 1, where ζ is the damping ratio of the mode and x its
+//! natural frequency divided by the excitation frequency. In the next half period y repeats with the opposite sign. The
+//! solution is y = Σ_{n≥2} h_{n−2} e_n with e_n(τ) = πⁿE_n(τ/π)/n!, where E_n are the Euler polynomials. The
+//! coefficients are h_0 = 1, h_1 = −2ζx, h_m = −2ζx h_{m−1} − x²h_{m−2}. The coefficients decrease like powers of |s|,
+//! where s are the roots of s² + 2ζx s + x² = 0. For large n the polynomials e_n approach sinusoids. The code therefore
+//! sums a few orders, and adds the rest of the series as one sinusoid in closed form.
 //!
 //! For all other modes y is the sum of three terms: the return from rest, the lag and the static displacement (see
-//! [`motion`](crate::response::coefficients)). Far above the resonance each of these terms is of order 1, while y
-//! itself is small. At the start and end of the half period y vanishes, and in the middle y′ vanishes, but the terms do
-//! not. The rounding error of their sum would exceed the motion of a mass far from load and contact. The Euler
-//! polynomials have no such error, because they vanish at the same instants as y and y′.
+//! [`motion`](crate::response::coefficients)). If the excitation is far above the resonance, each of the three terms is
+//! of order 1, while y itself is small. At the start and end of the half period y vanishes, and in the middle y′
+//! vanishes, but the three terms do not. The rounding error of their sum would exceed the motion of a mass far from
+//! load and contact. The Euler polynomials have no such error, because they vanish at the same instants as y and y′.
 
 use crate::number::complex::{self, Complex};
 use crate::number::scalar::{Float, Scalar};
 use crate::oscillator::decay::{Basis, Instant};
 use crate::oscillator::mode::Kind;
 
-/// A mode counts as mass-controlled if its x = √λ/r is below this bound. Such a mode resonates far below the excitation
-/// frequency. For an overdamped mode the bound applies to 2ζx.
+/// A mode counts as mass-controlled if its x = √λ/r is below this bound. A mass-controlled mode resonates far below the
+/// excitation frequency. For an overdamped mode the bound applies to 2ζx.
 const SLOW: f64 = 0.5;
 /// Returns true if a mode is mass-controlled: its resonance x = √λ/r is far below the excitation frequency. For a
 /// scalar without Euler polynomials the result is false.
@@ -28,14 +29,14 @@ pub(crate) fn is_mass_controlled<S: Scalar>(kind: Kind, zeta: S, x: S) -> S::Con
     if !S::MASS_CONTROLLED {
         return x.lt(S::constant(0.0));
     }
-    // The faster root of an overdamped mode is below 2ζx, so that 2ζx is a safe rate.
+    // Both decay rates of an overdamped mode are smaller than 2ζx, so that 2ζx is a safe bound.
     let rate = if kind == Kind::Over {
         (zeta + zeta) * x
     } else {
         x
     };
-    // One constant serves both cases. A choice between two constants would cost a conversion from double precision on a
-    // microcontroller.
+    // The code compares both kinds of rate with the same constant. A choice between two constants would cost a
+    // conversion from double precision on a microcontroller.
     rate.lt(S::constant(SLOW))
 }
 
@@ -99,8 +100,9 @@ mod tests {
     use crate::oscillator::decay::{Damped, Decay};
     use crate::oscillator::mode::Mode;
 
-    /// Returns the response of a mode and its slope in double-double, as a reference for the tests. The terms of each sum
-    /// nearly cancel. This increases the relative error by at most a factor x⁻², which double-double can afford.
+    /// Returns the response of a mode and its slope in double-double, as a reference for the tests. The terms of each
+    /// sum nearly cancel. This cancellation multiplies the relative error by at most x⁻², which double-double can
+    /// afford.
     fn put_together(mode: &Mode<Dd>, x: Dd, t: Dd) -> (Dd, Dd) {
         let response = mode.response(x, 0);
         let (u, g) = (response.u / response.size, response.g / response.size);
@@ -169,7 +171,7 @@ mod tests {
         let (mut sine, mut cosine) = ((0.0, 0.0), (0.0, 0.0));
         for i in 0..INSTANTS {
             let t = (f64::from(i) + 0.5) / f64::from(INSTANTS);
-            // Both formulas get the same instant and the same mode, rounded to `f32`.
+            // The formulas in `f32` and in double-double get the same instant and the same mode, rounded to `f32`.
             let (t, x, zeta) = (t as f32, x as f32, zeta as f32);
             let wide = |value: f32| Dd::from(f64::from(value));
             let (value, slope) = put_together(&mode(wide(zeta)), wide(x), wide(t));
@@ -185,7 +187,8 @@ mod tests {
     }
 
     /// Checks that the series of Euler polynomials in `f32` has enough orders. The error from the neglected orders must
-    /// be below the rounding error. With one order less it would exceed the rounding error.
+    /// be below the rounding error. With one order less, the error from the neglected orders would exceed the rounding
+    /// error.
     #[test]
     fn single_precision_has_enough_orders() {
         let mut worst = (0.0_f64, 0.0_f64);

@@ -1,4 +1,4 @@
-//! Sums of modal motions over a half period of the excitation, with their evaluation, bounds and search.
+//! Sums of modal motions in a half period of the excitation, with their evaluation, bounds and search.
 //!
 //! [`wave`] has the term of one mode, and the sum of all terms with its derivatives. `mass_controlled` has the terms of
 //! modes that resonate far below the excitation frequency, which need other formulas. [`search`] finds the largest

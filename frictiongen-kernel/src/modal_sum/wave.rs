@@ -1,29 +1,30 @@
-//! Sum of modal motions over a half period, with bounds on its size and its derivatives.
+//! Sum of modal motions in a half period, with bounds on its size and its derivatives.
 //!
-//! A *wave* is the term of one mode in the sum. x is the natural frequency of the mode over the excitation frequency.
+//! A *wave* is the term of one mode in the sum. x is the natural frequency of the mode divided by the excitation
+//! frequency.
 
 use crate::modal_sum::mass_controlled;
 use crate::number::scalar::Float;
 use crate::oscillator::decay::{Basis, Decay, Instant};
 use crate::oscillator::mode::Mode;
 
-/// Term of one mode in a modal sum over the half period: a linear combination of the functions of time in [`Basis`].
+/// Term of one mode in a modal sum in the half period: a linear combination of the functions of time in [`Basis`].
 #[derive(Clone, Copy, Debug)]
 pub struct Wave<S, D> {
-    /// Natural frequency of the mode over the excitation frequency, x = √λ/r = 1/R.
+    /// Natural frequency of the mode divided by the excitation frequency, x = √λ/r = 1/R.
     pub x: S,
     /// Damping of the mode, as a type that selects the closed forms.
     pub decay: D,
-    /// Coefficient of the free displacement p.
+    /// Coefficient of p, the free displacement of the mode.
     pub free: S,
-    /// Coefficient of cos τ − p′, with the free displacement p.
+    /// Coefficient of the term (cos τ − p′), where p is the free displacement of the mode.
     pub forced_slope: S,
-    /// Coefficient of sin τ − p, with the free displacement p.
+    /// Coefficient of the term (sin τ − p), where p is the free displacement of the mode.
     pub forced: S,
-    /// Coefficient of (1 − d)/x², where d is the free motion that starts at rest from displacement 1.
+    /// Coefficient of the term (1 − d)/x², where d is the free motion that starts at rest from displacement 1.
     pub rise: S,
-    /// True for a mode that resonates far below the excitation frequency. For such a mode, `rise` is the coefficient of
-    /// the response to a unit force that changes its sign every half period.
+    /// True for a mode that resonates far below the excitation frequency. If true, `rise` is the coefficient of the
+    /// response to a unit force that changes its sign every half period.
     pub mass_controlled: bool,
     /// Residue φ_k(φᵀw)/r² from the contact to mass k. Only the harmonics of the motion need this residue.
     pub residue: S,
@@ -55,8 +56,9 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
         }
     }
 
-    /// Returns the second derivative of sin τ − p, with the free displacement p. Close to the resonance x = 1, the
-    /// difference −sin τ − p″ would lose digits. The function therefore uses the equation of motion of sin τ − p.
+    /// Returns the second derivative of (sin τ − p), where p is the free displacement of the mode. Close to the
+    /// resonance x = 1, the difference −sin τ − p″ would lose digits. The function therefore uses the equation of
+    /// motion of sin τ − p.
     #[inline]
     pub(crate) fn forced_curve(&self, basis: &Basis<S>, at: &Instant<S>) -> S {
         let (one, x) = (S::constant(1.0), self.x);
@@ -79,7 +81,7 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
         at_rest || S::constant(1.0) < self.x * lasts * S::constant(S::RESOLUTION)
     }
 
-    /// Returns an upper bound on the modulus of the modal term over the half period.
+    /// Returns an upper bound on the modulus of the modal term in the half period.
     fn amplitude_bound(&self) -> S {
         let one = S::constant(1.0);
         let Self {
@@ -91,7 +93,7 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
             ..
         } = *self;
         let pi = S::pi();
-        // |p| ≤ min(1/x, π), |p′| ≤ 1, 0 ≤ (1 − d)/x² ≤ min((2 + 2ζ)/x², π²/2).
+        // |p| ≤ min(1/x, π), |p′| ≤ 1, 0 ≤ (1 − d)/x² ≤ min((2 + 2ζ)/x², π²/2), with p and d as in `Basis`.
         let p = (one / x).min(pi);
         let r = (S::constant(2.0) * (one + self.decay.zeta()) / (x * x)).min(pi * pi);
         free.abs() * p

@@ -1,4 +1,4 @@
-//! Phase of the excitation over a long run, and sums of many steps. The code avoids accumulated rounding errors in the
+//! Phase of the excitation in a long run, and sums of many steps. The code avoids accumulated rounding errors in the
 //! phase and in the sums.
 
 use crate::number::phase::within_cycle;
@@ -97,7 +97,7 @@ pub(crate) fn phase<S: Float>(t: S) -> (S, S) {
     t.sin_cos_pi()
 }
 
-/// Returns the phase after a time τ, in half-turns in [0, 2). `t` is the phase before, and τ is in rad of the
+/// Returns the phase after a time τ, in half-turns in [0, 2). `t` is the phase before the time τ. τ is in rad of the
 /// excitation.
 pub(crate) fn moved<S: Float>(t: S, tau: S) -> S {
     let two = S::constant(2.0);
@@ -179,8 +179,8 @@ mod tests {
         assert_eq!((compared, clock.cycles), (200_000, 318));
     }
 
-    /// Checks that a run over exactly three cycles, in many equal steps, counts three cycles. Rounding may put the sum
-    /// of the steps just below or just above a whole cycle.
+    /// Checks that a run of exactly three cycles, in many equal steps, counts three cycles. Rounding may put the sum of
+    /// the steps just below or just above a whole cycle.
     #[test]
     fn a_cycle_is_counted_once() {
         for pieces in 1..2000_u32 {

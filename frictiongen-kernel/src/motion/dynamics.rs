@@ -7,7 +7,7 @@ use crate::number::scalar::Float;
 use crate::oscillator::mode::{Kind, Mode};
 
 /// A mode of the chain with its contact stuck. Its state is the displacement y and the scaled velocity u = ẏ/ω, with
-/// the derivative in the time t√(k₁/m₁).
+/// the derivative with respect to the time t√(k₁/m₁) and the natural frequency ω of the mode.
 #[derive(Clone, Copy, Debug)]
 pub struct HeldMode<S> {
     /// Kind of damping of the mode, which selects the closed form.
@@ -16,7 +16,7 @@ pub struct HeldMode<S> {
     pub frequency: S,
     /// Modal damping ratio ζ.
     pub zeta: S,
-    /// √|1 − ζ²|, the damped natural frequency over the undamped one.
+    /// √|1 − ζ²|, the damped natural frequency divided by the undamped one.
     pub q: S,
     /// Contact force per unit of the mode's displacement y, with opposite sign.
     pub force: S,
@@ -35,8 +35,8 @@ pub struct Dynamics<'a, S, K = Chain<S>> {
     /// Modes of the chain with its contact stuck (stuck chain). If the contact drives n modes, the stuck chain has n −
     /// 1 modes for a rigid contact, and n for an elastic contact.
     pub held: &'a [HeldMode<S>],
-    /// Participation factors, for y and for u, in each mode of the chain with its contact stuck. Each mode that the
-    /// contact drives has one pair in each stuck mode.
+    /// Participation factors, for y and for u, in each mode of the chain with its contact stuck. For each mode of the
+    /// stuck chain, the list has one pair for each mode that the contact drives.
     pub participations: &'a [[S; 2]],
     /// Mode shapes φ, mass after mass.
     pub shapes: &'a [S],
@@ -94,7 +94,8 @@ impl<'a, S: Float, K: ContactChain<S>> Dynamics<'a, S, K> {
         self.modes.get(..self.in_contact()).unwrap_or_default()
     }
 
-    /// Returns wᵀK̄⁻¹w = Σ c/λ, the displacement of the contact per unit of steady contact force.
+    /// Returns wᵀK̄⁻¹w = Σ c/λ (with c = (φᵀw)² of each mode), the displacement of the contact per unit of steady
+    /// contact force.
     pub(crate) fn receptance(&self) -> S {
         let terms = self.driven().iter();
         terms.fold(S::constant(0.0), |sum, mode| {
@@ -126,7 +127,7 @@ impl<'a, S: Float, K: ContactChain<S>> Dynamics<'a, S, K> {
         Complex::new(constants.load, quadrature)
     }
 
-    /// Returns the components of a mass in all mode shapes, or an empty slice if no such mass exists.
+    /// Returns the components of a mass in all mode shapes, or an empty slice if no mass has this index.
     pub(crate) fn shape(&self, mass: usize) -> &'a [S] {
         let modes = self.modes.len();
         let mut shapes = self.shapes.chunks_exact(modes.max(1));
@@ -157,7 +158,7 @@ impl<'a, S: Float, K: ContactChain<S>> Dynamics<'a, S, K> {
 
 impl<S: Float> HeldMode<S> {
     /// Returns y and u of a mode of the chain with its contact stuck. `first` and `second` are the products of the
-    /// chain's motion with the mode's two states.
+    /// chain's motion with the mode's two state vectors.
     pub(crate) fn state(&self, first: S, second: S) -> (S, S) {
         let [m11, m12, m22] = self.inverse;
         (m11 * first + m12 * second, m12 * first + m22 * second)

@@ -21,7 +21,7 @@ const OSCILLATES: f64 = 0.05;
 #[derive(Clone, Copy, Debug)]
 pub struct Part<S> {
     pub(crate) kind: Kind,
-    /// Undamped natural frequency over the excitation frequency, x = σ/r.
+    /// Undamped natural frequency divided by the excitation frequency, x = σ/r.
     pub(crate) x: S,
     pub(crate) zeta: S,
     /// q = √|1 − ζ²|, with the modal damping ratio ζ.
@@ -30,10 +30,11 @@ pub struct Part<S> {
     pub(crate) q2: S,
     /// Undamped natural frequency σ as a frequency ratio, so that x = σ/r.
     sigma: S,
-    /// Complex amplitude of the steady displacement, y = Re(steady·e^{iτ_e}). If `near` is true, it is the complex
-    /// amplitude of the force instead.
+    /// Complex amplitude of the steady displacement, y = Re(steady·e^{iτ_e}). If `near` is true, the field is the
+    /// complex amplitude of the force instead.
     steady: Complex<S>,
-    /// Complex amplitude of φ/x = Re(direct·e^{iτ_e}). The excitation adds φ to y′ directly, so that u = (y′ − φ)/x.
+    /// Complex amplitude of φ/x = Re(direct·e^{iτ_e}). The excitation adds the velocity φ to y′ directly, so that u =
+    /// (y′ − φ)/x.
     direct: Complex<S>,
     /// True if the excitation is near the resonance. The code then computes the forced motion from differences that
     /// vanish at the resonance.
@@ -94,14 +95,15 @@ impl<S: Float> Part<S> {
     }
 
     /// Creates the oscillator of a mode of the chain with its contact stuck, at the frequency ratio r. `drive` has two
-    /// complex amplitudes, each multiplied by r: of the direct change of the velocity, and of the force on the mode.
+    /// complex amplitudes, each multiplied by r. The first is for the direct change of the velocity, the second for the
+    /// force on the mode.
     pub(crate) fn from_stuck_mode(mode: &HeldMode<S>, r: S, drive: [Complex<S>; 2]) -> Self {
         let mut part = Self::empty();
         part.kind = mode.kind;
         (part.zeta, part.q, part.sigma) = (mode.zeta, mode.q, mode.frequency);
         let [first, second] = drive;
-        // For y alone the force is r²Ψ = ωφ₂ + (2ζω + ir)φ₁. The code computes the force over r, because r³ may
-        // overflow or underflow.
+        // The equation of motion of y alone has the force Ψ, with r²Ψ = ωφ₂ + (2ζω + ir)φ₁. φ₁ and φ₂ are the two
+        // numbers in `drive`. The code computes rΨ, because r³ may overflow or underflow.
         let over_r = mode.frequency / r;
         let loss = (mode.zeta + mode.zeta) * over_r;
         let force = Complex::new(
@@ -141,7 +143,7 @@ impl<S: Float> Part<S> {
         turn(self.kind, self.zeta, self.q, self.x, (t, tau))
     }
 
-    /// Returns the state [y, u] of a free motion after a time. `free` is the state before, and `turn` has the
+    /// Returns the state [y, u] of a free motion after a time. `free` is the state before this time, and `turn` has the
     /// coefficients of the free motion for this time.
     #[inline]
     pub(crate) fn turned(&self, free: [S; 2], turn: &Turn<S>) -> [S; 2] {
@@ -184,8 +186,8 @@ impl<S: Float> Part<S> {
     }
 
     /// Returns y and its first three derivatives for the motion that starts from rest under y″ + 2ζxy′ + x²y =
-    /// Re(force·e^{i(θ + τ)}). Call it only if the excitation is near the resonance. `t` is τ, and `phase` is (cos θ,
-    /// sin θ).
+    /// Re(force·e^{i(θ + τ)}). Call this function only if the excitation is near the resonance. `t` is τ, and `phase`
+    /// is (cos θ, sin θ).
     pub(crate) fn grown(&self, t: S, phase: (S, S)) -> [S; 4] {
         let at = Instant::new(t);
         let (x, one) = (self.x, S::constant(1.0));
@@ -321,7 +323,7 @@ impl<S: Float> Part<S> {
         ]
     }
 
-    /// Returns the two factors e^{x(−ζ ± iq)τ} by which the free motion grows or decays over the time τ.
+    /// Returns the two factors e^{x(−ζ ± iq)τ} by which the free motion grows or decays during the time τ.
     pub(crate) fn multipliers(&self, tau: S) -> [Complex<S>; 2] {
         let turn = self.turn(tau * S::inverse_pi(), tau);
         multipliers(self.kind, self.q, &turn)
@@ -361,8 +363,8 @@ impl<S: Float> Part<S> {
         };
     }
 
-    /// Returns true if the free motion is a decaying oscillation, whose amplitude bounds it. Otherwise it is a sum of
-    /// exponentials that may cancel.
+    /// Returns true if the free motion is a decaying oscillation. The amplitude of the oscillation then bounds the
+    /// motion. Otherwise the free motion is a sum of exponentials that may cancel each other.
     pub(crate) fn oscillates(&self) -> bool {
         S::constant(OSCILLATES) < self.q2
     }

@@ -8,8 +8,8 @@ use super::setting::Setting;
 use super::walk::{Walk, WalkStart, first_reach, first_zero};
 use crate::number::scalar::Float;
 
-/// Searches for the next event after a contact state, over at most the time `reach` in τ. Sets the oscillators to their
-/// state at the start of the segment.
+/// Searches for the next event after a contact state, within the time `reach` in τ. Sets the oscillators to their state
+/// at the start of the segment.
 pub(crate) fn seek<S: Float, K: ContactChain<S>>(
     setting: &Setting<'_, S, K>,
     modes: &mut [Part<S>],
@@ -141,8 +141,8 @@ pub(crate) fn span<S: Float, K: ContactChain<S>>(
     sought.tau
 }
 
-/// Advances the oscillators from a contact state to the next event, or over `reach`, and returns the end of the
-/// segment.
+/// Advances the oscillators from a contact state to the next event, or by `reach` if the event is later, and returns
+/// the end of the segment.
 pub(crate) fn leap<S: Float, K: ContactChain<S>>(
     setting: &Setting<'_, S, K>,
     modes: &mut [Part<S>],

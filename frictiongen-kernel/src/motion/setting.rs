@@ -22,12 +22,13 @@ pub struct Setting<'a, S, K = Chain<S>> {
     /// m*.
     pub(crate) load: S,
     /// Load on the stuck contact in quadrature (90° out of phase) with the base's motion, times m*. This load adds
-    /// −`quadrature`·sin τ_e to the load. It is 0 unless damping acts relative to the moving base.
+    /// −`quadrature`·sin τ_e to the load. `quadrature` is 0 unless damping acts relative to the moving base.
     pub(crate) quadrature: S,
-    /// The contact's displacement per unit of steady contact force: wᵀK̄⁻¹w = Σ c_i/λ_i, plus the compliance of an
-    /// elastic contact.
+    /// The contact's displacement per unit of steady contact force: wᵀK̄⁻¹w = Σ c_i/λ_i with c_i = (φ_iᵀw)², plus the
+    /// compliance of an elastic contact.
     pub(crate) receptance: S,
-    /// Σ 2ζ_i c_i/σ_i over the receptance: damping force per unit of velocity of the stuck contact, times m*.
+    /// Σ 2ζ_i c_i/σ_i divided by `receptance`, with σ_i = √λ_i: damping force per unit of velocity of the stuck
+    /// contact, times m*.
     pub(crate) drag: S,
 }
 
@@ -48,8 +49,9 @@ impl<'a, S: Copy, K> Setting<'a, S, K> {
 }
 
 impl<'a, S: Float, K: ContactChain<S>> Setting<'a, S, K> {
-    /// Creates a setting, which is a scene at the frequency ratio r and the friction ratio β.  Also computes the
-    /// oscillators: `parts` receives one for each mode of the chain, and then one for each mode of the stuck chain.
+    /// Creates a setting, which is a scene at the frequency ratio r and the friction ratio β. Also computes the
+    /// oscillators: `parts` receives one oscillator for each mode of the chain, and then one for each mode of the stuck
+    /// chain.
     ///
     /// # Errors
     /// [`OutOfDomain`] if r is NaN, negative, zero or infinite, or so near to 0 or ∞ that the formulas would overflow
@@ -80,7 +82,8 @@ impl<'a, S: Float, K: ContactChain<S>> Setting<'a, S, K> {
         };
         let compliance = dynamics.chain.compliance();
         let mut receptance = dynamics.receptance();
-        // For a rigid contact the compiler removes this branch. Without the branch it would keep the addition of 0.
+        // For a rigid contact the compiler removes this branch. Without the branch, the compiler would keep an addition
+        // of 0.
         if !compliance.is_zero() {
             receptance = receptance + compliance;
         }

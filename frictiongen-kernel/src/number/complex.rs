@@ -25,7 +25,7 @@ pub fn scale<S: Scalar>(a: Complex<S>, k: S) -> Complex<S> {
     Complex::new(a.re * k, a.im * k)
 }
 
-/// Returns the product a·b. Without damping it returns the product of the real parts alone.
+/// Returns the product a·b. Without damping the function returns the product of the real parts alone.
 #[inline(always)]
 pub fn mul<S: Scalar>(a: Complex<S>, b: Complex<S>, damped: bool) -> Complex<S> {
     if damped {
@@ -35,7 +35,7 @@ pub fn mul<S: Scalar>(a: Complex<S>, b: Complex<S>, damped: bool) -> Complex<S> 
     }
 }
 
-/// Returns |Re a| + |Im a|. It has the same order of magnitude as |a|, and needs no square root.
+/// Returns |Re a| + |Im a|. This sum has the same order of magnitude as |a|, and needs no square root.
 #[inline(always)]
 pub(crate) fn size<S: Scalar>(a: Complex<S>, damped: bool) -> S {
     if damped {
@@ -83,8 +83,8 @@ pub fn reciprocal<S: Scalar>(a: Complex<S>, damped: bool) -> Complex<S> {
     }
 }
 
-/// Returns 1/a for a complex a ≠ 0. Also returns two numbers of about 1/|a| whose product is 1/|a|². The square itself
-/// could overflow.
+/// Returns 1/a for a complex a ≠ 0. Also returns two numbers of about 1/|a| whose product is 1/|a|². The number 1/|a|²
+/// itself could overflow.
 #[inline(always)]
 pub(crate) fn inverse<S: Scalar>(a: Complex<S>) -> (Complex<S>, (S, S)) {
     let inverse = (S::constant(1.0) / size(a, true)).named(
@@ -120,7 +120,7 @@ pub fn reciprocal_of_unit<S: Scalar>(a: Complex<S>, mode: Option<usize>) -> Comp
     Complex::new(a.re * inverse, -(a.im * inverse))
 }
 
-/// Returns |a| without overflow of |a|². Without damping it returns |Re a|.
+/// Returns |a| without overflow of |a|². Without damping the function returns |Re a|.
 #[inline(always)]
 pub fn modulus<S: Scalar>(a: Complex<S>, damped: bool) -> S {
     if damped { a.re.hypot(a.im) } else { a.re.abs() }

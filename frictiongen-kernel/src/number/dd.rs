@@ -134,8 +134,8 @@ impl Dd {
         Self::finished(hi, lo)
     }
 
-    /// Creates a number, and replaces `lo` by 0 if `hi` is not finite. `lo` would otherwise be NaN beside an infinite
-    /// `hi`, and every later result would be NaN.
+    /// Creates a number, and replaces `lo` by 0 if `hi` is not finite. Otherwise `lo` would be NaN if `hi` is infinite,
+    /// and every later result would be NaN.
     #[inline]
     fn finished(hi: f64, lo: f64) -> Self {
         if hi.is_finite() {

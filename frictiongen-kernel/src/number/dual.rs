@@ -177,7 +177,8 @@ impl<S: Float> Scalar for Dual<S> {
     fn atan2(self, x: Self) -> Self {
         let (y, size) = (self, self.value.abs().max(x.value.abs()));
         let value = y.value.atan2(x.value);
-        // y and x are divided by the larger of the two, since its square may overflow or underflow.
+        // The code divides y and x by `size`, the larger of the two, because the square of `size` may overflow or
+        // underflow.
         let (sy, sx) = (y.value / size, x.value / size);
         let slope = (sx * y.slope - sy * x.slope) / (size * (sx * sx + sy * sy));
         Self { value, slope }
@@ -201,8 +202,8 @@ impl<S: Float> Scalar for Dual<S> {
     fn one_minus_sinc_pi(self) -> Self {
         let z = self.value;
         let value = z.one_minus_sinc_pi();
-        // The derivative (sinc − cos)/z is computed from 1 − cos and 1 − sinc. Both vanish with z, and their difference
-        // loses hardly any digits.
+        // The derivative (sinc − cos)/z is computed from 1 − cos and 1 − sinc. Both terms vanish with z, and their
+        // difference loses hardly any digits.
         let derivative = if z.is_zero() {
             z
         } else {

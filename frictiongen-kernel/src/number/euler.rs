@@ -1,11 +1,11 @@
 //! Coefficients of the Euler polynomials of even order, e_n(τ) = πⁿE_n(τ/π)/n!, as polynomials in w = τ(π − τ).
 //!
 //! The polynomials describe the motion of a free mass under a unit force that changes its sign every half period.
-//! `modal_sum::mass_controlled` uses them.
+//! `modal_sum::mass_controlled` uses these polynomials.
 
 /// Number of Euler polynomials of even order that a response sums in `f64`. `SINGLE` is the number in `f32`. Each
-/// further polynomial divides the third harmonic of the neglected remainder by at least six. With this number,
-/// (1/6)^(2·`DOUBLE`) is below the rounding error.
+/// further order n, even or odd, divides the third harmonic of the neglected remainder by at least six. The sum
+/// contains the orders up to 2·`DOUBLE`, and (1/6)^(2·`DOUBLE`) is below the rounding error.
 const DOUBLE: usize = 11;
 const SINGLE: usize = 5;
 

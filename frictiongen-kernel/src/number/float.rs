@@ -25,8 +25,8 @@ fn sqrt_f32(x: f32) -> f32 {
     root(x)
 }
 
-/// Returns √x of an `f32`, correctly rounded, with half as many instructions as the function of libm. It suits
-/// processors with a single-precision division instruction.
+/// Returns √x of an `f32`, correctly rounded, with half as many instructions as the function of libm. The function is
+/// for processors that have a single-precision division instruction.
 ///
 /// The iteration starts from x with half its exponent. Three Heron steps leave an error of at most one unit in the last
 /// place. The remainder x − root², computed exactly in integers, gives the correction of this last unit.
@@ -61,7 +61,7 @@ fn root(x: f32) -> f32 {
         .wrapping_shl(shift)
         .wrapping_sub(unit.wrapping_mul(unit));
     let (remainder, half) = (remainder.cast_signed(), unit.cast_signed());
-    // Below a power of two, adjacent numbers are half as far apart.
+    // Just below a power of two, adjacent numbers are half as far apart as just above it.
     let below = if unit == ONE { half / 2 } else { half };
     let (up, down) = (remainder > half, remainder <= -below);
     f32::from_bits(near + u32::from(up) - u32::from(down))

@@ -1,4 +1,4 @@
-//! Arrays of numbers that a processor can compute at once with packed (SIMD) instructions.
+//! Arrays of numbers that a processor can compute at the same time with packed (SIMD) instructions.
 //!
 //! Each operation on an array acts on each of its numbers separately. Each result has the same bits as the same
 //! operation on a single number.
@@ -6,7 +6,7 @@
 use crate::number::scalar::{Float, Scalar};
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-/// Array of `N` numbers that is itself a [`Scalar`], so that one formula evaluates `N` numbers at once.
+/// Array of `N` numbers that is itself a [`Scalar`], so that one formula evaluates `N` numbers at the same time.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Lanes<S, const N: usize = 2>(pub [S; N]);
 

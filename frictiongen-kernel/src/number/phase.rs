@@ -2,8 +2,8 @@
 
 use super::scalar::{Float, Scalar};
 
-/// Shifts an angle in rad by one full turn if this brings it into (−π, π]. The angle must be at most one turn outside
-/// this interval.
+/// Shifts an angle in rad by one full turn if this shift brings the angle into (−π, π]. The angle must be at most one
+/// turn outside this interval.
 #[inline]
 pub(crate) fn wrapped<S: Scalar>(angle: S) -> S {
     let (pi, turn) = (S::pi(), (S::pi() + S::pi()));

@@ -2,14 +2,14 @@
 //!
 //! With `f64` and `f32` a formula evaluates to a number. With [`Dd`](crate::number::dd::Dd) the number has about 31
 //! digits and serves as the accuracy reference. With the expression type of the code generator a formula becomes Rust
-//! source. A formula must therefore not branch on a scalar. It builds a condition with [`lt`](Scalar::lt) or
+//! source. A formula must therefore not branch on a scalar. The formula builds a condition with [`lt`](Scalar::lt) or
 //! [`is_zero`](Scalar::is_zero), and passes the condition to [`select`](Scalar::select).
 
 use core::f64::consts::FRAC_PI_4;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-/// Number that replaces an exact zero of x² − 1, where x is the resonance of a mode over the excitation frequency. In
-/// any precision it is far smaller than every other possible |x² − 1|.
+/// Number that replaces an exact zero of x² − 1, where x is the natural frequency of a mode divided by the excitation
+/// frequency. In any precision this number is far smaller than every other possible |x² − 1|.
 pub const NEXT_TO_POLE: f64 = 1.0 / (1u64 << 60) as f64;
 
 /// A number, or a symbol for a number, over which all closed forms are written.
@@ -55,7 +55,7 @@ pub trait Scalar:
     fn exp_m1(self) -> Self;
     /// Returns the angle of the vector (`x`, `self`), in (−π, π].
     fn atan2(self, x: Self) -> Self;
-    /// Returns √(self² + other²). No intermediate result overflows or underflows, even if the squares would.
+    /// Returns √(self² + other²). No intermediate result overflows or underflows, even if self² or other² would.
     #[inline]
     #[must_use]
     fn hypot(self, other: Self) -> Self {
@@ -135,7 +135,7 @@ pub trait Float:
     /// True if the scalar carries a derivative in addition to its value. Iterations then make one more Newton step,
     /// because the derivative is correct one step later than the value.
     const CARRIES: bool = false;
-    /// True if a processor can compute with two numbers of this type at once.
+    /// True if a processor can compute with two numbers of this type at the same time.
     const PAIRS: bool = false;
     /// Returns `self` rounded to the nearest `f64`.
     fn to_f64(self) -> f64;
@@ -218,7 +218,7 @@ pub trait Float:
 /// Scalar that carries no derivative in addition to its value. Dual numbers are not plain.
 ///
 /// Iterations find motions from rest and steady states. An iteration stops as soon as its value is correct, when a
-/// derivative may still be wrong. Functions that start such an iteration require this trait, so that the compiler
-/// rejects dual numbers. [`Orbit::carrying`](crate::orbit::Orbit::carrying) adds derivatives to a steady state that is
-/// already known.
+/// derivative may still be wrong. Functions that start an iteration of this kind require this trait, so that the
+/// compiler rejects dual numbers. [`Orbit::carrying`](crate::orbit::Orbit::carrying) adds derivatives to a steady state
+/// that is already known.
 pub trait Plain: Float {}

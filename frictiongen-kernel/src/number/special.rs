@@ -26,7 +26,8 @@ pub fn versine_pi<T: Float>(z: T) -> T {
 /// Returns 1 − cos πz, given z and `cosine` = cos πz.
 #[inline]
 pub(crate) fn versine_beside<T: Float>(z: T, cosine: T) -> T {
-    // Far from z = 0 the plain difference 1 − cos πz does not cancel. It is used there, because it has fewer roundings.
+    // Far from z = 0 the terms of the plain difference 1 − cos πz do not cancel. The code uses the plain difference
+    // there, because it has fewer roundings.
     let versine = T::constant(1.0) - cosine;
     if versine < T::constant(0.5) {
         let sin = (z * T::constant(0.5)).sin_pi();
@@ -98,6 +99,6 @@ pub fn exp_m1_minus<T: Float>(a: T) -> T {
         return a * a * curve;
     }
     let grown = a.exp_m1();
-    // If e^a − 1 overflows, the result is infinite. Subtracting an infinite a from it would give NaN.
+    // If e^a − 1 overflows, the result is infinite. Subtracting an infinite a from this result would give NaN.
     if grown.is_finite() { grown - a } else { grown }
 }

@@ -44,10 +44,10 @@ macro_rules! half_turns {
             const HALF_PI_SQUARED: $float = $half_pi_squared;
             /// Mask that keeps the leading third of a significand and clears the other bits.
             const LEADING: $bits = $leading;
-            /// Large constant that rounds a smaller number to a multiple of 1/2 when the code adds it. The lowest bits
-            /// of the sum then contain the number of halves.
+            /// Large constant. If the code adds it to a smaller number, the sum is rounded to a multiple of 1/2. The
+            /// lowest bits of the sum then contain the number of halves.
             const TO_HALVES: $float = $to_halves;
-            /// Large constant that rounds a smaller number to a multiple of 4 when the code adds it.
+            /// Large constant. If the code adds it to a smaller number, the sum is rounded to a multiple of 4.
             const TO_FOURS: $float = $to_fours;
 
             /// Returns x with all bits after the leading third of its significand cleared.
@@ -112,8 +112,8 @@ macro_rules! half_turns {
 
             /// Returns (sin πh, cos πh), with h in half-turns.
             ///
-            /// Each result is within 1.1 units in the last place for every finite h. Each result is exactly 0 or ±1
-            /// where sine and cosine are. Large numbers are even integers, with the result (0, 1). An infinite h or NaN
+            /// Each result is within 1.1 units in the last place for every finite h. If the mathematical value is 0 or
+            /// ±1, the result is exact. Large numbers are even integers, with the result (0, 1). An infinite h or NaN
             /// gives NaN.
             ///
             /// ```
@@ -161,7 +161,7 @@ macro_rules! half_turns {
                 let subtracted = difference - r;
                 let lost = (r - (difference - subtracted)) - (d + subtracted);
                 // `lost` has the digits that rounding removed from r − d. The first-order term of the addition theorem
-                // restores their effect.
+                // restores the effect of these digits.
                 let angle = lost * core::$float::consts::PI;
                 let (p, rest) = reduced(difference);
                 let (sin, cos) = kernel(rest);
@@ -174,7 +174,8 @@ macro_rules! half_turns {
             /// stay unchanged.
             #[inline(always)]
             fn near_of<const N: usize>(mut h: [$float; N]) -> [$float; N] {
-                // One branch for all numbers, instead of one for each, lets the compiler use packed instructions.
+                // The code has one branch for all numbers, instead of one for each number. The compiler can then use
+                // packed instructions.
                 if !h.iter().fold(true, |all, h| all & (h.abs() < $exact)) {
                     for h in &mut h {
                         if !(h.abs() < $exact) {

@@ -59,8 +59,8 @@ where
     }
 
     /// Computes the steady state at r and β that a motion reaches from the given start. The motion starts at a maximum
-    /// of the excitation. If `last` is true in the question and the motion does not settle, the result has its last
-    /// cycles, and [`Self::is_settled`] is false.
+    /// of the excitation. If `last` is true in `question` and the motion does not settle, the result contains the last
+    /// cycles of the motion, and [`Self::is_settled`] is false.
     ///
     /// # Errors
     /// [`NoOrbit`] gives the reason why no steady state exists or was found.  Slices of a wrong length give
@@ -84,7 +84,7 @@ where
         if multipliers.as_ref().len() != size {
             return Err(OutOfDomain::Length(Slice::Multipliers).into());
         }
-        // A stuck state exists for β ≥ β*_lim. Only the motion itself shows whether it ends in that state.
+        // A stuck state exists for β ≥ β*_lim. Only the motion itself shows whether it ends in the stuck state.
         let holding =
             (!(beta < question.sliding)).then_some(setting.law_at(question.sliding).grip());
         let unbounded = unbounded(&dynamics, question.r, beta)?;
@@ -218,7 +218,7 @@ fn settles<S: Float, K: ContactChain<S>>(
 
 /// Fails if the amplitude of a mode grows without bound while the contact slides.
 fn bounded<S: Float>(mode: &Mode<S>, r: S, beta: S) -> Result<(), NoOrbit> {
-    // Below β_n = (π/4)|φᵀp/φᵀw| friction dissipates less than the load supplies (6.2, 6.26).
+    // If β is smaller than β_n = (π/4)|φᵀp/φᵀw|, friction dissipates less than the load supplies (6.2, 6.26).
     let threshold = S::constant(FRAC_PI_4) * mode.load.abs();
     let resonant = mode.kind == Kind::Undamped && mode.resonance == r;
     if resonant && beta * mode.contact.abs() < threshold {
@@ -254,8 +254,8 @@ pub(super) fn stuck<S: Float, K: ContactChain<S>>(
     // While the contact sticks, small deviations of the modes decay independently of each other.
     let two_pi = S::pi() + S::pi();
     let mut out = workspace.multipliers.iter_mut();
-    // `zip` takes an item of its first argument before it finds the second one empty. The array comes first, so that no
-    // multiplier is lost.
+    // `zip` takes an item of its first argument before it finds the second one empty. `lost` therefore comes first, so
+    // that no element of `out` is skipped.
     let lost = cycle_map.setting.dynamics.chain.stuck_multipliers();
     for (is_one, out) in lost.iter().zip(out.by_ref()) {
         let re = if *is_one { S::constant(1.0) } else { zero };

@@ -20,7 +20,7 @@ const MOST_FOLLOWED: u32 = 64;
 
 /// Largest allowed size of a marginal steady state, divided by the size of the motion that converges to it. A marginal
 /// state belongs to a continuum of steady states. The size of the motion counts as at least P/k₁. Away from a resonance
-/// both sizes are of the order of the excitation.
+/// the sizes of the state and of the motion are of the order of the excitation.
 const MOST_GROWN: f64 = 64.0;
 
 /// Number of successive equal half cycles after which a motion counts as converging to a member of a continuum of
@@ -29,17 +29,18 @@ const MOST_GROWN: f64 = 64.0;
 const CALM: u32 = 64;
 
 /// The test ends when the distance from the fixed point has fallen to this fraction of its initial value. The
-/// multipliers predict the instant at which this happens.
+/// multipliers predict the instant at which the distance reaches this fraction.
 const FAR_ENOUGH: f64 = 0.01;
 /// Tolerance of the test. The distance from the fixed point may exceed the prediction of the multipliers by this
 /// fraction.
 const SPARE: f64 = 0.1;
 /// The stops of two motions count as the same if their sticking times differ relatively by at most this value.
 const STICKS_ALIKE: f64 = 0.25;
-/// The motion counts as having reached the fixed point if their distance is below this fraction of the size of the
-/// state.
+/// The motion counts as having reached the fixed point if its distance from the point is below this fraction of the
+/// size of the state.
 const REACHED: f64 = 1e-9;
-/// The contact hardly moves within this distance from the fixed point, in P/k₁. Rounding then decides its motion.
+/// If the distance of the motion from the fixed point is below this value, in P/k₁, the contact hardly moves. Rounding
+/// then decides its motion.
 const HARDLY_MOVES: f64 = 1e-6;
 /// Smallest number of cycles that the search follows before it selects a member of a continuum of steady states.
 const LEAST_FOLLOWED: u32 = 64;
@@ -124,8 +125,8 @@ impl<S: Float> Candidate<S> {
         if on_circle {
             return self.marginal(cycle_map, workspace, far, scale, self.cycles);
         }
-        // With μ = 1 the distance of two motions never grows. If the motion is this close to the fixed point, it
-        // therefore tends to it.
+        // With μ = 1 the distance of two motions never grows. A motion this close to the fixed point therefore tends to
+        // that point.
         let near = far <= same(scale);
         let same = pattern == self.wanted;
         if self.monotone || (same && (near || self.attracts(cycle_map, workspace, largest)?)) {
@@ -145,7 +146,8 @@ impl<S: Float> Candidate<S> {
 
     /// Returns true if the motion keeps its events and approaches the fixed point as fast as the multipliers predict.
     /// With μ > 1 other steady states may be close, so that a small distance proves nothing. The cycle map must be at
-    /// the fixed point before the call. If the result is true, it is again at the fixed point after the call.
+    /// the fixed point before the call. If the result is true, the cycle map is at the fixed point after the call as
+    /// well.
     fn attracts<K: ContactChain<S>>(
         &mut self,
         cycle_map: &mut CycleMap<'_, '_, S, K>,
@@ -234,8 +236,8 @@ impl<S: Float> Candidate<S> {
         if !self.monotone && self.recent.stops > 0 {
             return Ok(CandidateVerdict::No);
         }
-        // Where the contact hardly moves, rounding decides its motion. Any distance below the bound then counts as
-        // reached.
+        // Where the contact hardly moves, rounding decides its motion. The motion then counts as having reached the
+        // fixed point.
         let turns = self.recent.stops + self.recent.reversals;
         let calm = far <= S::constant(HARDLY_MOVES) || (turns <= 2 && CALM <= self.alike);
         if !self.map.symmetric || cycles < LEAST_FOLLOWED || !calm {

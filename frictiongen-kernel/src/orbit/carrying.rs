@@ -2,7 +2,8 @@
 //!
 //! A steady state is a fixed point x = P(x) of the period map P at a fixed phase. With dual numbers, one period of
 //! motion from x gives P(x) and the derivative b of P at fixed x. A Newton step then adds (1 − DP)⁻¹b to the derivative
-//! of x. A second pass follows the segments from the new x, and adds the derivatives to every result.
+//! of x, where DP is the derivative of P with respect to x. A second pass follows the segments from the new x, and adds
+//! the derivatives to every result.
 
 use super::build::{record_period, stuck};
 use super::closed;
@@ -183,8 +184,8 @@ where
         Ok(orbit)
     }
 
-    /// Sets a cycle map to a state of this motion that repeats after its period. The number type of the cycle map
-    /// carries derivatives.
+    /// Sets a cycle map to a state of this motion, and corrects the state and its derivatives until they repeat after
+    /// the period. The number type of the cycle map carries derivatives.
     fn close<U: Float, J: ContactChain<U>>(
         &self,
         cycle_map: &mut CycleMap<'_, '_, U, J>,
@@ -261,7 +262,8 @@ where
         }
         let setting = cycle_map.setting;
         setting.load_state(displacements, velocities, cycle_map.modes);
-        // An elastic contact does not stick as soon as the motion alone is known.  It slides on in its direction.
+        // From the modes alone, the law of an elastic contact would return a stuck contact. The code therefore passes
+        // the direction of sliding.
         let sliding = ContactState {
             contact: longest.contact_state.contact,
             ..ContactState::stuck(U::constant(t.to_f64()))

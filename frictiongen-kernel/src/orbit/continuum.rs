@@ -1,9 +1,10 @@
-//! Selects one member of a continuum of steady motions. Without damping, such a continuum exists at r = 1/2n.
+//! Selects one member of a continuum of steady motions. Without damping, a continuum of this kind exists at r = 1/(2n),
+//! with n = 1, 2, ….
 //!
 //! Two members of the continuum differ by a free vibration at an even multiple of the excitation frequency, in phase
 //! with the reversals. A motion that never stops keeps its amplitude of this vibration. Each stop of the contact
-//! reduces the amplitude, by less and less. A motion with stops therefore tends to the member without stops that has
-//! the largest amplitude.
+//! reduces this amplitude, by less than the previous stop did. A motion with stops therefore tends to the member
+//! without stops that has the largest amplitude.
 
 use super::cycle_map::CycleMap;
 use super::cycle_map::unit;
@@ -14,14 +15,14 @@ use crate::number::matrix::SquareMatrix;
 use crate::number::pairs::{pairs, pairs_mut};
 use crate::number::scalar::Float;
 
-/// Rounding error of a member of the continuum over half a cycle, in rounding units of the state.
+/// Rounding error of a member of the continuum during half a cycle, in rounding units of the state.
 const ROUNDINGS: f64 = 256.0;
 /// Number of bisections in the search for the end of a continuum of steady states.
 const BISECTIONS: u32 = 60;
 /// A search for the end of a continuum doubles the amplitude of the free vibration at most this number of times.
 const DOUBLINGS: u32 = 20;
-/// Difference from 1 of the shift in the inverse iteration. The iteration finds the eigenvector of the half-period map
-/// for the multiplier 1.
+/// Difference between 1 and the shift of the inverse iteration. The iteration finds the eigenvector of the half-period
+/// map for the multiplier 1.
 const SHIFT: f64 = 1e-8;
 
 /// Sets the cycle map to one member of a continuum of steady motions: the member to which the motion converges.
@@ -68,8 +69,8 @@ pub(super) fn member<S: Float, K: ContactChain<S>>(
         if !SquareMatrix::new(workspace.matrix, size).solve_shifted(shift, workspace.other) {
             return Err(NoOrbit::Unsettled);
         }
-        // (shift − D)⁻¹ divides the eigenvector's component by shift − 1, and hardly changes the other components.  The
-        // weight restores the eigenvector's component.
+        // (shift − D)⁻¹, with the derivative D of the map, divides the eigenvector's component by shift − 1, and hardly
+        // changes the other components. The factor `weight` restores the eigenvector's component.
         let weight = shift - one;
         for (state, other) in workspace.state.iter_mut().zip(workspace.other.iter()) {
             *state = *other * weight;

@@ -1,4 +1,4 @@
-//! Follows the motion over half a cycle or a whole cycle of the excitation. It starts at a fixed phase of the
+//! Follows the motion over half a cycle or a whole cycle of the excitation. The motion starts at a fixed phase of the
 //! excitation, which is called a *section*.
 
 use super::types::MAX_STEPS;
@@ -27,7 +27,7 @@ impl EventPattern {
         }
     }
 
-    /// Divides each number of events by `parts`. Returns `None` if the division of one of them leaves a remainder.
+    /// Divides each number of events by `parts`. Returns `None` if one of the divisions leaves a remainder.
     pub(super) fn divided(self, parts: u32) -> Option<Self> {
         let part = |count: u32| {
             let part = count.checked_div(parts)?;
@@ -92,8 +92,8 @@ impl<'f, 'a, S: Float, K: ContactChain<S>> CycleMap<'f, 'a, S, K> {
         self.setting.dynamics.state_size()
     }
 
-    /// Returns the number of scalars that the contact stores, such as its force. In a state vector they follow the
-    /// modes.
+    /// Returns the number of scalars that the contact stores, such as its force. In a state vector these scalars follow
+    /// the modes.
     pub(super) fn remembered(&self) -> usize {
         self.setting.dynamics.chain.remembered()
     }
@@ -209,8 +209,8 @@ impl<'f, 'a, S: Float, K: ContactChain<S>> CycleMap<'f, 'a, S, K> {
         }
     }
 
-    /// Sets the oscillators from a state vector. A given stuck contact state stays. For a given sliding state, the
-    /// velocities decide the new contact state.
+    /// Sets the oscillators from a state vector. If `contact_state` is stuck, the contact sticks. If `contact_state`
+    /// slides, the velocities of the state decide the new contact state.
     pub(super) fn restore(&mut self, state: &[S], contact_state: &ContactState<S>) {
         for (part, state) in self.modes.iter_mut().zip(pairs(state)) {
             if let [y, u] = state {
@@ -226,8 +226,8 @@ impl<'f, 'a, S: Float, K: ContactChain<S>> CycleMap<'f, 'a, S, K> {
         }
     }
 
-    /// Sets `state` to the present state times `sign`, minus `state`. Sets the oscillators to the former `state`, and
-    /// returns its stored contact force.
+    /// Sets `state` to the present state times `sign`, minus the former `state`. Sets the oscillators to the former
+    /// `state`, and returns the contact force stored in it.
     pub(super) fn subtract(&mut self, state: &mut [S], sign: S) -> S {
         for (part, state) in self.modes.iter_mut().zip(pairs_mut(state)) {
             if let [y, u] = state {

@@ -14,8 +14,8 @@ where
     C: AsRef<[Complex<S>]> + AsMut<[Complex<S>]>,
     K: ContactChain<S>,
 {
-    /// Returns the middle of the contact's relative motion, (max z̄ + min z̄)/2, over P/k₁ (over Y for base motion). It
-    /// is 0 for a symmetric motion. For a stuck contact it is the constant z̄.
+    /// Returns the middle of the contact's relative motion, (max z̄ + min z̄)/2, in units of P/k₁ (of Y for base
+    /// motion). The offset is 0 for a symmetric motion. For a stuck contact it is the constant z̄.
     pub fn offset(&self) -> S {
         if self.symmetric {
             return S::constant(0.0);
@@ -33,7 +33,7 @@ where
     C: AsRef<[Complex<S>]> + AsMut<[Complex<S>]>,
     K: ContactChain<S>,
 {
-    /// Returns the smallest and the largest x̄ of the period, over P/k₁ (over Y for base motion).
+    /// Returns the smallest and the largest x̄ of the period, in units of P/k₁ (of Y for base motion).
     pub fn extremes(&self) -> (S, S) {
         let largest = self.amplitude();
         if self.is_symmetric() {
@@ -59,7 +59,7 @@ where
         (-shifted(-largest), shifted(largest))
     }
 
-    /// Returns half the distance between the smallest and the largest x̄ of the period, over P/k₁ (over Y for base
+    /// Returns half the distance between the smallest and the largest x̄ of the period, in units of P/k₁ (of Y for base
     /// motion). This is the amplitude about the middle of the motion.
     pub fn centred_amplitude(&self) -> S {
         let (least, most) = self.extremes();

@@ -1,8 +1,9 @@
 //! Detects a contact that sticks for ever. For β ≥ β*_lim the contact may stick for ever at the end of a motion, with
 //! or without an offset.
 //!
-//! The force in a stuck contact is the sum of three parts: V/H of the forced motion, a constant force due to the
-//! offset, and the force of the chain's free vibration. The contact never slides again if this sum can never exceed μβ.
+//! The force in a stuck contact is the sum of three parts: the force V/H of the forced motion, a constant force due to
+//! the offset, and the force of the chain's free vibration. The contact never slides again if this sum can never exceed
+//! μβ.
 
 use super::cycle_map::{CycleMap, EventPattern};
 use super::types::MAX_CYCLES;
@@ -12,18 +13,18 @@ use crate::number::scalar::Float;
 /// Number of half cycles without an event after which the contact counts as stuck for ever. A test of the forces alone
 /// may never succeed, because an undamped free vibration never decays.
 const QUIET: u32 = 256;
-/// Number of cycles after which the present offset counts as final. This number applies with μ = 1 and without damping.
-/// The slips then become smaller from cycle to cycle, but never end.
+/// Number of cycles after which the present offset counts as final, with μ = 1 and without damping. In this case the
+/// slips become smaller from cycle to cycle, but never end.
 const UNDYING: u32 = 64;
 /// Rounding error of the force in a contact that barely sticks, in rounding units of μβ.
 const ROUNDINGS: f64 = 64.0;
-/// The offset counts as approaching its limit from one side if two forces are below this fraction of a third force.
-/// With μ = 1 the slips become ever smaller, and the offset converges to the value at which the contact barely sticks.
-/// The two forces are those of a cycle's slip and of the free vibration. The third is the force of the offset's
-/// distance from this value.
+/// With μ = 1 the slips become ever smaller, and the offset converges to a limit at which the contact barely sticks.
+/// The code compares three forces: the force of one cycle's slip, the force of the free vibration, and the force that
+/// corresponds to the distance of the offset from its limit. The offset counts as approaching its limit from one side
+/// if each of the first two forces is below this fraction of the third.
 const ONE_SIDED: f64 = 0.1;
 
-/// Observer of a motion with β ≥ β*_lim. It finds the instant after which the contact sticks for ever.
+/// Observer of a motion with β ≥ β*_lim. The observer finds the instant after which the contact sticks for ever.
 pub(super) struct Hold<S> {
     /// |V/H|, the amplitude of the contact force in the forced motion of the stuck chain.
     steady: S,
@@ -60,8 +61,8 @@ impl<S: Float> Hold<S> {
         self.quiet = if calm { self.quiet + 1 } else { 0 };
     }
 
-    /// Returns the offset z̄ of a contact that sticks for ever. Returns `None` while this is neither proven nor
-    /// [assumed](QUIET).
+    /// Returns the offset z̄ of a contact that sticks for ever. Returns `None` as long as permanent sticking is neither
+    /// proven nor [assumed](QUIET).
     pub(super) fn lasting_offset<K: ContactChain<S>>(
         &mut self,
         cycle_map: &mut CycleMap<'_, '_, S, K>,

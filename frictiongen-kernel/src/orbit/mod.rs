@@ -113,8 +113,8 @@ where
     }
 
     /// Returns true if the motion repeats. If not, the orbit contains the last [`MAX_PERIOD`] cycles of a motion that
-    /// did not settle in [`MAX_CYCLES`] cycles. An amplitude is then the largest of these last cycles, and a harmonic
-    /// is the mean over them.
+    /// did not settle in [`MAX_CYCLES`] cycles. An amplitude is then the largest amplitude in these last cycles, and a
+    /// harmonic is the mean of the last cycles.
     #[must_use]
     pub fn is_settled(&self) -> bool {
         self.settled
@@ -193,7 +193,7 @@ where
 
     /// Returns the intervals in which the contact sticks, each as its start and its length in rad of the excitation.
     /// The start is the excitation's phase, from 0 to 2π times the number of cycles in the period. The phase 0 is a
-    /// maximum of the excitation. A subharmonic state has several maxima in a period. Its phase 0 is the maximum
+    /// maximum of the excitation. A subharmonic state has several maxima in a period. Phase 0 is then the maximum
     /// closest to τ = 0 (see [`origin`](Self::origin)).
     pub fn sticking_intervals(&self) -> impl Iterator<Item = (S, S)> + '_ {
         let stuck = |contact: &Contact| *contact == Contact::Stuck;
@@ -238,7 +238,7 @@ where
         self.symmetric
     }
 
-    /// Returns the Floquet multipliers, the factors by which small deviations grow in a period. They include only
+    /// Returns the Floquet multipliers, the factors by which small deviations grow in a period. The list includes only
     /// deviations of modes that the contact drives. The slice is empty if the motion does not repeat.
     #[must_use]
     pub fn multipliers(&self) -> &[Complex<S>] {
@@ -270,10 +270,10 @@ where
         self.marginal
     }
 
-    /// Returns the largest |offset| of the contact in the continuum of steady states, over P/k₁ (over Y for base
+    /// Returns the largest |offset| of the contact in the continuum of steady states, in units of P/k₁ (of Y for base
     /// motion). Every state of the continuum has an offset between minus and plus this bound. A bound exists for a
-    /// stuck contact, and for a chain without damping at r = 1/2n. Returns `None` for other states, or if the bound is
-    /// unknown.
+    /// stuck contact, and for a chain without damping at r = 1/(2n), with n = 1, 2, …. Returns `None` for other states,
+    /// or if the bound is unknown.
     #[must_use]
     pub fn offset_range(&self) -> Option<S> {
         self.offset_range

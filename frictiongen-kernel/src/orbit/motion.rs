@@ -77,14 +77,14 @@ where
         }
     }
 
-    /// Returns the amplitude and its lag in rad from one search. The amplitude is the largest |x̄| over P/k₁ (over Y
-    /// for base motion).
+    /// Returns the amplitude and its lag in rad from one search. The amplitude is the largest |x̄|, in units of P/k₁
+    /// (of Y for base motion).
     pub fn largest(&self) -> (S, S) {
         let best = self.best();
         (best.value, best.lag.unwrap_or(S::constant(0.0)))
     }
 
-    /// Returns the largest |x̄| of the period, over P/k₁ (over Y for base motion).
+    /// Returns the largest |x̄| of the period, in units of P/k₁ (of Y for base motion).
     pub fn amplitude(&self) -> S {
         self.best().value
     }
@@ -93,8 +93,8 @@ where
     /// negative at that instant, the function adds half a turn.
     ///
     /// If the contact stops at its largest displacement, the lag belongs to the beginning of the stop. If several
-    /// maxima are equal, the lag of smallest size counts. If two such lags have opposite signs, the positive lag
-    /// counts.
+    /// maxima are equal, the lag of smallest size counts. If two lags of equal size have opposite signs, the positive
+    /// lag counts.
     pub fn phase(&self) -> S {
         self.best().lag.unwrap_or(S::constant(0.0))
     }
@@ -105,8 +105,8 @@ where
         wrapped(-fundamental.im.atan2(fundamental.re))
     }
 
-    /// Returns x̄ at the phase τ, over P/k₁ (over Y for base motion). At τ = 0 the contact's relative motion leaves its
-    /// maximum.
+    /// Returns x̄ at the phase τ, in units of P/k₁ (of Y for base motion). At τ = 0 the contact's relative motion
+    /// leaves its maximum.
     pub fn displacement(&self, tau: S) -> S {
         self.evaluate(tau, |sum, tau| sum.local(tau).value)
     }
@@ -140,7 +140,7 @@ where
     /// maximum of the excitation. X_0 is the mean.
     ///
     /// If a vibration has more than about 10⁴ periods within a segment, only the order of magnitude is correct. This
-    /// concerns large n, and modes far above the excitation frequency.
+    /// happens for large n, and for modes far above the excitation frequency.
     pub fn harmonic(&self, n: u32) -> Complex<S> {
         self.component(S::constant(f64::from(n)), n == 0, |mark| {
             mark.contact_state.t
@@ -155,8 +155,8 @@ where
         self.component(order, k == 0, |mark| self.orbit.angle(mark))
     }
 
-    /// Returns the complex amplitude of a component of any order. `starts` returns the excitation's phase at the start
-    /// of a segment, in half-turns.
+    /// Returns the complex amplitude of one component of the motion. `order` is the frequency of the component divided
+    /// by the excitation frequency. `starts` returns the excitation's phase at the start of a segment, in half-turns.
     fn component(
         &self,
         order: S,
@@ -238,7 +238,8 @@ where
             stuck = mark.contact_state.contact == Contact::Stuck;
         }
         match first {
-            // The segment before the first one is the last one of the period. Its state is known only here.
+            // The segment before the first one is the last one of the period. Only here, after the loop, the code knows
+            // whether the contact sticks in that segment.
             Some(first) if !stuck => best.note(first.contact_state.t, self.signed(first.relative)),
             Some(first) if best.lag.is_none() => {
                 best.value = first.relative.abs();

@@ -12,20 +12,21 @@ const NEWTON_STEPS: u32 = 12;
 
 /// Two computations of the same state or instant count as equal if their relative difference is below this value.
 const AGREEMENT: f64 = 1e-9;
-/// Smallest tolerance at which two computations count as equal, in rounding units. It is large because the rounding
-/// errors of all events of a cycle add up. Only in `f32` it exceeds `AGREEMENT`.
+/// Smallest tolerance at which two computations count as equal, in rounding units. The tolerance is large because the
+/// rounding errors of all events of a cycle add up. It exceeds `AGREEMENT` only in `f32`.
 const AGREEING_ROUNDINGS: f64 = 1024.0;
 /// A Newton step counts as small if it is below this fraction of the state.
 const SMALL_STEP: f64 = 1e-11;
-/// Smallest bound below which a Newton step counts as small, in rounding units. Only in `f32` it exceeds `SMALL_STEP`.
+/// Smallest bound below which a Newton step counts as small, in rounding units. This bound exceeds `SMALL_STEP` only in
+/// `f32`.
 const SMALL_ROUNDINGS: f64 = 256.0;
 /// Shortest meaningful Newton step, in rounding units of the state.
 const LEAST_ROUNDINGS: f64 = 4.0;
-/// The method ends if a small Newton step is more than this fraction of the previous step. Such a step is only rounding
-/// error.
+/// The method ends if a small Newton step is more than this fraction of the previous step. A step that shrinks no
+/// faster is only rounding error.
 const STALLED: f64 = 0.25;
-/// Quadratic convergence may end the method if a Newton step is below this fraction of the state. The step must also be
-/// no larger than the square of the previous step.
+/// The method also ends by quadratic convergence, if a Newton step is below this fraction of the state and no larger
+/// than the square of the previous step.
 const QUADRATIC: f64 = 1e-9;
 /// Lower bound on the size of a state, so that a division by that size stays finite.
 const SMALLEST_SCALE: f64 = 1e-290;
@@ -117,7 +118,7 @@ pub(super) fn newton<S: Float, K: ContactChain<S>>(
         };
         if (image == Contact::Stuck) != (contact_state.contact == Contact::Stuck) {
             // At the section the contact state has changed between sticking and sliding. The method starts again with
-            // the contact state after the map.
+            // the contact state that the contact has after the map.
             contact_state.contact = image;
             contact_state.t = start.t;
             cycle_map.save(workspace.other);
@@ -144,7 +145,8 @@ pub(super) fn newton<S: Float, K: ContactChain<S>>(
         contact_state.t = start.t;
         cycle_map.restore(workspace.other, &contact_state);
         let small = S::constant(SMALL_STEP.max(SMALL_ROUNDINGS * S::EPSILON)) * scale;
-        // A contact that hardly slides moves by far less than P/k₁, but has the rounding error of P/k₁.
+        // A contact that hardly slides moves by far less than P/k₁, but its rounding error is that of a motion of size
+        // P/k₁.
         let small = step <= small.max(S::constant(LEAST_ROUNDINGS * S::EPSILON));
         // The method ends in three cases: the step is below rounding, rounding prevents smaller steps, or the
         // convergence is quadratic.

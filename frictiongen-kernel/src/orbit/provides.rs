@@ -12,7 +12,8 @@ impl<T: ProvidesOrbit> At<T> {
     /// Returns the steady state at β = F/P in which motion from rest ends, in any regime.
     ///
     /// At the start the excitation is at its maximum, and every mass is at x̄ = 0 without velocity. A moving base is
-    /// then at Y. A contact with the base therefore starts at z̄ = −Y, and may stick there.
+    /// then at Y. A contact with the moving base therefore starts at the relative displacement z = −Y, and may stick
+    /// there.
     ///
     /// # Errors
     /// [`NoOrbit`] gives the reason why there is no steady state.
@@ -22,11 +23,11 @@ impl<T: ProvidesOrbit> At<T> {
     }
 
     /// Returns the steady state of [`orbit`](Self::orbit). If the motion from rest does not settle, returns its last 64
-    /// cycles. For such cycles `is_settled()` is false, and an amplitude is the largest of these cycles.
+    /// cycles. In this case `is_settled()` is false, and an amplitude is the largest in the last 64 cycles.
     ///
     /// # Errors
     /// [`NoOrbit`] if β is negative or not finite, if the motion is unbounded, or if an undamped mode never settles.
-    /// [`NoOrbit`] also if a cycle has too many events, or if the motion takes too many search steps.
+    /// Too many events in a cycle, or too many search steps of the motion, give an error as well.
     #[inline]
     pub fn orbit_or_last_cycles(&self, beta: T::Scalar) -> Result<T::Orbit, NoOrbit> {
         T::settled(self, beta, Start::Rest, true)
@@ -36,7 +37,8 @@ impl<T: ProvidesOrbit> At<T> {
     /// a maximum of the excitation.
     ///
     /// # Errors
-    /// [`NoOrbit`], also for a state that does not have one finite number for each mass.
+    /// [`NoOrbit`] gives the reason why there is no steady state. A state that does not have one finite number for each
+    /// mass gives an error as well.
     #[inline]
     pub fn orbit_from(
         &self,
@@ -51,8 +53,8 @@ impl<T: ProvidesOrbit> At<T> {
     /// cycles, as [`orbit_or_last_cycles`](Self::orbit_or_last_cycles) does.
     ///
     /// # Errors
-    /// Same errors as [`orbit_or_last_cycles`](Self::orbit_or_last_cycles). [`NoOrbit`] also for a state that does not
-    /// have one finite number for each mass.
+    /// Same errors as [`orbit_or_last_cycles`](Self::orbit_or_last_cycles). A state that does not have one finite
+    /// number for each mass gives an error as well.
     #[inline]
     pub fn orbit_or_last_cycles_from(
         &self,
@@ -76,7 +78,7 @@ impl<T: ProvidesOrbit> At<T> {
     }
 }
 
-/// Steady states of a scene with tables. The exact formulas compute these states.
+/// Methods that return the steady states of a scene with tables. They use the exact formulas, not the tables.
 impl<T: Tabled + ProvidesOrbit> Compiled<T> {
     /// Returns the steady state at β = F/P in which motion from rest ends, in any regime.
     ///
@@ -95,7 +97,7 @@ impl<T: Tabled + ProvidesOrbit> Compiled<T> {
         self.exact().orbit_or_last_cycles(beta)
     }
 
-    /// Returns the steady state that a motion from another state reaches, as [`At::orbit_from`] does.
+    /// Returns the steady state that a motion from a given state reaches, as [`At::orbit_from`] does.
     ///
     /// # Errors
     /// Same errors as [`At::orbit_from`].

@@ -4,7 +4,7 @@ use super::start::Start;
 use crate::contact::sums::Chain;
 use crate::motion::Dynamics;
 
-/// Arguments of the search for a steady state: the scene, both ratios and the start.
+/// Arguments of the search for a steady state: the scene, the ratios r and β, and the start.
 #[derive(Clone, Copy, Debug)]
 pub struct OrbitQuestion<'a, 's, S, K = Chain<S>> {
     /// Data of the scene.
@@ -17,7 +17,7 @@ pub struct OrbitQuestion<'a, 's, S, K = Chain<S>> {
     pub sliding: S,
     /// Initial state of the motion, at a maximum of the excitation.
     pub start: Start<'s, S>,
-    /// If true, a motion that does not settle returns its last [`MAX_PERIOD`](super::MAX_PERIOD) cycles. If false, it
-    /// returns an error.
+    /// If true, a motion that does not settle returns its last [`MAX_PERIOD`](super::MAX_PERIOD) cycles. If false, such
+    /// a motion returns an error.
     pub last: bool,
 }

@@ -1,8 +1,8 @@
 //! Finds the largest velocity and acceleration within a segment.
 //!
 //! The search samples sixteen instants in a half-turn of the fastest oscillation, and refines every local maximum of
-//! the samples. It can miss a maximum only within one sampling step of another maximum. Two such maxima differ by less
-//! than a thousandth of their value.
+//! the samples. It can miss a maximum only within one sampling step of another maximum. Two maxima so close together
+//! differ by less than a thousandth of their value.
 
 use crate::motion::OscillatorSum;
 use crate::number::scalar::Float;
@@ -13,21 +13,21 @@ const PLACES: f64 = 16.0;
 const FEWEST: f64 = 8.0;
 /// Upper bound on the number of samples in a segment.
 const MOST: f64 = 4096.0;
-/// Number of steps of a golden-section search. Each step keeps 0.62 of the interval. The interval after the last step
+/// Number of steps of a golden-section search. Each step keeps 0.62 of the interval. After the last step, the interval
 /// is only as long as a rounding error.
 const STEPS: usize = 40;
 
-/// Returns the largest |f′| over the searched length.
+/// Returns the largest |f′| of a sum f over oscillators, within the searched length of the sum.
 pub(super) fn largest_slope<S: Float>(sum: &OscillatorSum<'_, S>) -> S {
     largest(sum, |tau| sum.local(tau).slope.abs())
 }
 
-/// Returns the largest |f″| over the searched length.
+/// Returns the largest |f″| of a sum f over oscillators, within the searched length of the sum.
 pub(super) fn largest_curve<S: Float>(sum: &OscillatorSum<'_, S>) -> S {
     largest(sum, |tau| sum.local(tau).curve.abs())
 }
 
-/// Returns the largest value of `size` over the searched length of a sum.
+/// Returns the largest value of `size` within the searched length of a sum.
 fn largest<S: Float>(sum: &OscillatorSum<'_, S>, size: impl Fn(S) -> S) -> S {
     let (zero, one) = (S::constant(0.0), S::constant(1.0));
     let wanted = sum.rate * sum.reach * S::inverse_pi() * S::constant(PLACES);

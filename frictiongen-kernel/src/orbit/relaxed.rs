@@ -1,9 +1,9 @@
-//! Implicit Euler method from cycle to cycle. It serves motions that approach their steady state too slowly for a
-//! search that follows every cycle.
+//! Implicit Euler method from cycle to cycle. The method is for motions that approach their steady state too slowly for
+//! a search that follows every cycle.
 //!
-//! Such motions occur close to a resonance of the masses that the contact does not move. For most cycles the events are
-//! not those of the steady state, so that Newton's method alone does not converge. With μ = 1 the distance of two
-//! motions never grows. Each step x′ = x + (F(x′) − x′)/σ, with the half-cycle map F, therefore has exactly one
+//! Motions as slow as this occur close to a resonance of the masses that the contact does not move. For most cycles the
+//! events are not those of the steady state, so that Newton's method alone does not converge. With μ = 1 the distance
+//! of two motions never grows. Each step x′ = x + (F(x′) − x′)/σ, with the half-cycle map F, therefore has exactly one
 //! solution. For any step length 1/σ, the solution is closer to the steady state than x.
 
 use super::cycle_map::{CycleMap, unit};
@@ -26,9 +26,10 @@ const FIRST_SHIFT: f64 = 0.0625;
 const LONGER: f64 = 0.25;
 /// Factor on σ after a failed Euler step. A larger σ makes the next attempt shorter.
 const SHORTER: f64 = 8.0;
-/// Largest σ. An Euler step with this σ is shorter than half a cycle.
+/// Upper bound on σ. With σ = 64 an Euler step is 1/64 of a half cycle long. If a step fails and the next σ would
+/// exceed this bound, the method ends.
 const LARGEST_SHIFT: f64 = 64.0;
-/// The search changes to Newton's method on the half-cycle map if the state changes by less than this fraction over
+/// The search changes to Newton's method on the half-cycle map if the state changes by less than this fraction during
 /// half a cycle.
 const NEAR: f64 = 1e-11;
 

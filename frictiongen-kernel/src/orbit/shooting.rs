@@ -12,8 +12,8 @@ use crate::errors::NoOrbit;
 use crate::motion::{ContactChain, Law};
 use crate::number::scalar::Float;
 
-/// Largest number of cycles that the search follows from a start that may be near a steady state. Such starts are the
-/// stuck state, the closed form, and a motion at a neighbouring friction ratio.
+/// Largest number of cycles that the search follows from a start that may be near a steady state. Starts of this kind
+/// are the stuck state, the closed form, and a motion at a neighbouring friction ratio.
 const MAX_CYCLES_NEAR: u32 = 128;
 /// Largest number of possible periods that one search for a subharmonic state tests.
 const MOST_TRIED: u32 = 3;
@@ -22,8 +22,9 @@ const FIRST_ASKED: u32 = 16;
 /// A number n of cycles is a possible period if two states n cycles apart differ by less than this fraction of the size
 /// of the motion.
 const NEARLY_BACK: f64 = 1e-2;
-/// A number of cycles counts as a possible period if the motion comes back much closer than after any smaller number of
-/// cycles: the distance of the states is at most this fraction of the smallest earlier distance.
+/// A number of cycles counts as a possible period if the motion comes back much closer to its state than after any
+/// smaller number of cycles. The distance between the two states must then be at most this fraction of the smallest
+/// distance after fewer cycles.
 const NEARER: f64 = 0.1;
 
 impl<S> Start<'_, S> {
@@ -41,15 +42,16 @@ pub(super) enum Settled<S> {
     Found(FoundState<S>),
     /// The contact sticks for ever, at this relative displacement z̄.
     Stuck(S),
-    /// The search found no steady state within its largest number of cycles. The value gives the reason.
+    /// The search found no steady state before it reached its bound on the number of cycles. The [`NoOrbit`] gives the
+    /// reason.
     Not(NoOrbit),
 }
 
-/// Follows the motion until it reaches a steady state. Without success the cycle map is still on the motion, otherwise
-/// at the steady state.
+/// Follows the motion until it reaches a steady state. If the search finds a steady state, it leaves the cycle map at
+/// that state. Otherwise the cycle map is in the last state of the motion.
 ///
-/// `holding` is |V/H|, the amplitude of the contact force in the stuck state, if β is large enough for this state.
-/// Otherwise it is `None`. The search follows at most `most` cycles. `spare` has room for two states.
+/// `holding` is |V/H|, the amplitude of the contact force in the stuck state, if β is large enough for the stuck state.
+/// Otherwise `holding` is `None`. The search follows at most `most` cycles. `spare` has room for two states.
 pub(super) fn settle<S: Float, K: ContactChain<S>>(
     cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,
@@ -68,8 +70,9 @@ pub(super) fn settle<S: Float, K: ContactChain<S>>(
     let mut failure = NoOrbit::Unsettled;
     let (mut cycles, mut wanted) = (0, 2);
     let mut halves = [EventPattern::default(); 4];
-    // Numbers of successive half cycles with unchanged events. The first number compares with the previous half cycle,
-    // the second with the half cycle one cycle earlier.
+    // Numbers of successive half cycles with unchanged events. The first number counts half cycles whose events equal
+    // those of the previous half cycle. The second counts half cycles whose events equal those of the half cycle one
+    // cycle earlier.
     let mut settled = [0u32; 2];
     while cycles < most {
         while cycles < wanted {
@@ -149,8 +152,8 @@ pub(super) fn settle<S: Float, K: ContactChain<S>>(
     Ok(Settled::Not(failure))
 }
 
-/// Finds the only steady state of a scene with μ = 1, for a motion that approaches it too slowly. Without success the
-/// cycle map stays on the motion.
+/// Finds the only steady state of a scene with μ = 1, for a motion that approaches it too slowly. If it finds no steady
+/// state, the cycle map keeps the state of the motion.
 fn slow<S: Float, K: ContactChain<S>>(
     cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,
@@ -180,8 +183,8 @@ fn slow<S: Float, K: ContactChain<S>>(
     None
 }
 
-/// Finds a steady state that repeats after several cycles, close to the motion. Without success the cycle map stays on
-/// the motion.
+/// Finds a steady state that repeats after several cycles, close to the motion. If it finds no steady state, the cycle
+/// map keeps the state of the motion.
 fn several<S: Float, K: ContactChain<S>>(
     cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,
@@ -212,7 +215,7 @@ fn several<S: Float, K: ContactChain<S>>(
             if matches!(verdict, Ok(CandidateVerdict::Found(_)))
                 && let Some(sooner) = repeats_sooner(cycle_map, workspace, period)?
             {
-                // The search tries the same state again with the smaller number of cycles.
+                // The search tries the same state again with the smaller number of cycles as the period.
                 candidate.map.period = sooner;
                 verdict = match candidate
                     .wanted

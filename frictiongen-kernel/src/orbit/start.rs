@@ -28,8 +28,8 @@ pub enum Start<'s, S> {
 }
 
 impl<S: Float> Start<'_, S> {
-    /// Sets the oscillators and the contact of the cycle map to this initial state. It does not serve the initial state
-    /// `Stuck`, which the caller sets.
+    /// Sets the oscillators and the contact of the cycle map to this initial state. The caller sets the initial state
+    /// `Stuck` without this function.
     pub(super) fn set_start<K: ContactChain<S>>(
         self,
         cycle_map: &mut CycleMap<'_, '_, S, K>,

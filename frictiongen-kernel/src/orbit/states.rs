@@ -15,7 +15,8 @@ const FORMER: [f64; 2] = [0.98, 0.5];
 /// Factors that turn β into the neighbouring friction ratios of some initial states.
 const NEIGHBOURS: [f64; 4] = [0.97, 1.03, 0.8, 1.25];
 
-/// Iterator over the steady states of [`At::states`]. It computes a state when the caller requests the next item.
+/// Iterator over the steady states of [`At::states`]. The iterator computes a state when the caller requests the next
+/// item.
 pub struct States<T: Scene> {
     at: At<T>,
     beta: T::Scalar,

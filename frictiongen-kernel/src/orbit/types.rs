@@ -1,4 +1,4 @@
-//! Types for a steady state and its segments, and the bounds of the search for it.
+//! Types for a steady state and its segments, and the bounds of the search for a steady state.
 
 use crate::contact::sums::Chain;
 use crate::motion::{Contact, ContactState, Setting};
@@ -42,14 +42,15 @@ impl<S: Float> SegmentStart<S> {
         }
     }
 
-    /// Returns the relative displacement z̄ at the end of a segment in which a rigid contact sticks. It has the same
-    /// bits as z̄ at the start. Returns `None` if the contact slides or is elastic.
+    /// Returns the relative displacement z̄ at the end of a segment in which a rigid contact sticks. The result has the
+    /// same bits as z̄ at the start. Returns `None` if the contact slides or is elastic.
     pub(super) fn stuck_at(&self) -> Option<S> {
         let rests = self.contact_state.contact == Contact::Stuck && !self.is_loaded();
         rests.then_some(self.relative)
     }
 
-    /// Returns true if an elastic contact sticks. Such a contact stores its force, and its spring lets it move.
+    /// Returns true if an elastic contact sticks. A stuck elastic contact stores its force, and its spring lets it
+    /// move.
     pub(super) fn is_loaded(&self) -> bool {
         self.contact_state.contact == Contact::Stuck && self.contact_state.memory.is_some()
     }

@@ -67,7 +67,7 @@ pub(super) fn basis<S: Float>(x: S, zeta: S, at: &Instant<S>) -> Basis<S> {
     Basis::damped(x, zeta, free, slope, one_minus_d, at)
 }
 
-/// Returns the free motion of a critically damped mode over the time τ.
+/// Returns the free motion of a critically damped mode during the time τ.
 #[inline]
 pub(super) fn turn<S: Float>(x: S, tau: S) -> Turn<S> {
     let decay_factor = (-(x * tau)).exp();

@@ -3,7 +3,8 @@
 //!
 //! The free displacement that starts with unit speed from x̄ = 0 is p = e^{−ζxτ}·sin(qxτ)/(qx). The motion of a mode in
 //! a half period is a combination of p, its derivative p′ and three differences ([`Basis`]). Some of the differences
-//! vanish where p vanishes, others at the resonance of the mode. The code computes all of them without cancellation.
+//! vanish where p vanishes, others at the resonance of the mode. The code computes all differences without
+//! cancellation.
 
 use super::mode::{Kind, Mode};
 pub(crate) use super::values::Turn;
@@ -51,7 +52,7 @@ impl<S: Float> Instant<S> {
     }
 }
 
-/// Damping of the modes of a scene. It is a type parameter, so that the code of undamped scenes contains no
+/// Damping of the modes of a scene. The damping is a type parameter, so that the code of undamped scenes contains no
 /// exponentials.
 pub trait Decay<S: Float>: Copy {
     /// Creates the damping from the kind of damping and the modal damping ratio of a mode.
@@ -61,7 +62,7 @@ pub trait Decay<S: Float>: Copy {
     /// Returns the modal damping ratio ζ.
     fn zeta(&self) -> S;
     /// Evaluates the free displacement p of a mode at one instant, and the other functions of time in [`Basis`]. x is
-    /// the natural frequency over the excitation frequency, 1/R.
+    /// the natural frequency divided by the excitation frequency, 1/R.
     fn basis(&self, x: S, at: &Instant<S>) -> Basis<S>;
     /// Evaluates the free displacement p and its derivative p′ at one instant, without the other functions of
     /// [`Basis`].
@@ -152,8 +153,8 @@ impl<S: Float> Damped<S> {
     }
 }
 
-/// Returns the free motion of a mode over the time τ = πt. The natural frequency of the mode is x times the excitation
-/// frequency.
+/// Returns the free motion of a mode during the time τ = πt. The natural frequency of the mode is x times the
+/// excitation frequency.
 #[inline]
 pub(crate) fn turn<S: Float>(kind: Kind, zeta: S, q: S, x: S, (t, tau): (S, S)) -> Turn<S> {
     match kind {
@@ -165,7 +166,7 @@ pub(crate) fn turn<S: Float>(kind: Kind, zeta: S, q: S, x: S, (t, tau): (S, S)) 
 }
 
 /// Returns the two factors e^{x(−ζ ± iq)τ} by which the free motion of a mode grows or decays. Each factor belongs to
-/// one of its two complex solutions. τ is the time of `turn`.
+/// one of the two complex solutions of the free motion. τ is the time of `turn`.
 pub(crate) fn multipliers<S: Float>(kind: Kind, q: S, turn: &Turn<S>) -> [Complex<S>; 2] {
     let im = q * turn.s;
     match kind {

@@ -1,6 +1,6 @@
 //! One mode of the chain, with its constants, and its response and damping functions at a frequency.
 //!
-//! Every function of a single mode depends on x = √λ/r, the natural frequency of the mode over the excitation
+//! Every function of a single mode depends on x = √λ/r, the natural frequency of the mode divided by the excitation
 //! frequency. The code rounds x once. The response v and the half-period damping functions u and g (7.11, 7.12)
 //! therefore stay consistent close to x = 1, where v and u of an undamped mode have a pole. The code multiplies sums
 //! over modes by the *scale* E, the smallest |x² − 1 + 2iζx| of the chain. All sums are then finite on a resonance and
@@ -12,7 +12,7 @@ use super::{critical, overdamped, undamped, underdamped};
 use crate::number::complex;
 use crate::number::scalar::Scalar;
 
-/// Kind of damping of a mode. It selects the closed form in which the functions of the mode are evaluated.
+/// Kind of damping of a mode. The kind selects the closed form in which the functions of the mode are evaluated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// No damping, ζ = 0.
@@ -43,11 +43,12 @@ pub struct Mode<S> {
     pub q: S,
     /// 1 − q, to full relative accuracy. Only modes of [`Kind::Light`] use it.
     pub q_defect: S,
-    /// Product φᵀp of the mode shape φ and the load vector p. The load drives the mode in proportion to it.
+    /// Product φᵀp of the mode shape φ and the load vector p. The load drives the mode in proportion to this product.
     pub load: S,
-    /// Product φᵀw of the mode shape φ and the contact direction w. The contact drives the mode in proportion to it.
+    /// Product φᵀw of the mode shape φ and the contact direction w. The contact drives the mode in proportion to this
+    /// product.
     pub contact: S,
-    /// Residue (φᵀw)(φᵀp) of the mode from load to contact. It is λ times the static residue.
+    /// Residue (φᵀw)(φᵀp) of the mode from load to contact. The residue is λ times the static residue.
     pub residue: S,
     /// Square (φᵀw)², the term of this mode in the inverse effective mass m* of the contact.
     pub contact_squared: S,

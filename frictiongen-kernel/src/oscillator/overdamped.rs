@@ -93,13 +93,13 @@ pub(super) fn basis<S: Float>(x: S, zeta: S, q: S, at: &Instant<S>) -> Basis<S> 
     let (free, slope) = (sinh / x, cosh - zeta * sinh);
     let decay = zeta * time;
     let one_minus_d = if S::constant(2.0) < sum && time < sum {
-        // Both decays are expanded from their second order on. The forms further down would cancel, down to a fraction
-        // 1/ζ² of their terms.
+        // The code computes e^a − 1 − a of both exponentials e^a, that is, their terms of second and higher order. In
+        // the formulas of the other branches, the terms would cancel to a fraction 1/ζ² of their size.
         let (slow, fast) = (exp_m1_minus(-(time / sum)), exp_m1_minus(-(time * sum)));
         (fast / sum - slow * sum) * half / q
     } else if decay < half {
-        // 1 − d is e^{−a}(e^a − cosh b − (a/b) sinh b) with a = ζxτ and b = qxτ. All terms here start at the second
-        // order.
+        // 1 − d is e^{−a}(e^a − cosh b − (a/b) sinh b) with a = ζxτ and b = qxτ. All terms of this branch start at the
+        // second order in a and b.
         let b = q * time;
         let (plus, minus) = (exp_m1_minus(b), exp_m1_minus(-b));
         let sinh_ratio = if b > S::constant(0.0) {
@@ -114,7 +114,7 @@ pub(super) fn basis<S: Float>(x: S, zeta: S, q: S, at: &Instant<S>) -> Basis<S> 
     Basis::damped(x, zeta, free, slope, one_minus_d, at)
 }
 
-/// Returns the free motion of an overdamped mode over the time τ.
+/// Returns the free motion of an overdamped mode during the time τ.
 #[inline]
 pub(super) fn turn<S: Float>(x: S, zeta: S, q: S, tau: S) -> Turn<S> {
     let half = S::constant(0.5);

@@ -14,8 +14,8 @@ pub(super) fn detuning<S: Scalar>(x: S) -> S {
 }
 
 /// Evaluates the response and damping functions of a mode for ζ = 0: v = x²/(x² − 1), u = x·tan(πx/2), g = 0. Both v
-/// and u have a pole at x = 1, and u has a pole at every other odd x as well. The function replaces exact zeros of the
-/// two divisors by tiny numbers, so that no quotient is 0/0.
+/// and u have a pole at x = 1. The function u also has poles at x = 3, 5, 7 and all further odd x. The function
+/// replaces exact zeros of the two divisors by tiny numbers, so that no quotient is 0/0.
 #[inline(always)]
 pub(super) fn response<S: Scalar>(x: S, at: Option<usize>) -> ModeResponse<S> {
     let zero = S::constant(0.0);
@@ -59,7 +59,7 @@ pub(super) fn basis<S: Float>(x: S, at: &Instant<S>) -> Basis<S> {
     }
 }
 
-/// Returns the free motion of an undamped mode over the time τ = πt.
+/// Returns the free motion of an undamped mode during the time τ = πt.
 #[inline]
 pub(super) fn turn<S: Float>(x: S, t: S) -> Turn<S> {
     let (s, c) = (x * t).sin_cos_pi();

@@ -104,8 +104,8 @@ pub(super) fn light<S: Float>(x: S, zeta: S, q: S, q_defect: S, at: &Instant<S>)
     let one_minus_d = one_minus_d(decay, decay_factor, direct, versine, sinc_defect);
     let mut basis = Basis::damped(x, zeta, free, slope, one_minus_d, at);
     if (x - one).abs() < half {
-        // Each difference is the undamped difference plus the change due to damping. Both are computed without
-        // cancellation.
+        // Each difference is the undamped difference plus the change due to damping. The code computes the undamped
+        // difference and the change without cancellation.
         let (s0, c0) = turns.sin_cos_pi();
         let (forced, forced_slope) = differences(x, s0, versine_beside(turns, c0), at);
         let (half_s, _) = (defect * half).sin_cos_pi();
@@ -134,7 +134,7 @@ pub(super) fn heavy<S: Float>(x: S, zeta: S, q: S, at: &Instant<S>) -> Basis<S> 
     Basis::damped(x, zeta, free, slope, one_minus_d, at)
 }
 
-/// Returns the free motion of an underdamped mode over the time τ = πt.
+/// Returns the free motion of an underdamped mode during the time τ = πt.
 #[inline]
 pub(super) fn turn<S: Float>(x: S, zeta: S, q: S, t: S, tau: S) -> Turn<S> {
     let decay_factor = (-(zeta * x * tau)).exp();

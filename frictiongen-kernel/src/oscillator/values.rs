@@ -8,7 +8,7 @@ use crate::number::special::exp_m1_minus;
 /// that they stay finite at the resonance x = 1.
 #[derive(Clone, Copy, Debug)]
 pub struct ModeResponse<S> {
-    /// Natural frequency of the mode over the excitation frequency, x = √λ/r = 1/R.
+    /// Natural frequency of the mode divided by the excitation frequency, x = √λ/r = 1/R.
     pub x: S,
     /// Denominator of the response v to the load, x² − 1 + 2iζx = x²/v.
     pub denominator: Complex<S>,
@@ -20,8 +20,8 @@ pub struct ModeResponse<S> {
     /// Damping function g (7.12), multiplied by `size`. A square wave of friction force causes a response, and g is
     /// this response at the reversal. Without damping g is 0.
     pub g: S,
-    /// Damping term g + 2ζRu of the mode, multiplied by `size`. It contributes to H_c in the break-away condition at a
-    /// reversal. Without damping it is 0.
+    /// Damping term g + 2ζRu of the mode, multiplied by `size`. This term contributes to H_c in the break-away
+    /// condition at a reversal. Without damping it is 0.
     pub reversal: S,
 }
 
@@ -48,9 +48,9 @@ pub struct Basis<S> {
     pub free: S,
     /// Derivative p′ of the free displacement p with respect to τ.
     pub slope: S,
-    /// Difference sin τ − p, with the free displacement p.
+    /// Difference (sin τ − p), where p is the free displacement.
     pub forced: S,
-    /// Difference cos τ − p′, which is the derivative of sin τ − p with the free displacement p.
+    /// Difference (cos τ − p′), the derivative of (sin τ − p), where p is the free displacement.
     pub forced_slope: S,
     /// (1 − d)/x², where d = p′ + 2ζx·p is the free motion that starts at rest from displacement 1.
     pub rise: S,
@@ -79,18 +79,19 @@ impl<S: Float> Basis<S> {
     }
 }
 
-/// Free motion of one mode over a time τ: c = e^{−ζxτ}cos(qxτ) and s = e^{−ζxτ}sin(qxτ)/q. Both depend only on q², so
-/// that they also describe overdamped modes, with a negative q².
+/// Free motion of one mode during a time τ: c = e^{−ζxτ}cos(qxτ) and s = e^{−ζxτ}sin(qxτ)/q. c and s depend only on q²,
+/// so that they also describe overdamped modes, with a negative q².
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Turn<S> {
     pub c: S,
     pub s: S,
-    /// Factor e^{−ζxτ} by which an oscillation decays over the time τ. For modes that do not oscillate the factor is 1.
+    /// Factor e^{−ζxτ} by which an oscillation decays during the time τ. For modes that do not oscillate the factor
+    /// is 1.
     pub decay_factor: S,
 }
 
 impl<S: Float> Turn<S> {
-    /// Advances a free displacement y and a scaled velocity u = y′/x over the time τ.
+    /// Advances a free displacement y and a scaled velocity u = y′/x by the time τ.
     #[inline]
     pub(crate) fn moved(&self, zeta: S, [y, u]: [S; 2]) -> [S; 2] {
         let drag = zeta * self.s;
@@ -117,8 +118,8 @@ pub(super) fn denominator<S: Scalar>(x: S, zeta: S, at: Option<usize>) -> (Compl
     )
 }
 
-/// Returns 1 − e^{−decay} and e^{−decay}, both to full relative accuracy. The function does not subtract either result
-/// from 1, because a small result would lose digits.
+/// Returns the two numbers 1 − e^{−decay} and e^{−decay}, each with full relative accuracy. The function does not
+/// subtract either result from 1, because a small result would lose digits.
 #[inline]
 pub(super) fn complement_and_factor<S: Scalar>(decay: S, at: Option<usize>) -> (S, S) {
     let half = (decay * S::constant(-0.5)).exp_m1();
@@ -133,7 +134,7 @@ pub(super) fn complement_and_factor<S: Scalar>(decay: S, at: Option<usize>) -> (
 
 /// Returns x·sin τ − sin xτ and cos τ − cos xτ. Close to the resonance x = 1 both are differences of nearly equal
 /// terms, and the damping functions that multiply them are large. The function therefore computes products instead of
-/// differences. For τ → 0 it also keeps the digits of the second difference, because the velocity constraint divides
+/// differences. For τ → 0 the function also keeps the digits of cos τ − cos xτ, because the velocity constraint divides
 /// this difference by sin τ.
 #[inline]
 pub(super) fn differences<S: Float>(x: S, sine_x: S, versine_x: S, at: &Instant<S>) -> (S, S) {

@@ -1,4 +1,5 @@
-//! Response of a scene at one frequency ratio r: both limits, the regime, and the methods that return motions.
+//! Response of a scene at one frequency ratio r: the limits β_lim and β*_lim, the regime, and the methods that return
+//! motions.
 
 use super::scene::Scene;
 use crate::contact::regime::{self, Limits};
@@ -8,8 +9,8 @@ use crate::modal_sum::search::{self, Effort, Peak, Weight};
 use crate::modal_sum::wave::fastest;
 use crate::number::scalar::Scalar;
 
-/// A scene at one frequency ratio r. The struct stores the sums over the modes from which both limits and every motion
-/// follow.
+/// A scene at one frequency ratio r. The struct stores the sums over the modes from which the limits β_lim and β*_lim
+/// and every motion follow.
 #[derive(Clone, Debug)]
 pub struct At<T: Scene> {
     pub(super) scene: T,
@@ -28,7 +29,7 @@ impl<T: Scene + Copy> Copy for At<T> where T::Modes: Copy {}
 #[non_exhaustive]
 pub struct MostEvaluations {
     /// Upper bound for one search for β_lim, the limit of continuous motion. `continuous_limit`, `limits`, `regime` and
-    /// `margin` each make one such search, `motion` makes one or two. The bound is 0 if β_lim needs no search.
+    /// `margin` each make one search, `motion` makes one or two. The bound is 0 if β_lim needs no search.
     pub limit: u32,
     /// Upper bound for one search for the amplitude and phase of a mass.
     pub amplitude: u32,
@@ -99,8 +100,8 @@ impl<T: Scene> At<T> {
         }
     }
 
-    /// Returns both limits without a search. β_lim is then an upper bound. The call is faster than [`new`](Self::new),
-    /// because it stores nothing for a motion. The results have the same bits as those of
+    /// Returns β_lim and β*_lim without a search. The value for β_lim is an upper bound. The call is faster than
+    /// [`new`](Self::new), because it stores nothing for a motion. The results have the same bits as those of
     /// [`continuous_limit_without_search`](Self::continuous_limit_without_search) and
     /// [`sliding_limit`](Self::sliding_limit).
     ///
@@ -169,8 +170,8 @@ impl<T: Scene> At<T> {
     }
 
     /// Searches for the velocity constraint max(S, H_c + μm*/r²), on which β_lim depends (5.54, 7.36). S is a maximum
-    /// over the half period. H_c + μm*/r² comes from the break-away condition at a reversal. The result is multiplied
-    /// by r² and by the scale E of [`ContactAt`].
+    /// in the half period. H_c + μm*/r² comes from the break-away condition at a reversal. The result is multiplied by
+    /// r² and by the scale E of [`ContactAt`].
     #[must_use]
     pub fn velocity_constraint(&self) -> Peak<T::Scalar> {
         let numbers = self.scene.numbers();
@@ -185,11 +186,11 @@ impl<T: Scene> At<T> {
     /// larger r.
     ///
     /// The bounds at the smallest r of a sweep are therefore valid for the whole sweep. For slow modes, the bound is
-    /// 256 evaluations for β_lim and 1024 for an amplitude. Fast modes add max √λ(1 + 2ζ)/16r evaluations to both
+    /// 256 evaluations for β_lim and 1024 for an amplitude. Fast modes add max √λ(1 + 2ζ)/(16r) evaluations to both
     /// bounds, which is one evaluation for 16 half turns of the fastest mode in a half period. Neither bound exceeds
     /// [`MAX_EVALUATIONS`](search::MAX_EVALUATIONS).
     ///
-    /// A search counts its evaluations. It stops before it would exceed its bound, and then reports
+    /// A search counts its evaluations. The search stops before it would exceed its bound, and then reports
     /// [`Effort::Exceeded`]. In an undamped scene β_lim needs no search for r ≥ √λ_max/2. Searches usually need far
     /// fewer evaluations than the bound. `docs/evidence.md` has measured numbers. In random scenes, only searches with
     /// more than 2·10⁴ half turns reached their bound (section 9 of `docs/derivation.md`).
@@ -223,7 +224,7 @@ impl<T: Scene> At<T> {
     }
 
     /// Returns the exact β_lim, the limit of continuous motion (5.65, 5.80, 5.96, 7.49). An elastic contact sticks
-    /// after each reversal, so that its β_lim is 0. A search finds the velocity constraint S, a maximum over the half
+    /// after each reversal, so that β_lim is then 0. A search finds the velocity constraint S, a maximum in the half
     /// period, and proves that no larger value exists. Without damping, a search is needed only if the excitation is
     /// slower than half the natural frequency of some mode.
     ///
@@ -238,7 +239,8 @@ impl<T: Scene> At<T> {
         self.limited(self.velocity_constraint().value)
     }
 
-    /// Returns both limits, by one search. `Limits` gives the regime and the margin at any β without another search.
+    /// Returns the limits β_lim and β*_lim, by one search. `Limits` gives the regime and the margin at any β without
+    /// another search.
     ///
     /// [`most_evaluations`](Self::most_evaluations) bounds the search at this r and at every larger r.
     /// [`limits_searched`](Self::limits_searched) also reports how many evaluations the search took.
@@ -247,7 +249,7 @@ impl<T: Scene> At<T> {
         self.limits_searched().0
     }
 
-    /// Returns both limits, and the number of evaluations that the search for β_lim took.
+    /// Returns the limits β_lim and β*_lim, and the number of evaluations that the search for β_lim took.
     #[must_use]
     pub fn limits_searched(&self) -> (Limits<T::Scalar>, Effort) {
         if self.is_elastic() {
@@ -326,9 +328,9 @@ impl<T: Scene> At<T> {
         Ok(regime::regime(beta, continuous, sliding))
     }
 
-    /// Returns the margin β/min(β_lim, β*_lim) − 1. If it is negative, β is below both limits and the closed form
-    /// exists. With μ = 1 the closed form is then the only steady state. With μ > 1 a stick-slip state may coexist.
-    /// Each call searches for β_lim, as [`regime`](Self::regime) does.
+    /// Returns the margin β/min(β_lim, β*_lim) − 1. If the margin is negative, β is smaller than β_lim and β*_lim, and
+    /// the closed form exists. With μ = 1 the closed form is then the only steady state. With μ > 1 a stick-slip state
+    /// may coexist. Each call searches for β_lim, as [`regime`](Self::regime) does.
     ///
     /// # Errors
     /// [`OutOfDomain`] for NaN, negative and infinite β.

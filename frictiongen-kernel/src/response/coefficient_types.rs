@@ -49,16 +49,16 @@ impl<S: Scalar> Fundamental<S> {
 /// mode after a unit displacement and after a unit velocity.
 #[derive(Clone, Copy, Debug)]
 pub struct ModalCoefficients<S> {
-    /// Coefficient of (1 − d)/x², the mode's response from rest to a constant force. Here x = 1/R is the natural
-    /// frequency of the mode divided by the frequency of the excitation.
+    /// Coefficient of the term (1 − d)/x², the mode's response from rest to a constant force. Here x = 1/R is the
+    /// natural frequency of the mode divided by the frequency of the excitation.
     pub rise: S,
-    /// Coefficient of cos τ − d, the lag of the mode's static displacement behind the excitation. The fundamental
-    /// component subtracts the cos τ of this term again. The coefficient is 0 without damping.
+    /// Coefficient of the term (cos τ − d), the lag of the mode's static displacement behind the excitation. The
+    /// fundamental component contains the same cos τ with the opposite sign. The coefficient is 0 without damping.
     pub fall: S,
-    /// Coefficient of sin τ − R q̃, the lag of the mode behind the excitation. R is the frequency of the excitation
-    /// divided by the natural frequency of the mode.
+    /// Coefficient of the term (sin τ − R q̃), the lag of the mode behind the excitation. R is the frequency of the
+    /// excitation divided by the natural frequency of the mode.
     pub forced: S,
     /// φ_k(φᵀw)/r², the residue of the mode in the response of mass k to a force in the contact. Only the harmonics
-    /// need it.
+    /// need this residue.
     pub harmonic: S,
 }

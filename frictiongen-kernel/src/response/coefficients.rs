@@ -2,9 +2,9 @@
 //!
 //! The response of mode i has a term with V, the response to the load, and a term with friction. Both terms have a pole
 //! at the mode's resonance, and the poles partly cancel. The formulas therefore use ν = p v/V and κ = (p v U − w u
-//! V)/V. In these two, U and V leave out the terms of mode i if the terms would cancel. The result is free of
-//! cancellation: x̄_k = Re[Q ρ e^{iτ}] + β Im[κ e^{iτ}] + β Σ φ_k w [ (1 − d) − g d + uR²(sin τ − …) ], with ρ = V_k/V
-//! and Q = √(|V|² − β²U²).
+//! V)/V. In ν and κ, U and V leave out the terms of mode i if the terms would cancel. p and w are the products φᵀp and
+//! φᵀw of the mode, v its response, and u and g its damping functions. The result has no cancellation: x̄_k = Re[Q ρ
+//! e^{iτ}] + β Im[κ e^{iτ}] + β Σ φ_k w [ (1 − d) − g d + uR²(sin τ − …) ], with ρ = V_k/V and Q = √(|V|² − β²U²).
 //!
 //! Close to a damped resonance, g d and Qρ are large and nearly proportional to cos τ. The code therefore moves −g cos
 //! τ into the fundamental component, and keeps the small term g (cos τ − d).
@@ -44,8 +44,8 @@ impl<S: Scalar> Chain<S> {
         let less = (modulus_v - velocity_part).max(zero);
         let more = (modulus_v + velocity_part).max(zero);
         let root = if self.damped || self.on_moving_base.is_some() {
-            // On a moving base both factors grow as r⁴, and with damping V may almost vanish. The product may then
-            // overflow or underflow, so that the code takes the root of each factor.
+            // On a moving base the factors |V| − βU and |V| + βU grow as r⁴, and with damping V may almost vanish. The
+            // product of the factors may then overflow or underflow, so that the code takes the root of each factor.
             less.sqrt() * more.sqrt()
         } else {
             (less * more).sqrt()
@@ -138,7 +138,7 @@ impl<S: Scalar> Chain<S> {
     }
 
     /// Returns the functions of a mode, with u and g set to 0 for a mass-controlled mode (resonance far below the
-    /// excitation). The response of such a mode is a single function that already contains u and g.
+    /// excitation). The response of a mass-controlled mode is a single function that already contains u and g.
     fn without_parts(&self, mode: &Mode<S>, at: &ModeAt<S>, index: usize) -> ModeAt<S> {
         let (slow, zero) = (
             is_mass_controlled(mode.kind, mode.zeta, at.x),
@@ -178,8 +178,8 @@ impl<S: Scalar> Chain<S> {
         self.fundamental_loaded(shape, (modes, InPhase), at, contact, friction, inverse_r)
     }
 
-    /// Returns the fundamental component of the motion of mass k for modes with loads in quadrature. Without such loads
-    /// [`fundamental`](Self::fundamental) gives the same component.
+    /// Returns the fundamental component of the motion of mass k for modes with loads in quadrature. Without loads in
+    /// quadrature [`fundamental`](Self::fundamental) gives the same component.
     pub fn fundamental_loaded(
         &self,
         shape: &[S],
@@ -362,7 +362,7 @@ impl<S: Scalar> Chain<S> {
     }
 
     /// Returns the complex amplitude of mass k while the contact is stuck, for modes with loads in quadrature. Without
-    /// such loads [`stuck`](Self::stuck) gives the same amplitude.
+    /// loads in quadrature [`stuck`](Self::stuck) gives the same amplitude.
     pub fn stuck_loaded(
         &self,
         shape: &[S],
@@ -395,8 +395,8 @@ impl<S: Scalar> Chain<S> {
         self.stuck_with(shape, (modes, quadratures), at, (contact, &sums), inverse_r)
     }
 
-    /// Returns the complex amplitude of a mass while the contact is stuck. `sums` leave out the terms of the dominant
-    /// mode for this mode, because the terms would cancel.
+    /// Returns the complex amplitude of a mass while the contact is stuck. `sums` has separate sums for the dominant
+    /// mode. These sums leave out the terms of the dominant mode, because the terms would cancel.
     #[inline]
     fn stuck_with(
         &self,

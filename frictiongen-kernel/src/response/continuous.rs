@@ -34,7 +34,7 @@ pub trait ProvidesMotion: Scene {
     }
 
     /// Returns the motion of a mass that does not move exactly as the contact does. Returns `None` if the scene has no
-    /// such mass.
+    /// mass with this index.
     #[inline]
     fn mass_motion(
         at: &At<Self>,
@@ -79,8 +79,8 @@ impl<T: ProvidesMotion> At<T> {
     /// β_lim, the limit of continuous motion.
     ///
     /// # Errors
-    /// [`NotContinuous`] names the regime if the motion is not continuous. It also reports an undamped resonance that
-    /// is unbounded at this β, and a β outside the domain.
+    /// [`NotContinuous`] names the regime if the motion is not continuous. The error also reports an undamped resonance
+    /// that is unbounded at this β, and a β outside the domain.
     pub fn motion(&self, beta: T::Scalar) -> Result<T::Motion, NotContinuous> {
         let beta = self.admitted(beta)?;
         Ok(self.kept().closed_form(beta).into())
@@ -121,7 +121,7 @@ impl<T: ProvidesMotion> At<T> {
 
     /// Returns the closed form of the continuous motion at any β with 0 ≤ β < |V|/|U|, without a check of the regime.
     /// At larger β the formula has no real value. The closed form is a steady state only if [`motion`](Self::motion)
-    /// returns it too.
+    /// returns a motion for this β.
     #[inline]
     #[must_use]
     pub fn closed_form(self, beta: T::Scalar) -> Continuous<T> {
@@ -166,7 +166,7 @@ impl<T: ProvidesMotion> Continuous<T> {
     }
 
     /// Returns the motion of a mass, given by its index in the description, as [`mass_at`](Self::mass_at) does. Returns
-    /// a motion at rest if the scene has no such mass.
+    /// a motion at rest if the scene has no mass with this index.
     #[inline]
     #[must_use]
     pub fn mass(&self, mass: usize) -> MotionOf<T> {
@@ -177,7 +177,7 @@ impl<T: ProvidesMotion> Continuous<T> {
     }
 
     /// Returns the motion of a mass, given by its index in the description (5.50 and its exact form, 7.29). Returns
-    /// `None` if the scene has no such mass or does not provide the motion of this mass.
+    /// `None` if the scene has no mass with this index or does not provide the motion of this mass.
     #[inline]
     #[must_use]
     pub fn mass_at(&self, mass: usize) -> Option<MotionOf<T>> {

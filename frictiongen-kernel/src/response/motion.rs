@@ -32,7 +32,7 @@ pub struct Motion<S, D, W> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Largest<S> {
-    /// Exact maximum of |x̄| over the period, in units of P/k₁ (of Y for base motion).
+    /// Exact maximum of |x̄| in the period, in units of P/k₁ (of Y for base motion).
     pub amplitude: S,
     /// Lag of the motion's maximum behind the maximum of the excitation, in rad, in (−π, π].
     pub phase: S,
@@ -118,8 +118,8 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
 
     /// Returns the amplitude and the phase by a search that begins at a predicted maximum. Previous searches of a sweep
     /// over r or β give the prediction. A sweep with smaller steps needs fewer evaluations per search. The result is
-    /// still the largest value over the whole period. The amplitude may differ from that of [`largest`](Self::largest)
-    /// by four rounding units of the motion's modal terms.
+    /// still the largest value in the whole period. The amplitude may differ from that of [`largest`](Self::largest) by
+    /// four rounding units of the motion's modal terms.
     pub fn largest_near(&self, neighbour: &mut Neighbour<S>) -> Largest<S> {
         if self.is_contact {
             return self.largest();
@@ -139,8 +139,8 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
         }
     }
 
-    /// Returns the exact maximum of |x̄| over the period, in units of P/k₁ (of Y for base motion). Each call makes a
-    /// new search. [`largest`](Self::largest) also reports whether the search is complete.
+    /// Returns the exact maximum of |x̄| in the period, in units of P/k₁ (of Y for base motion). Each call makes a new
+    /// search. [`largest`](Self::largest) also reports whether the search is complete.
     pub fn amplitude(&self) -> S {
         if self.is_contact {
             self.friction.amplitude
@@ -164,7 +164,7 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
         large * (S::constant(1.0) + ratio * ratio).sqrt()
     }
 
-    /// Searches for the exact maximum of |x̄| over the period.
+    /// Searches for the exact maximum of |x̄| in the period.
     pub fn peak(&self) -> Peak<S> {
         search::largest(self.sum(), Self::problem())
     }
@@ -272,8 +272,8 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
     }
 }
 
-/// Returns the instant of the half period 0 to π that corresponds to τ. The flag is true if τ lies in the other half
-/// period, where the motion has the opposite sign.
+/// Returns the instant of the half period 0 to π that corresponds to τ. The flag of the result is true if τ lies in the
+/// other half period, where the motion has the opposite sign.
 fn instant<S: Float>(tau: S) -> (Instant<S>, bool) {
     let half_turns = tau * S::inverse_pi();
     let whole = half_turns.floor();

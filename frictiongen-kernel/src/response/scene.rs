@@ -11,7 +11,7 @@ use crate::oscillator::decay::Decay;
 /// Constants of a scene for its steady response, and formulas that the code generator may replace.
 ///
 /// The default bodies are valid for every chain. The code generator writes its own bodies if the constants of the scene
-/// save work. The results of both have the same bits.
+/// save work. The default bodies and the generated bodies give results with the same bits.
 pub trait Scene: Clone {
     /// Number type of the scene: `f64`, `f32`, or a wider scalar.
     type Scalar: Float;
@@ -27,8 +27,8 @@ pub trait Scene: Clone {
     /// Returns all constants on which the steady response depends.
     fn numbers(&self) -> Numbers<'_, Self::Scalar>;
 
-    /// Returns the component of a mass in each mode shape. Returns `None` if the scene has no such mass, or provides
-    /// nothing for this mass.
+    /// Returns the component of a mass in each mode shape. Returns `None` if the scene has no mass with this index, or
+    /// provides nothing for this mass.
     fn shape(&self, mass: usize) -> Option<&[Self::Scalar]>;
 
     /// Returns the loads in quadrature with the motion of the base, in the form of
@@ -39,8 +39,8 @@ pub trait Scene: Clone {
         &[]
     }
 
-    /// Returns the compliance ρ of an elastic contact: k₁ over the stiffness of the spring in series with its slider.
-    /// Returns `None` for a rigid contact.  ρ is a term of the contact's receptance H.
+    /// Returns the compliance ρ of an elastic contact: k₁ divided by the stiffness of the spring in series with its
+    /// slider. Returns `None` for a rigid contact. ρ is a term of the contact's receptance H.
     #[inline]
     fn compliance(&self) -> Option<Self::Scalar> {
         None
@@ -117,10 +117,10 @@ pub trait Scene: Clone {
         self.numbers().chain.sliding_limit(contact)
     }
 
-    /// Returns both limits without a search: an upper bound on β_lim, and β*_lim. The latter is not corrected for
-    /// masses that act as an absorber. r must be neither 0 nor infinite. The second result is the real part of H, the
-    /// receptance of the contact, multiplied by r² and by the scale E of [`ContactAt`]. If it is small, masses may act
-    /// as an absorber.
+    /// Returns an upper bound on β_lim, and β*_lim, without a search. The value of β*_lim is not corrected for masses
+    /// that act as an absorber. r must be neither 0 nor infinite. The second result is the real part of H, the
+    /// receptance of the contact, multiplied by r² and by the scale E of [`ContactAt`]. If the second result is small,
+    /// masses may act as an absorber.
     #[inline]
     fn limits_without_search(
         &self,

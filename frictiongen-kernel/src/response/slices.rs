@@ -1,4 +1,4 @@
-//! Both limits at every frequency ratio of a slice.
+//! The limits β_lim and β*_lim at every frequency ratio of a slice.
 
 use super::at::{At, inverse_ratio};
 use super::scene::Scene;
@@ -9,11 +9,13 @@ use crate::number::scalar::{Float, Scalar};
 use crate::oscillator::mode::Kind;
 
 impl<T: Scene> At<T> {
-    /// Computes both limits at every frequency ratio of a slice, and writes them to two slices of the same length.
+    /// Computes the limits β_lim and β*_lim at every frequency ratio of a slice, and writes them to two slices of the
+    /// same length.
     ///
     /// # Errors
-    /// [`OutOfDomain`] if the slices have different lengths, which leaves both result slices unchanged. [`OutOfDomain`]
-    /// also at the first NaN or negative r. The limits before that r are then already written.
+    /// [`OutOfDomain`] if the slices have different lengths, and then leaves both result slices unchanged. At the first
+    /// NaN or negative r, the function stops and returns the same error. The result slices then contain the limits for
+    /// the frequency ratios before that r.
     pub fn limits_into(
         scene: T,
         rs: &[T::Scalar],
@@ -25,13 +27,15 @@ impl<T: Scene> At<T> {
         })
     }
 
-    /// Computes both limits [without search](Self::limits_without_search) at every frequency ratio of a slice, and
-    /// writes them to two slices of the same length. Each limit has the same bits as in a call for a single frequency
-    /// ratio. If all modes are undamped or all are lightly damped, the call computes several frequency ratios at once.
+    /// Computes the limits β_lim and β*_lim [without search](Self::limits_without_search) at every frequency ratio of a
+    /// slice, and writes them to two slices of the same length. Each limit has the same bits as in a call for a single
+    /// frequency ratio. If all modes are undamped or all are lightly damped, the call computes several frequency ratios
+    /// at the same time.
     ///
     /// # Errors
-    /// [`OutOfDomain`] if the slices have different lengths, which leaves both result slices unchanged. [`OutOfDomain`]
-    /// also at the first NaN or negative r. The limits before that r are then already written.
+    /// [`OutOfDomain`] if the slices have different lengths, and then leaves both result slices unchanged. At the first
+    /// NaN or negative r, the function stops and returns the same error. The result slices then contain the limits for
+    /// the frequency ratios before that r.
     pub fn limits_without_search_into(
         scene: &T,
         rs: &[T::Scalar],
@@ -76,7 +80,8 @@ impl<T: Scene> At<T> {
         })
     }
 
-    /// Computes both limits at several frequency ratios at once, none of which is 0 or infinite.
+    /// Computes the limits β_lim and β*_lim at several frequency ratios at the same time. None of the ratios may be 0
+    /// or infinite.
     #[inline(always)]
     fn side_by_side(
         scene: &T,

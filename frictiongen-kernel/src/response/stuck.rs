@@ -103,8 +103,8 @@ impl<T: ProvidesStuck> Stuck<T> {
         complex::mul(sums.v, complex::reciprocal(sums.h, true), true)
     }
 
-    /// Returns the complex amplitude of a mass while the contact is stuck, or 0 if the scene has no such mass.
-    /// [`mass_at`](Self::mass_at) returns `None` instead of 0.
+    /// Returns the complex amplitude of a mass while the contact is stuck, or 0 if the scene has no mass with this
+    /// index. [`mass_at`](Self::mass_at) returns `None` instead of 0.
     #[inline]
     #[must_use]
     pub fn mass(&self, mass: usize) -> Complex<T::Scalar> {
@@ -113,7 +113,7 @@ impl<T: ProvidesStuck> Stuck<T> {
     }
 
     /// Returns x̄*, the complex amplitude of a mass while the contact is stuck (6.11, 6.27, 6.33). `mass` is the index
-    /// of the mass in the description. Returns `None` if the scene has no such mass.
+    /// of the mass in the description. Returns `None` if the scene has no mass with this index.
     #[inline]
     #[must_use]
     pub fn mass_at(&self, mass: usize) -> Option<Complex<T::Scalar>> {

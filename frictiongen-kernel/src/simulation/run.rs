@@ -44,11 +44,12 @@ impl<S: Float> Moment<S> {
     }
 }
 
-/// An exact simulation in time, from event to event. It is an iterator over segments of the motion. If a segment lasts
-/// longer than a cycle without an event, the iterator returns pieces of one cycle.
+/// An exact simulation in time, from event to event. A simulation is an iterator over segments of the motion. If a
+/// segment lasts longer than a cycle without an event, the iterator returns pieces of one cycle.
 ///
-/// `P` owns the oscillators: an array in emitted code, a vector at run time.  `L` is the kinetic friction:
-/// [`Constant`], or [`Lines`] over the speed.  `K`, the constants of the chain, selects the law of the contact.
+/// `P` owns the oscillators: an array in emitted code, a vector at run time. `L` is the kinetic friction: [`Constant`],
+/// or straight [`Lines`] that give the force as a function of the speed. `K`, the constants of the chain, selects the
+/// law of the contact.
 #[derive(Clone, Debug)]
 pub struct Simulation<'a, S, P, L = Constant, K = Chain<S>> {
     setting: Setting<'a, S, K>,
@@ -74,9 +75,9 @@ pub type FixedLinesSimulation<S, const PARTS: usize> =
     Simulation<'static, S, [Part<S>; PARTS], Lines<'static, S>>;
 
 /// Upper bound on the pieces of motion that one call follows if the kinetic friction changes with the speed. A piece
-/// ends at an event, or when the speed reaches the next straight line of the friction law. It also ends where the power
-/// series of the motion no longer converges. A call that reaches the bound returns, and the motion continues in another
-/// segment.
+/// ends at an event, or when the speed reaches the next straight line of the friction law. A piece also ends where the
+/// power series of the motion no longer converges. A call that reaches the bound returns, and the motion continues in
+/// another segment.
 pub const MAX_STRETCHES: u32 = 4096;
 
 impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, K: ContactChain<S>>
@@ -202,8 +203,9 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: Level<'a, S>, K: C
         (self.setting.relative(self.parts.as_ref(), at), velocity)
     }
 
-    /// Returns the present contact force over P. While the contact slides, it is the kinetic friction force. While the
-    /// contact sticks, it is the force that keeps the contact at rest. A positive force opposes positive sliding.
+    /// Returns the present contact force, divided by P. While the contact slides, it is the kinetic friction force.
+    /// While the contact sticks, it is the force that keeps the contact at rest. A positive force opposes positive
+    /// sliding.
     #[must_use]
     pub fn friction(&self) -> S {
         let at = phase(self.now.t);
@@ -220,8 +222,7 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: Level<'a, S>, K: C
 
     /// Advances to the next event, or by at most `reach` in τ. A reach of 0 changes nothing.
     ///
-    /// The events of a simulation do not depend on the lengths of these advances, and rounding errors do not
-    /// accumulate.
+    /// The events of a simulation do not depend on the values of `reach`, and rounding errors do not accumulate.
     ///
     /// # Errors
     /// [`OutOfDomain`] for a reach that is negative, infinite or NaN.  The simulation then keeps its state.
@@ -268,7 +269,8 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: Level<'a, S>, K: C
         segment
     }
 
-    /// Returns the current segment. If its end is unknown, searches for the end over at least a cycle.
+    /// Returns the current segment. If its end is unknown, searches for the end within `reach`, or within one cycle if
+    /// `reach` is shorter.
     fn find_end(&mut self, reach: S) -> Sought<S> {
         if let Some(sought) = self.sought {
             return sought;
@@ -291,8 +293,8 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: Level<'a, S>, K: C
         sought
     }
 
-    /// Advances within the current segment by at most `reach`. The first result is the length advanced. At the end of
-    /// the segment, the second result has the event that ends it, with an inner `None` for an end without an event.
+    /// Advances within the current segment by at most `reach`. The first result is the length advanced. If the segment
+    /// ends, the second result is `Some`, with the event that ends the segment, or with `None` if no event ends it.
     fn advance_within(&mut self, reach: S) -> (S, Option<Option<Event>>) {
         let sought = self.find_end(reach);
         let parts = self.parts.as_mut();

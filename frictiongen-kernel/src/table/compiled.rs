@@ -23,7 +23,7 @@ pub struct Domain<S> {
     pub never_stuck: bool,
 }
 
-/// A scene that has tables of both limits, β_lim and β*_lim.
+/// A scene that has tables of the limits β_lim and β*_lim.
 pub trait Tabled: Scene {
     /// Returns the range of r and β in which the tables are valid.
     fn domain(&self) -> Domain<Self::Scalar>;
@@ -48,8 +48,8 @@ impl<T: Tabled> Compiled<T> {
     /// Creates the scene at the frequency ratio r = ω√(m₁/k₁), and checks whether the tables are valid at r.
     ///
     /// # Errors
-    /// [`OutOfDomain`] for NaN and negative r. [`OutOfDomain`] also outside the range of the tables, unless the domain
-    /// has `exact_beyond`.
+    /// [`OutOfDomain`] for NaN and negative r. An r outside the range of the tables gives the same error, unless the
+    /// domain has `exact_beyond`.
     #[inline]
     pub fn new(scene: T, r: T::Scalar) -> Result<Self, OutOfDomain> {
         let Domain {
@@ -70,11 +70,13 @@ impl<T: Tabled> Compiled<T> {
         Ok(Self { scene, r, within })
     }
 
-    /// Computes both limits at every frequency ratio of a slice, and writes them to two slices of the same length.
+    /// Computes the limits β_lim and β*_lim at every frequency ratio of a slice, and writes them to two slices of the
+    /// same length.
     ///
     /// # Errors
-    /// [`OutOfDomain`] if the slices have different lengths, which leaves both result slices unchanged. [`OutOfDomain`]
-    /// also at the first r outside the domain. The limits before that r are then already written.
+    /// [`OutOfDomain`] if the slices have different lengths, and then leaves both result slices unchanged. At the first
+    /// r outside the domain, the function stops and returns the same error. The result slices then contain the limits
+    /// for the frequency ratios before that r.
     pub fn limits_into(
         scene: T,
         rs: &[T::Scalar],
@@ -124,7 +126,7 @@ impl<T: Tabled> Compiled<T> {
         }
     }
 
-    /// Returns β*_lim, the limit of sliding, to the declared accuracy. It is the smallest β at which a stuck state
+    /// Returns β*_lim, the limit of sliding, to the declared accuracy. β*_lim is the smallest β at which a stuck state
     /// exists (6.11, 6.27, 6.33).
     #[inline]
     #[must_use]
@@ -140,7 +142,7 @@ impl<T: Tabled> Compiled<T> {
         }
     }
 
-    /// Returns both limits, β_lim and β*_lim, to the declared accuracy.
+    /// Returns the limits β_lim and β*_lim to the declared accuracy.
     #[inline]
     #[must_use]
     pub fn limits(&self) -> Limits<T::Scalar> {
@@ -196,7 +198,7 @@ impl<T: Tabled> Compiled<T> {
 
     /// Returns true if β is below β*_lim, for a β below β_lim. With μ ≤ 1 the result is always true, because β_lim is
     /// then the smaller limit. A stuck state and a motion that slides all the time cannot both exist, because the
-    /// difference of both motions would lose energy for ever.
+    /// difference of the two motions would lose energy for ever.
     #[inline]
     fn slides_if_admitted(&self, beta: T::Scalar) -> bool {
         let one = T::Scalar::constant(1.0);
@@ -223,8 +225,8 @@ impl<T: Tabled> Compiled<T> {
         Ok(regime::regime_of(admitted, slides))
     }
 
-    /// Returns the margin β/min(β_lim, β*_lim) − 1. If it is negative, β is below both limits and the closed form of
-    /// the continuous motion exists.
+    /// Returns the margin β/min(β_lim, β*_lim) − 1. If the margin is negative, β is smaller than β_lim and β*_lim, and
+    /// the closed form of the continuous motion exists.
     ///
     /// # Errors
     /// Same errors as [`regime`](Self::regime).

@@ -5,12 +5,12 @@ use super::quotient::Quotient;
 use crate::number::complex::{self, Complex};
 use crate::number::scalar::Float;
 
-/// Factor of a polynomial in s = ir with real coefficients. It belongs to one real zero, or to one pair of complex
-/// zeros s = x ± iy.
+/// Factor of a polynomial in s = ir with real coefficients. Each factor belongs to one real zero, or to one pair of
+/// complex zeros s = x ± iy.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Root<S> {
-    /// Factor of the zeros x ± iy: (s − x)² + y² = x² − (r − y)(r + y) − 2ixr. It stores y as a rounded value and a
-    /// rounding error, so that r − y keeps its digits close to the zero.
+    /// Factor of the zeros x ± iy: (s − x)² + y² = x² − (r − y)(r + y) − 2ixr. The variant stores y as a rounded value
+    /// and a rounding error, so that r − y keeps its digits close to the zero.
     Pair {
         /// Imaginary part y of the zero, rounded to the number type.
         at: S,
@@ -45,8 +45,8 @@ impl<S: Float> Root<S> {
     }
 }
 
-/// Complex rational function of s = ir. It is the product of the factors in `numerator`, divided by the product of the
-/// factors in `denominator`, times `gain`.
+/// Complex rational function of s = ir. The function is the product of the factors in `numerator`, divided by the
+/// product of the factors in `denominator`, times `gain`.
 #[derive(Clone, Copy, Debug)]
 pub struct Transfer<'a, S> {
     /// Constant factor of the rational function.
@@ -95,7 +95,8 @@ fn product<S: Float>(roots: &[Root<S>], r: S) -> Option<Complex<S>> {
     Some(product)
 }
 
-/// Multiplies a product by the factor at index `place`. Returns the product unchanged if there is no such factor.
+/// Multiplies a product by the factor at index `place`. Returns the product unchanged if the list has no factor at this
+/// index.
 #[inline(always)]
 fn times<S: Float>(product: Complex<S>, roots: &[Root<S>], place: usize, r: S) -> Complex<S> {
     match roots.get(place) {

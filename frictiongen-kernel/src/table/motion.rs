@@ -10,10 +10,11 @@ use crate::number::scalar::Float;
 use crate::response::motion::Largest;
 use crate::response::{Continuous, MotionOf, ProvidesMotion};
 
-/// Numbers from the tables at one frequency ratio. They give the amplitude and the phase of the contact at any β.
+/// Numbers from the tables at one frequency ratio. These numbers give the amplitude and the phase of the contact at any
+/// β.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContactTable<S> {
-    /// Limit of continuous motion β_lim.
+    /// Limit β_lim of continuous motion.
     pub limit: S,
     /// a = β_lim·U/|V|. β_lim·U is the velocity that friction at β_lim gives the contact at a reversal. |V| is the
     /// amplitude of the contact without friction.
@@ -67,8 +68,8 @@ impl<S: Float> ContactTable<S> {
         }
     }
 
-    /// Returns √((1 − ρ²) + ρ²(1 − a²)), the in-phase term of the contact's motion divided by |V|, the amplitude
-    /// without friction. `share` is ρ = β/β_lim.
+    /// Returns √((1 − ρ²) + ρ²(1 − a²)) with a = β_lim·U/|V|, the in-phase term of the contact's motion divided by |V|,
+    /// the amplitude without friction. `share` is ρ = β/β_lim.
     #[inline]
     fn in_phase(&self, share: S) -> S {
         let one = S::constant(1.0);
@@ -111,8 +112,8 @@ impl<T: TabledMotion> Compiled<T> {
     /// Returns the continuous motion at the friction ratio β = F/P, if β is below the limits in the tables.
     ///
     /// # Errors
-    /// [`NotContinuous`] names the regime if the motion is not continuous. It also reports an undamped resonance that
-    /// is unbounded at this β, and a β outside the domain.
+    /// [`NotContinuous`] names the regime if the motion is not continuous. The error also reports an undamped resonance
+    /// that is unbounded at this β, and a β outside the domain.
     pub fn motion(&self, beta: T::Scalar) -> Result<T::Moving, NotContinuous> {
         let mut table = None;
         if !self.is_within() {
@@ -184,14 +185,14 @@ impl<T: TabledMotion> Moving<T> {
     }
 
     /// Returns the motion of a mass, given by its index in the description, from the exact formulas. Returns a motion
-    /// at rest if the scene has no such mass.
+    /// at rest if the scene has no mass with this index.
     #[must_use]
     pub fn mass(&self, mass: usize) -> MotionOf<T> {
         self.exact().mass(mass)
     }
 
-    /// Returns the motion of a mass as [`mass`](Self::mass) does. Returns `None` if the scene has no such mass or does
-    /// not provide the motion of this mass.
+    /// Returns the motion of a mass as [`mass`](Self::mass) does. Returns `None` if the scene has no mass with this
+    /// index or does not provide the motion of this mass.
     #[must_use]
     pub fn mass_at(&self, mass: usize) -> Option<MotionOf<T>> {
         self.exact().mass_at(mass)
@@ -227,7 +228,7 @@ impl<T: TabledMotion> SteadyContact<T> {
         }
     }
 
-    /// Returns the maximum of |z̄| over the period, in units of P/k₁ (of Y for base motion).
+    /// Returns the maximum of |z̄| in the period, in units of P/k₁ (of Y for base motion).
     #[inline]
     #[must_use]
     pub fn amplitude(&self) -> T::Scalar {

@@ -1,12 +1,12 @@
 //! Tables of piecewise polynomials in r. Each table divides its range of r into buckets of equal width. A lookup takes
-//! the bucket of r, and halves the list of its pieces a few times to find the polynomial that is valid at r.
+//! the bucket of r, and halves the list of the bucket's pieces a few times to find the polynomial that is valid at r.
 
 use crate::number::scalar::Float;
 
 /// One interval of r, on which `F` functions are polynomials of degree `C` − 1 in r − `origin`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Piece<S, const F: usize, const C: usize> {
-    /// Smallest r of the interval. The interval ends where the next one begins.
+    /// Smallest r of the interval. The interval ends where the next interval begins.
     pub from: S,
     /// Origin of the piece: its polynomials are in r − `origin`. Near a zero of a function the origin is that zero, so
     /// that the piece keeps its relative accuracy up to the zero.
@@ -43,7 +43,7 @@ impl<S: Float, B: Copy + Into<usize>, const F: usize, const C: usize> Table<'_, 
         let bucket = ((r - self.low) * self.density).to_index();
         let bucket = bucket & self.buckets.len().wrapping_sub(1);
         let first: usize = self.buckets.get(bucket).copied().map_or(0, Into::into);
-        // If the number of halvings is a constant, the compiler keeps one of these arms, without branches.
+        // If the number of halvings is a constant, the compiler keeps only the arm for this number, without branches.
         match self.halvings {
             0 => self.pieces.get(first),
             1 => self.among::<2>(first, r),
@@ -157,8 +157,8 @@ fn half<S: Float, const F: usize, const C: usize>(
     }
 }
 
-/// Returns the index of the polynomial piece that contains r in a window of `W` pieces. It counts the pieces that begin
-/// at or below r, first in coarse and then in fine steps.
+/// Returns the index of the polynomial piece that contains r in a window of `W` pieces. The function counts the pieces
+/// that begin at or below r, first in coarse and then in fine steps.
 ///
 /// A compiler turns halving into branches. A large processor cannot predict these branches for an arbitrary r, and each
 /// branch waits for the previous one. Counting has comparisons that do not wait for one another.
@@ -194,7 +194,7 @@ fn counted<S: Float, const F: usize, const C: usize, const W: usize>(
 }
 
 /// Evaluates one function of a polynomial piece, and writes the value into `values` at the index `function`. Does
-/// nothing if there is no such function.
+/// nothing if the piece has no function at this index.
 #[inline(always)]
 fn put<S: Float, const F: usize, const C: usize>(
     values: &mut [S; F],

@@ -3,12 +3,13 @@
 
 use crate::number::scalar::Float;
 
-/// Real factor of a rational function of r². The factor belongs to one zero or pole s = x + iy, with s = ir, or to a
-/// pair of them. In a damped chain the function is the squared modulus of a response.
+/// Real factor in the numerator or the denominator of a rational function of r². The factor belongs to one zero or pole
+/// of the function, or to a pair of them. A zero or pole is given as s = x + iy in the complex plane of s = ir. In a
+/// damped chain the rational function is the squared modulus of a response.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Factor<S> {
-    /// Factor (r − y)(r + y) of a zero on the imaginary axis. It stores y as a rounded value and a rounding error, so
-    /// that r − y keeps its digits close to the zero.
+    /// Factor (r − y)(r + y) of a zero on the imaginary axis. The variant stores y as a rounded value and a rounding
+    /// error, so that r − y keeps its digits close to the zero.
     Zero {
         /// Imaginary part y of the zero, rounded to the number type.
         at: S,
@@ -55,7 +56,8 @@ impl<S: Float> Factor<S> {
 }
 
 /// Rational function of r: the product of the factors in `numerator`, divided by the product of the factors in
-/// `denominator`, times `gain`. If `squared` is true, the function is `gain` times the square root of that quotient.
+/// `denominator`, times `gain`. If `squared` is true, the function is `gain` times the square root of the quotient of
+/// the products.
 #[derive(Clone, Copy, Debug)]
 pub struct Quotient<'a, S> {
     /// Constant factor of the function.
@@ -119,7 +121,8 @@ fn product<S: Float>(factors: &[Factor<S>], r: S) -> S {
     product
 }
 
-/// Multiplies a product by the factor at index `place`. Returns the product unchanged if there is no such factor.
+/// Multiplies a product by the factor at index `place`. Returns the product unchanged if the list has no factor at this
+/// index.
 #[inline(always)]
 fn times<S: Float>(product: S, factors: &[Factor<S>], place: usize, r: S) -> S {
     match factors.get(place) {

@@ -8,8 +8,8 @@ use crate::response::{ProvidesStuck, Stuck};
 
 /// A scene whose response with the contact stuck is stored as products over zeros and poles.
 ///
-/// The default bodies of these methods use the exact formulas. The code generator replaces them for a scene with
-/// products.
+/// The default bodies of the methods of this trait use the exact formulas. The code generator replaces them for a scene
+/// with products.
 pub trait TabledStuck: Tabled + ProvidesStuck {
     /// Type that `stuck` returns. In emitted code this type has one method for each mass.
     type Sticking: From<Sticking<Self>>;
@@ -29,7 +29,7 @@ pub trait TabledStuck: Tabled + ProvidesStuck {
     }
 
     /// Returns x̄*, the complex amplitude of a mass while the contact is stuck. r must be within the domain. Returns
-    /// `None` if the scene has no such mass.
+    /// `None` if the scene has no mass with this index.
     #[inline]
     fn tabled_stuck(&self, _mass: usize, _r: Self::Scalar) -> Option<Complex<Self::Scalar>> {
         None
@@ -43,8 +43,8 @@ pub trait TabledStuck: Tabled + ProvidesStuck {
 }
 
 impl<T: TabledStuck> Compiled<T> {
-    /// Returns the response while the contact is stuck, to the declared accuracy. It exists for β ≥ β*_lim, the limit
-    /// of sliding.
+    /// Returns the response while the contact is stuck, to the declared accuracy. This response exists for β ≥ β*_lim,
+    /// the limit of sliding.
     ///
     /// # Errors
     /// [`StuckResonance`] on an undamped resonance of the chain with its contact stuck.
@@ -109,8 +109,8 @@ impl<T: TabledStuck> Sticking<T> {
         }
     }
 
-    /// Returns the complex amplitude of a mass while the contact is stuck, or 0 if the scene has no such mass.
-    /// [`mass_at`](Self::mass_at) returns `None` instead of 0.
+    /// Returns the complex amplitude of a mass while the contact is stuck, or 0 if the scene has no mass with this
+    /// index. [`mass_at`](Self::mass_at) returns `None` instead of 0.
     #[inline]
     #[must_use]
     pub fn mass(&self, mass: usize) -> Complex<T::Scalar> {
@@ -119,7 +119,7 @@ impl<T: TabledStuck> Sticking<T> {
     }
 
     /// Returns x̄*, the complex amplitude of a mass while the contact is stuck (6.11, 6.27, 6.33). `mass` is the index
-    /// of the mass in the description. Returns `None` if the scene has no such mass.
+    /// of the mass in the description. Returns `None` if the scene has no mass with this index.
     #[inline]
     #[must_use]
     pub fn mass_at(&self, mass: usize) -> Option<Complex<T::Scalar>> {

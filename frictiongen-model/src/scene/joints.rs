@@ -73,7 +73,8 @@ impl Joints {
 }
 
 impl Scene {
-    /// Returns true if the scene has the field `contacts` or `dampers`. The solver of several contacts answers for it.
+    /// Returns true if the scene has the field `contacts` or `dampers`. The solver for several contacts then computes
+    /// the motions of the scene.
     #[must_use]
     #[doc(hidden)]
     pub fn is_joined(&self) -> bool {

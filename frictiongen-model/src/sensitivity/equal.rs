@@ -15,7 +15,7 @@ pub(super) fn equal(a: Dd, b: Dd) -> bool {
 }
 
 /// Rotates each group of equal modes to the basis in which the change of the scene does not couple them. Every basis of
-/// such a group is valid, but only this one changes smoothly with the scene.
+/// the group is valid, but only this basis changes smoothly with the scene.
 ///
 /// Returns one flag for each mode, which is true if the function rotated the mode.
 pub(super) fn adapt_equal_modes(

@@ -8,13 +8,13 @@ use super::split::Landmarks;
 use super::worst::Worst;
 use frictiongen_kernel::Float;
 
-/// Number of comparison points in each piece. The distance between neighbouring points is at most 1/46 of the piece.
-/// For a macro without a proof, this check is the only evidence.
+/// Number of comparison points in each piece. The distance between neighbouring points is at most 1/46 of the length of
+/// the piece. For a macro without a proof, this check is the only evidence.
 const POINTS: usize = 64;
 /// Closest distance of a comparison point from a zero, in decades. It is 10^−13 of the length of the piece.
 const DECADES: f64 = 13.0;
-/// Number of frequency ratios over the range at which the check compares a product over zeros and poles with the exact
-/// values. Further points are near zeros, resonances and sub-harmonics.
+/// Number of frequency ratios, spread over the range, at which the check compares a product over zeros and poles with
+/// the exact values. Further points are near zeros, resonances and sub-harmonics.
 const PRODUCT_POINTS: usize = 256;
 /// Allowed error of r in the comparison, in rounding units. It covers the rounding of r in the computation of an exact
 /// value.
@@ -37,8 +37,8 @@ pub(super) fn piece<S: Float>(
     let spread = (0..POINTS).map(|k| from + (GOLDEN * (k + 1) as f64).fract() * (to - from));
     let mut places: Vec<f64> = spread.collect();
     if let Some(zero) = zero {
-        // The error must stay relative close to a zero, so every decade of the distance to the zero gets the same
-        // number of points.
+        // Close to a zero the relative error must stay small. Every decade of the distance to the zero therefore gets
+        // the same number of points.
         let length = if zero.at > from { from - to } else { to - from };
         let towards = (0..POINTS).map(|k| (GOLDEN * (k + 1) as f64).fract() * DECADES);
         places.extend(towards.map(|decades| zero.at + length * 10_f64.powf(-decades)));

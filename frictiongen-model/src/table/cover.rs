@@ -21,14 +21,15 @@ const KINK: f64 = 30.0;
 /// The search for a kink ends if the shortest length that is too long is at most this multiple of the longest
 /// acceptable length.
 const KINK_FOUND: f64 = 1.0 + 1e-3;
-/// Largest number of polynomial pieces that the code fits again after the check. Each repetition adds a point to the
-/// comparison of later fits. Beyond this number the construction fails, because it would probably never end.
+/// Largest number of polynomial pieces that the code fits again after the check. Each repetition adds a point at which
+/// later fits are compared. After this number of repetitions the construction fails, because it would probably never
+/// end.
 const MOST_AGAIN: usize = 1000;
-/// Length of the shortest polynomial piece, as a fraction of r. It is some hundreds of rounding units of double
+/// Length of the shortest polynomial piece, as a fraction of r. This length is a few hundred rounding units of double
 /// precision.
 const SHORTEST: f64 = 1e-13;
 /// First trial length of a polynomial piece, as a multiple of the length of the previous piece. The factor is large so
-/// that the first trial is often too long, which gives an upper bound on the length at once.
+/// that the first trial is often too long, which immediately gives an upper bound on the length.
 const LONGER: f64 = 1.5;
 /// Largest number of fits in the search for the longest polynomial piece from one start.
 const MOST_FITS: usize = 200;
@@ -50,7 +51,7 @@ fn clamped(value: f64, [least, most]: [f64; 2]) -> f64 {
     value.clamp(least, most)
 }
 
-/// Approximation of the tabulated functions by polynomial pieces over a range of r: settings and state of the
+/// Approximation of the tabulated functions by polynomial pieces in a range of r: settings and state of the
 /// construction.
 pub(super) struct Cover<'a, 'm, S> {
     /// Exact values with which each polynomial piece is compared, and the allowed errors of the fit.
@@ -72,8 +73,8 @@ pub(super) struct Stuck {
 }
 
 impl<S: Float> Cover<'_, '_, S> {
-    /// Returns polynomial pieces that cover the range. The function checks them at points that the fits did not use. It
-    /// also returns the largest error divided by the allowed error, and the number of compared points.
+    /// Returns polynomial pieces that cover the range. The function checks them at points that the fits did not use.
+    /// The result also contains the largest error divided by the allowed error, and the number of compared points.
     ///
     /// If the check finds a larger error than allowed, later fits are also compared at the r of this error. The
     /// function then covers the interval of the piece again.

@@ -22,7 +22,7 @@ pub(super) fn above<S: Float>(value: f64) -> S {
     }
 }
 
-/// Rounds a value to decimals. The place of the last decimal is at most `least`.
+/// Rounds a value to decimals. One unit of the last decimal is at most `least`.
 pub(super) fn to_decimals(value: f64, least: f64) -> f64 {
     let decimals = -least.log10().floor();
     if decimals < 0.0 {

@@ -10,8 +10,8 @@ use std::f64::consts::PI;
 
 /// Ratios β/β_lim at which the amplitude and the phase of the contact are compared with the exact values.
 pub const FRICTION_SHARES: [f64; 7] = [0.05, 0.3, 0.6, 0.8, 0.9, 0.95, 0.98];
-/// Allowed error of r near a zero of β_lim, in rounding units. It covers the rounding of r in the computation of an
-/// exact value.
+/// Allowed error of r near a zero of β_lim, in rounding units. The allowance covers the rounding of r in the
+/// computation of an exact value.
 const ROUNDINGS: f64 = 4.0;
 
 /// Exact values with which polynomial pieces are compared, and the errors that a polynomial piece may have.
@@ -123,7 +123,7 @@ impl<S: Float> Comparison<'_, '_, S> {
         if plain <= 1.0 {
             return plain;
         }
-        // At a zero of β_lim, the allowed error is only the effect of some roundings of r.
+        // At a zero of β_lim, the allowed error is only the effect of a few roundings of r.
         let allowed = self.limit * limit + self.limit_noise(limit, r);
         if off <= allowed { 0.0 } else { off / allowed }
     }

@@ -50,8 +50,8 @@ impl<'a> Exact<'a> {
     pub fn new(modal: &'a Modal) -> Self {
         Self {
             modal,
-            // Macros build tables, and macros run without optimisation. There the sums are slower if they process two
-            // modes at once.
+            // Macros build tables, and macros run without optimisation. Without optimisation the sums are slower if
+            // they process two modes at the same time.
             reduced: Reduced {
                 two_at_once: false,
                 ..modal.reduced(|value| value.to_f64())

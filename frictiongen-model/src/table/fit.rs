@@ -1,4 +1,4 @@
-//! Fits polynomials over one interval of r, through Chebyshev points, and rounds them to the number type of the table.
+//! Fits polynomials in one interval of r, through Chebyshev points, and rounds them to the number type of the table.
 
 use super::digits::{above, to_decimals};
 use super::exact::{ANGLE, Exact, SIZE};
@@ -66,7 +66,7 @@ pub(super) struct Form {
     pub functions: usize,
     /// Number of coefficients of each function's polynomial.
     pub terms: usize,
-    /// Factor by which the fitted β_lim differs from the exact β_lim. It also multiplies a and g, which are
+    /// Factor by which the fitted β_lim differs from the exact β_lim. The factor also multiplies a and g, which are
     /// proportional to β_lim.
     pub side_factor: f64,
     /// Largest change of a function, relative to β_lim, that the rounding of one coefficient to decimals may cause.

@@ -16,13 +16,13 @@ use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::table::Root;
 use frictiongen_kernel::{Complex, Float};
 
-/// Number of frequency ratios over the range at which the code compares each response with its exact value. Further
-/// points are close to the zeros and poles of the response.
+/// Number of frequency ratios, spread over the range, at which the code compares each response with its exact value.
+/// Further points are close to the zeros and poles of the response.
 const POINTS: usize = 64;
 /// Relative distances from a zero or a pole at which the code compares a response with its exact value.
 const BESIDE: [f64; 7] = [0.0, 1e-15, -1e-13, 1e-10, -1e-7, 1e-4, -1e-2];
-/// Largest relative difference between a pole and a number of the table's type that count as equal. The iteration
-/// leaves an uncertainty in the last of the 30 digits of a pole.
+/// A pole and a number of the table's type count as equal if their relative difference is at most this value. The
+/// iteration leaves an uncertainty in the last of the 30 digits of a pole.
 const SAME: f64 = 1e-26;
 /// Number of candidates in the search for a frequency ratio far from all zeros and poles. The code computes the gain at
 /// this frequency ratio.
@@ -80,8 +80,9 @@ impl<S: Float> Held<S> {
         })
     }
 
-    /// Compares these responses with the exact values again, and returns the largest error. The result differs from
-    /// [`worst`](Self::worst) if the responses have changed since. Returns `None` if the zeros cannot be separated.
+    /// Compares these responses with the exact values, as [`of`](Self::of) does, and returns the largest error. The
+    /// result differs from [`worst`](Self::worst) if the responses have changed since `of` built them. Returns `None`
+    /// if the zeros cannot be separated.
     #[must_use]
     pub fn verify(&self, modal: &Modal, range: (f64, f64)) -> Option<Worst> {
         let (masses, force) = responses(modal)?;
@@ -100,7 +101,7 @@ struct Point {
     r: f64,
     at: HeldAt,
     /// Exact responses at a frequency ratio that is `ROUNDINGS` rounding units above r. Their difference from the
-    /// responses at r shows how uncertain those are.
+    /// responses at r shows how uncertain the responses at r are.
     moved: HeldAt,
 }
 

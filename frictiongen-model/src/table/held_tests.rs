@@ -80,7 +80,7 @@ fn two_masses_by_hand() {
         ];
         for value in values {
             assert_eq!(value.im, 0.0);
-            // The tolerance covers some roundings of the response, and the roundings of 2 − r² in this test.
+            // The tolerance covers a few roundings of the response, and the roundings of 2 − r² in this test.
             let allowed = f64::EPSILON * (4.0 + 4.0 * expected.abs());
             assert!((value.re / expected - 1.0).abs() < allowed, "{r}: {value}");
         }

@@ -175,7 +175,8 @@ fn held_pole(modal: &Modal, zero: Zero) -> Option<Pole> {
     })
 }
 
-/// Returns the poles of modes in which the contact does not move, including such combinations of equal modes.
+/// Returns the poles of modes in which the contact does not move, including those combinations of equal modes in which
+/// the contact does not move.
 fn untouched_poles(modal: &Modal) -> Vec<Pole> {
     let equal = |a: usize, b: usize| {
         let near = |values: &[Dd]| match (values.get(a), values.get(b)) {
@@ -277,7 +278,8 @@ pub(super) fn responses(modal: &Modal) -> Option<(Vec<Response>, Response)> {
     Some((masses?, moved(force, 0)?))
 }
 
-/// Returns the same results as `responses`. It computes them from the poles of the chain with its contact stuck.
+/// Returns the same results as `responses`. The function computes them from the poles of the chain with its contact
+/// stuck.
 fn found(modal: &Modal) -> Option<(Vec<Response>, Response)> {
     let zeros = Zeros::of(modal)?;
     let held = zeros.receptance.iter();

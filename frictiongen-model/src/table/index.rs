@@ -29,8 +29,8 @@ pub struct Index<S> {
 }
 
 impl<S: Float> Index<S> {
-    /// Returns the smallest number of buckets that needs at most `FEW` comparisons. If there is none, returns the
-    /// buckets that need the fewest comparisons.
+    /// Returns the smallest number of buckets that needs at most `FEW` comparisons. If no number of buckets needs so
+    /// few, returns the buckets that need the fewest comparisons.
     pub(super) fn of(pieces: &[Fitted<S>], (low, high): (S, S)) -> Self {
         let mut best: Option<Self> = None;
         let numbers: usize = pieces.iter().map(Fitted::numbers).sum();

@@ -3,14 +3,14 @@
 
 use super::exact::Exact;
 
-/// Step of the search for kinks of β_lim, in units of √λ/r. This ratio is the natural frequency of the fastest mode
-/// over the excitation frequency.
+/// Step of the search for kinks of β_lim, in units of √λ/r. √λ/r is the natural frequency of the fastest mode divided
+/// by the excitation frequency.
 const STEP: f64 = 0.005;
 /// Distance in τ, in rad, above which two maxima of the velocity constraint count as different.
 const JUMP: f64 = 0.1;
-/// Smallest number of steps in the search for kinks of β_lim over the range of r.
+/// Smallest number of steps in the search for kinks of β_lim in the range of r.
 const FEWEST: usize = 64;
-/// Largest number of steps in the search for kinks of β_lim over the range of r.
+/// Largest number of steps in the search for kinks of β_lim in the range of r.
 const MOST: usize = 20_000;
 
 /// Returns the frequency ratios within a range at which β_lim has a kink, in ascending order, to the last digits.

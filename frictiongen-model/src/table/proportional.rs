@@ -1,11 +1,12 @@
 //! Responses of chains with Rayleigh damping, the sum of a mass-proportional and a stiffness-proportional term.
 //!
 //! Rayleigh damping means 2ζ_i√λ_i = a + bλ_i. Then s² + 2ζ_i√λ_i s + λ_i = (1 + bs)(λ_i + q), with q = (s² + as)/(1 +
-//! bs). Every receptance is therefore that of the undamped chain at −s² = q, divided by 1 + bs. Its zeros and poles
-//! follow from those of the undamped chain.
+//! bs). Every receptance is therefore that of the undamped chain at −s² = q, divided by 1 + bs. The zeros and poles of
+//! the receptance follow from those of the undamped chain.
 //!
-//! The force of a spring contains the factor 1 + bs. Therefore s = −1/b is a zero. Its order is the number of springs
-//! that transmit the force. An iteration cannot find such a multiple zero to its last digits.
+//! The force of a spring contains the factor 1 + bs. A response may therefore have a zero at s = −1/b. The order of
+//! this zero is the number of springs that transmit the force. An iteration cannot find a multiple zero to its last
+//! digits.
 
 use super::rational::Rational;
 use super::zeros::{EQUAL, Zero};

@@ -16,9 +16,9 @@ use frictiongen_kernel::table::Factor;
 
 /// Fraction of the declared accuracy that the errors of β*_lim, |V| and the responses with the contact stuck may use.
 pub(super) const EXACT_SHARE: f64 = 0.5;
-/// Factors, in rounding units, by which the code may enlarge β*_lim to make it safe. The enlargement must exceed the
-/// errors of the factors and of the zeros. The program chooses the one with the best proof. If several proofs are
-/// equally good, it chooses the smallest.
+/// Amounts, in rounding units, by which the code may enlarge β*_lim to make it safe. The enlargement must exceed the
+/// errors of the product's factors and zeros. The code chooses the amount with the best proof. If several proofs are
+/// equally good, it chooses the smallest of their amounts.
 const SAFE_ROUNDINGS: [f64; 5] = [64.0, 512.0, 4096.0, 65_536.0, 1_048_576.0];
 
 /// Returns a rational function as a product over its zeros and poles. The gain makes the product equal to `value` at

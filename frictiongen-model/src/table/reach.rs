@@ -1,4 +1,4 @@
-//! Regimes that can occur at the permitted friction ratios, according to the tables.
+//! Regimes that, according to the tables, cannot occur at the permitted friction ratios.
 
 use super::bounds::unit;
 use super::product::Product;
@@ -15,15 +15,16 @@ const HALVINGS: u32 = 12;
 /// Number of equal intervals of r at the start of the proof that a limit exceeds a friction ratio.
 const PARTS: usize = 64;
 
-/// Regimes that cannot occur up to a largest friction ratio, over the range of the tables.
+/// Regimes that cannot occur at any friction ratio up to a given largest one, at any r in the range of the tables.
 ///
 /// A flag is true only if a proof covers every number of the type in the range, in the emitted arithmetic. If a flag is
 /// false, the regime may occur.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Reach {
-    /// True if β_lim exceeds every friction ratio. The closed form of the continuous motion is then always valid.
+    /// True if β_lim exceeds every friction ratio up to the given largest one. The closed form of the continuous motion
+    /// is then always valid.
     pub always_continuous: bool,
-    /// True if β*_lim exceeds every friction ratio. A stuck state then never exists.
+    /// True if β*_lim exceeds every friction ratio up to the given largest one. A stuck state then never exists.
     pub never_stuck: bool,
 }
 
@@ -48,7 +49,7 @@ impl<S: Float> Tables<S> {
         }
         let always_continuous = self.limit_is_above(most);
         let sliding = self.sliding.as_ref();
-        // As in the kernel, no stuck state exists below β_lim if μ ≤ 1.
+        // As in the kernel, no stuck state exists at a β smaller than β_lim if μ ≤ 1.
         let decides = always_continuous && stiction <= 1.0;
         Reach {
             always_continuous,
@@ -62,7 +63,7 @@ impl<S: Float> Tables<S> {
         (S::constant(low).to_f64(), S::constant(high).to_f64())
     }
 
-    /// Returns true if a proof shows that the emitted β_lim exceeds `most` over the whole range.
+    /// Returns true if a proof shows that the emitted β_lim exceeds `most` in the whole range.
     fn limit_is_above(&self, most: f64) -> bool {
         let (low, high) = self.ends();
         let mut above = !self.pieces.is_empty();
@@ -87,7 +88,7 @@ impl<S: Float> Tables<S> {
         above
     }
 
-    /// Returns true if a proof shows that an emitted product over zeros and poles exceeds `most` over the whole range.
+    /// Returns true if a proof shows that an emitted product over zeros and poles exceeds `most` in the whole range.
     fn is_above(&self, product: &Product<S>, most: f64) -> bool {
         let (low, high) = self.ends();
         let least = |r: Interval| size::<S>(product, r).low;
@@ -105,8 +106,8 @@ fn polynomial<T: Number>(coefficients: &[f64], t: T) -> T {
         .fold(zero, |sum, coefficient| sum * t + T::number(*coefficient))
 }
 
-/// Returns true if a function exceeds the number `most` over a whole interval. `least` returns a lower bound on the
-/// function over an interval.
+/// Returns true if a function exceeds the number `most` in a whole interval. `least` returns a lower bound on the
+/// function in an interval.
 fn exceeds(r: Interval, halvings: u32, least: &impl Fn(Interval) -> f64, most: f64) -> bool {
     if most < least(r) {
         return true;
@@ -127,8 +128,8 @@ fn rounded<S: Float>(exact: Interval) -> Interval {
     exact * (Interval::ONE + Interval::within(2.0 * unit)) + Interval::within(smallest)
 }
 
-/// Returns an interval that contains the modulus of a product over an interval of r, with the rounding errors of every
-/// operation.
+/// Returns an interval that contains the modulus of a product for every r in an interval, with the rounding errors of
+/// every operation.
 fn size<S: Float>(product: &Product<S>, r: Interval) -> Interval {
     let of = |factors: &[Factor<S>]| {
         factors.iter().fold(Interval::ONE, |all, factor| {
@@ -207,15 +208,15 @@ mod tests {
         let [limit, sliding] = least(&tables);
         let name = format!("{kind}{count}, {zeta}, {stiction}: {limit} and {sliding}");
         let reach = |most| tables.reach(stiction, most);
-        // Close to the limit, the bound on the rounding errors may leave it undecided whether the friction ratio is
-        // below.
+        // Close to the limit, the bound on the rounding errors may leave undecided whether the friction ratio is below
+        // the limit.
         for (share, is_below) in [(0.5, true), (0.99, true), (1.001, false), (2.0, false)] {
             assert_eq!(reach(share * limit).always_continuous, is_below, "{name}");
             assert_eq!(reach(share * sliding).never_stuck, is_below, "{name}");
         }
         assert_eq!(reach(f64::INFINITY), Reach::default());
-        // The search finds the largest friction ratio that is reported as continuous. It must be below every limit of
-        // the emitted code, with the rounding errors of the table's number type.
+        // The search finds the largest friction ratio that is reported as continuous. This friction ratio must be below
+        // every β_lim that the emitted code computes, rounding errors included.
         let (mut said, mut unsaid) = (0.99 * limit, 1.001 * limit);
         for _ in 0..40 {
             let middle = 0.5 * (said + unsaid);
@@ -259,8 +260,8 @@ mod tests {
         assert!(!tables.reach(1.0, 0.6).always_continuous);
     }
 
-    /// Checks the flags for μ = 2. Near the resonance β*_lim is 1/2, which is below β_lim. A stuck state then exists in
-    /// addition to the closed form.
+    /// Checks the flags for a mass on a wall with μ = 2, at r from 0.9 to 1.1. β*_lim is 1/2 there, and β_lim is
+    /// larger. For β between the two limits, a stuck state exists in addition to the continuous motion.
     #[test]
     fn a_stuck_state_beside_the_closed_form() {
         let modal = scene("Wall", 1, 0.05, 2.0);

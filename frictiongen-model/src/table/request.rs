@@ -10,7 +10,8 @@ pub const COARSEST: f64 = 0.1;
 pub const FINEST: f64 = 1e-12;
 /// Smallest relative error for which the generator attempts a proof of β_lim. More accurate tables are only checked.
 pub const FINEST_PROVEN: f64 = 1e-6;
-/// Smallest relative error that a request may allow in single precision. It is some rounding units of single precision.
+/// Smallest relative error that a request may allow in single precision. This error is a few rounding units of single
+/// precision.
 pub const FINEST_SINGLE: f64 = 2e-6;
 
 /// A request for tables of one scene: their range, their accuracy and their content.

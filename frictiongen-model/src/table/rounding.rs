@@ -4,11 +4,14 @@ use super::request::is_single;
 use crate::interval::Interval;
 use frictiongen_kernel::Float;
 
-/// Allowance for products that underflow in a polynomial in single precision: some of its smallest numbers.
+/// Allowance for products that underflow in a polynomial in single precision: about 70 times the smallest positive
+/// number.
 const UNDERFLOW_SINGLE: f64 = 1e-43;
-/// Allowance for products that underflow in a polynomial in double precision: some of its smallest numbers.
+/// Allowance for products that underflow in a polynomial in double precision: about 200 times the smallest positive
+/// number.
 const UNDERFLOW: f64 = 1e-321;
-/// Factor on a sum of rounding errors. It covers the products of these errors and the roundings of the sum itself.
+/// Factor on a sum of rounding errors. The factor covers the products of these errors and the roundings of the sum
+/// itself.
 const UP: f64 = 1.001;
 
 /// Returns an upper bound on the rounding error of the term c_k tᵏ in the emitted evaluation, in rounding units.
@@ -22,8 +25,9 @@ fn counts(power: usize, exact_difference: bool) -> f64 {
     (power % 2 + 2 + 3 * (power / 2) + of_difference) as f64
 }
 
-/// Returns an upper bound on the rounding error of the evaluation in the table's scalar. Near a zero, the error is
-/// divided by the distance from the zero.
+/// Returns an upper bound on the rounding error of the evaluation in the table's scalar. `away` is the range of
+/// distances of r from a zero of the function, if the piece is near one. The result is then the error divided by this
+/// distance.
 pub fn rounding<S: Float>(
     coefficients: &[f64],
     origin: f64,

@@ -1,5 +1,5 @@
 //! Frequency ratios at which a table must be divided, and frequency ratios near zeros and resonances at which the code
-//! must compute its error.
+//! must compute the error of the table.
 
 use super::zeros::{Zeros, contact_modes};
 use crate::modal::Modal;
@@ -10,7 +10,7 @@ use frictiongen_kernel::number::dd::Dd;
 pub struct Edge {
     /// The zero as a double.
     pub at: f64,
-    /// The exact root minus its rounded value `at`.
+    /// The exact zero minus its rounded value `at`.
     pub rest: f64,
 }
 
@@ -36,7 +36,7 @@ const BESIDE: [f64; 13] = [
 /// this value.
 const OUTSIDE: f64 = 1e-2;
 /// A resonance, a sub-harmonic or a zero causes a narrow feature of β_lim if its damping is at most this value. For a
-/// sub-harmonic of a mode the damping is ζ times the order. For a complex zero x + iy of V it is |x|/y.
+/// sub-harmonic of a mode the damping is ζ times the order. For a complex zero x + iy of V the damping is |x|/y.
 const BROAD: f64 = 0.5;
 /// Largest number of sub-harmonics that the code considers for each mode.
 const MOST: usize = 10_000;
@@ -49,8 +49,9 @@ pub struct Landmarks {
     pub zeros: Vec<Edge>,
     /// Resonances of undamped modes within the range of r. The phase of the contact's response jumps there.
     pub jumps: Vec<f64>,
-    /// Frequency ratios, in ascending order, at which the code also computes the error of a table. They lie at and near
-    /// zeros of β_lim, resonances and sub-harmonics.
+    /// Frequency ratios, in ascending order, at which the code computes the error of a table, in addition to the points
+    /// that the fit and the check choose in each piece. They lie at and near zeros of β_lim, resonances and
+    /// sub-harmonics.
     pub closely: Vec<f64>,
 }
 
@@ -62,7 +63,7 @@ impl Landmarks {
         zeros.find(|zero| to(zero.at) == origin)
     }
 
-    /// Adds a frequency ratio at which the code also computes the error of a table.
+    /// Adds a frequency ratio to the list `closely`.
     pub fn look_at(&mut self, r: f64) {
         let place = self.closely.partition_point(|known| *known < r);
         self.closely.insert(place, r);

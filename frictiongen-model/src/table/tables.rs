@@ -30,7 +30,7 @@ const IN_A_BYTE: usize = 1 << u8::BITS;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Report {
     /// Largest relative error of β_lim that the check has found. For tables with the motion of the contact, the number
-    /// also covers its amplitude and phase.
+    /// also covers the amplitude and phase of the contact.
     pub worst: Worst,
     /// Largest relative error of β*_lim that the check has found.
     pub sliding: Worst,
@@ -68,13 +68,13 @@ pub struct Tables<S> {
     pub held: Option<Held<S>>,
     /// Size of the tables, and the errors that the check has found.
     pub report: Report,
-    /// Proof, complete or partial, that β_lim from the table has the requested accuracy over the range of r.
+    /// Proof, complete or partial, that β_lim from the table has the requested accuracy in the range of r.
     pub proof: Proof,
-    /// Proof that amplitude and phase of the contact have the requested accuracy. It covers β/β_lim up to the largest
-    /// ratio in `FRICTION_SHARES`.
+    /// Proof that amplitude and phase of the contact have the requested accuracy. The proof covers β/β_lim up to the
+    /// largest ratio in `FRICTION_SHARES`.
     pub motion_proof: Proof,
-    /// Proof that the table of β*_lim has the requested accuracy. It takes so little work that the builder always makes
-    /// it.
+    /// Proof that the table of β*_lim has the requested accuracy. This proof takes so little work that the builder
+    /// always makes it.
     pub sliding_proof: Proof,
     /// Proof that |V|, the amplitude of the contact without friction, has the requested accuracy, if it is a product.
     pub excitation_proof: Proof,
@@ -276,7 +276,7 @@ impl<S: Float> Tables<S> {
     }
 
     /// Builds the tables of the limits and of the contact's motion. If polynomials of the usual degree do not suffice,
-    /// the method tries higher degrees. They are necessary if a mode changes a function within some hundred rounding
+    /// the method tries higher degrees. They are necessary if a mode changes a function within a few hundred rounding
     /// units of r.
     fn built_within(
         exact: &mut Exact<'_>,

@@ -1,4 +1,4 @@
-//! Compares finished tables with the exact values again.
+//! Compares finished tables with the exact values, as the construction of the tables does.
 
 use super::check;
 use super::exact::Exact;
@@ -13,15 +13,15 @@ use frictiongen_kernel::Float;
 use std::ops::Range;
 
 impl<S: Float> Tables<S> {
-    /// Compares these tables with the exact values again, and returns the largest error. The result differs from
-    /// [`Report::worst`](super::Report::worst) if the tables have changed since.
+    /// Compares these tables with the exact values, as [`build`](Self::build) does, and returns the largest error. The
+    /// result differs from [`Report::worst`](super::Report::worst) if the tables have changed since `build` made them.
     #[must_use]
     pub fn verify(&self, modal: &Modal) -> Worst {
         self.verified(modal, 0..self.pieces.len())
     }
 
-    /// Compares one polynomial piece with the exact values again, and returns its largest error. `place` is the index
-    /// of the piece.
+    /// Compares one polynomial piece with the exact values, as [`build`](Self::build) does, and returns its largest
+    /// error. `place` is the index of the piece.
     #[must_use]
     pub fn verify_piece(&self, modal: &Modal, place: usize) -> Worst {
         self.verified(modal, place..place + 1)

@@ -15,7 +15,8 @@ pub(super) const NONE: f64 = 1e-20;
 /// value. They then differ only by rounding in double-double.
 pub(super) const EQUAL: f64 = 1e-24;
 /// Two zeros count as one common zero of V and H if their relative distance is at most this value. V and H are the
-/// responses of the contact to the load and to a contact force. A scene in doubles cannot separate such zeros.
+/// responses of the contact to the load and to a contact force. A scene in doubles cannot separate zeros as close as
+/// this.
 const COMMON: f64 = 1e-13;
 /// The search for a zero starts from moduli of at least this multiple of the lowest resonance.
 const BELOW: f64 = 0.6;
@@ -88,8 +89,8 @@ pub struct Zeros {
     pub receptance: Vec<Zero>,
     /// Common zeros of V and H, the responses of the contact to the load and to a contact force.
     pub common: Vec<Zero>,
-    /// Poles of V, the response of the contact to the load. They come from the modes that both the load and the contact
-    /// drive.
+    /// Poles of V, the response of the contact to the load. The poles come from the modes that both the load and the
+    /// contact drive.
     pub loaded: Vec<Zero>,
     /// Poles of H, the response of the contact to a contact force, that are not poles of the response to the load.
     pub unloaded: Vec<Zero>,
@@ -113,7 +114,7 @@ pub fn contact_modes(modal: &Modal) -> Vec<ContactMode> {
             continue;
         }
         let (inverse_mass, residue) = (*contact * *contact, *load * *contact);
-        // Equal modes count as one mode in both sums V and H.
+        // Equal modes count as one mode in the sums V and H.
         if let Some(last) = contact_modes.last_mut()
             && (*sigma - last.driven.sigma).abs() <= *sigma * Dd::from(EQUAL)
             && (*zeta - last.driven.zeta).abs() <= *zeta * Dd::from(EQUAL)
@@ -169,7 +170,7 @@ impl Zeros {
             })
             .collect();
         // At r = 0 a base may carry the contact along without relative motion. V then has a zero at s = 0. Without
-        // damping it is a double zero.
+        // damping this zero is double.
         let at_rest = modal.on_moving_base && modal.static_motion.is_zero();
         let known = match (at_rest, damped) {
             (false, _) => 0,
@@ -264,8 +265,8 @@ pub(super) fn classified(roots: Vec<Complex<Dd>>, known: usize, damped: bool) ->
     (found == degree).then_some(zeros)
 }
 
-/// Returns the number of zeros of the rational function `direct` + Σ ρ_i/(s² + 2ζ_iσ_i s + λ_i) over the modes. It
-/// follows from the first power of 1/s at infinity whose coefficient exceeds rounding.
+/// Returns the number of zeros of the rational function `direct` + Σ ρ_i/(s² + 2ζ_iσ_i s + λ_i) over the modes. The
+/// number follows from the first power of 1/s at infinity whose coefficient exceeds rounding.
 fn degree(modes: &[Driven], direct: Dd) -> Option<usize> {
     let most = 2 * modes.len();
     if !direct.is_zero() {

@@ -14,15 +14,15 @@ use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::number::dual::Dual;
 use frictiongen_kernel::{Float, Scalar};
 
-/// Two squared frequencies count as equal if their relative difference is at most this value. It is a thousand rounding
-/// units of double-double.
+/// Two squared frequencies count as equal if their relative difference is at most this value. This value is a thousand
+/// rounding units of double-double.
 const ROUNDING: f64 = 1e-29;
 
 /// Returns the held modes, which are the modes of the chain with its contact stuck. The second result has the
 /// participations (g, h) of every mode of the sliding chain in each held mode.
 ///
-/// `compliance` is k₁ over the stiffness of an elastic contact, and 0 for a rigid contact. Before the participations
-/// are scaled, the displacement of the contact in a held mode is Σ w_i η_i = −`compliance`·y.
+/// `compliance` is k₁ divided by the stiffness of an elastic contact, and 0 for a rigid contact. Before the
+/// participations are scaled, the displacement of the contact in a held mode is Σ w_i η_i = −`compliance`·y.
 pub(super) fn held<T: Float, S: Scalar>(
     modes: &[&Plain<T>],
     (inverse_mass, compliance): (T, T),
@@ -47,8 +47,8 @@ pub(super) fn held<T: Float, S: Scalar>(
             force = force + mode.contact * (lambda * g + loss * g_rate);
         }
         let determinant = first * second - mixed * mixed;
-        // The participations are those for the contact force −y, divided by the largest of them.  In a contact that
-        // moves, the sum above would also contain the inertia of that motion.
+        // The participations are those for the contact force −y, divided by the largest of them. If the contact moves,
+        // `force` would also contain the inertia of its motion.
         let per_y = if compliance.is_zero() {
             force / inverse_mass
         } else {
@@ -84,15 +84,15 @@ fn participations_of<T: Float>(
     // only rounding, so its participation must balance the participations of the other modes.
     let (mut nearest, mut part) = (0, zero);
     for (index, (mode, participation)) in modes.iter().zip(&mut own).enumerate() {
-        // The denominator d = s² + 2ζ_iσ_i s + λ_i is as + b modulo the polynomial of the pair. Its inverse is (b −
-        // 2αa − as)/R.
+        // The denominator d = s² + 2ζ_iσ_i s + λ_i is as + b modulo the polynomial of the pair. Its inverse is (b − 2αa
+        // − as)/R, with R as `resultant`.
         let a = (mode.zeta * mode.resonance - zeta * omega) * two;
         let b = (mode.resonance - omega) * (mode.resonance + omega);
         let resultant = b * b - two * zeta * omega * a * b + omega * omega * a * a;
         let weight = mode.contact / resultant;
-        // The square of this mode's term in the sum over w_i. If the contact hardly drives a mode, the root is so
-        // close to the mode that the denominator is only rounding. The term is then meaningless, but the mode is
-        // still the nearest mode.
+        // The squared modulus of this mode's term in the sum over the modes. If the contact hardly drives a mode, the
+        // root is so close to the mode that the denominator is only rounding. The term is then meaningless, but the
+        // mode is still the nearest mode.
         let own_part = (mode.contact * mode.contact * mode.contact * weight).abs();
         let rounding = T::constant(ROUNDING) * omega * omega;
         if resultant < rounding * rounding {

@@ -17,12 +17,13 @@ use frictiongen_kernel::{Float, Scalar};
 use plain::{EQUAL, Plain, close, driven, in_contact, plain_modes, sorted, turned};
 
 /// If a modal damping ratio exceeds this value, the frequencies of the held modes (modes of the chain with its contact
-/// stuck) may be close to one another. Below it, chains of up to 64 masses have rounding errors of only a few units.
+/// stuck) may be close to one another. If no damping ratio exceeds this value, chains of up to 64 masses have rounding
+/// errors of only a few units.
 const NEAR_CRITICAL: f64 = 0.9;
 
-/// Returns the largest relative rounding error in a motion of the scene if the contact sticks and is released at once
-/// ([`Transient::excess_loss`]). Returns `None` if the error is acceptable. It is acceptable up to √ε of the scene's
-/// number type, which keeps half of the digits.
+/// Returns the largest relative rounding error in a motion of the scene if the contact sticks and is immediately
+/// released ([`Transient::excess_loss`]). Returns `None` if the error is acceptable. An error up to √ε of the scene's
+/// number type is acceptable, because it keeps half of the digits.
 #[must_use]
 pub fn excess_loss(scene: &Scene) -> Option<f64> {
     let near_critical = |ratio: f64| NEAR_CRITICAL <= ratio;
@@ -52,14 +53,14 @@ pub fn excess_loss(scene: &Scene) -> Option<f64> {
 /// Modes of a scene for the motion in time: the modes with the contact sliding, and the modes with the contact stuck.
 #[derive(Clone, Debug)]
 pub struct Transient<S> {
-    /// All modes of the sliding chain. The modes that the contact drives come first, and both groups are in ascending
-    /// order of resonance. The contact drives only one of several equal modes.
+    /// All modes of the sliding chain. The modes that the contact drives come first, then the other modes. Both groups
+    /// are in ascending order of resonance. The contact drives only one of several equal modes.
     pub modes: Vec<Mode<S>>,
     /// Mode shapes φ: for each mass in turn, the mass's component in each mode.
     pub shapes: Vec<S>,
-    /// Weights φᵀΓ of the masses, for each mode in turn. They convert displacements of the masses to modal coordinates.
-    /// If damping acts relative to the moving base, the list also contains the loads in quadrature, two numbers for
-    /// each mode.
+    /// Weights φᵀΓ of the masses, for each mode in turn. The weights convert displacements of the masses to modal
+    /// coordinates. If damping acts relative to the moving base, the list also contains the loads in quadrature, two
+    /// numbers for each mode.
     pub weights: Vec<S>,
     /// Held modes, which are the modes of the chain with its contact stuck.
     pub held: Vec<HeldMode<S>>,
@@ -68,7 +69,7 @@ pub struct Transient<S> {
     pub participations: Vec<[S; 2]>,
     /// Constants of the whole chain, which belong to no single mode.
     pub chain: Chain<S>,
-    /// k₁ over the stiffness of an elastic contact. `None` for a rigid contact.
+    /// k₁ divided by the stiffness of an elastic contact. `None` for a rigid contact.
     pub compliance: Option<S>,
     /// Index of the mass that slides on a support. `None` if two masses slide on each other.
     pub rubbing: Option<usize>,
@@ -136,7 +137,7 @@ impl<S: Scalar> Transient<S> {
         }
     }
 
-    /// Returns the largest relative rounding error in a motion if the contact sticks and is released at once
+    /// Returns the largest relative rounding error in a motion if the contact sticks and is immediately released
     /// ([`held_loss`](Dynamics::held_loss)). Returns `None` if the error is at most √ε of the number type, which keeps
     /// half of the digits. With a larger error no result in the time domain is useful. Only modes near or above
     /// critical damping cause a larger error.
@@ -193,8 +194,8 @@ impl Transient<Dual<Dd>> {
     /// Creates the data from modal data with derivatives, including the derivatives of the held modes (contact stuck).
     /// The weights get no derivatives, because they only give first guesses of a state.
     ///
-    /// Returns `None` if single modes have no derivative. This happens in three cases: two equal modes that the contact
-    /// drives separate, two held modes are equal, or the contact begins to drive a mode.
+    /// Returns `None` if single modes have no derivative. This happens in three cases: two equal modes become
+    /// different, two held modes are equal, or the contact begins to drive a mode.
     #[must_use]
     pub fn along(scene: &Scene, modal: &Modal<Dual<Dd>>) -> Option<Self> {
         let plain = plain_modes(modal);

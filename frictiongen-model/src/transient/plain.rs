@@ -6,7 +6,7 @@ use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
 
 /// The constants of two modes (resonance or damping ratio) count as equal if their relative difference is at most this
-/// value. Rounding can cause such a difference.
+/// value. Rounding can cause a difference of this size.
 pub(super) const EQUAL: f64 = 1e-24;
 
 /// A component of a mode counts as rounding noise if it is at most this fraction of the largest value that the

@@ -133,11 +133,12 @@ fn a_loss_is_seen() {
     );
 }
 
-/// Stiffnesses k of an elastic contact over k₁, from 1e-6 to 1e9. The compliance of the contact is k₁/k.
+/// Stiffnesses k of an elastic contact divided by k₁, from 1e-6 to 1e9. The compliance of the contact is k₁/k.
 const STIFFNESSES: [f64; 6] = [1e-6, 1e-3, 0.3, 1e2, 1e5, 1e9];
 
 /// Checks that an undamped chain with a stuck elastic contact equals a chain with one more spring. The natural
-/// frequencies of that chain come from its modal analysis, which does not use the equation under test.
+/// frequencies of the chain with one more spring come from its modal analysis, which does not use the equation under
+/// test.
 #[test]
 fn an_elastic_contact_is_one_more_spring() {
     let uneven = [1.0, 2.5, 0.3, 1.7, 0.9, 4.0];
@@ -161,7 +162,7 @@ fn an_elastic_contact_is_one_more_spring() {
                     stiffness,
                 });
                 let expected = Modal::of(&scene).resonances;
-                // A mode that the contact does not drive is no mode of the stuck chain's own.
+                // The longer chain also has the modes that the contact does not drive. They do not occur in `found`.
                 for frequency in found {
                     let nearest = expected.iter().map(|of| (of.to_f64() - frequency).abs());
                     let error = nearest.fold(f64::INFINITY, f64::min);

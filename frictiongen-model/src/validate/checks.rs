@@ -7,10 +7,11 @@ use crate::scene::{Node, Scene};
 /// Largest number of masses that a scene built at run time may have.
 pub const MOST_MASSES: usize = 1000;
 
-/// Upper bound on masses, stiffnesses, damping and μ. Products of a few such numbers must not overflow a double.
+/// Upper bound on masses, stiffnesses, damping and μ. Products of a few numbers of this size must not overflow a
+/// double.
 pub const LARGEST: f64 = 1e60;
 
-/// Lower bound on masses and stiffnesses. Products of a few such numbers must not underflow a double.
+/// Lower bound on masses and stiffnesses. Products of a few numbers of this size must not underflow a double.
 pub const SMALLEST: f64 = 1e-60;
 
 /// List of the items of a scene that the parser could read, so that checks may use them.
@@ -56,7 +57,8 @@ impl Checks {
     }
 }
 
-/// Reports an error if a node names a mass that does not exist. Only a scene built at run time can have such a node.
+/// Reports an error if a node names a mass that does not exist. Only a scene built at run time can have a node with
+/// this error.
 pub(super) fn check_node(scene: &Scene, node: Node, path: Path, errors: &mut Vec<SceneError>) {
     if let Node::Mass(index) = node
         && index >= scene.masses.len()

@@ -35,7 +35,7 @@ pub(super) fn check_value(scene: &Scene, errors: &mut Vec<SceneError>) -> bool {
         let what = "the stiffness of the contact".to_owned();
         errors.push(SceneError::NotFinite { path, what, value });
     } else if value == f64::INFINITY {
-        // Without the field, nothing else is wrong.
+        // The message recommends to leave out the field. No further check of the stiffness is then useful.
         errors.push(SceneError::StiffnessInfinite { path });
         return false;
     } else if !(0.0 < value) {

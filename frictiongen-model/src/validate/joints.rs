@@ -26,7 +26,8 @@ pub(super) fn check(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>
     }
     sound &= check_dampers(scene, errors);
     check_fields(scene, errors);
-    // A faulty entry may be the one that is missing here.
+    // If an entry is faulty, `check_touched` might report that a mass has no connection, although this entry connects
+    // it.
     if sound && checks.joints && checks.springs && checks.masses {
         check_loops(scene, errors);
         check_touched(scene, checks, errors);
@@ -70,7 +71,7 @@ fn check_names(scene: &Scene, errors: &mut Vec<SceneError>) {
     }
 }
 
-/// Reports errors in the sides of a contact. Returns true if there are none.
+/// Reports errors in the sides of a contact. Returns true if the sides have no errors.
 fn check_sides(
     scene: &Scene,
     contact: &NamedContact,

@@ -3,12 +3,12 @@
 /// Reserved words, which cannot be the name of a mass: the words of a description, and all methods of the generated
 /// types. The name of a mass becomes a method of the generated types. This is the only list of reserved words.
 pub const RESERVED: &[&str] = &[
-    // These are the words of a description.
+    // Words of a description.
     "base",
     "contact",
     "mass",
     "wall",
-    // These are methods of the scene.
+    // Methods of the scene.
     "at",
     "friction_ratio",
     "frequency_ratio",
@@ -20,7 +20,7 @@ pub const RESERVED: &[&str] = &[
     "stepper",
     "stepper_from",
     "stepper_from_image",
-    // These are methods of the scene at one frequency ratio.
+    // Methods of the scene at one frequency ratio.
     "continuous_limit",
     "continuous_limit_per_mode",
     "continuous_limit_without_search",
@@ -33,7 +33,7 @@ pub const RESERVED: &[&str] = &[
     "regime",
     "sliding_limit",
     "stuck",
-    // These are methods of a motion.
+    // Methods of a motion.
     "amplitude",
     "amplitude_monoharmonic",
     "displacement",
@@ -41,7 +41,7 @@ pub const RESERVED: &[&str] = &[
     "largest",
     "phase",
     "velocity",
-    // These are methods of an orbit.
+    // Methods of an orbit.
     "is_marginal",
     "is_stable",
     "is_symmetric",
@@ -49,7 +49,7 @@ pub const RESERVED: &[&str] = &[
     "reversals",
     "stops",
     "stuck_fraction",
-    // These are methods of a stepper, and fields of its input.
+    // Methods of a stepper, and fields of the stepper's input.
     "advance",
     "all_masses",
     "begin",
@@ -72,12 +72,13 @@ pub const RESERVED: &[&str] = &[
     "time",
     "work",
     "write_image",
-    // These are methods of derived traits. A mass of the same name would hide them.
+    // Methods of derived traits. A mass with the name of a method would hide the method.
     "clone",
     "eq",
     "fmt",
     "ne",
-    // The prelude gives every type these methods, which take the value itself. They would hide a mass of the same name.
+    // Methods that the prelude gives every type, and that take the value itself. One of these methods would hide a mass
+    // with the same name.
     "into",
     "try_into",
 ];

@@ -50,7 +50,7 @@ impl Parts {
     }
 }
 
-/// Returns the smallest mass index in the component of `mass`. Path compression makes this fast for long chains.
+/// Returns the smallest mass index in the component of `mass`. Path compression makes the search fast for long chains.
 fn root(parent: &mut [usize], mass: usize) -> usize {
     let mut top = mass;
     while let Some(&above) = parent.get(top)
@@ -94,7 +94,7 @@ fn is_sound(scene: &Scene) -> bool {
     from != to && (is_mass(from) || is_mass(to)) && [from, to, driven].into_iter().all(exists)
 }
 
-/// Reports every component without a support. Returns true if no such component exists and all names are valid.
+/// Reports every component without a support. Returns true if every component has a support and all names are valid.
 fn check_held(scene: &Scene, parts: &Parts, errors: &mut Vec<SceneError>) -> bool {
     let held = joined(scene, parts, |node| !matches!(node, Node::Mass(_)));
     let mut floating: BTreeMap<usize, Vec<String>> = BTreeMap::new();

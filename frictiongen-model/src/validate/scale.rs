@@ -10,8 +10,8 @@ use crate::scene::{Precision, Scene};
 /// Largest number of masses for which the code checks the modes. Larger scenes exist only at run time, in double
 /// precision.
 const MOST_ANALYSED: usize = 64;
-/// Single precision can separate two frequencies if their relative difference is at least this value. It is a few
-/// rounding units of single precision.
+/// Single precision can separate two frequencies if their relative difference is at least this value. This value is a
+/// few rounding units of single precision.
 const SINGLE_GAP: f64 = 1e-6;
 /// Double-double cannot separate two frequencies if their relative difference is below this value.
 const SAME: f64 = 1e-28;
@@ -38,7 +38,7 @@ pub(super) fn check(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>
                 most = (value, index);
             }
         }
-        // A number that is too large or too small by itself is already reported.
+        // A number that is too large or too small by itself has already been reported by another check.
         let told = most.0 > LARGEST || least.0 < SMALLEST;
         (if told { 1.0 } else { most.0 / least.0 }, most.1)
     };

@@ -1,7 +1,7 @@
 //! Tests of the choice of the dominant mode, and of the response V against which the phase of the mode is measured.
 //!
-//! The tests check the choice itself, because no result shows a wrong choice. It causes only rounding errors close to a
-//! resonance, where the rounding of r changes every result by more.
+//! The tests check the choice itself, because no result shows a wrong choice. A wrong choice causes only rounding
+//! errors close to a resonance, where the rounding of r changes every result by more.
 
 use super::{DominantSums, Partner, Terms, Which};
 use crate::contact::quadrature::InPhase;

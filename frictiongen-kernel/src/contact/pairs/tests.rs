@@ -4,7 +4,7 @@ use super::*;
 use crate::contact::driven::DrivenModes;
 use crate::number::complex::Complex;
 
-/// Returns a pseudo-random number between 0.1 and 1.1 for the mode with an index.
+/// Returns a pseudo-random number between 0.1 and 1.1 for the mode with the given index.
 fn scattered(index: usize, salt: usize) -> f64 {
     ((index * 37 + salt * 11) as f64 * 0.618_033_988_749_894_9).fract() + 0.1
 }
@@ -59,8 +59,8 @@ fn bits<S: Float>(contact: &ContactAt<S>, kept: &[ModeAt<S>]) -> Vec<u64> {
     all.iter().map(|value| value.to_f64().to_bits()).collect()
 }
 
-/// Compares modal sums in pairs with sums one by one, and limits from gathered constants with limits from the sums.
-/// Returns the number of comparisons of each kind.
+/// Compares modal sums computed in pairs of modes with sums computed mode by mode. Also compares limits from gathered
+/// constants with limits from the sums. Returns the number of comparisons of each kind.
 fn agree<S: Float>() -> [usize; 2] {
     let dampings: [fn(usize) -> f64; 4] = [
         |_| 0.0,
@@ -112,8 +112,8 @@ fn agree<S: Float>() -> [usize; 2] {
 
 #[test]
 fn pairs_of_modes_have_the_bits_of_single_ones() {
-    // Gathered constants exist for any number of undamped modes, and for a single mode with the last damping. They do
-    // not exist for sets of modes that the contact does not drive.
+    // `DrivenModes` exist for any number of undamped modes (`dampings[0]`), and for a single mode with `dampings[3]`.
+    // They do not exist if the contact drives none of the modes.
     let laid_out = ((7 * 4 - (7 + 1)) + (4 - 2)) * 2 * 9;
     assert_eq!(agree::<f64>(), [7 * 4 * 4 * 2 * 9, laid_out]);
     assert_eq!(agree::<f32>(), [7 * 4 * 4 * 2 * 9, laid_out]);

@@ -38,8 +38,8 @@ fn is_near<S: Float>(own: S, known: S, error: S) -> bool {
     (own.to_f64() - known.to_f64()).abs() <= error.to_f64()
 }
 
-/// Compares two pairs of numbers relative to the sum of the moduli of a pair. A pair is a complex number, or a
-/// displacement and a velocity.
+/// Compares two pairs of numbers relative to the sum of the absolute values of the known pair. A pair is a complex
+/// number, or a displacement and a velocity.
 fn compared<S: Float>(
     name: &'static str,
     own: [S; 2],
@@ -57,10 +57,11 @@ fn compared<S: Float>(
 }
 
 impl<S: Float, const MASSES: usize, const FORCES: usize> Known<S, MASSES, FORCES> {
-    /// Compares both computed limits with the known limits. Each may differ by `tolerance` of its value.
+    /// Compares the computed β_lim and β*_lim with the known limits. Each limit may differ from the known limit by
+    /// `tolerance` times this limit.
     ///
     /// # Errors
-    /// [`Fault::Answer`] if a limit differs by more.
+    /// [`Fault::Answer`] if a limit differs from the known limit by more.
     pub fn limits(&self, own: Limits<S>, tolerance: S) -> Result<(), Fault> {
         let [continuous, sliding] = self.limits;
         if is_near(own.continuous, continuous, tolerance * continuous)
@@ -94,7 +95,7 @@ impl<S: Float, const MASSES: usize> KnownMotion<S, MASSES> {
     /// the same reason.
     ///
     /// # Errors
-    /// [`Fault::Answer`] if only one of them has a motion, or if the reasons differ.
+    /// [`Fault::Answer`] if only one of the two answers has a motion, or if the reasons differ.
     pub fn found<M>(&self, own: Result<M, NotContinuous>) -> Result<Option<M>, Fault> {
         match (own, self.error) {
             (Ok(motion), None) => Ok(Some(motion)),

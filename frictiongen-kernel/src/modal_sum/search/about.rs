@@ -2,8 +2,8 @@
 //! in it exceeds the largest value found.
 //!
 //! Near the maximum, Taylor's theorem bounds the sum. Farther away, a cubic through the value and slope of the next
-//! node bounds it (section 9 of `docs/derivation.md`). A *summit* is a position from which one Newton step leads to the
-//! maximum.
+//! node bounds the sum (section 9 of `docs/derivation.md`). A *summit* is a position from which one Newton step leads
+//! to the maximum.
 
 use super::grid::{Grid, Node, Open};
 use super::summit::{Cubic, REACH, Summit, beyond_cubic};
@@ -11,13 +11,14 @@ use super::{Search, Weight};
 use crate::number::scalar::Float;
 use crate::oscillator::decay::Decay;
 
-/// Factor ρ of the first attempt to close the cells around a local maximum. The attempt requires a concave sum within ρ
-/// times the last Newton step. If it fails, the code tries the smaller factor `REACH`. A larger ρ can close the cells
-/// around a flatter maximum.
+/// Factor ρ of the first attempt to close the cells around a local maximum. The attempt requires that the sum is
+/// concave up to ρ times the last Newton step from the maximum. If the attempt fails, the code tries the smaller factor
+/// `REACH`. A larger ρ can close the cells around a flatter maximum.
 const FAR: f64 = 97.0;
 
-/// Excess E of a modal sum over a level, near a local maximum. E is ±sum − level, or ±sum − level·sin τ. A cell of the
-/// grid is closed once E ≤ 0 is proven in the cell.
+/// Difference E between a modal sum and a level, near a local maximum. E is ±sum − level, or ±sum − level·sin τ in a
+/// search of sum/sin τ. The level is an upper bound on the local maximum. A cell of the grid is closed once E ≤ 0 is
+/// proven in the cell.
 struct Excess<S> {
     /// Phase τ near the local maximum, at which `cubic` gives the derivatives.
     tau: S,
@@ -25,7 +26,8 @@ struct Excess<S> {
     /// Upper bound on the fourth derivative of E = ±sum − level.
     fourth: S,
     /// Negative bound 2E″/(ρ − 1) on the quadratic coefficient of the cubic between `tau` and a node. If the
-    /// coefficient is below this bound, the slope at `tau` has no influence beyond ρ times the Newton step.
+    /// coefficient is smaller than this negative bound, it outweighs the slope at `tau` at all distances beyond ρ times
+    /// the Newton step.
     curvature: S,
 }
 
@@ -83,7 +85,8 @@ impl<S: Float> Excess<S> {
     }
 
     /// Returns true if the derivatives of E = ±sum − level at `tau` prove that E stays below 0 up to the given
-    /// distance. The proof requires that the higher terms are at most a third of the curvature term.
+    /// distance. The proof requires that the terms with the third and fourth derivative are together at most a third of
+    /// E″.
     fn is_near(&self, distance: S) -> bool {
         let Cubic {
             curvature, third, ..

@@ -1,8 +1,8 @@
 //! Upper bounds on the derivatives of a modal sum after a given instant, and the state of each mode at this instant.
 //!
 //! The code splits the motion of a mode into a free motion and a forced motion. The forced motion is a constant plus
-//! sinusoids. For some modes it does not split the motion. These modes *keep their forcing*: their state contains the
-//! whole motion, and the later motion follows from this state by the equation of the mode (section 9 of
+//! sinusoids. Some modes *keep their forcing*: the code does not split their motion. The state of such a mode contains
+//! the whole motion, and the later motion follows from this state by the equation of the mode (section 9 of
 //! `docs/derivation.md`).
 
 use crate::modal_sum::wave::{Sum, Wave};
@@ -10,7 +10,8 @@ use crate::number::scalar::Float;
 use crate::oscillator::decay::{Basis, Decay, Instant};
 
 /// The code does not split a mode into free and forced motion if its x is closer to the resonance x = 1 than this
-/// distance. Close to x = 1 both motions are large and nearly cancel. Their sum would be mainly rounding error.
+/// distance. Close to x = 1 the free and the forced motion are large and nearly cancel. Their sum would be mainly
+/// rounding error.
 const NEAR_EXCITATION: f64 = 0.125;
 /// Bound on the rounding error of a mode at a grid node, in rounding units of the mode's amplitude. The same bound
 /// applies to sin τ and cos τ. The matrix of one step from node to node has three roundings, and its fourth power has
@@ -20,7 +21,7 @@ const ROUNDINGS: f64 = 64.0;
 /// State of one mode at an instant, and the force that then acts on the mode: y″ + 2ζx y′ + x²y = constant + cosine·cos
 /// τ + sine·sin τ.
 pub(super) struct Track<S> {
-    /// Natural frequency of the mode over the excitation frequency, x = √λ/r.
+    /// Natural frequency of the mode divided by the excitation frequency, x = √λ/r.
     pub x: S,
     /// Coefficient 2ζx of y′.
     pub loss: S,
@@ -76,8 +77,8 @@ impl<S: Float> Track<S> {
             };
             return (track, common);
         }
-        // Without forcing, the state is a combination of p and p′. The free motion d = p′ + 2ζx·p contributes to both
-        // coefficients.
+        // Without forcing, the state is a combination of the free displacement p and its derivative p′. The free motion
+        // d = p′ + 2ζx·p contributes to the coefficients of p and of p′.
         let constant = wave.rise / (x * x);
         let of_slope = -(wave.forced_slope + constant);
         let of_free = wave.free - wave.forced - constant * loss;
@@ -115,7 +116,8 @@ pub(super) fn keeps_forcing<S: Float, D: Decay<S>>(wave: &Wave<S, D>, all: bool)
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Bounds<S> {
     /// Second derivative of the sum at the instant. The field `third` has the third derivative. Only a search of
-    /// sum/sin τ needs both. They do not include mass-controlled modes, because such a sum does not contain any.
+    /// sum/sin τ needs the two derivatives. They leave out mass-controlled modes, because the sum of such a search
+    /// contains no mass-controlled modes.
     pub second: S,
     pub third: S,
     pub fourth: S,
@@ -132,8 +134,9 @@ pub(super) struct Bounds<S> {
 impl<S: Float> Bounds<S> {
     /// Computes bounds on a modal sum that hold from the instant `at` for the duration `time`.
     ///
-    /// Let y be the displacement of a mode, and x its natural frequency over that of the excitation. The bounds follow from the energy (x y⁽ⁿ⁾)² + (y⁽ⁿ⁺¹⁾)² of the nth derivative of a mode. Damping decreases this
-    /// energy, and only the nth derivative of the force on the mode can increase it.
+    /// Let y be the displacement of a mode, and x the natural frequency of the mode divided by the excitation
+    /// frequency. The bounds follow from the energy (x y⁽ⁿ⁾)² + (y⁽ⁿ⁺¹⁾)² of the nth derivative of y. Damping decreases
+    /// this energy, and only the nth derivative of the force on the mode can increase it.
     pub fn of<D: Decay<S>>(sum: &Sum<'_, S, D>, at: &Instant<S>, time: S) -> Self {
         let (zero, one, two) = (S::constant(0.0), S::constant(1.0), S::constant(2.0));
         let (mut cosine, mut sine) = (sum.cosine, sum.sine);

@@ -13,8 +13,8 @@ use super::{EQUAL, Search, Weight};
 use crate::number::scalar::Float;
 use crate::oscillator::decay::{Decay, Instant};
 
-/// Allowed error of the cubic in a cell, as a fraction of the largest value. The code chooses the width of the cells
-/// from this error. A smaller error needs more nodes. A larger error leaves more cells open.
+/// Allowed error of the cubic in a cell, as a fraction of the largest value of the sum. The code chooses the width of
+/// the cells from this error. A smaller error needs more nodes. A larger error leaves more cells open.
 const SLACK: f64 = 2e-3;
 /// The code estimates the largest value, to choose the cell width of the first grid. The estimate is at least this
 /// fraction of the sum of the modal amplitudes, even if the terms of the modes nearly cancel.
@@ -29,8 +29,8 @@ const FINER: f64 = 10.0;
 const NONE: Open = [0, 0];
 
 impl<S: Float, D: Decay<S>> Search<'_, S, D> {
-    /// Returns true if the search may still evaluate one more grid and its local maxima. If not, marks the search as
-    /// incomplete.
+    /// Returns true if the search may still evaluate one more grid and its local maxima. If the search may not do so,
+    /// marks it as incomplete.
     fn has_room(&mut self) -> bool {
         self.peak.exceeded |= self.most - self.peak.evaluations < COST + SUMMITS * EVALUATIONS;
         !self.peak.exceeded
@@ -42,7 +42,8 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         let mut from = S::constant(0.0);
         while from < end && self.has_room() {
             let bounds = Bounds::of(&self.sum, &Instant::from_start(from), end - from);
-            // The width h follows from the allowed error of the cubic, which is h⁴/384 times the fourth derivative.
+            // A cubic on a cell of width h has an error of at most h⁴/384 times the fourth derivative. The allowed
+            // error of the cubic therefore gives the width.
             let fourth = bounds.fourth + self.level();
             let width = (S::constant(384.0 * SLACK) * self.size(&bounds) / fourth)
                 .sqrt()
@@ -118,8 +119,8 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         } else {
             self.open(&grid, [u32::MAX; 2])
         };
-        // Some cells next to a local maximum may stay open. On this grid they would lead to the same maximum again, so
-        // that a finer grid searches them.
+        // Some cells next to a local maximum may stay open. From these cells, Newton's method on this grid would find
+        // the same maximum again. A finer grid therefore searches them.
         let mut left = [u32::MAX; 2];
         for _ in 0..SUMMITS {
             let [plus, minus] = [open[0] & left[0], open[1] & left[1]];
@@ -169,7 +170,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
     }
 
     /// Returns the level above which a value keeps its cell open. For a motion the level is slightly below the largest
-    /// value found, so that the search also finds equal maxima.
+    /// value found, so that the search also finds other maxima of the same height.
     fn bar(&self, negative: bool) -> S {
         match self.problem.weight {
             // No value has been found yet. A sum that consists of rounding errors only must still return its largest
@@ -203,9 +204,9 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         }
     }
 
-    /// Returns the cells of `among` in which the sum may exceed the level. In such a cell a Bernstein coefficient of
-    /// the cubic exceeds the level minus the error of the cubic. The coefficients are the values at both nodes, and
-    /// value ± slope·h/3.
+    /// Returns the cells of `among` in which the sum may exceed the level. In these cells a Bernstein coefficient of
+    /// the cubic exceeds the level minus the error of the cubic. The coefficients are the values at the two nodes of
+    /// the cell, and value ± slope·h/3.
     pub(super) fn open_of(&self, grid: &Grid<S>, negative: bool, among: u32) -> u32 {
         let zero = S::constant(0.0);
         let Stretch {
@@ -263,7 +264,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
 
     /// Returns true if ±sum/sin τ is proven to stay below the level `bar` in the first cell. At τ = 0 the sum and its
     /// slope vanish. The function first bounds sum/τ², which is a parabola apart from a term with the fifth derivative.
-    /// If this bound is too large, the function bounds (sum − bar·sin τ)/τ by a cubic.
+    /// If this bound exceeds the level, the function bounds (sum − bar·sin τ)/τ by a cubic.
     fn starts_below(&self, grid: &Grid<S>, negative: bool, bar: S) -> bool {
         let (zero, half) = (S::constant(0.0), S::constant(0.5));
         let third = S::constant(1.0 / 3.0);
@@ -288,7 +289,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         if (second * half).max(at_node).max(between) <= bar * node.sine / square {
             return true;
         }
-        // The fourth derivative of E/τ is at most a fifth of the fifth derivative of E.
+        // The fourth derivative of E/τ is at most a fifth of the fifth derivative of E, where E is sum − bar·sin τ.
         let (value, slope) = self.excess_at(&node, negative, bar);
         let slack = (bounds.fifth + bar) * (square * square * S::constant(1.0 / (5.0 * 384.0)))
             + error / width;

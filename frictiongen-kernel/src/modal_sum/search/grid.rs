@@ -1,9 +1,9 @@
 //! Grid of nodes over an interval of the half period, with upper bounds on the modal sum between the nodes.
 //!
 //! A constant matrix advances a mode from node to node, four nodes at a time. The loop therefore evaluates no sine and
-//! no exponential. Between two nodes a cubic approximates the sum, with the same values and slopes at both nodes. Its
-//! error is at most h⁴/384 times the fourth derivative. The Bernstein coefficients of the cubic follow directly from
-//! the values and slopes (section 9 of `docs/derivation.md`).
+//! no exponential. Between two nodes a cubic approximates the sum, with the same values and slopes at both nodes. The
+//! error of the cubic is at most h⁴/384 times the fourth derivative, where h is the distance between the nodes. The
+//! Bernstein coefficients of the cubic follow directly from the values and slopes (section 9 of `docs/derivation.md`).
 
 use super::bounds::{Bounds, Track, keeps_forcing};
 use super::row::{LANES, Matrix, Row, add, advanced, first_lanes, pairwise};
@@ -88,8 +88,8 @@ pub(super) struct Grid<S> {
     cosine: [Row<S>; ROWS],
 }
 
-/// Displacement and velocity that the force on a mode adds in one step from node to node. Each is a sum of three
-/// coefficients times sin τ, cos τ and 1, with τ at the start of the step.
+/// Displacement and velocity that the force on a mode adds in one step from node to node. Each of the two is a sum of
+/// sin τ, cos τ and 1 with the three coefficients of its field, with τ at the start of the step.
 struct ForcedStep<S> {
     value: [S; 3],
     slope: [S; 3],
@@ -99,7 +99,8 @@ impl<S: Float> ForcedStep<S> {
     fn of<D: Decay<S>>(wave: &Wave<S, D>, loss: S, basis: &Basis<S>) -> Self {
         let x = wave.x;
         let detuning = (x - S::constant(1.0)) * (x + S::constant(1.0));
-        // cos h − d and sin h − p for the step h, and their derivatives.
+        // The differences cos h − d and sin h − p after the step h, and their derivatives. p is the free displacement,
+        // and d = p′ + 2ζx·p the free motion that starts at rest from displacement 1.
         let of_cosine = basis.forced_slope - loss * basis.free;
         let of_sine = basis.forced;
         let of_cosine_slope = detuning * basis.free - basis.forced;
@@ -151,8 +152,8 @@ impl<S: Float> Grid<S> {
         let width = stretch.width;
         let step = Instant::new(width * S::inverse_pi());
         self.turn(at, &step);
-        // Time of a step by one row, which has four nodes. Only modes that are not split into free and forced motion
-        // need it.
+        // Phase after a step by one row, which has four nodes. Only modes that are not split into free and forced
+        // motion need this phase.
         let mut four = None;
         let (mut constant, mut cosine, mut sine) = (zero, sum.cosine, sum.sine);
         for wave in sum.waves {

@@ -1,4 +1,4 @@
-//! Search for the largest value of a modal sum over a half period, with a proof that no larger value exists.
+//! Search for the largest value of a modal sum in a half period, with a proof that no larger value exists.
 //!
 //! The search covers the half period by grids. The interval between two nodes of a grid is a *cell*. A cubic and a
 //! bound on the fourth derivative give an upper bound on the sum in a cell. A cell is *open* while its bound exceeds
@@ -39,7 +39,7 @@ const HALF_TURNS: usize = 16;
 /// Returns the upper bound on the number of evaluations in one search. `fastest` is the largest √λ(1 + 2ζ)/r of the
 /// modes.
 ///
-/// A search stops before a grid whose evaluation, with its local maxima, could exceed the bound.
+/// A search stops before a grid if the evaluations for this grid and its local maxima could exceed the bound.
 #[must_use]
 pub fn most_evaluations<S: Float>(weight: Weight, fastest: S) -> u32 {
     let few = match weight {
@@ -56,7 +56,8 @@ const EQUAL: f64 = 64.0;
 /// Safety factor on the rounding error of a sum that is divided by sin τ, for τ > π/2.
 const NOISE: f64 = 16.0;
 /// Two positions belong to the same maximum if their distance in τ is below this value. Around a maximum the sum falls
-/// with the square of the distance. At this distance it has fallen by far more than the tolerance for equal maxima.
+/// with the square of the distance. At this distance from the maximum, the sum has fallen by far more than the
+/// tolerance for equal maxima.
 const SAME_MAXIMUM: f64 = 0.05;
 
 /// Divisor of the modal sum in a search: 1 or sin τ.
@@ -75,7 +76,7 @@ pub struct Problem<S> {
     pub weight: Weight,
     /// True if the search also covers the negative of the sum, for the largest absolute value.
     pub both_signs: bool,
-    /// End of the searched interval 0 < τ ≤ `end`. It is π/2 for a sum that is odd about π/2, otherwise π.
+    /// End of the searched interval 0 < τ ≤ `end`. The end is π/2 for a sum that is odd about π/2, otherwise π.
     pub end: S,
     /// Smallest value of interest. The search ignores smaller values.
     pub floor: S,
@@ -87,7 +88,7 @@ pub struct Problem<S> {
     pub tolerance: S,
 }
 
-/// Position of a maximum of a modal sum, or a position near which the search looks for one.
+/// Position of a maximum of a modal sum, or a position near which the search looks for a maximum.
 #[derive(Clone, Copy, Debug)]
 pub struct Maximiser<S> {
     /// Phase τ of the position, in rad.
@@ -99,9 +100,10 @@ pub struct Maximiser<S> {
 /// Result of a search: the largest value, its positions, and the work.
 #[derive(Clone, Copy, Debug)]
 pub struct Peak<S> {
-    /// Largest value that the search found. If no value exceeds the floor of the problem, it is the floor.
+    /// Largest value that the search found. If no value exceeds the floor of the problem, the result is the floor.
     pub value: S,
-    /// Positions of up to four equal largest values. All are `None` if no value exceeds the floor of the problem.
+    /// Positions of up to four equal largest values. All four entries are `None` if no value exceeds the floor of the
+    /// problem.
     pub places: [Option<Maximiser<S>>; 4],
     /// Number of evaluations of the modal sum. A grid counts as two.
     pub evaluations: u32,
@@ -116,8 +118,8 @@ pub struct Peak<S> {
 pub enum Effort {
     /// The search is complete: no larger value exists. The number counts the evaluations of the modal sum.
     Bounded(u32),
-    /// The search stopped at its [bound](most_evaluations). Its result is the largest value found, but a larger one may
-    /// exist.
+    /// The search stopped at its [bound](most_evaluations). Its result is the largest value found, but a larger value
+    /// may exist.
     Exceeded,
 }
 
@@ -197,8 +199,9 @@ impl<'a, S: Float, D: Decay<S>> Search<'a, S, D> {
         }
     }
 
-    /// Returns the level that ±sum/sin τ must exceed to be larger than the largest value found. The function to be
-    /// maximised is ±(`start` + sum/sin τ). For the negative sign, the level is therefore higher by 2·`start`.
+    /// Returns the level for ±sum/sin τ. At a position where ±sum/sin τ exceeds this level, the function to be
+    /// maximised exceeds the largest value found. The function to be maximised is ±(`start` + sum/sin τ). For the
+    /// negative sign, the level is therefore higher by 2·`start`.
     fn signed(&self, level: S, negative: bool) -> S {
         if negative {
             level + self.problem.start + self.problem.start
@@ -207,9 +210,9 @@ impl<'a, S: Float, D: Decay<S>> Search<'a, S, D> {
         }
     }
 
-    /// Returns the largest rounding error of a modal sum that is divided by sin τ. Towards τ = π the sum and sin τ both
-    /// vanish, but the rounding error does not. For τ ≤ π/2 the result is 0, because towards τ = 0 the rounding error
-    /// vanishes as well.
+    /// Returns an upper bound on the rounding error of the sum in a quotient sum/sin τ. Towards τ = π the sum and sin τ
+    /// both vanish, but the rounding error does not. For τ ≤ π/2 the result is 0, because towards τ = 0 the rounding
+    /// error vanishes as well.
     fn noise(&self, cosine: S) -> S {
         let zero = S::constant(0.0);
         if self.problem.weight == Weight::Sine && cosine < zero {

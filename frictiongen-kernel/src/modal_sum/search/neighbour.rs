@@ -33,9 +33,9 @@ impl<S: Float> Neighbour<S> {
         Self { known: [None; 3] }
     }
 
-    /// Extrapolates the position of the largest value to a new frequency. It uses a parabola through three known
-    /// positions, or a line through two. A single position is returned unchanged. Without known positions the result is
-    /// `None`.
+    /// Extrapolates the position of the largest value to a new frequency. The function uses a parabola through three
+    /// known positions, or a line through two. A single position is returned unchanged. Without known positions the
+    /// result is `None`.
     pub(super) fn guess(&self, speed: S) -> Option<Maximiser<S>> {
         let [last, second, third] = self.known;
         let last = last?;

@@ -20,9 +20,10 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         }
     }
 
-    /// Moves the position that a Newton step has reached into the half period. The flag is true if the position was in
-    /// the next or the previous half period, where a motion continues with the opposite sign. The velocity constraint
-    /// is defined only within the half period. Its position is therefore clamped to the half period.
+    /// Moves the position that a Newton step has reached into the half period. The flag of the result is true if the
+    /// position was in the next or the previous half period, where a motion continues with the opposite sign. The
+    /// velocity constraint is defined only within the half period. A position for the velocity constraint is therefore
+    /// clamped to the half period.
     pub(super) fn moved(&self, tau: S) -> (S, bool) {
         let (zero, end) = (S::constant(0.0), self.problem.end);
         match self.problem.weight {

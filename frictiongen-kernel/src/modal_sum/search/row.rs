@@ -1,7 +1,7 @@
 //! Rows of four neighbouring nodes of a grid, which the code advances together.
 //!
-//! The code writes out all operations on the four numbers. A compiler that optimises for size would keep a loop, and
-//! half of the instructions would count its passes.
+//! The code writes out all operations on the four numbers of a row. A compiler that optimises for size would keep a
+//! loop, and half of the instructions would count its passes.
 
 use crate::number::scalar::Float;
 

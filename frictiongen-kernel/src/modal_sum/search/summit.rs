@@ -9,8 +9,8 @@ use crate::oscillator::decay::{Decay, Instant};
 
 /// Largest number of evaluations of the modal sum in one Newton iteration to a local maximum.
 pub(super) const EVALUATIONS: u32 = 5;
-/// The neglected terms must be small within this number of lengths of the last Newton step. Otherwise another Newton
-/// step follows.
+/// The terms that a Newton step neglects must be small up to a distance of this number of Newton steps. Otherwise
+/// another Newton step follows.
 pub(super) const REACH: f64 = 7.0;
 
 /// Position from which one Newton step leads to a local maximum, with the modal sum and its derivatives at this
@@ -24,7 +24,8 @@ pub(super) struct Summit<S> {
     pub level: S,
 }
 
-/// Value and first three derivatives of a function at a position. They define its Taylor polynomial of third degree.
+/// Value and first three derivatives of a function at a position. These numbers define the Taylor polynomial of third
+/// degree.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Cubic<S> {
     pub value: S,
@@ -35,7 +36,8 @@ pub(super) struct Cubic<S> {
 
 #[cfg(test)]
 impl<S: Float> Summit<S> {
-    /// Returns the upper bound on a local maximum. The flag is true for a maximum of the negative of the sum.
+    /// Returns the upper bound on a local maximum. The flag of the result is true for a maximum of the negative of the
+    /// sum.
     pub fn height(&self) -> (S, bool) {
         (self.level, self.negative)
     }
@@ -57,14 +59,14 @@ impl<S: Float> Cubic<S> {
         (self.slope + bend * step) * step
     }
 
-    /// Returns true if the third derivative changes the curvature by less than half within `reach` times a step. The
-    /// function then stays concave there.
+    /// Returns true if the third derivative changes the curvature by less than half up to `reach` times a step. The
+    /// function then stays concave up to this distance.
     pub fn is_concave(&self, step: S, reach: S) -> bool {
         (self.third * step).abs() * (reach + reach) < -self.curvature
     }
 }
 
-/// Returns the largest contribution of the fourth derivative within `reach` times a step.
+/// Returns the largest contribution of the fourth derivative to the value of a function, up to `reach` times a step.
 pub(super) fn beyond_cubic<S: Float>(fourth: S, step: S, reach: S) -> S {
     let far = step * reach;
     let square = far * far;
@@ -114,7 +116,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         });
         let bounds = grid.bounds;
         if starts && open[0] & 1 != 0 && zero < bounds.second && bounds.third < zero {
-            // For small τ, sum/sin τ is close to second·τ/2 + third·τ²/6.
+            // For small τ, sum/sin τ is close to second·τ/2 + third·τ²/6, with the derivatives of the sum at τ = 0.
             let tau = -(bounds.second * S::constant(1.5)) / bounds.third;
             let in_first = tau < grid.stretch.width * S::constant(0.5);
             if in_first && best.is_none_or(|(known, ..)| known < zero) {
@@ -208,7 +210,8 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
                 || (fourth * step * step * step).abs() <= four * quotient.curvature.abs()
                 || evaluation == EVALUATIONS;
             let (at_top, flipped) = self.moved(tau + step);
-            // In the next half period the friction force has the opposite sign, so that the curvature differs.
+            // In the next half period the friction force has the opposite sign, so that the curvature of the motion
+            // differs.
             let crossed = flipped && four < at_top.min(self.problem.end - at_top);
             if quotient.is_concave(step, S::constant(REACH))
                 && left <= spare * weight
@@ -255,7 +258,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         let [slope, curvature, third] = match self.problem.weight {
             Weight::One => [slope, curvature, third],
             Weight::Sine => {
-                // F = Q sin τ is the sum. Its derivatives are solved for the derivatives of the quotient Q.
+                // The sum F is Q sin τ. The code computes the derivatives of the quotient Q from the derivatives of F.
                 let over = |value: S| value / sine;
                 let q0 = over(value);
                 let q1 = over(slope - q0 * cosine);

@@ -14,8 +14,8 @@ mod whole;
 type TestSearch<'a> = Search<'a, f64, Damped<f64>>;
 type TestSum<'a> = Sum<'a, f64, Damped<f64>>;
 
-/// Returns a search problem without tolerance, over the half period. For a sum that is odd about π/2 it covers half of
-/// the half period.
+/// Returns a search problem for the half period, with tolerance 0. For a sum that is odd about π/2, the search covers
+/// only the first half of the half period.
 pub fn asked(weight: Weight, both_signs: bool, start: f64) -> Problem<f64> {
     let odd = weight == Weight::Sine && both_signs;
     Problem {

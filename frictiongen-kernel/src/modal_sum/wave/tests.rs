@@ -76,7 +76,7 @@ fn sums_have_their_derivatives() {
         for _ in 0..5 {
             let tau = PI * random.unit();
             let jet = sum.jet(&Instant::new(tau / PI));
-            // The phase xτ of the fastest mode is known to about ten digits more than this tolerance needs.
+            // The phase xτ of the fastest mode has about ten digits more than this tolerance needs.
             let scale = largest + sum.cosine.abs() + sum.sine.abs();
             for (order, got) in [jet.value, jet.slope, jet.curvature, jet.third]
                 .into_iter()

@@ -59,7 +59,8 @@ pub trait Law<S: Float>: Copy + Debug {
         contact.sign::<S>() * self.level()
     }
 
-    /// Returns the contact force on a line of the friction law, as [level, slope] over the relative velocity.
+    /// Returns the coefficients [level, slope] of the contact force on a line of the friction law. The force is level +
+    /// slope·velocity, with the relative velocity of the contact.
     #[inline]
     fn kinetic_on(self, line: &KineticLine<S>, contact: Contact) -> [S; 2] {
         let sign: S = contact.sign();
@@ -104,7 +105,7 @@ pub trait ContactChain<S: Float>: Copy + Debug {
     /// `t`.
     fn contact_state(setting: &Setting<'_, S, Self>, parts: &[Part<S>], t: S) -> ContactState<S>;
 
-    /// Derives the state of the contact from the state of the modes, if the contact slid before.
+    /// Derives the state of the contact from the state of the modes, if the contact was sliding until then.
     #[inline]
     fn sliding_state(
         setting: &Setting<'_, S, Self>,
@@ -158,8 +159,8 @@ pub trait ContactChain<S: Float>: Copy + Debug {
     /// Returns the relative velocity z̄′ while the contact sticks. `at` is sine and cosine of the excitation's phase.
     fn stuck_velocity(setting: &Setting<'_, S, Self>, modes: &[Part<S>], at: (S, S)) -> S;
 
-    /// Returns the contact force over P while the contact sticks. `contact_state` is the state of the contact at the
-    /// start of the segment.
+    /// Returns the contact force, divided by P, while the contact sticks. `contact_state` is the state of the contact
+    /// at the start of the segment.
     fn stuck_force(
         setting: &Setting<'_, S, Self>,
         modes: &[Part<S>],

@@ -1,12 +1,12 @@
-//! Law of the contact. It decides when the contact sticks or slides, and under which force.
+//! Law of the contact. The law decides when the contact sticks or slides, and under which force.
 //!
 //! [`Law`] has the forces and decisions of a law. [`ContactChain`] applies them to the modes of a chain.
 //! CONTRIBUTING.md says how to add a law, under “Add a friction law”.
 //!
-//! | question | answered by |
+//! | question about the contact | answered by |
 //! |---|---|
 //! | which force keeps it stuck | [`Law::grip`], [`ContactChain::stuck_force`], [`ContactChain::steady_stuck_force`] |
-//! | what follows when the stuck contact breaks away | [`ContactChain::break_away`], [`Law::break_away`] |
+//! | what follows when it breaks away | [`ContactChain::break_away`], [`Law::break_away`] |
 //! | what follows at zero relative velocity | [`ContactChain::halt`], [`Law::leave_rest`] |
 //! | which force acts while it slides | [`Law::kinetic`], [`Law::kinetic_on`], [`Law::kinetic_at`] |
 //! | which displacement stays constant while it sticks, and its velocity then | [`ContactChain::stuck_place`], [`ContactChain::stuck_velocity`] |

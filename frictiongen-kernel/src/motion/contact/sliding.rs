@@ -16,13 +16,13 @@ use crate::number::scalar::Float;
 const ROUNDINGS: f64 = 8.0;
 
 impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {
-    /// Returns the law of the contact, with forces over P.
+    /// Returns the law of the contact, with forces divided by P.
     #[inline]
     pub(crate) fn law(&self) -> K::Law {
         self.law_at(self.beta)
     }
 
-    /// Returns the law of the contact at another friction ratio, with forces over P.
+    /// Returns the law of the contact at another friction ratio, with forces divided by P.
     #[inline]
     pub(crate) fn law_at(&self, beta: S) -> K::Law {
         self.dynamics.chain.law(beta)

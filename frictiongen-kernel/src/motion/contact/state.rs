@@ -73,8 +73,9 @@ pub struct ContactState<S> {
     pub t: S,
     /// State of the contact: stuck, or its direction of sliding.
     pub contact: Contact,
-    /// Number that the contact stores from its last event. If the contact starts to slide from zero velocity, it is the
-    /// relative acceleration in the direction of sliding. If an elastic contact sticks, it is the contact force over P.
+    /// Number that the contact stores from its last event. If the contact starts to slide from zero velocity, the
+    /// number is the relative acceleration in the direction of sliding. If an elastic contact sticks, the number is the
+    /// contact force divided by P.
     pub memory: Option<S>,
     /// True if the contact has just failed to start sliding. A contact force that exceeds μβ only by rounding must then
     /// not start sliding again.
@@ -103,7 +104,7 @@ pub struct SegmentEnd<S> {
     /// State of the contact after the event.
     pub contact_state: ContactState<S>,
     /// Slope, at the event, of the function whose zero is the event. While the contact slides, this is z̄″ before the
-    /// event. While it sticks, this is the slope of its force.
+    /// event. While the contact sticks, this is the slope of its force.
     pub slope: S,
     /// Jump of the contact force at the event: the force before the event, minus the force after it.
     pub jump: S,
@@ -111,7 +112,8 @@ pub struct SegmentEnd<S> {
     pub steps: u32,
 }
 
-/// A segment of the motion whose end the search has found. The oscillators are still in their state at its start.
+/// A segment of the motion whose end the search has found. The oscillators are still in their state at the start of the
+/// segment.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Sought<S> {
     /// State of the contact at the segment's start.

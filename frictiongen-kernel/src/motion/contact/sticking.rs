@@ -86,8 +86,8 @@ impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {
         (self.law().grip() - steady).max(S::constant(0.0)) * receptance
     }
 
-    /// Returns the complex amplitude of the force in a contact that never slides, over P.  [`Setting::new`] prepares
-    /// `parts`.  Returns `None` on an undamped resonance of the stuck chain.
+    /// Returns the complex amplitude of the force in a contact that never slides, divided by P. [`Setting::new`]
+    /// prepares `parts`. Returns `None` on an undamped resonance of the stuck chain.
     pub fn stuck_force(&self, parts: &[Part<S>]) -> Option<Complex<S>> {
         let (_, start) = K::steady_stuck_force(self, S::constant(0.0));
         let stuck_modes = parts.iter().skip(self.dynamics.modes.len());
@@ -128,8 +128,8 @@ impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {
         Some(sum)
     }
 
-    /// Returns the displacement of the stuck contact including the displacement of the base, and the velocity with
-    /// respect to the time t√(k₁/m₁).
+    /// Returns the displacement of the stuck contact including the displacement of the base, and the derivative of this
+    /// displacement with respect to the time t√(k₁/m₁).
     pub(crate) fn lifted(&self, offset: S, (sine, cosine): (S, S)) -> (S, S) {
         let z = Complex::new(self.base, S::constant(0.0));
         (

@@ -7,8 +7,8 @@ use crate::number::scalar::Float;
 
 impl<S: Float, K: ContactChain<S>> Dynamics<'_, S, K> {
     /// Computes y and u of the stuck chain's modes from the state (y, u) of the chain's modes. `z` is the displacement
-    /// of the contact, and `rate` its rate in the time t√(k₁/m₁). The function first subtracts the static displacements
-    /// that z causes from y, and the velocities that `rate` causes from u.
+    /// of the contact, and `rate` the derivative of z with respect to the time t√(k₁/m₁). The function first subtracts
+    /// the static displacements that z causes from y, and the velocities that `rate` causes from u.
     pub(crate) fn project<'s>(
         &self,
         receptance: S,
@@ -33,8 +33,8 @@ impl<S: Float, K: ContactChain<S>> Dynamics<'_, S, K> {
     }
 
     /// Computes the excitation of a mode of the stuck chain, multiplied by r. The first result is the complex amplitude
-    /// of the term that the excitation adds to the mode's velocity, the second that of the force on the mode. `base` is
-    /// the coefficient s: 1 if the contact rubs on the moving base, otherwise 0.
+    /// of the term that the excitation adds to the mode's velocity. The second result is the complex amplitude of the
+    /// force on the mode. `base` is the coefficient s: 1 if the contact rubs on the moving base, otherwise 0.
     pub(crate) fn stuck_drive(
         &self,
         (mode, participations): (&HeldMode<S>, &[[S; 2]]),
@@ -74,7 +74,8 @@ impl<S: Float, K: ContactChain<S>> Dynamics<'_, S, K> {
         }
     }
 
-    /// Computes the state of one mode that the contact drives. [`release`](Self::release) calls it for every such mode.
+    /// Computes the state of one mode that the contact drives. [`release`](Self::release) calls it for every mode that
+    /// the contact drives.
     pub(crate) fn released(
         &self,
         receptance: S,
@@ -100,8 +101,8 @@ impl<S: Float, K: ContactChain<S>> Dynamics<'_, S, K> {
 }
 
 impl<S: Float, K: ContactChain<S>> Dynamics<'_, S, K> {
-    /// Returns the largest relative change of a state if the contact sticks and is released at once. The tested states
-    /// move two modes, but not the contact.
+    /// Returns the largest relative change of a state if the contact sticks and is immediately released. The tested
+    /// states move two modes, but not the contact.
     ///
     /// If the modes of the chain with its contact stuck are well separated, the change is of the order of rounding. If
     /// many modes are at or beyond critical damping, their frequencies are close together. The contributions of the

@@ -31,7 +31,7 @@ pub(crate) const ORDER: usize = 9;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LocalSeries<S> {
     terms: [S; ORDER],
-    /// Length in τ over which the neglected terms of the series are below rounding.
+    /// Length in τ within which the neglected terms of the series are below rounding.
     pub reach: S,
 }
 
@@ -107,10 +107,10 @@ pub(crate) trait Walked<S> {
     /// Returns value and derivatives of the function at τ, with a bound on its third derivative from τ on.
     fn local(&self, tau: S) -> Local<S>;
     /// Returns the power series of the function from the start. The caller passes value and slope at the start, because
-    /// it knows them more accurately.
+    /// the caller knows them more accurately.
     fn series(&self, value: S, slope: S) -> LocalSeries<S>;
     /// Returns the rounding error of a value of the function.
     fn noise(&self) -> S;
-    /// Returns the length in τ over which the function is searched.
+    /// Returns the length in τ within which the function is searched.
     fn reach(&self) -> S;
 }

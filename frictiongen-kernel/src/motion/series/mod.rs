@@ -1,5 +1,5 @@
-//! Functions of the contact between two events, such as its velocity or its force. Each is a sum over oscillators or a
-//! power series.
+//! Functions of the contact between two events, such as its velocity or its force. Each function is a sum over
+//! oscillators or a power series.
 
 mod local;
 mod power;

@@ -16,12 +16,12 @@ pub(crate) struct OscillatorSum<'a, S> {
     pub sine: S,
     /// Sine and cosine of the excitation's phase at the start of the searched interval.
     pub phase: (S, S),
-    /// Length in τ over which the function is searched.
+    /// Length in τ within which the function is searched.
     pub reach: S,
     /// Rounding error of a value of the function.
     pub noise: S,
-    /// Rate of the fastest oscillator, in rad per rad of the excitation. Each derivative increases the function by at
-    /// most this factor.
+    /// Rate of the fastest oscillator, in rad per rad of the excitation. A differentiation multiplies the size of the
+    /// function by at most this rate.
     pub(crate) rate: S,
     /// Bound on the third derivative of the fundamental component and of the oscillators near a resonance.
     bound: S,

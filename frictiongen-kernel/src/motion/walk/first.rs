@@ -1,13 +1,13 @@
-//! Searches for the first zero of a function in steps that skip no zero. Such a search is called a *walk*. A bound on
-//! the third derivative limits each step to a length over which the function is certainly positive. Towards the zero
-//! the steps become shorter, so that the walk converges to the zero.
+//! Searches for the first zero of a function in steps that skip no zero. A search of this kind is called a *walk*. A
+//! bound on the third derivative limits each step to a length over which the function is certainly positive. Towards
+//! the zero the steps become shorter, so that the walk converges to the zero.
 
 use super::step;
 use crate::motion::series::{Local, LocalSeries, ROUNDINGS, Walked};
 use crate::number::scalar::Float;
 
 /// The contact has just failed to start sliding. In this case a force counts as above the break-away level only if it
-/// exceeds the level by this multiple of the rounding error.
+/// exceeds the level by this multiple of its rounding error.
 const WEDGED: f64 = 16.0;
 /// If the function touches zero without a change of sign, the search continues at least this number of rounding units
 /// later.
@@ -140,7 +140,8 @@ fn within<S: Float>(sum: &impl Walked<S>, tau: S) -> S {
     tau.max(S::constant(0.0)).min(sum.reach())
 }
 
-/// Returns the function level − f. If `negative` is true, returns level + f.
+/// Returns the function level − f, where `local` has the value and the derivatives of f. If `negative` is true, returns
+/// level + f.
 fn gap<S: Float>(local: &Local<S>, level: S, negative: bool) -> Local<S> {
     if negative {
         Local {
@@ -162,7 +163,8 @@ enum RootVerdict<S> {
     Above,
     /// The function has a zero at this distance from the present instant.
     Zero(S),
-    /// The function touches zero without crossing it. At this distance it has its present value again.
+    /// The function touches zero without crossing it. At this distance the function has its present value a second
+    /// time.
     Past(S),
 }
 
@@ -186,7 +188,8 @@ fn verdict<S: Float>(local: &Local<S>, noise: S, tau: S, exact: bool) -> RootVer
     }
     let mut shift = -(value / slope);
     if !((shift * curve).abs() <= slope.abs()) {
-        // The slope is almost zero. The zero of the tangent may be far too late, so that the curvature gives the zero.
+        // The slope is almost zero. The zero of the tangent may be far too late. The code therefore takes the zero of
+        // the parabola with the same value, slope and curvature.
         let two = S::constant(2.0);
         let root = (slope * slope - two * value * curve).sqrt();
         shift = two * value / (root - slope);

@@ -1,5 +1,5 @@
-//! Finds the largest absolute value of a sum over oscillators between two events. The search for events also finds the
-//! peaks.
+//! Finds the largest absolute value of a sum over oscillators between two events. The code finds the peaks by the same
+//! walks that find events.
 
 use super::first::{Walk, WalkStart, first_reach};
 use crate::motion::series::OscillatorSum;
@@ -9,8 +9,8 @@ use crate::number::scalar::Float;
 const EQUAL: f64 = 64.0;
 /// Largest number of peaks in a segment that the search refines.
 const MAX_CLIMBS: u32 = 256;
-/// Decrease of the value after a peak at which the search for the next peak starts. The unit is the difference below
-/// which two values count as equal.
+/// The search for the next peak starts when the value has fallen by this amount after a peak. The unit is the
+/// difference below which two values count as equal.
 const BELOW: f64 = 4.0;
 /// Largest number of Newton steps to a peak. Shortened steps count as well.
 const CLIMB_STEPS: usize = 60;
@@ -39,7 +39,7 @@ impl<S: Float> OscillatorSum<'_, S> {
         let start = self.local(zero);
         let low = start.value.abs() <= self.noise || !(start.curve * start.value < zero);
         if start.slope.abs() <= self.noise * self.rate && low {
-            // The function starts at zero or at a minimum, from where the search for a peak cannot start. Values at two
+            // The function starts at zero or at a minimum. The search for a peak cannot start there. Values at two
             // inner instants raise the level. The fractions are constants of S, so that `f32` scenes link no
             // double-precision code.
             for share in [S::constant(0.3), S::constant(0.5)] {
@@ -55,7 +55,7 @@ impl<S: Float> OscillatorSum<'_, S> {
             };
             let (top, value, curve) = self.climbed(tau);
             level = note(top, value);
-            // The search continues after the peak, where the function is below the level again.
+            // The search continues after the peak, at an instant at which the function has fallen below the level.
             let fall = S::constant(BELOW * EQUAL * S::EPSILON) * value.abs();
             let width = (two * fall / curve.abs()).sqrt();
             let mut step = if !width.is_finite() {
@@ -63,7 +63,8 @@ impl<S: Float> OscillatorSum<'_, S> {
             } else if zero < width {
                 width
             } else {
-                // The function is zero within rounding everywhere, so that its curvature gives no width of the peak.
+                // The function is zero everywhere to within rounding. Its curvature therefore gives no width of the
+                // peak.
                 self.reach * S::constant(1.0 / f64::from(MAX_CLIMBS))
             };
             from = tau.max(top) + step;
@@ -110,8 +111,8 @@ impl<S: Float> OscillatorSum<'_, S> {
             }
         }
         if S::CARRIES {
-            // The instant of the extreme needs the derivative of the slope. The value does not need it, because the
-            // slope is zero there.
+            // One Newton step gives the instant of the extreme its derivative. The value needs no such step, because
+            // the slope is zero at the extreme.
             at = at.primal();
             local = self.local(at);
             if zero < at && at < self.reach {

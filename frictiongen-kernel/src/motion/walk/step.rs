@@ -29,14 +29,15 @@ pub(crate) fn safe<S: Float>(f: S, slope: S, curve: S, bound: S, most: S) -> S {
     if zero < discriminant {
         let root = discriminant.sqrt();
         if slope < zero && zero < curve {
-            // The minimum of p is at the smaller root of p′, written in the form that does not cancel.
+            // The minimum of p is at the smaller root of p′, written in the form in which no terms cancel.
             let dip = -(slope + slope) / (curve + root);
             if value(dip) <= zero {
                 return from_left(value, tangent);
             }
         }
         if curve < zero {
-            // This is the same root of p′. The other form would cancel and lose the root for a small bound.
+            // This is the same root of p′. In the other form the terms would cancel for a small bound, and the root
+            // would be lost.
             from = ((slope + slope) / (root - curve)).max(zero);
         } else if zero < curve + root {
             from = (curve + root) / bound;
@@ -100,8 +101,8 @@ fn least<S: Float>(f: S, slope: S, curve: S, bound: S) -> S {
     }
 }
 
-/// Finds the root of a convex, decreasing function by Newton's method, starting at 0. For such a function no step
-/// passes the root.
+/// Finds the root of a convex, decreasing function by Newton's method, starting at 0. For a convex, decreasing function
+/// no step passes the root.
 fn from_left<S: Float>(value: impl Fn(S) -> S, tangent: impl Fn(S) -> S) -> S {
     let zero = S::constant(0.0);
     let mut h = zero;

@@ -4,8 +4,8 @@ use core::fmt;
 
 use super::Dd;
 
-/// Largest number of decimal digits that `write` computes. It prints one digit less. Digits beyond the 32nd carry no
-/// information.
+/// Largest number of decimal digits that `write` computes. `write` prints one digit less. Digits beyond the 32nd carry
+/// no information.
 const MOST: usize = 39;
 
 /// Returns the decimal mantissa of a positive number, at least 1 and below 10, and the exponent of ten.

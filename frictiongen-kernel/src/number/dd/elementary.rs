@@ -13,8 +13,8 @@ fn dominated_sum(large: Dd, small: Dd) -> Dd {
     Dd::joined(hi, rest + (large.lo + small.lo))
 }
 
-/// Returns the series Σ cₖvᵏ, in which each term is far below the previous one. From index `exact` on, all terms are
-/// below 2^−55 of the first term, so that `f64` is accurate enough for these terms.
+/// Returns the series Σ cₖvᵏ, in which each term is far smaller than the previous one. From index `exact` on, all terms
+/// are smaller than 2^−55 times the first term, so that `f64` is accurate enough for these terms.
 #[inline]
 fn series<'a>(
     coefficients: impl DoubleEndedIterator<Item = &'a Dd> + ExactSizeIterator + Clone,
@@ -57,7 +57,7 @@ fn factorials_in_twos(factorials: &[Dd], terms: usize, exact: usize, v: Dd) -> D
 /// Returns the integer q for which q/2 is nearest to h, and the exact remainder h − q/2. Only the two lowest bits of q
 /// are meaningful.
 fn reduced(h: Dd) -> (u64, Dd) {
-    // Above 2^53, `hi` is an integer and `lo` still contains a fraction. Both are therefore reduced.
+    // Above 2^53, `hi` is an integer and `lo` still contains a fraction. The code therefore reduces both parts.
     let (q, high) = double::reduced_any(h.hi);
     let (p, low) = double::reduced_any(h.lo);
     let (sum, lost) = two_sum(high, low);
@@ -176,7 +176,8 @@ impl Scalar for Dd {
         if y.is_zero() {
             return if x.hi < 0.0 { Self::PI } else { Self::ZERO };
         }
-        // Below 1e-17 the angle equals the ratio y/x. The general method would scale y and lose its last digits.
+        // An angle smaller than 1e-17 equals the ratio y/x. The general method would scale y and lose the last digits
+        // of y.
         if x.hi > 0.0 && start.abs() < 1e-17 {
             return y / x;
         }

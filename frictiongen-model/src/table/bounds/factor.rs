@@ -1,4 +1,4 @@
-//! Bounds the error of an emitted factor over a cell of r, relative to the factor with the exact zero.
+//! Bounds the error of an emitted factor in a cell of r, relative to the factor with the exact zero.
 
 use super::super::request::is_single;
 use super::super::zeros::Zero;
@@ -7,7 +7,7 @@ use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::table::Factor;
 
-/// Factor on a sum of small relative errors. It covers the products of these errors.
+/// Factor on a sum of small relative errors. The factor covers the products of these errors.
 pub(super) const UP: f64 = 1.03;
 /// A sum of relative errors counts as small up to this value. [`UP`] covers the products of errors of this size.
 const SMALL: f64 = 0.02;
@@ -28,19 +28,21 @@ const PLACE: f64 = 1e-14;
 /// Bound on the relative error of a difference of squares or of positions. The bound is millions of rounding units,
 /// although the difference has an error of only a few.
 const DIFFERENCE: f64 = 1e-9;
-/// Bound on the ratio of a factor's relative change to d/D, if the zero moves by d. D is the distance of r from the
-/// zero. To first order the ratio is four, from ±ir − z and the conjugate terms. The excess covers the second order.
+/// If the zero z of a factor moves by d, the relative change of the factor is at most this number times d/D. D is the
+/// distance of ir from z. A factor is a product of at most four differences: ir − z, −ir − z, and the same two with the
+/// conjugate of z. To first order each difference contributes d/D, so that the number is four. The additional 0.1
+/// covers the second order.
 const MOVED: f64 = 4.1;
-/// A number slightly below ½. `at` is the number of the scalar type nearest to y, so that y is within half a spacing of
-/// `at`. Every other number of the type is at least half a spacing away from y. If r − at is not exact, |r − at|
-/// exceeds half of `at`.
+/// A number slightly smaller than ½, for a lower bound on distances of half a spacing and of half of `at`. `at` is the
+/// number of the scalar type nearest to y, so that y is within half a spacing of `at`. Every other number of the type
+/// is at least half a spacing away from y. If r − at is not exact, |r − at| exceeds half of `at`.
 const WITHIN_HALF: f64 = 0.45;
-/// Bound on |B|/(B² + 4x²y²) in units of 1/(xy), slightly enlarged. Because B² + 4x²y² ≥ 4xy|B|, this quotient is at
-/// most ¼/(xy), and 2x²|B|/(B² + 4x²y²) is at most ½x/y.
+/// Bound on |B|/(B² + 4x²y²) in units of 1/(xy), slightly enlarged, with B = (r − y)(r + y) + x² for a zero x + iy.
+/// Because B² + 4x²y² ≥ 4xy|B|, this quotient is at most ¼/(xy), and 2x²|B|/(B² + 4x²y²) is at most ½x/y.
 const QUARTER: f64 = 0.26;
-/// Bound on 2x²|B|/(B² + 4x²y²) in units of x/y, slightly enlarged. `QUARTER` explains the bound.
+/// Bound on 2x²|B|/(B² + 4x²y²) in units of x/y, slightly enlarged. `QUARTER` explains B and the bound.
 const HALF: f64 = 0.51;
-/// Bound on (|r² − y²| + x²)/|B| for B ≥ x²/2.
+/// Bound on (|r² − y²| + x²)/|B| for B ≥ x²/2, with the B of `QUARTER`.
 const TIMES: f64 = 3.0;
 
 /// An interval of r, bounded by numbers of the emitted scalar type.
@@ -114,7 +116,7 @@ impl Known {
         x.max(along)
     }
 
-    /// Returns the bounds of the emitted factor over a cell.
+    /// Returns the bounds of the emitted factor in a cell.
     pub fn bounds<S: Float>(&self, factor: &Factor<S>, cell: Cell) -> Option<Bounds> {
         let (unit, _) = unit::<S>();
         let wide = |value: S| Dd::from(value.to_f64());
@@ -179,13 +181,14 @@ impl Known {
         })
     }
 
-    /// Returns the relative rounding error of ((r − at) − rest)(r + at), and the error of its zero's position.
+    /// Returns the relative rounding error of ((r − at) − rest)(r + at), and the error of the position of this factor's
+    /// zero.
     fn along(&self, at: Dd, rest: Dd, unit: f64, cell: Cell) -> (f64, f64) {
         let y = self.zero.y;
         let place = at.to_f64();
         let offset = apart(at + rest, y) + self.off;
         let from_at = apart(at, y);
-        // r − at is exact if both are within a factor of two.
+        // r − at is exact if r and `at` differ by at most a factor of two.
         let exact = 0.5 * place <= cell.low && cell.high <= 2.0 * place;
         let first = if exact {
             0.0
@@ -194,7 +197,7 @@ impl Known {
             unit * (1.0 + from_at / (WITHIN_HALF * place - from_at).max(0.0))
         };
         let sum = unit + from_at / (cell.low + y.to_f64()) * MORE;
-        // The error contains the roundings of both differences, of the sum and of the product.
+        // The error contains the roundings of the two differences, of the sum and of the product.
         (first + unit + sum + unit, offset)
     }
 
@@ -222,7 +225,7 @@ impl Known {
         if !(whole > 0.0) {
             return None;
         }
-        // `steep` bounds |B|/(B² + 4x²y²), by the smaller of two bounds.
+        // `steep` bounds |B|/(B² + 4x²y²), by the smaller of two upper bounds.
         let steep = if smallest > 0.0 {
             1.0 / smallest
         } else {
@@ -238,7 +241,8 @@ impl Known {
         let times = (1.0 + HALF * x / y).min(TIMES);
         let shifted = offset * (cell.high + y) + off;
         let of_square = 2.0 * (own * times + unit + shifted * steep);
-        // The inequality (a + b + c)² ≤ 3(a² + b² + c²) separates the three errors.
+        // The inequality (a + b + c)² ≤ 3(a² + b² + c²) separates the three errors `own`·`times`, `unit` and
+        // `shifted`·`steep`.
         let second = 3.0 * (TIMES * TIMES * own * own + unit * unit + shifted * shifted / whole);
         Some(Bounds {
             error: of_square + second + unit + least / whole + unit,

@@ -1,8 +1,8 @@
 //! Proves that the emitted products over zeros and poles equal β*_lim and |V| within an error bound.
 //!
 //! [`roots`] proves in double-double that V and H equal products over the computed zeros. [`factor`] bounds the errors
-//! of the emitted numbers, and the rounding errors of their evaluation. The proof uses no samples. It takes a few
-//! hundred operations for each mode, at any accuracy.
+//! of the emitted numbers, and the rounding errors of their evaluation. The proof uses no samples. The proof takes a
+//! few hundred operations for each mode, at any accuracy.
 
 mod ball;
 mod factor;
@@ -30,8 +30,8 @@ use roots::{Factored, Sum};
 /// the zero. If the uncertainty is larger, the proof omits that number. A larger fraction omits fewer numbers, but
 /// leaves less of the accuracy for other errors.
 const UNCERTAIN: f64 = 0.1;
-/// Largest relative error of a product that the proof accepts. For such errors the factor `UP` covers the neglected
-/// terms.
+/// Largest relative error of a product that the proof accepts. For errors up to this size, the factor `UP` covers the
+/// neglected terms.
 const SMALL: f64 = 0.1;
 /// Largest intermediate result that the proof accepts, as a multiple of the reciprocal of the smallest normal number.
 /// This result is a twentieth of the largest number of the scalar type, so that the next operation does not overflow.
@@ -39,11 +39,12 @@ const LARGEST: f64 = 0.2;
 /// Bound on the rounding error of a pole, in rounding units of double-double. The pole is computed from the constants
 /// of its mode.
 const POLE_ROUNDINGS: f64 = 64.0;
-/// Relative amount by which the code enlarges the computed bounds. It covers the rounding errors of the bounds
+/// Relative amount by which the code enlarges the computed bounds. This amount covers the rounding errors of the bounds
 /// themselves. It is thousands of rounding units of double precision.
 const OUTWARD: f64 = 1e-12;
 
-/// The exact product, gain·Π numerator/Π denominator. Some of its sums have small remainders at their computed zeros.
+/// The exact function as gain·Π numerator/Π denominator. At a computed zero, the sum over the modes may have a small
+/// remainder. `weights` and `tail` bound the relative error that these remainders cause.
 struct Meant {
     gain: Ball,
     numerator: Vec<Known>,
@@ -63,7 +64,7 @@ pub(super) struct Receptances {
 }
 
 impl Receptances {
-    /// Builds both products. Returns `None` if the zeros cannot be verified.
+    /// Builds the products for V and H. Returns `None` if the zeros cannot be verified.
     pub fn of(exact: &Exact<'_>, zeros: Option<&Zeros>, highest: f64) -> Option<Self> {
         let zeros = zeros?.clone();
         let modal = exact.modal;
@@ -117,7 +118,8 @@ impl Receptances {
         self.proof(product, meant, request, allowed)
     }
 
-    /// Proves that a product is |V|, with a bound on its relative error. For an undamped chain it is V with its sign.
+    /// Proves that a product is |V|, with a bound on its relative error. For an undamped chain the product is V with
+    /// its sign.
     pub fn excitation<S: Float>(&self, product: &Product<S>, request: &Request) -> Proof {
         let own = self.excitation.zeros.iter();
         let mut gain = self.excitation.gain;
@@ -205,7 +207,7 @@ impl Receptances {
         }
     }
 
-    /// Returns bounds on the relative error of the product over a cell, or `None` if no bound is known.
+    /// Returns bounds on the relative error of the product in a cell, or `None` if no bound is known.
     fn cell<S: Float>(
         &self,
         product: &Product<S>,
@@ -218,7 +220,8 @@ impl Receptances {
             (&product.numerator, &meant.numerator),
             (&product.denominator, &meant.denominator),
         ];
-        // Below `least`, a rounding error may exceed its relative bound. Above `most`, a number may overflow.
+        // If a number is smaller than `least`, its rounding error may exceed the relative bound. If a number is larger
+        // than `most`, the next operation may overflow.
         let (least, most) = (smallest / unit, LARGEST / smallest);
         let regular = |(low, high): (f64, f64)| least <= low && high <= most;
         for ((factors, known), size) in lists.into_iter().zip(&mut quotients) {
@@ -275,7 +278,7 @@ impl Receptances {
             return None;
         }
         let error = error * (1.0 + 2.0 * error) * UP;
-        // The gain has its own error term. With a safe side the emitted gain differs from the exact gain on purpose.
+        // The gain has its own error term. With `side: safe` the emitted gain differs from the exact gain on purpose.
         let gain =
             Ball::exact(Dd::from(product.gain.to_f64())) * meant.gain.inverse() - Ball::number(1.0);
         let gain = (gain.at.to_f64() - gain.off, gain.at.to_f64() + gain.off);
@@ -298,7 +301,7 @@ fn plain(zero: Zero) -> Known {
     }
 }
 
-/// Returns zeros and poles with their position errors. A zero has the error of a plain zero. The error of a pole
+/// Returns zeros and poles with their position errors. A zero has the position error of [`plain`]. The error of a pole
 /// follows from the constants of its mode.
 fn known(lists: &[(&[Zero], bool)]) -> Vec<Known> {
     let lists = lists.iter();

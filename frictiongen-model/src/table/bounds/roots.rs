@@ -13,7 +13,7 @@ use frictiongen_kernel::number::dd::Dd;
 /// Factor that covers the rounding errors of a whole bound. It allows thousands of rounding units of double precision.
 const UP: f64 = 1.0 + OUTWARD;
 
-/// A term of the sum: the residue of a mode over its denominator, which is v² + rate·v + square, or v + square.
+/// A term of the sum: the residue of a mode divided by its denominator, which is v² + rate·v + square, or v + square.
 struct Term {
     rate: Ball,
     square: Ball,
@@ -31,8 +31,8 @@ pub(super) struct Sum {
 pub(super) struct Factored {
     /// The constant in N = gain·Π(v − z_j)·(1 + δ).
     pub gain: Ball,
-    /// Bound on |δ| without the contributions of the zeros. Each zero adds its weight, divided by the distance of v
-    /// from the zero.
+    /// Bound on |δ|, with the δ of `gain`, without the contributions of the zeros. Each zero adds its weight, divided
+    /// by the distance of v from the zero.
     pub tail: f64,
     /// The zeros, each with the weight of its remainder.
     pub zeros: Vec<(Zero, f64)>,
@@ -84,7 +84,8 @@ impl Sum {
         sum * all
     }
 
-    /// Returns the product over these zeros with its bounds, or `None` if the function cannot prove any bounds.
+    /// Returns the sum as a product over the given zeros, with bounds, or `None` if the function cannot prove any
+    /// bounds.
     pub fn factored(&self, zeros: &[Zero], highest: f64) -> Option<Factored> {
         let roots: Vec<Vec<Disc>> = zeros.iter().map(|zero| self.roots(zero)).collect();
         let all: Vec<Disc> = roots.iter().flatten().copied().collect();
@@ -96,7 +97,8 @@ impl Sum {
             let slope = others.fold(one, |product, (_, other)| product * (*root - *other));
             weights.push(self.numerator(*root).most() / slope.least());
         }
-        // q is evaluated on a circle beyond all zeros, poles and frequencies. The mean of its values is its constant.
+        // The code evaluates q on a circle beyond all zeros, poles and frequencies. The mean of these values is the
+        // constant term of q.
         let sizes = self.terms.iter().map(|term| {
             let (rate, square) = (term.rate.most(), term.square.most());
             if self.damped {
@@ -166,7 +168,7 @@ impl Sum {
     }
 }
 
-/// Returns evenly spaced points of the unit circle. Their number is the power of two that is at least `count`.
+/// Returns evenly spaced points of the unit circle. Their number is the smallest power of two that is at least `count`.
 fn circle(count: usize) -> Vec<Disc> {
     let one = Disc::real(Ball::number(1.0));
     let half = Ball::number(0.5);

@@ -40,7 +40,7 @@ fn asked(accuracy: f64, side: Side) -> super::Request {
     }
 }
 
-/// Returns β*_lim and |V| at r in double-double, each with a bound on the error of its own sum.
+/// Returns β*_lim and |V| at r in double-double, each with a bound on the error of the sum from which it is computed.
 fn exact(exact: &Exact<'_>, r: f64) -> [(Dd, f64); 2] {
     let [v, h] = exact.receptances(r);
     let [v, h] = [v, h].map(|sum| complex::modulus(sum, true));
@@ -58,7 +58,7 @@ fn exact(exact: &Exact<'_>, r: f64) -> [(Dd, f64); 2] {
     [(v / h / exact.modal.stiction, noise[0]), (v, noise[1])]
 }
 
-/// Returns random frequency ratios, and the numbers of the scalar at and near each zero.
+/// Returns random frequency ratios, and the numbers of the scalar type at and near each zero.
 fn places<S: Float>(zeros: &Zeros) -> Vec<f64> {
     let mut state = 5;
     let mut places: Vec<f64> = (0..500)
@@ -202,7 +202,7 @@ fn farthest<S: Float>(a: &Quotient<'_, S>, b: &Quotient<'_, S>) -> f64 {
     places.map(ratio).fold(0.0, f64::max)
 }
 
-/// Returns true if a product is proven over the whole range.
+/// Returns true if a product is proven in the whole range.
 fn passes(proof: &Proof) -> bool {
     proof.evidence != Evidence::Checked && proof.open_length() == 0.0
 }
@@ -354,7 +354,7 @@ fn a_zero_that_is_a_number_is_named() {
     assert_eq!(tables.sliding_proof.evidence, Evidence::Partly);
 }
 
-/// Checks that the weights of the zeros show their error, which is far below the accuracy.
+/// Checks that the weight of a zero shows an error of the zero, even if this error is far smaller than the accuracy.
 #[test]
 fn zeros_that_are_none() {
     for (kind, count, zeta, stiction) in KINDS {

@@ -221,7 +221,7 @@ fn a_cell_that_exceeds_the_level_is_open() {
             .map(|i| excess(&search, false, at(i)))
             .fold(f64::MIN, f64::max);
         // Non-positive levels are skipped. The last cell of sum/sin τ is an exception, because the sum exceeds only
-        // such levels there.
+        // non-positive levels there.
         let low = search.peak.value <= 0.0 && (!over_sine || case % 3 != 1);
         if above < 1e-9 * size(&search) || low {
             continue;

@@ -99,8 +99,8 @@ fn equal_maxima_are_all_found() {
     assert_eq!(compared, 18);
 }
 
-/// Checks that a result contains four positions if seven maxima are equal. Both bounds of the half period count as one
-/// maximum.
+/// Checks that a result contains four positions if seven maxima are equal. Maxima at the two bounds of the half period
+/// count as one maximum.
 #[test]
 fn a_peak_keeps_four_places() {
     let (waves, cosine, sine) = harmonics(&[(7.0, 1.0)], &[]);

@@ -12,8 +12,8 @@ use crate::number::pairs::{pairs, pairs_mut};
 use crate::number::scalar::Float;
 
 /// Advances small deviations of the state through a segment (the motion between two events), one column after another.
-/// `modes` and `stuck_modes` are the oscillators after the segment. The function overwrites the states in
-/// `stuck_modes`.
+/// A column has y and u of each mode in turn, and then the contact force. `modes` and `stuck_modes` are the oscillators
+/// after the segment. The function overwrites the states in `stuck_modes`.
 pub(super) fn carry<S: Float>(
     setting: &Setting<'_, S, ElasticChain<S>>,
     (modes, stuck_modes): (&[Part<S>], &mut [Part<S>]),

@@ -103,7 +103,8 @@ impl<S: Float> ContactChain<S> for ElasticChain<S> {
         }
     }
 
-    /// Returns the displacement q = z̄ − ρf of the slider.
+    /// Returns the displacement q = z̄ − ρf of the slider, where ρ is the compliance of the spring and f the contact
+    /// force.
     fn stuck_place(
         setting: &Setting<'_, S, Self>,
         modes: &[Part<S>],
@@ -188,7 +189,7 @@ impl<S: Float> Setting<'_, S, ElasticChain<S>> {
 
     /// Sets the contact force to `force` by a small change of one oscillator of the chain with its contact stuck. The
     /// function chooses the mode with the largest force per unit of displacement. With a stiff spring the force
-    /// computed from the oscillators is a small difference of large numbers. The given force therefore has more digits.
+    /// computed from the oscillators is a small difference of large numbers. The given force has more digits.
     pub(super) fn set_elastic_force(&self, stuck_modes: &mut [Part<S>], lifted: S, force: S) {
         let excess = self.elastic_force(stuck_modes, lifted) - force;
         let modes = stuck_modes.iter_mut().zip(self.dynamics.held);

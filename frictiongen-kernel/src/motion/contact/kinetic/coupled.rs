@@ -1,8 +1,8 @@
 //! Sliding motion under a kinetic friction force that changes with the speed.
 //!
 //! On one straight line of the friction law the force is level + slope·velocity, which couples the modes. The code
-//! divides the motion into short pieces, and computes each piece as a power series. In a piece, no mode, the excitation
-//! or the law changes the motion by more than a radian.
+//! divides the motion into short pieces, and computes each piece as a power series. In a piece, the fastest oscillation
+//! and the friction law together change the motion by at most a radian.
 
 use super::line::KineticLine;
 use super::lines::{LineCrossing, Lines};
@@ -47,14 +47,14 @@ impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {
         }
     }
 
-    /// Length in τ of the piece over which a power series is valid.
+    /// Length in τ of the longest piece in which a power series is valid.
     fn stretch(&self, modes: &[Part<S>], line: &KineticLine<S>) -> S {
         let steep = self.acceleration(self.law().level() * line.slope.abs());
         S::constant(1.0) / (self.turning(modes) + steep)
     }
 
-    /// Returns the relative velocity z̄′ as a power series over a piece, with s from 0 to 1. Advances the modes from
-    /// the start of the piece to s = `to`.
+    /// Returns the relative velocity z̄′ in a piece as a power series in s, where s goes from 0 to 1. Advances the
+    /// modes from the start of the piece to s = `to`.
     fn velocity_series(
         &self,
         modes: &mut [Part<S>],
@@ -147,8 +147,8 @@ pub(crate) fn seek<S: Float, K: ContactChain<S>>(
 }
 
 impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {
-    /// Finds the end of a piece on a line of bounded speed, as a fraction of the piece's length. Returns `None` if the
-    /// contact cannot start to move from zero velocity.
+    /// Finds the end of a piece on any line of the friction law except the last. The result is a fraction of the
+    /// longest piece, whose length is `stretch`. Returns `None` if the contact cannot start to move from zero velocity.
     fn slope(
         &self,
         modes: &mut [Part<S>],
@@ -188,8 +188,7 @@ impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {
         })
     }
 
-    /// Finds the end of a piece, in τ, beyond the last point of the friction law. The kinetic friction is constant
-    /// there.
+    /// Finds the end of a piece, in τ, on the last line of the friction law. The kinetic friction is constant there.
     fn plateau(
         &self,
         modes: &mut [Part<S>],

@@ -1,10 +1,11 @@
-//! The friction law of a simulation: one kinetic force, or straight lines over the speed.
+//! The friction law of a simulation: one kinetic force, or straight lines that give the force as a function of the
+//! speed.
 
 use super::line::{self, KineticLine};
 use crate::errors::{Given, OutOfDomain};
 use crate::number::scalar::Float;
 
-/// Trait of a kinetic friction law: Coulomb's law, or straight lines over the speed.
+/// Trait of a kinetic friction law: Coulomb's law, or straight lines that give the force as a function of the speed.
 pub trait Level<'a, S>: Copy {
     /// Returns the lines of the law, or `None` if the kinetic friction is constant.
     fn lines(&self) -> Option<&Lines<'a, S>>;
@@ -31,7 +32,8 @@ impl<'a, S> Level<'a, S> for Constant {
 /// Kinetic friction in straight lines between points: Stribeck's law.  Without points it is constant.
 #[derive(Clone, Copy, Debug)]
 pub struct Lines<'a, S> {
-    /// Points (v, f): speed in the scene's units, and kinetic friction over its value at zero speed, with v ascending.
+    /// Points (v, f): speed in the scene's units, and kinetic friction divided by its value at zero speed, with v
+    /// ascending.
     points: &'a [[S; 2]],
     /// Velocity, in the scene's units, that corresponds to dz̄/dτ = 1.
     unit: S,
@@ -39,7 +41,8 @@ pub struct Lines<'a, S> {
     place: usize,
     /// Line crossing at the end of the piece that the last search has found.
     next: LineCrossing,
-    /// Number of successive pieces of length zero. `cut` counts the runs of such pieces that the code has ended.
+    /// Number of successive pieces of length zero. `cut` counts the sequences of pieces of length zero that the code
+    /// has ended by a longer piece.
     still: u32,
     cut: u32,
 }
@@ -55,12 +58,13 @@ pub(crate) enum LineCrossing {
     Slower,
 }
 
-/// Largest number of successive pieces of length zero. The piece after them continues along its line of the friction
-/// law, even across a point of the law.
+/// After this number of successive pieces of length zero, the code extends the last piece along its line of the
+/// friction law, even across a point of the law.
 const STILL: u32 = 4;
 
-/// Largest number of doublings of the length of such a forced piece. The longest forced piece has 2²⁰ times the square
-/// root of a rounding unit. In double precision this is a sixty-fourth of the power series' length.
+/// Each further extension of a piece of length zero is twice as long as the previous one, up to this number of
+/// doublings. The longest extension has 2²⁰ times the square root of a rounding unit, as a fraction of the power
+/// series' length. In double precision this is a sixty-fourth.
 const CUTS: u32 = 20;
 
 impl<'a, S: Float> Lines<'a, S> {
@@ -123,17 +127,17 @@ impl<'a, S: Float> Lines<'a, S> {
         line::steepest(self.points) * self.unit
     }
 
-    /// Selects the straight line of the law that contains this speed |dz̄/dτ|, before the first piece.
+    /// Selects the straight line of the law that contains the given speed |dz̄/dτ|, before the first piece.
     pub(crate) fn start(&mut self, speed: S) {
         self.place = line::place(self.points, speed * self.unit);
     }
 
-    /// Records the line of the friction law on which the motion continues after a piece. Returns a length if the piece
-    /// must be extended by it instead.
+    /// Records the line of the friction law on which the motion continues after a piece. If the piece must be extended
+    /// instead, returns the length of the extension.
     ///
     /// If the speed only touches a point of the law, rounding may switch the motion between two lines without end.
-    /// After `STILL` pieces of length zero the motion therefore continues along its line over the returned length. This
-    /// length is a fraction of the power series' length.
+    /// After `STILL` pieces of length zero the motion therefore continues along its line through the returned length.
+    /// This length is a fraction of the power series' length.
     pub(crate) fn leads_to(&mut self, next: LineCrossing, moves: bool) -> Option<S> {
         self.next = next;
         if moves || next == LineCrossing::None {
@@ -153,7 +157,7 @@ impl<'a, S: Float> Lines<'a, S> {
         Some(length)
     }
 
-    /// Selects the line that follows the piece. If the piece ended at rest, this is the first line.
+    /// Selects the line that follows the piece. After a piece that ended at rest, the first line follows.
     pub(crate) fn pass(&mut self, at_rest: bool) {
         self.place = match self.next {
             _ if at_rest => 0,

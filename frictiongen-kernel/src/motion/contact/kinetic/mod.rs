@@ -1,4 +1,4 @@
-//! The kinetic friction force over the speed: one constant force, or straight lines between points.
+//! The kinetic friction force as a function of the speed: one constant force, or straight lines between points.
 
 mod coupled;
 mod line;

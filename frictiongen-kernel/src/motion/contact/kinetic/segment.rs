@@ -1,5 +1,5 @@
 //! One segment of the motion (between two events) under any kinetic friction law. With a constant force the motion is a
-//! sum over the modes. On a line of the law it is a power series.
+//! sum over the modes. On a line of the law the motion is a power series.
 
 use super::coupled;
 use super::lines::Level;
@@ -11,7 +11,7 @@ use crate::motion::setting::Setting;
 use crate::number::scalar::Float;
 
 impl<'a, S: Float, K: ContactChain<S>> Setting<'a, S, K> {
-    /// Searches for the next event after the given state of the contact, over at most the time `reach` in τ. Sets the
+    /// Searches for the next event after the given state of the contact, within the time `reach` in τ. Sets the
     /// oscillators to the start of the segment.
     pub(crate) fn seek_under(
         &self,
@@ -47,8 +47,8 @@ impl<'a, S: Float, K: ContactChain<S>> Setting<'a, S, K> {
         }
     }
 
-    /// Returns the contact force over the load amplitude P. While the contact sticks, this force keeps the contact at
-    /// rest.
+    /// Returns the contact force divided by P, the amplitude of the load. While the contact sticks, this force keeps
+    /// the contact at rest.
     pub(crate) fn contact_force(
         &self,
         level: &impl Level<'a, S>,

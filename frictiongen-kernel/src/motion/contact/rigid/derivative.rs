@@ -71,9 +71,9 @@ fn stuck<S: Float>(
     setting.release(stuck_modes, (moved, zero), states);
 }
 
-/// Applies the jump of a deviation at an event. The deviation moves the event by the time δτ = −δf/f′. During this time
-/// the state has the slope before the event instead of the slope after it. The two slopes differ by the jump of the
-/// contact force.
+/// Applies the jump of a deviation at an event. The deviation moves the event by the time δτ = −δf/f′, where f is the
+/// function whose zero is the event. During this time the state has the slope before the event instead of the slope
+/// after it. The two slopes differ by the jump of the contact force.
 fn jump<S: Float>(
     setting: &Setting<'_, S>,
     contact_state: &ContactState<S>,

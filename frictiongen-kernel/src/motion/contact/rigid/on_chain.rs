@@ -19,7 +19,7 @@ impl<S: Float> ContactChain<S> for Chain<S> {
     }
 
     /// Returns the Floquet multipliers of a contact that never slides. A deviation of the contact's displacement stays
-    /// constant, and a deviation of its velocity vanishes at once.
+    /// constant, and a deviation of its velocity vanishes immediately.
     fn stuck_multipliers(&self) -> &'static [bool] {
         &[true, false]
     }
@@ -96,7 +96,7 @@ impl<S: Float> ContactChain<S> for Chain<S> {
             end.jump = law.kinetic(before) - force;
             return;
         };
-        // The contact continues in its direction of sliding, so that the velocity only touched zero.
+        // If the contact continues in its direction of sliding, the velocity has only touched zero.
         if slide.contact != before {
             end.event = Some(Event::Reversal);
             end.jump = law.kinetic(before) - law.kinetic(slide.contact);
