@@ -7,7 +7,8 @@ use frictiongen_kernel::Float;
 use frictiongen_kernel::motion::{ContactChain, Part};
 use frictiongen_kernel::orbit::{Orbit, OrbitMotion};
 
-/// A scene at one frequency ratio that also provides steady states in any regime: continuous, stick-slip or stuck.
+/// A scene at one frequency ratio that provides steady states in any regime (continuous, stick-slip or stuck), in
+/// addition to the limits.
 ///
 /// ```
 /// use frictiongen::{FrictionSystem, Of, OrbitAt, SteadyState, friction_system};

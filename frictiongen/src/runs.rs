@@ -7,7 +7,7 @@ use frictiongen_kernel::Float;
 use frictiongen_kernel::motion::{Contact, ContactChain, Level, Part};
 use frictiongen_kernel::simulation::{Moment, Segment, Simulation};
 
-/// A scene that also provides its exact motion in time, from event to event.
+/// A scene that provides its exact motion in time, from event to event, in addition to the limits.
 ///
 /// ```
 /// use frictiongen::{FrictionSystem, OutOfDomain, Run, Simulates, friction_system};

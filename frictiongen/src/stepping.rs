@@ -5,7 +5,7 @@ use crate::OutOfDomain;
 use frictiongen_kernel::Float;
 use frictiongen_kernel::stepper::{ContactNow, MassNow, Stepped, Work};
 
-/// A scene that also provides a stepper: its motion in time steps of equal length, under any input.
+/// A scene that provides a stepper, which computes the motion in time steps of equal length under any input.
 ///
 /// ```
 /// use frictiongen::{OutOfDomain, StepLoad, Stepping, Steps, friction_system};

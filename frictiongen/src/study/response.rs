@@ -54,7 +54,7 @@ pub enum SystemResponse<'a> {
 /// The amplitude of a motion, which is its largest displacement, and the phase of that maximum.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Swing {
-    /// The largest |x̄| of the period, over P/k₁ (over Y for base motion).
+    /// The largest |x̄| of the period, where x̄ = x/(P/k₁) (x/Y for base motion).
     pub amplitude: f64,
     /// Lag of the instant at which |x̄| reaches `amplitude` behind the maximum of the excitation, in rad, in (−π, π].
     /// `None` if the contact or mass does not move.
@@ -262,8 +262,8 @@ impl SystemResponse<'_> {
         }
     }
 
-    /// Returns the largest friction force of the period over the load amplitude P. If the contact slides without a
-    /// stop, it is β. If the contact stops and breaks away, it is μβ. If the contact never slides, it is μβ*_lim plus
+    /// Returns the largest friction force of the period, divided by the load amplitude P. If the contact slides without
+    /// a stop, it is β. If the contact stops and breaks away, it is μβ. If the contact never slides, it is μβ*_lim plus
     /// the constant force due to its offset.
     #[must_use]
     pub fn contact_force(&self) -> f64 {
@@ -311,7 +311,7 @@ pub(super) fn equivalent_damping(
     centred: impl Fn(Of) -> Option<f64>,
 ) -> Option<f64> {
     let scene = system.scene();
-    // A spring force f̄ over P is κx̄, so that ½κx̄² = ½f̄²/κ.
+    // f̄, a spring force divided by P, equals κx̄, so that ½κx̄² = ½f̄²/κ.
     let strain = |index: usize| {
         let force = centred(Of::Spring(index))?;
         let stiffness = scene.springs.get(index)?.stiffness / scene.first_stiffness();
