@@ -124,7 +124,7 @@ pub trait Stepping {
         load: &StepLoad<'_, Self::Scalar>,
     ) -> Result<Stepped<Self::Scalar>, OutOfDomain>;
     /// Returns the present displacement and velocity of a mass. `index` is the index in the description. For an invalid
-    /// index, both are 0.
+    /// index, displacement and velocity are 0.
     fn mass(&self, index: usize) -> MassNow<Self::Scalar>;
     /// Returns the present state of the contact, with its relative motion and friction force.
     fn contact(&self) -> ContactNow<Self::Scalar>;

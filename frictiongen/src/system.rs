@@ -244,7 +244,7 @@ where
 )]
 pub trait StuckAt: LimitsAt {
     /// Returns x̄* = V_k − H_kV/H, the complex amplitude of mass k while the contact is stuck. `index` is the index of
-    /// the mass in the description. Returns `None` if there is no such mass.
+    /// the mass in the description. Returns `None` if no mass has this index.
     ///
     /// # Errors
     /// [`StuckResonance`] on an undamped resonance of the chain with its contact stuck.

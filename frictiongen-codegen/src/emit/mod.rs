@@ -43,7 +43,8 @@ pub(crate) use fingerprint::fingerprint;
 pub use trace::traces;
 
 /// Smallest number of modes for which the emitted frequency stage consists of passes over an array of modes.
-/// Straight-line code is faster, but grows with the number of modes. `scripts/passes-trial` measures both.
+/// Straight-line code is faster, but grows with the number of modes. `scripts/passes-trial` measures both kinds of
+/// code.
 pub const PASSES_FROM: usize = 17;
 
 /// Returns the emitted code of a description.

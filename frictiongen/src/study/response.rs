@@ -112,7 +112,7 @@ impl SystemResponse<'_> {
         }
     }
 
-    /// Returns amplitude and phase of the contact or of a mass. Returns `None` if the scene has no such mass.
+    /// Returns amplitude and phase of the contact or of a mass. Returns `None` if the scene does not have this motion.
     #[must_use]
     pub fn swing(&self, of: Of) -> Option<Swing> {
         let moving = |(amplitude, phase)| Swing {
@@ -138,7 +138,7 @@ impl SystemResponse<'_> {
     }
 
     /// Returns the centred amplitude: half the distance between the least and the largest x̄, in units of P/k₁ (of Y
-    /// for base motion). Returns `None` if the scene has no such mass.
+    /// for base motion). Returns `None` if the scene does not have this motion.
     #[must_use]
     pub fn centred_amplitude(&self, of: Of) -> Option<f64> {
         match self {
@@ -149,7 +149,7 @@ impl SystemResponse<'_> {
     }
 
     /// Returns the lag −arg X₁ of the fundamental component behind the excitation, in rad, in (−π, π]. Returns `None`
-    /// if the contact or mass does not move, and if the scene has no such mass.
+    /// if the contact or mass does not move, and if the scene does not have this motion.
     #[must_use]
     pub fn fundamental_phase(&self, of: Of) -> Option<f64> {
         fundamental_phase(self.harmonic(of, 1)?, self.centred_amplitude(of)?)
@@ -210,7 +210,7 @@ impl SystemResponse<'_> {
     }
 
     /// Returns the monoharmonic estimate of an amplitude (5.50, 7.33). Returns `None` outside the continuous regime,
-    /// and if the scene has no such mass.
+    /// and if the scene does not have this motion.
     #[must_use]
     pub fn monoharmonic(&self, of: Of) -> Option<f64> {
         let Self::Continuous(motion) = self else {
@@ -220,7 +220,7 @@ impl SystemResponse<'_> {
     }
 
     /// Returns the largest displacement, velocity or acceleration of the contact or of a mass. Returns `None` if the
-    /// scene has no such mass.
+    /// scene does not have this motion.
     ///
     /// An acceleration jumps when the friction force jumps. The result includes the values on both sides of a jump.
     #[must_use]
@@ -245,7 +245,7 @@ impl SystemResponse<'_> {
     }
 
     /// Returns X_n, the complex amplitude of harmonic n in x̄ = Re Σ X_n e^{inτ}, for the contact or a mass. τ = 0 is a
-    /// maximum of the excitation. Returns `None` if the scene has no such mass.
+    /// maximum of the excitation. Returns `None` if the scene does not have this motion.
     #[must_use]
     pub fn harmonic(&self, of: Of, n: u32) -> Option<Complex<f64>> {
         match self {

@@ -357,7 +357,7 @@ impl<'a, S: Float> SystemStepper<'a, S> {
     }
 
     /// Returns the present displacement and velocity of a mass. `index` is the index in the description. For an invalid
-    /// index, both are 0.
+    /// index, displacement and velocity are 0.
     #[must_use]
     pub fn mass_at(&self, index: usize) -> MassNow<S> {
         self.stepper.mass(index)

@@ -215,7 +215,7 @@ impl<'a> Refine<'a> {
     }
 
     /// Returns true if two settled points certainly belong to one state, however steep the curve is between them.
-    /// Either both belong to the closed form, or μ ≤ 1 and no other state exists.
+    /// Either both points belong to the closed form, or μ ≤ 1 and no other state exists.
     fn is_one_state(&self, a: &CurvePoint, b: &CurvePoint) -> bool {
         let slides = |point: &CurvePoint| point.regime == Regime::Continuous;
         self.system.scene().stiction <= 1.0 || (slides(a) && slides(b))

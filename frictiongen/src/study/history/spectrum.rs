@@ -106,7 +106,7 @@ impl History {
 
 impl SystemResponse<'_> {
     /// Returns X in Re(X e^{ikτ/p}), the component of order k/p of the contact or of a mass. Returns `None` if the
-    /// scene has no such mass.
+    /// scene does not have this motion.
     ///
     /// p is the [`period`](Self::period) in cycles of the excitation. Every p-th component is a
     /// [`harmonic`](Self::harmonic). τ = 0 is the maximum of the excitation closest to the instant at which the

@@ -12,10 +12,10 @@ pub use number::{Tunable, UnknownTunable};
 use tried::TunedSearch;
 
 impl System {
-    /// Returns the best friction together with the best value of one number of the description. With both, the largest
-    /// amplitude of a motion over a band of frequencies is smallest. The number is a stiffness, a mass, a damping
-    /// ratio, a damping factor or μ. Band, load and friction force keep their values in Hz, N and m, even if m₁ or k₁
-    /// varies.
+    /// Returns the best friction together with the best value of one number of the description. With this friction and
+    /// this value, the largest amplitude of a motion over a band of frequencies is smallest. The number is a stiffness,
+    /// a mass, a damping ratio, a damping factor or μ. Band, load and friction force keep their values in Hz, N and m,
+    /// even if m₁ or k₁ varies.
     ///
     /// The search evaluates 17 values of the number, including both bounds of its interval. For each value it finds the
     /// best of all friction ratios, as [`optimum`](Self::optimum) does. It also computes the derivative of the
