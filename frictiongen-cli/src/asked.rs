@@ -141,8 +141,8 @@ fn mass(system: &System, option: &str, name: &str) -> Result<Mass, Failure> {
     })
 }
 
-/// Fails if the user has requested a velocity or an acceleration. It serves commands that print only displacements and
-/// forces.
+/// Fails if the user has requested a velocity or an acceleration. Commands that print only displacements and forces
+/// call this function.
 pub fn without_rates(parts: &[Part]) -> Result<(), Failure> {
     match parts.iter().find(|part| part.has_rate()) {
         Some(part) => Err(Failure::new(format_args!(

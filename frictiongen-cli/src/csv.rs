@@ -1,5 +1,5 @@
-//! Writes CSV. Its words are regimes, kinds of answers and Rust identifiers, so that no cell contains a comma or a
-//! quote.
+//! Writes CSV. The words in its cells are regimes, kinds of answers and Rust identifiers, so that no cell contains a
+//! comma or a quote.
 
 use std::borrow::Cow;
 use std::io::{self, Write};

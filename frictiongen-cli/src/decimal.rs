@@ -1,4 +1,4 @@
-//! Decimal numbers with the digits that the user wrote. A grid of decimals then has exact points. Steps in binary
+//! Decimal numbers with the digits that the user wrote. The points of a grid of decimals are exact. Steps in binary
 //! floating point would add rounding errors.
 
 /// A decimal number: `digits` times 10 to the power of `exponent`.

@@ -145,8 +145,8 @@ impl<'a> Destination<'a> {
             )));
         }
         format.check(form)?;
-        // The check comes before the computation, so that an error about the file is reported before a long
-        // computation.
+        // The command checks the file before the computation, so that the user gets an error about the file without
+        // waiting.
         file::check(path, description)?;
         Ok(Self {
             form,

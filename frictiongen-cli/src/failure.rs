@@ -27,8 +27,8 @@ impl Failure {
     }
 }
 
-/// Returns the reason why the program cannot read or write a file. For the most common reasons the words are the same
-/// on every system.
+/// Returns the reason why the program cannot read or write a file. The most common reasons have the same words on every
+/// operating system.
 pub fn reason(error: &io::Error) -> String {
     match error.kind() {
         io::ErrorKind::NotFound => "there is no such file or folder".to_owned(),

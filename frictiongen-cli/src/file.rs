@@ -22,7 +22,7 @@ pub fn write_with(
     let file = place.open().map_err(|error| refused(&error))?;
     let mut out = Noting { file, error: None };
     let written = match write(&mut out) {
-        // In this case writing the file itself has failed, and its error is the reason.
+        // If the write has stored an error, that error is the reason.
         Err(failure) => Err(out.error.as_ref().map_or(failure, refused)),
         Ok(()) => place.keep().map_err(|error| refused(&error)),
     };
@@ -91,8 +91,8 @@ fn is_same(one: &Path, other: &Path) -> bool {
     }
 }
 
-/// Final path of a file, and a temporary path for its contents. If the final path is not a regular file (a device, for
-/// example), there is no temporary path.
+/// Final path of a file, and a temporary path for its contents. A final path that is not a regular file, such as a
+/// device, has no temporary path.
 struct Place {
     last: PathBuf,
     first: Option<PathBuf>,
@@ -100,7 +100,7 @@ struct Place {
 
 impl Place {
     fn of(path: &Path) -> Self {
-        // A symbolic link stays a link, and its target is replaced.
+        // If the path is a symbolic link, the link stays, and its target is replaced.
         let last = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
         let is_file = fs::metadata(&last).map_or(true, |found| found.is_file());
         let beside = last.file_name().map(|name| {
@@ -136,7 +136,7 @@ impl Place {
 
     fn discard(&self) {
         if let Some(first) = &self.first {
-            // The temporary file may not exist. An error is therefore ignored.
+            // An error is ignored, because the temporary file may not exist.
             let _ = fs::remove_file(first);
         }
     }

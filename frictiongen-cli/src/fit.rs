@@ -29,7 +29,7 @@ impl Fit {
         Self { width, groups }
     }
 
-    /// Returns the columns that fit, and the names of the others.
+    /// Returns the columns that fit, and the names of the columns that do not fit.
     pub fn chosen<'a, R>(
         self,
         columns: Vec<Column<'a, R>>,
@@ -101,7 +101,8 @@ impl Fit {
                 None if column.axis != Axis::Row => Some(0),
                 None if is_answer(column.name()) => Some(2),
                 None => Some(4),
-                // The amplitude of each motion comes before all other numbers, and its phase before most.
+                // The amplitude of each motion has a rank before all other numbers, and its phase a rank before most
+                // other numbers.
                 Some(_) if place == 0 || column.name().starts_with("largest") => Some(1),
                 Some(_) if column.name().starts_with("phase") => Some(3),
                 Some(_) => Some(4 + place),

@@ -106,7 +106,8 @@ fn too_far(quantity: Quantity, given: f64) -> Failure {
     ))
 }
 
-/// Returns the quantity for the parser of frequencies. If `in_time` is true, the frequency must be above 0 and finite.
+/// Returns the quantity that tells the parser how to read frequencies in this unit. If `in_time` is true, a frequency
+/// must be above 0 and finite.
 fn quantity(unit: Unit, in_time: bool) -> Quantity {
     match (unit, in_time) {
         (Unit::Ratio | Unit::RatioUnderLoad, false) => Quantity::FrequencyRatio,

@@ -18,8 +18,8 @@ pub struct Frictions {
 }
 
 impl Frictions {
-    /// Parses the grid. If the command also has a grid of frequencies, the product of both lengths must not be too
-    /// large.
+    /// Parses the grid. If the command also has a grid of frequencies, the number of frequencies times the number of
+    /// frictions must not be too large.
     pub fn parse(
         arguments: &FrictionArguments,
         frequencies: Option<&Frequencies>,

@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use crate::hint;
 use std::fmt;
 
-/// Largest number of points of a grid, and of two grids together.
+/// Largest number of points of a grid. For two grids it is the largest product of their numbers of points.
 pub const MOST_POINTS: usize = 10_000_000;
 
 /// Number of equal steps in a range `a:b`.
@@ -231,7 +231,7 @@ fn decimals(texts: [&str; 3]) -> Option<Decimals> {
 
 /// Checks that `more` new points fit into a grid that has `already` points. Returns `more` as an integer.
 fn room(already: usize, more: f64) -> Result<usize, String> {
-    // Both conversions are exact, because the numbers are whole, and small if they fit.
+    // Both conversions are exact, because the numbers are whole numbers, and small where they fit.
     if more <= MOST_POINTS.saturating_sub(already) as f64 {
         Ok(more as usize)
     } else {

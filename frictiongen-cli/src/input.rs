@@ -115,7 +115,7 @@ impl FileArgument {
         Ok((description, text))
     }
 
-    /// Reads and parses the description of a scene for which the macro emits code. Also returns its text.
+    /// Reads and parses a description for a command that needs the code of the macro. Also returns its text.
     pub fn exported(&self, limits: &Limits) -> Result<(Description, String), Failure> {
         let text = self.text()?;
         let description = self.single(self.parsed(&text, limits)?)?;

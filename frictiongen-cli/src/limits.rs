@@ -1,4 +1,4 @@
-//! `frictiongen limits`: computes both limits over the frequency ratio.
+//! `frictiongen limits`: computes β_lim and β*_lim over the frequency ratio.
 
 use crate::args::LimitsArguments;
 use crate::failure::Failure;

@@ -49,8 +49,8 @@ impl Exact for Cell<'_> {
     }
 }
 
-/// Returns true if neither overflow nor underflow has occurred. The computed number must be 0 exactly if the given
-/// number is 0, and finite exactly if the given number is finite.
+/// Returns true if the conversion from `given` to `computed` has neither overflowed nor underflowed. The computed
+/// number must be 0 if and only if the given number is 0, and finite if and only if the given number is finite.
 pub fn survives(given: f64, computed: f64) -> bool {
     computed.is_finite() == given.is_finite() && (computed == 0.0) == (given == 0.0)
 }
@@ -71,7 +71,7 @@ pub fn computed(value: f64) -> String {
 /// [`computed`], without the digits that the width makes meaningless.
 pub fn within(value: f64, width: f64) -> String {
     let size = value.abs();
-    // The decimals end with the first one that the width changes.
+    // The last printed decimal is the first one that the width changes.
     let decimals = (-width.log10()).ceil();
     if size == 0.0 || size.is_infinite() || !width.is_finite() {
         computed(value)

@@ -37,7 +37,7 @@ pub trait Table {
     fn head(&self) -> Vec<(String, serde_json::Value)> {
         Vec::new()
     }
-    /// Returns the lines of a printed table above its rows, below the lines of the scene. Each line has a title and a
+    /// Returns the lines of a printed table between the lines of the scene and the rows. Each line has a title and a
     /// text.
     fn preamble(&self) -> Vec<(&'static str, String)> {
         Vec::new()

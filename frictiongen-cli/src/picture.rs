@@ -16,8 +16,8 @@ const SCALE: f32 = 2.0;
 /// Ratio of the end of an axis to the largest value on it.
 pub const ROOM: f64 = 1.15;
 
-/// Returns panels with displacements in m, with forces of springs in N, and with the friction force in N, over the time
-/// in s. `motions` has the values of each motion or force at the times.
+/// Returns panels against time in s, with displacements in m, spring forces in N and the friction force in N. `motions`
+/// has the values of each displacement or spring force at the times.
 pub fn over_time(times: &[f64], motions: &[(&Part, &[f64])], force: &[f64]) -> Vec<Panel> {
     let ends = [times.first(), times.last()].map(|end| end.copied().unwrap_or(0.0));
     let [first, last] = ends;

@@ -8,9 +8,10 @@ use serde_json::json;
 use std::io::Write;
 use std::path::PathBuf;
 
-/// The element of the page that has the description, as `scripts/playground` writes it.
+/// The element of the page for the description, as `scripts/playground` writes it. The command replaces `null` by the
+/// description.
 const GIVEN: &str = r#"<script id="given" type="application/json">null</script>"#;
-/// Name of the page beside the program.
+/// File name of the page, which is in the folder of the program.
 const PAGE: &str = "playground.html";
 
 /// Runs `frictiongen play`.

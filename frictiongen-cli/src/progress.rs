@@ -33,7 +33,7 @@ impl Progress {
         Self::seen(Some(total), what, true)
     }
 
-    /// Starts the progress of a search of unknown length. Messages say how long it has run.
+    /// Starts the progress of a search of unknown length. Messages state the time since the start.
     pub fn search() -> Self {
         Self::seen(None, "", true)
     }

@@ -1,5 +1,5 @@
-//! `frictiongen sensitivity`: computes derivatives of a response and of both limits. The output has one line for each
-//! parameter.
+//! `frictiongen sensitivity`: computes derivatives of a response and of β_lim and β*_lim. The output has one line for
+//! each parameter.
 
 use crate::args::SensitivityArguments;
 use crate::asked;
@@ -51,7 +51,7 @@ pub fn run(arguments: &SensitivityArguments, out: &mut dyn Write) -> Result<(), 
 struct SensitivityReport {
     of: Of,
     grids: Grids,
-    /// True if the output has a line with the values above the lines with their derivatives.
+    /// True if the output has a line with the values before the lines with their derivatives.
     with_answers: bool,
 }
 

@@ -1,5 +1,5 @@
-//! Prints completion scripts for shells and the manual page. The crate clap generates both from the definition of the
-//! arguments.
+//! Prints completion scripts for shells and the manual page. The crates `clap_complete` and `clap_mangen` generate them
+//! from the definition of the arguments.
 
 use crate::args::{Arguments, CompletionsArguments, ManArguments};
 use crate::failure::Failure;

@@ -15,7 +15,8 @@ const MOST_SHOWN: usize = 8;
 pub struct Summary {
     /// Name of the scene.
     pub scene: String,
-    /// Natural frequencies in rad/s in the scene's own units, in ascending order.
+    /// Natural frequencies in the units of the scene's masses and stiffnesses (rad/s for kg and N/m), in ascending
+    /// order.
     pub natural_frequencies: Vec<f64>,
     /// Natural frequencies as frequency ratios r.
     pub resonances: Vec<f64>,
@@ -52,7 +53,7 @@ impl Summary {
         if self.base_motion { "F/(k1 Y)" } else { "F/P" }
     }
 
-    /// Writes the text of [`write`](Self::write) as comment lines.
+    /// Writes the text of [`write`](Self::write), with each line as a comment.
     pub fn comment(&self, out: &mut dyn Write, more: &[(&str, String)]) -> io::Result<()> {
         let mut text = Vec::new();
         self.write(&mut text, more)?;
@@ -87,7 +88,7 @@ impl Summary {
     }
 }
 
-/// Returns the first numbers as text, each with a fixed width, and the number of omitted numbers.
+/// Returns the first numbers as text, each with a fixed width. The text ends with the number of omitted numbers.
 pub fn row(values: &[f64]) -> String {
     let mut cells: Vec<String> = values
         .iter()

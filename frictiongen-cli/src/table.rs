@@ -99,7 +99,7 @@ impl Column {
     }
 }
 
-/// Writes the column titles and a rule below them.
+/// Writes the column titles and a rule under them.
 pub fn header(out: &mut dyn Write, columns: &[Column]) -> io::Result<()> {
     let lines = columns.iter().map(|column| column.title.len()).max();
     for line in 0..lines.unwrap_or(0) {

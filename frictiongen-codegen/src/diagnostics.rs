@@ -1,4 +1,4 @@
-//! Errors of a macro call, and the fields that the macro can use in spite of these errors.
+//! Errors of a macro call, and the fields that the macro can read in spite of the errors.
 
 use core::fmt;
 

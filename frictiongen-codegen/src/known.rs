@@ -1,5 +1,5 @@
-//! Known answers of a scene, computed in double-double. The self-check of emitted code compares its own answers with
-//! them.
+//! Known answers of a scene, computed in double-double. The self-check of emitted code compares the answers of that
+//! code with the known answers.
 
 use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
@@ -11,22 +11,23 @@ use frictiongen_model::scene::Precision;
 /// Number of frequency ratios with known answers.
 pub const POINTS: usize = 10;
 /// Number of frequency ratios that the code tries for a scene with one mass. Scenes with more masses have fewer tries,
-/// because a try in double-double takes longer. The code rejects a try whose answers depend on rounding. If it rejects
-/// many, the scene has fewer than `POINTS` known answers.
+/// because a try takes longer. The code rejects a try whose answers depend on rounding. If it rejects many, the scene
+/// has fewer than `POINTS` known answers.
 const TRIED: u32 = 400;
-/// Smallest number of tries. A scene of 64 masses has this number.
+/// Smallest number of tries. Scenes with 16 modes or more have this number.
 const TRIED_AT_LEAST: u32 = 25;
-/// Step between two tries, as a fraction of the range. Steps of the golden section spread the tries evenly.
+/// Step between two tries, as a fraction of the range of r. Steps of the golden section spread the tries evenly.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 /// Phase τ, in rad, of the known displacement and velocity of each mass.
 pub const TAU: f64 = 1.0;
 /// The code changes r by this number of rounding units to test whether the answers depend on rounding.
 const DISPLACED: f64 = 32.0;
-/// The answers depend on rounding if this change of r changes one of them by more than this fraction of the tolerance.
+/// The answers depend on rounding if the change by `DISPLACED` changes one of them by more than this fraction of the
+/// tolerance.
 const SENSITIVE: f64 = 1.0 / 8.0;
 /// Smallest relative distance of β from a limit. At this distance no rounding changes the regime.
 const APART: f64 = 0.05;
-/// Largest modulus of a known phase, in rad. A larger phase could change from π to −π by rounding.
+/// Largest modulus of a known phase, in rad. Rounding could change a phase near π to −π.
 const WRAPS: f64 = 3.0;
 
 /// Request for known answers of a scene: the ranges, the tolerance and the kinds of answers.
@@ -163,8 +164,8 @@ fn answers(exact: &Reduced<Dd>, question: &Question, r: f64, place: usize) -> Op
     apart.next().is_none().then_some(here)
 }
 
-/// Returns a friction ratio within the range. Two of three successive friction ratios are below β_lim. Every third is
-/// usually above both limits, and sometimes between them.
+/// Returns a friction ratio within the range of the question. The function is called for successive places. Two of
+/// three friction ratios are below β_lim. The third is usually above β_lim and β*_lim, and sometimes between them.
 fn beta(question: &Question, [continuous, sliding]: [f64; 2], place: usize) -> f64 {
     let wanted = match place % 3 {
         0 => 0.5 * continuous,
@@ -205,7 +206,7 @@ fn answer(
         stuck = parts
             .map(|value| [value.re.to_f64(), value.im.to_f64()])
             .collect();
-        // A response that should be exactly 0 contains roundings of double-double.
+        // A response that should be exactly 0 contains the rounding errors of double-double.
         let largest = stuck
             .iter()
             .flatten()

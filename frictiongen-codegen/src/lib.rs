@@ -1,10 +1,10 @@
 //! Emits specialised Rust solvers for scene descriptions.
 //!
-//! `tokens` passes a macro's tokens to the parser of `frictiongen-syntax`, and `lower` adds tables to the scene.
-//! `graph` records the closed forms as code, and `emit` writes the items of a solver.
+//! `tokens` passes a macro's tokens to the parser of `frictiongen-syntax`. `lower` converts the parsed description to a
+//! scene with its tables. `graph` records the closed forms as code, and `emit` writes the items of a solver.
 
-/// Emits code as `quote!` does, but with other name resolution: the user's names and the emitted local names cannot
-/// refer to each other.
+/// Emits code as `quote!` does, but with another name resolution: names in the user's code and local names in the
+/// emitted code cannot refer to each other.
 macro_rules! code {
     ($($tokens:tt)*) => {
         ::quote::quote_spanned!(::proc_macro2::Span::mixed_site()=> $($tokens)*)

@@ -19,7 +19,7 @@ struct Source {
     tree: Option<TokenTree>,
 }
 
-/// Parses the tokens of a macro call. If the brackets are nested too deeply, the function reports only this error.
+/// Parses the tokens of a macro call. If the brackets are nested too deeply, the function reports only that error.
 pub(crate) fn parse(stream: TokenStream, problems: &mut Problems) -> (Syntax, Sources) {
     let mut sources = Sources::default();
     let mut tokens = Vec::new();
@@ -47,8 +47,8 @@ impl Sources {
         self.list.get(place.token?)
     }
 
-    /// Returns a word as an identifier. If the compiler has an identifier for the word, the function returns this
-    /// identifier, because it may be `$crate`, which no text can create.
+    /// Returns a word as an identifier. If the compiler has a token for the word, the function returns that token. The
+    /// token may be `$crate`, which cannot be created from a text.
     pub(crate) fn ident(&self, name: &Name) -> Ident {
         self.word(&name.text, name.place)
     }
@@ -60,7 +60,7 @@ impl Sources {
         }
         let span = self.span(place);
         let plain = text.strip_prefix("r#").unwrap_or(text);
-        // `Ident::new` panics on letters that the present compiler does not know.
+        // `Ident::new` panics on letters that the compiler in use does not know.
         if !plain.is_ascii() {
             let mut ident = parsed(plain).unwrap_or_else(|| Ident::new("_", span));
             ident.set_span(span);
@@ -128,7 +128,7 @@ impl Sources {
     fn read_literal(&mut self, literal: Literal, out: &mut Vec<Token>) {
         let text = literal.to_string();
         let place = self.place(literal.span(), Some(literal.into()));
-        // Another macro may create a negative literal, which no source text can contain.
+        // Another macro may create a negative literal. Source text cannot contain one.
         let (sign, text) = match text.strip_prefix('-') {
             Some(rest) => (true, rest.to_owned()),
             None => (false, text),
@@ -165,8 +165,8 @@ impl Sources {
         }
         let mut tokens = Vec::new();
         let sound = self.read(group.stream(), depth + 1, &mut tokens, problems);
-        // A group of tokens from `macro_rules!` keeps its invisible brackets only around
-        // arithmetic, where they matter.
+        // A group of tokens from `macro_rules!` keeps its invisible brackets only around arithmetic, because only there
+        // they change the result.
         let is_sum = || {
             tokens.iter().any(|token| {
                 ['+', '-', '*', '/']
@@ -221,7 +221,7 @@ impl Sources {
     }
 }
 
-/// Returns a text as an identifier. Returns `None` if the text is not an identifier for the present compiler.
+/// Returns a text as an identifier. Returns `None` if the compiler in use does not accept the text as an identifier.
 fn parsed(text: &str) -> Option<Ident> {
     let mut tokens = text.parse::<TokenStream>().ok()?.into_iter();
     match (tokens.next()?, tokens.next()) {

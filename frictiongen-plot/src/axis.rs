@@ -152,8 +152,8 @@ impl Axis {
 /// fewer digits.
 const SMALLEST: f64 = 1e-304;
 
-/// Returns the smallest and the largest of the finite values that are at least `least`. Returns `None` if there is
-/// none.
+/// Returns the smallest and the largest of the finite values that are at least `least`. Returns `None` if no value is
+/// finite and at least `least`.
 fn ends(values: impl IntoIterator<Item = f64>, least: f64) -> Option<(f64, f64)> {
     values
         .into_iter()

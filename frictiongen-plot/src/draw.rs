@@ -118,7 +118,7 @@ fn figure(figure: &Figure) -> (String, Vec<Rect>) {
     (document, frames)
 }
 
-/// Returns the rectangles of all panels' frames in rows, and advances `y` below them.
+/// Returns the rectangles of all panels' frames in rows, and advances `y` to the position under the last row.
 fn rows(figure: &Figure, columns: usize, room: f64, y: &mut f64) -> Vec<Rect> {
     let cell = (room - GAP * (columns - 1) as f64) / columns as f64;
     // The frames of a column are aligned. Every frame therefore has the largest margins of its column.
@@ -167,7 +167,7 @@ fn rows(figure: &Figure, columns: usize, room: f64, y: &mut f64) -> Vec<Rect> {
     frames
 }
 
-/// Draws sketch and legend, side by side if the width is enough. Returns the position below both.
+/// Draws sketch and legend, side by side if the width is enough. Returns the vertical position under sketch and legend.
 fn below(canvas: &mut Canvas, figure: &Figure, legend: &Legend, room: f64, top: f64) -> f64 {
     let sketch = figure.sketch.as_ref();
     let size = sketch.and_then(|sketch| Some((sketch, sketch.size(room)?)));

@@ -192,7 +192,7 @@ fn inset(canvas: &mut Canvas, layer: &Inset, outer: &Frame, legend: &mut Legend)
     draw_panel(canvas, &layer.panel, &frame, legend);
 }
 
-/// Marks the area of the outer panel that an inset shows, and connects both with lines.
+/// Marks the area of the outer panel that an inset shows, and connects this area with the inset by lines.
 fn mark(canvas: &mut Canvas, inner: &Panel, outer: &Frame, frame: Rect) {
     let (x, y) = (inner.x.range(), inner.y.range());
     let corners = [(x.0, y.1), (x.1, y.1), (x.1, y.0), (x.0, y.0)];

@@ -126,8 +126,8 @@ fn plain(low: f64, high: f64, count: usize) -> Vec<Tick> {
         .to_vec()
 }
 
-/// Returns labelled ticks at decades, and also at 2 and 5 times a decade if the range is below two decades. Ticks
-/// between these have no labels.
+/// Returns labelled ticks at decades, and also at 2 and 5 times a decade if the range is shorter than two decades.
+/// Ticks between labelled ticks have no labels.
 fn log(low: f64, high: f64, count: usize) -> Vec<Tick> {
     let (first, last) = (exponent(low), exponent(high));
     let decades = libm::log10(high) - libm::log10(low);

@@ -85,7 +85,8 @@ pub(crate) fn candidates(
         if early {
             witnesses.push(Witness::Early(path.clone()));
         }
-        // Between `SURELY` and `EARLY` both kinds of witness are candidates.
+        // If the instant is between `SURELY` and `EARLY`, the witness with and the witness without the Taylor series
+        // are both candidates.
         if !(early && latest < SURELY) {
             witnesses.push(Witness::Instant(path));
         }

@@ -10,8 +10,8 @@ use crate::witness::{Witness, WitnessInstant};
 use frictiongen_model::interval::Interval;
 use std::f64::consts::PI;
 
-/// Length of a step that widens the region about a witness, as a fraction of √(N/D″) (module `cells`). The value is
-/// tuned. A longer step widens the region faster, but gives wider bounds of D″.
+/// Length of a step that widens the region about a witness, as a fraction of √(N/D″). The value is tuned. A longer step
+/// widens the region faster, but gives wider bounds of D″.
 const TUBE_STEP: f64 = 0.3;
 /// Largest number of steps that widen the region about a witness (an instant near the largest velocity constraint). The
 /// value is tuned. It limits the work for one region.
@@ -25,8 +25,8 @@ const TUBE_MOST: f64 = 0.9;
 /// Allowance for the rounding of a position, of the end of a region, or of r. It is thousands of rounding units.
 pub(crate) const ROUNDING: f64 = 1e-12;
 
-/// In the region, D″ must stay above this fraction of its value at the witness or at a second maximum. The value is
-/// tuned. A smaller fraction makes the region wider, but its parabola flatter.
+/// In the widened region, D″ must stay above this fraction of its value at the witness, or at a second maximum of the
+/// constraint. The value is tuned. A smaller fraction makes the region wider, but its parabola flatter.
 pub(crate) const BENT: f64 = 0.15;
 
 /// The chain and the witness over an interval of r: at its centre (fields `at`), and over the whole interval (fields
@@ -45,8 +45,8 @@ pub(crate) struct CellData<'a> {
     pub share: f64,
 }
 
-/// One side of the witness in the half period, before or after it. A `share` from 0 to 1 gives a position on this side,
-/// from the end of the half period to the witness.
+/// The part of the half period before the witness, or the part after the witness. A `share` from 0 to 1 gives a
+/// position on this side, from the end of the half period (0) to the witness (1).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Flank {
     Before,

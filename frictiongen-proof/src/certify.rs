@@ -49,20 +49,20 @@ const EARLY_STEP: f64 = 0.7;
 /// Returns true if the proof succeeds: over the interval of r, every velocity constraint is below the witness's
 /// constraint plus the margin.
 pub(crate) fn certified(part: &CellData<'_>, budget: &mut Budget) -> bool {
-    // Without damping and with every x ≤ 2, the sum is largest at the start of the half period.
+    // Without damping and with every x ≤ 2, the velocity constraint is largest at the start of the half period.
     let slow = |mode: &ModeStage<ORDER>| mode.x.value().high <= 2.0;
     let is_start = matches!(part.witness, Witness::BreakAway);
     if is_start && part.chain.all_undamped && part.over.modes.iter().all(slow) {
         return true;
     }
     let cells = HalfPeriodCells::of(part);
-    // Margin between N and the break-away condition, which is a constraint as well.
+    // Margin of N above the break-away term. This term limits β_lim as a velocity constraint does.
     let spare = IntervalSeries::joined(
         &(cells.full_at - part.at.break_away),
         &(cells.full_over - part.over.break_away),
     );
-    // With μ = 1 the break-away condition equals the constraint at the start of the half period. A witness near the
-    // start covers it.
+    // With μ = 1 the break-away term equals the velocity constraint at the start of the half period. The proof for a
+    // witness near the start includes this constraint.
     let one = part.chain.stiction == Interval::ONE;
     let is_early = matches!(part.witness, Witness::Early(_));
     let seen = is_start || (is_early && one);
@@ -98,7 +98,8 @@ impl HalfPeriodCells<'_> {
         }
         let curve = self.bend(path, budget);
         if !(0.0 < curve.low) {
-            // If U exceeds S, the largest velocity constraint, N is so far above all sums that D has no minimum.
+            // D may have no minimum near the witness, for example where U exceeds S, the largest velocity constraint. N
+            // is then far above all constraints. The cells alone prove D on both sides.
             return Some([1.0, 1.0]);
         }
         // The code first tries the widest region, then a narrower region with a steeper parabola.

@@ -42,8 +42,8 @@ pub(crate) struct ComparedLimit {
     pub rounding: f64,
 }
 
-/// Returns the series divided by the distance from its centre. The value at the centre must be zero, and the function
-/// ignores it.
+/// Returns the series divided by r − r₀, where r₀ is the centre of the series. The function must be zero at r₀, and the
+/// code ignores the first coefficient.
 pub(crate) fn divided(series: &IntervalSeries<ORDER>) -> IntervalSeries<SHORT> {
     let mut terms = [Interval::ZERO; SHORT];
     for (term, own) in terms.iter_mut().zip(series.terms.iter().skip(1)) {
@@ -79,7 +79,7 @@ pub(crate) fn compared<S: Float>(
     };
     let (own_at, own_over) = (table(Interval::point(centre)), table(r));
     let accuracy = request.accuracy;
-    // The proof stops at this distance from the zero.
+    // `nearest` is the distance from the zero at which the proof stops.
     let (mut nearest, mut gap) = (0.0, None);
     if zero.is_some() {
         let size = |place: usize| {

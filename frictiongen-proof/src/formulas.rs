@@ -25,7 +25,7 @@ const KINDS: [(&str, usize, f64); 9] = [
     ("Base", 2, 1.7),
     ("Wall", 4, -0.02),
 ];
-/// Largest width of an interval, relative to the largest term of its sum.
+/// Largest allowed width of an interval, divided by the largest term of its sum.
 const WIDTH: f64 = 1e-11;
 /// Number of frequency ratios at which the test compares each chain.
 const RATIOS: usize = 300;

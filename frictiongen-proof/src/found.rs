@@ -1,4 +1,4 @@
-//! Results of a proof so far, and its remaining work.
+//! Results of a proof up to the present interval, and the remaining work.
 
 use crate::compare::ComparedLimit;
 use frictiongen_model::table::Worst;
@@ -28,7 +28,8 @@ impl Budget {
     }
 }
 
-/// Results for one function so far: its largest error, and the intervals of r that are not proven.
+/// Results for one function up to the present interval: its largest error, and the intervals of r that are not proven
+/// (open).
 pub(crate) struct FunctionProof {
     bound: Worst,
     pub open: Vec<(f64, f64)>,
@@ -83,7 +84,7 @@ impl FunctionProof {
     }
 }
 
-/// Results for a piece of a table: for β_lim, for the motion, and the work.
+/// Results for a piece of a table: for β_lim and for the motion, with the work.
 pub(crate) struct PieceProof {
     pub limit: FunctionProof,
     pub motion: FunctionProof,

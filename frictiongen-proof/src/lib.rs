@@ -7,8 +7,8 @@
 //! errors of its evaluation. Both modules use intervals with outward rounding. `motion` proves amplitude and phase of
 //! the contact in the same way.
 //!
-//! If the proof of an interval fails, the prover halves the interval. If the halves fail too, the interval stays open:
-//! the table is checked there, but not proven.
+//! If the proof of an interval fails, the prover halves the interval. If the proofs of the halves fail too, the
+//! interval stays *open*: the table is checked at points of the interval, but not proven.
 //!
 //! A value called *tuned* determines how much work a proof takes and how much of r stays open. Whether a proof is
 //! correct does not depend on it.

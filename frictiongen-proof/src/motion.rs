@@ -1,10 +1,10 @@
-//! Errors of amplitude and phase of the contact at any β over an interval of r. They depend on all polynomials of a
-//! piece except that of β_lim.
+//! Bounds on the errors of amplitude and phase of the contact, at any β and over an interval of r. These errors depend
+//! on all polynomials of a piece of the table, except the polynomial of β_lim.
 //!
 //! The amplitude is |V|(√(1 − ρ²α²) − ργ), with α = β_lim·U/|V|, γ = β_lim·G/|V| and ρ = β/β_lim. The table has the
-//! polynomials a and g in place of α and γ. a and g are relative to the table's own β_lim. The code therefore compares
-//! a·β_lim/β_table with α. The exact β_lim and α equal those of the witness up to a small margin. The margin therefore
-//! changes the difference by at most the margin.
+//! polynomials a and g in place of α and γ. They were fitted with the table's own β_lim, called β_table. The code
+//! therefore compares a·β_lim/β_table with α, and g·β_lim/β_table with γ. It takes β_lim and α from the witness, which
+//! differ from the exact values by at most the relative margin `share`. The bounds include this margin.
 
 use crate::compare::{CELLS, ComparedLimit, SHORT, SMALL, divided};
 use crate::series::IntervalSeries;
@@ -18,8 +18,9 @@ use frictiongen_model::table::Worst;
 use frictiongen_model::table::building::{ANGLE, SIZE, rounding};
 use std::f64::consts::PI;
 
-/// Bounds of the intervals of the friction ratio, as fractions of the largest friction ratio. The value is tuned. Near
-/// the largest friction ratio the root vanishes and the amplitude changes fast, so that the intervals become shorter.
+/// Ends of the intervals of β over which the code bounds the errors, as fractions of the largest β. The values are
+/// tuned. Near the largest β the root √(1 − ρ²α²) is small and the amplitude changes fast, so the intervals are shorter
+/// there.
 const SHARES: [f64; 11] = [
     0.0, 0.4, 0.65, 0.8, 0.88, 0.93, 0.96, 0.98, 0.99, 0.997, 1.0,
 ];
@@ -140,10 +141,11 @@ impl<S: Float> MotionProof<'_, S> {
             least,
         } = *cell;
         let unit = 0.5 * S::EPSILON;
-        // β_lim equals the witness's b up to the margin.
+        // The exact β_lim is between b/(1 + share) and b, where b is the β_lim of the witness.
         let fewer = Interval::new(1.0 / (1.0 + self.share) * (2.0 - UP), 1.0);
         let [alpha, gamma] = exact.map(|exact| exact * fewer);
-        // Adds the roundings of a and β_table, relative to β_table, and the roundings of the product with β.
+        // Adds the rounding errors of a and β_table, relative to β_table, and the rounding errors of the product with
+        // β.
         let with_roundings = |function: usize, off: Interval, exact: Interval| {
             let most = exact.size() + off.size();
             let own =
@@ -169,8 +171,8 @@ impl<S: Float> MotionProof<'_, S> {
             let off = -(of_root + share * of_gamma) / amplitude;
             let rounded = FEW * unit * own.high / amplitude.low;
             let off = off + Interval::within(rounded * UP);
-            // The amplitude is a product with |V|. The signs of both errors are kept, because they may compensate each
-            // other.
+            // The amplitude is |V| times a factor. The errors of |V| and of the factor keep their signs, because they
+            // may compensate each other.
             let of_size = size + Interval::within(self.excitation);
             let off = (off + of_size + off * of_size).size() + FEW * unit;
             // The phase lag of the contact is −asin ρα − arg V.

@@ -67,8 +67,8 @@ fn agreeing<S: Float>(accuracy: f64, side: Side) -> usize {
         let name = format!("{kind}{count}, {zeta}, {accuracy:e}: {}", proof.told());
         assert!(proof.evidence != Evidence::Checked, "{name}");
         assert!(proof.bound.error <= accuracy, "{name}");
-        // In an undamped chain, only the neighbourhoods of zeros may be open. If only some modes are damped, the motion
-        // may also be open over short intervals near sub-harmonics.
+        // In an undamped chain, the proof may leave only the neighbourhoods of zeros open. If only some modes are
+        // damped, it may also leave the motion open over short intervals near sub-harmonics.
         let most = if zeta > 0.0 {
             0.0
         } else if zeta < 0.0 {
@@ -116,7 +116,7 @@ fn the_bound_holds() {
     );
 }
 
-/// Returns the largest errors in a piece at many r, over the accuracy.
+/// Returns the largest errors in a piece at many r, divided by the accuracy.
 fn largest(
     tables: &Tables<f64>,
     place: usize,

@@ -115,8 +115,8 @@ impl<'a, 'm> Prover<'a, 'm> {
         let mut length = (end - start).abs() / FIRST;
         let shortest = SHORTEST * start.max(end);
         let mut skip = shortest;
-        // The motion has its own length that is left open. An interval has to prove the motion only if it lies at least
-        // `again` from the start.
+        // `skip_motion` is the length over which the motion stays open after a failure. An interval must prove the
+        // motion only if its distance from `start` is at least `again`.
         let (mut skip_motion, mut again) = (0.0_f64, 0.0_f64);
         let from_zero = zero.is_some();
         while place != end {
@@ -125,7 +125,7 @@ impl<'a, 'm> Prover<'a, 'm> {
                 return;
             }
             let rest = (end - place).abs();
-            // This avoids a short last interval.
+            // If a step would leave a short last interval, the step covers the whole rest.
             let step = if rest < NO_STUB * length {
                 rest
             } else {
@@ -167,8 +167,8 @@ impl<'a, 'm> Prover<'a, 'm> {
                     length = LONGER * step;
                     skip = shortest.max(0.5 * skip);
                 }
-                // An open interval is not halved down to rounding. Instead, each failure doubles the length that is
-                // left open.
+                // The prover does not halve a failed interval down to the rounding of r. Instead, each failure doubles
+                // the length that it leaves open.
                 None if step <= shortest.max(FINER * skip) => {
                     let far = skip.max(step).min(rest);
                     let next = if forwards { place + far } else { place - far };

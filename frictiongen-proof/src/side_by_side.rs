@@ -13,7 +13,7 @@ struct Shared<A> {
     next: usize,
     /// The answers, each with its work. `None` for a question without an answer yet.
     answers: Vec<Option<(usize, A)>>,
-    /// Number of answers before the first missing one, and below (`spent`) their work.
+    /// Number of answers before the first missing answer. `spent` is the work of these answers.
     known: usize,
     spent: usize,
 }
@@ -147,7 +147,7 @@ mod tests {
             for threads in [2, 3, 8, 100] {
                 let (together, needed) = asked(threads);
                 assert_eq!(together, alone, "{most}, {threads} threads");
-                // If the work is spent early, not all questions are asked.
+                // If the permitted work is spent early, the code does not take all questions.
                 assert!(
                     needed <= alone.len() + 37.min(12 * threads),
                     "{most}, {threads} threads: {needed}"

@@ -2,7 +2,7 @@
 //! `docs/derivation.md`).
 //!
 //! All functions contain the factor r². Near a pole of U at an undamped mode, they also contain the factor κ, the
-//! product of the cosines of these modes. The limits are quotients, in which κ cancels.
+//! product of cos(πx/2) over such modes, with x = √λ/r. The limits are quotients, in which κ cancels.
 
 use crate::series::IntervalSeries;
 use frictiongen_kernel::number::dd::Dd;
@@ -101,7 +101,7 @@ impl IntervalChain {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ModeStage<const N: usize> {
     pub oscillator: Oscillator,
-    /// √λ/r, the natural frequency over the excitation frequency.
+    /// x = √λ/r, the natural frequency divided by the excitation frequency.
     pub x: IntervalSeries<N>,
     /// r/√λ, the inverse of `x`.
     pub slow: IntervalSeries<N>,
@@ -134,8 +134,8 @@ pub(crate) struct ChainStage<const N: usize> {
 /// κ contains the cosine of an undamped mode if its absolute value is below this bound. The value is tuned. A quotient
 /// by a smaller cosine is wide over an interval of r, but each factor of κ costs products.
 const SINGULAR: f64 = 0.2;
-/// The code uses the form in which the pole of V and the zero of the cosine cancel if x is closer to 1 than this
-/// distance. At larger distances x² − 1 is not small, so that the code may divide by it.
+/// If |x − 1| is below this bound, the code uses a form in which the pole of V and the zero of the cosine cancel. At
+/// larger |x − 1| the code can divide by x² − 1.
 const RESONANT: f64 = 0.5;
 
 /// Returns one flag for each mode. The flag is true if κ contains the cosine of the mode near r.

@@ -43,7 +43,7 @@ fn the_bound_holds() {
                 proof.told()
             );
             assert!(proof.evidence != Evidence::Checked, "{name}");
-            // Only the neighbourhoods of zeros in undamped chains may be open.
+            // The proof may leave only the neighbourhoods of zeros in undamped chains open.
             let most = if zeta > 0.0 { 0.0 } else { 1e-6 };
             assert!(proof.open_length() <= most, "{name}");
             assert!(proof.bound.error <= accuracy, "{name}");

@@ -173,7 +173,7 @@ fn emitted(scene: &Scene, fields: &mut Vec<(&'static str, String)>) {
     }
 }
 
-/// The law of one of several contacts. Its text is the braces in the description.
+/// The properties of one of several contacts. `Display` writes them as the text between the braces of the contact.
 struct Law(JointLaw);
 
 impl Display for Law {

@@ -1,7 +1,8 @@
 //! Features of the response, for emitted and run-time systems, without allocation: thresholds, limits for r → 0 and r →
 //! ∞, and changes of the regime.
 //!
-//! `System::features` (feature `study`) finds more: features that need the scene's mode shapes, and complete lists.
+//! `System::features` (feature `study`) finds more features: those that need the scene's mode shapes, and complete
+//! lists.
 //!
 //! ```
 //! use frictiongen::features::{self, Change};
@@ -73,8 +74,8 @@ pub fn limits_at_rest<F: FrictionSystem>(system: &F) -> Result<Limits<F::Scalar>
     Ok(system.at(F::Scalar::constant(0.0))?.limits())
 }
 
-/// Returns β_∞ and β*_∞ (6.28), the limits β_lim and β*_lim for r → ∞. Both are infinite for a contact with a moving
-/// base.
+/// Returns β_∞ and β*_∞ (6.28), the values of β_lim and β*_lim for r → ∞. β_∞ and β*_∞ are infinite for a contact with
+/// a moving base.
 ///
 /// # Errors
 /// No errors, because ∞ is in the domain.
@@ -107,8 +108,8 @@ pub struct RegimeChanges<'s, F: FrictionSystem> {
 /// Finds the changes of the regime over a range of frequency ratios at the friction ratio β, in ascending order.
 /// Bisection locates each change to the last digits.
 ///
-/// The search evaluates the regime at `steps` + 1 frequencies. It misses a regime that lies entirely between two of
-/// these frequencies. `System::features` misses fewer regimes, and says whether its list is complete.
+/// The search evaluates the regime at `steps` + 1 frequencies. It misses a regime whose whole range lies between two
+/// neighbouring frequencies. `System::features` misses fewer regimes, and says whether its list is complete.
 ///
 /// # Errors
 /// [`OutOfDomain`] unless the range begins above 0 and ends at a larger, finite r. [`OutOfDomain`] also for NaN,
@@ -182,8 +183,8 @@ impl<F: FrictionSystem> Iterator for RegimeChanges<'_, F> {
                     (high, after) = (middle, regime);
                 }
             }
-            // A third regime may lie between the two frequencies. The search therefore repeats from the change just
-            // found.
+            // A third regime may lie between the two frequencies. The search therefore continues at the change that it
+            // has found.
             self.last = (high, after);
             self.step -= 1;
             return Some(Change {

@@ -1,4 +1,4 @@
-//! Traits for steady states in any regime. Emitted solvers and the run-time `System` both implement them.
+//! Traits for steady states in any regime. Emitted solvers and the run-time `System` implement these traits.
 
 use crate::targets::Settles;
 use crate::{Complex, LimitsAt, NoOrbit, Of};
@@ -7,7 +7,8 @@ use frictiongen_kernel::Float;
 use frictiongen_kernel::motion::{ContactChain, Part};
 use frictiongen_kernel::orbit::{Orbit, OrbitMotion};
 
-/// A scene at one frequency ratio that also provides steady states in any regime: continuous, stick-slip or stuck.
+/// A scene at one frequency ratio that provides steady states in any regime (continuous, stick-slip or stuck), in
+/// addition to the limits.
 ///
 /// ```
 /// use frictiongen::{FrictionSystem, Of, OrbitAt, SteadyState, friction_system};
@@ -93,9 +94,9 @@ pub trait SteadyState {
     ) -> Option<T>;
 }
 
-/// Methods of the kernel's steady state, as a separate trait. [`SteadyState`] has an implementation for every type that
-/// derefs to a type with `Kept`. The separate trait avoids a conflict of implementations, if the kernel's type itself
-/// implements `Deref` in a later version.
+/// Methods of the kernel's steady state, as a separate trait. [`SteadyState`] is implemented for every type that derefs
+/// to a type with `Kept`. Without the separate trait, a later implementation of `Deref` for the kernel's type would
+/// cause two conflicting implementations of [`SteadyState`].
 #[doc(hidden)]
 pub trait Kept {
     type Scalar: Float;
@@ -163,8 +164,8 @@ where
     }
 }
 
-/// Implements [`SteadyState`] for the steady states of emitted scenes and of a `System`. Both types deref to the
-/// kernel's steady state.
+/// Implements [`SteadyState`] for the steady states of emitted scenes and of a `System`. The types of these states
+/// deref to the kernel's steady state.
 impl<O: Deref<Target: Kept>> SteadyState for O {
     type Scalar = <O::Target as Kept>::Scalar;
 

@@ -1,5 +1,5 @@
-//! Traits for the exact motion in time, from event to event. Emitted solvers and the run-time `System` both implement
-//! them.
+//! Traits for the exact motion in time, from event to event. Emitted solvers and the run-time `System` implement these
+//! traits.
 
 use crate::{FrictionSystem, OutOfDomain};
 use core::ops::DerefMut;
@@ -7,7 +7,7 @@ use frictiongen_kernel::Float;
 use frictiongen_kernel::motion::{Contact, ContactChain, Level, Part};
 use frictiongen_kernel::simulation::{Moment, Segment, Simulation};
 
-/// A scene that also provides its exact motion in time, from event to event.
+/// A scene that provides its exact motion in time, from event to event, in addition to the limits.
 ///
 /// ```
 /// use frictiongen::{FrictionSystem, OutOfDomain, Run, Simulates, friction_system};
@@ -102,15 +102,15 @@ pub trait Run {
     fn contact(&self) -> Contact;
     /// Returns the relative displacement z̄ and the relative velocity dz̄/dτ in the contact.
     fn relative(&self) -> (Self::Scalar, Self::Scalar);
-    /// Returns the friction force in the contact over the load amplitude P.
+    /// Returns the friction force in the contact, divided by the load amplitude P.
     fn friction(&self) -> Self::Scalar;
     /// Returns the present displacement and velocity of a mass. `mass` is the index in the description. For an invalid
-    /// index, both are 0.
+    /// index, displacement and velocity are 0.
     fn moment(&self, mass: usize) -> Moment<Self::Scalar>;
 }
 
-/// Implements [`Run`] for the simulations of emitted scenes and of a `System`. Both types deref to the kernel's
-/// simulation.
+/// Implements [`Run`] for the simulations of emitted scenes and of a `System`. The types of these simulations deref to
+/// the kernel's simulation.
 impl<'a, S, P, L, K, R> Run for R
 where
     S: Float,

@@ -7,10 +7,11 @@ use frictiongen_kernel::oscillator::decay::Decay;
 use frictiongen_kernel::response::motion::{Largest, Motion};
 use frictiongen_kernel::table::{SteadyContact, TabledMotion};
 
-/// Selects a motion: that of the contact, of a mass, or of a combination of masses and base.
+/// Selects a motion or a force: the motion of the contact, of a mass, or of a combination of masses and base, the force
+/// in a spring, or the base shear.
 ///
-/// Emitted solvers provide the motions of the contact and of masses. A run-time `System` also provides those of
-/// combinations. The largest value of a force is in units of P (of k₁Y for base motion).
+/// Emitted solvers provide the motions of the contact and of masses. A run-time `System` provides all others as well.
+/// Forces are divided by P (by k₁Y for base motion).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Of {

@@ -1,11 +1,11 @@
-//! Traits for steppers, which advance the motion by time steps of one length. Emitted solvers and the run-time `System`
-//! both implement them.
+//! Traits for steppers, which advance the motion by time steps of equal length. Emitted solvers and the run-time
+//! `System` implement these traits.
 
 use crate::OutOfDomain;
 use frictiongen_kernel::Float;
 use frictiongen_kernel::stepper::{ContactNow, MassNow, Stepped, Work};
 
-/// A scene that also provides a stepper: its motion in time steps of one length, under any input.
+/// A scene that provides a stepper, which computes the motion in time steps of equal length under any input.
 ///
 /// ```
 /// use frictiongen::{OutOfDomain, StepLoad, Stepping, Steps, friction_system};
@@ -102,12 +102,12 @@ impl<S: Float> StepLoad<'_, S> {
     }
 }
 
-/// A motion in time steps of one length. The caller sets the input at every step.
+/// A motion in time steps of equal length. The caller sets the input at every step.
 pub trait Stepping {
     /// The scalar type of the scene.
     type Scalar: Float;
 
-    /// Sets the input at the start of the first step. Without this call that input is 0.
+    /// Sets the input at the start of the first step. Without this call, the input at the start is 0.
     ///
     /// # Errors
     /// Same errors as [`step`](Self::step). A call after the first step returns [`OutOfDomain`].
@@ -124,7 +124,7 @@ pub trait Stepping {
         load: &StepLoad<'_, Self::Scalar>,
     ) -> Result<Stepped<Self::Scalar>, OutOfDomain>;
     /// Returns the present displacement and velocity of a mass. `index` is the index in the description. For an invalid
-    /// index, both are 0.
+    /// index, displacement and velocity are 0.
     fn mass(&self, index: usize) -> MassNow<Self::Scalar>;
     /// Returns the present state of the contact, with its relative motion and friction force.
     fn contact(&self) -> ContactNow<Self::Scalar>;
@@ -143,9 +143,9 @@ pub trait Stepping {
     fn set_stiction(&mut self, mu: Self::Scalar) -> Result<(), OutOfDomain>;
 }
 
-/// Implements [`Steps`] for an emitted scene and [`Stepping`] for its stepper. The argument of the macro lists the
-/// masses on which the stepper accepts a force. The kernel's types contain all other data. With the word `declared` the
-/// macro implements [`Stepping`] for the stepper of a declared step.
+/// Implements [`Steps`] for an emitted scene, and [`Stepping`] for its stepper. The argument of the macro lists the
+/// masses on which the stepper accepts a force. All other data come from the kernel's types. With the word `declared`,
+/// the macro implements [`Stepping`] for the stepper of a declared step.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! emitted_stepper {

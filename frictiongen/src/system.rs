@@ -1,5 +1,5 @@
-//! Traits that emitted solvers and the run-time `System` have in common. One sweep, map or fit over these traits serves
-//! both.
+//! Traits that emitted solvers and the run-time `System` have in common. A sweep, map or fit that uses these traits
+//! works for emitted solvers and for a `System`.
 
 pub use crate::steady::{Of, Steady};
 use crate::targets::{HeldStill, InParts, Limited, Moved};
@@ -64,8 +64,8 @@ pub trait FrictionSystem {
             sliding: at.sliding_limit(),
         })
     }
-    /// Computes [both limits without search](Self::limits_without_search) at each frequency ratio of a slice, and
-    /// writes them to two slices of the same length.
+    /// Computes [`limits_without_search`](Self::limits_without_search) at each frequency ratio of a slice, and writes
+    /// β_lim and β*_lim to two slices of the same length.
     ///
     /// The results have the same bits as those of single calls. If all modes are undamped or all are lightly damped,
     /// the call takes less time, because it computes several frequencies at once.
@@ -154,10 +154,11 @@ pub trait LimitsAt {
 
     /// Returns the exact limit of continuous motion β_lim (5.65, 5.80, 5.96, 7.49).
     fn continuous_limit(&self) -> Self::Scalar;
-    /// Returns an upper bound on β_lim. It replaces the velocity constraint S by its limit for τ → 0 (5.64).
+    /// Returns an upper bound on β_lim. It uses the limit of the velocity constraint for τ → 0 in place of its maximum
+    /// S (5.64).
     fn continuous_limit_without_search(&self) -> Self::Scalar;
     /// Returns the lower bound on β_lim that the thesis prints (5.55, 7.37). The exact velocity constraint S is the
-    /// maximum over time of a sum over the modes. The bound uses the sum of the modes' own maxima instead.
+    /// maximum over time of a sum over the modes. The bound uses the sum of the maxima of the single modes instead.
     fn continuous_limit_per_mode(&self) -> Self::Scalar;
     /// Returns the limit of sliding β*_lim. A stuck state exists for β ≥ β*_lim (6.11, 6.27, 6.33).
     fn sliding_limit(&self) -> Self::Scalar;
@@ -173,15 +174,16 @@ pub trait LimitsAt {
     /// # Errors
     /// [`OutOfDomain`] for NaN, negative and infinite β.
     fn regime(&self, beta: Self::Scalar) -> Result<Regime, OutOfDomain>;
-    /// Returns the margin β/min(β_lim, β*_lim) − 1. It is negative below both limits, where the closed form exists.
+    /// Returns the margin β/min(β_lim, β*_lim) − 1. It is negative if β is below β_lim and β*_lim. The closed form then
+    /// exists.
     ///
     /// # Errors
     /// [`OutOfDomain`] for NaN, negative and infinite β.
     fn margin(&self, beta: Self::Scalar) -> Result<Self::Scalar, OutOfDomain>;
 }
 
-/// Implements [`LimitsAt`] for emitted scenes and for a `System`, at one frequency ratio. Both types deref to the
-/// kernel's scene.
+/// Implements [`LimitsAt`] for emitted scenes and for a `System`, at one frequency ratio. The types of these scenes
+/// deref to the kernel's scene.
 impl<A: Deref<Target: Limited>> LimitsAt for A {
     type Scalar = <A::Target as Limited>::Scalar;
 
@@ -208,7 +210,7 @@ impl<A: Deref<Target: Limited>> LimitsAt for A {
     }
 }
 
-/// A scene at one frequency ratio that also provides the exact continuous motion.
+/// A scene at one frequency ratio that provides the exact continuous motion in addition to the limits.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` gives no motion",
     label = "add `motion` to the scene's `provide: [...]`"
@@ -235,14 +237,14 @@ where
     }
 }
 
-/// A scene at one frequency ratio that also provides the response while the contact is stuck.
+/// A scene at one frequency ratio that provides the response while the contact is stuck, in addition to the limits.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` gives no response of a stuck contact",
     label = "add `stuck` to the scene's `provide: [...]`"
 )]
 pub trait StuckAt: LimitsAt {
     /// Returns x̄* = V_k − H_kV/H, the complex amplitude of mass k while the contact is stuck. `index` is the index of
-    /// the mass in the description. Returns `None` if there is no such mass.
+    /// the mass in the description. Returns `None` if no mass has this index.
     ///
     /// # Errors
     /// [`StuckResonance`] on an undamped resonance of the chain with its contact stuck.
@@ -269,8 +271,8 @@ pub trait ContinuousMotion {
     ) -> Option<T>;
 }
 
-/// Implements [`ContinuousMotion`] for the motions of emitted scenes and of a `System`. Both types deref to the
-/// kernel's motion.
+/// Implements [`ContinuousMotion`] for the motions of emitted scenes and of a `System`. The types of these motions
+/// deref to the kernel's motion.
 impl<M: Deref<Target: InParts>> ContinuousMotion for M {
     type Scalar = <M::Target as InParts>::Scalar;
 

@@ -107,7 +107,7 @@ impl<S: Float, const N: usize> Watch<S, N> {
     }
 }
 
-/// Returns the transmissibility X/Y of a mass: its complex amplitude X over the complex amplitude Y of the base.
+/// Returns the transmissibility X/Y of a mass: its complex amplitude X divided by the complex amplitude Y of the base.
 /// Returns `None` if Y is 0.
 #[must_use]
 pub fn transmissibility<S: Float>(mass: Complex<S>, base: Complex<S>) -> Option<Complex<S>> {

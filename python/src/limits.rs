@@ -29,7 +29,7 @@ fn all(
     Ok(portions.into_iter().flatten().collect())
 }
 
-/// Computes both limits over frequency. With `estimates` the answer also contains the two bounds on β_lim. Without
+/// Computes β_lim and β*_lim over frequency. With `estimates` the answer also contains the two bounds on β_lim. Without
 /// `search` it contains no limit that needs a search.
 #[pyfunction]
 pub fn limits<'py>(

@@ -1,4 +1,4 @@
-//! Computes the derivatives of a response and of both limits with respect to every parameter.
+//! Computes the derivatives of a response and of β_lim and β*_lim with respect to every parameter.
 
 use crate::asked::{
     Frequencies, FrequencyArguments, FrictionArguments, Frictions, LoadArguments, measure, part,

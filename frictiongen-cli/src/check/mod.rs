@@ -16,12 +16,13 @@ use std::ops::Range;
 pub fn run(arguments: &CheckArguments, out: &mut dyn Write) -> Result<(), Failure> {
     let name = arguments.file.name();
     let text = arguments.file.text()?;
-    // The command rejects every description that the macro rejects, except for several contacts and dashpots.
+    // The command rejects every description that the macro rejects. Scenes with several contacts or dashpots are the
+    // exception: the command accepts all valid ones.
     let description = parse_text(&text, &Limits::CHECK).map_err(|diagnostics| {
         if arguments.json {
             let answer =
                 json!({ "file": name, "errors": listed(&diagnostics.list), "warnings": [] });
-            // The errors go to standard error too, so that a failed write hides none.
+            // The errors go to standard error too, so that the user sees them even if this write fails.
             let _ = writeln!(out, "{answer:#}");
             let _ = out.flush();
         }
@@ -88,7 +89,8 @@ fn shown(name: &str, text: &str, error: &Diagnostic, level: Level<'_>) -> String
     Renderer::plain().render(&[report])
 }
 
-/// Returns the bytes of the token at a line and a column, both counted from 1. The range is empty beyond the end.
+/// Returns the range of bytes of the token at a line and a column, both counted from 1. The range is empty beyond the
+/// end of the text.
 fn token(text: &str, line: usize, column: usize) -> Range<usize> {
     let before: usize = text
         .split_inclusive('\n')

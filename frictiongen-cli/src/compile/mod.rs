@@ -20,7 +20,8 @@ use frictiongen_codegen::{Limits, SceneTables};
 use std::io::Write;
 use std::path::Path;
 
-/// Limits of a macro on a description, without tables. The command itself builds the tables, according to its options.
+/// Limits that the macro sets for a description, but without tables. The command builds the tables itself, according to
+/// its options.
 const LIMITS: Limits = Limits {
     tables: false,
     ..Limits::MACRO
@@ -106,7 +107,8 @@ fn say_what_is_left_out(scene: &Scene) {
 /// Replaces the accuracy, range and side of the description by those that the options give.
 fn declare(scene: &mut Scene, arguments: &CompileArguments) -> Result<(), Failure> {
     let declared = &mut scene.declared;
-    // The option --prove decides whether there is a proof, not the proof that the description requests from the macro.
+    // The option --prove decides whether the command makes a proof. The `proof` of the description applies only to the
+    // macro.
     declared.proof = Proving::Quick;
     if let Some(accuracy) = &arguments.accuracy {
         declared.accuracy = Accuracy::Relative(number(accuracy, "--accuracy")?);
@@ -123,7 +125,8 @@ fn declare(scene: &mut Scene, arguments: &CompileArguments) -> Result<(), Failur
         scene.declared.range = Some(Range { r, beta });
     }
     if scene.declared.accuracy == Accuracy::Exact && scene.declared.budget.is_none() {
-        // A range without an accuracy is also an error of a description, but that message would not fit the options.
+        // A description with a range but without an accuracy is an error too, but its message would not fit the
+        // options.
         return Err(Failure::new(NO_ACCURACY));
     }
     if arguments.safe {

@@ -9,13 +9,13 @@ pub const FREQUENCIES: u32 = 400;
 /// Range of the compared frequencies. It begins at the first number times the lowest natural frequency, and ends at the
 /// second number times the highest natural frequency.
 const BAND: (f64, f64) = (0.2, 1.5);
-/// A value counts as 0 if it is at most this fraction of the largest value of the same result. At a frequency where the
-/// exact result is 0, rounding leaves such a value.
+/// A value counts as 0 if it is at most this fraction of the largest value of the same result over the frequencies.
+/// Where the exact result is 0, rounding leaves such a value.
 const NOISE: f64 = 1e-12;
-/// Friction for the comparison of motions, as a fraction of the smaller limit of the old scene.
+/// Friction for the comparison of motions, as a fraction of the smaller of β_lim and β*_lim of the old scene.
 const FRICTION: f64 = 0.5;
 
-/// Words for the frequencies at which both limits are finite.
+/// Words for the frequencies at which the limit is finite in both scenes.
 const FINITE: &str = "where both are finite";
 /// Words for the frequencies at which both scenes have a continuous motion.
 const CONTINUOUS: &str = "where both motions are continuous";
@@ -25,7 +25,7 @@ const CONTINUOUS: &str = "where both motions are continuous";
 pub struct Difference {
     /// Name of the result.
     pub name: String,
-    /// Unit of both values.
+    /// Unit of the old and the new value.
     pub unit: &'static str,
     /// Frequency of the largest difference, Hz.
     pub hertz: f64,
@@ -37,9 +37,10 @@ pub struct Difference {
     pub median: f64,
     /// Number of frequencies at which both scenes have a result.
     pub compared: usize,
-    /// Scenes whose emitted code leaves this result out, as words for the reader. Empty if both provide it.
+    /// Words for the scenes whose emitted code leaves this result out. Empty if the code of both scenes provides the
+    /// result.
     pub left_out_by: &'static str,
-    /// Words for the compared frequencies, if a comparison was not possible at all frequencies of the band.
+    /// Words for the compared frequencies, if they are not all frequencies of the band.
     pub where_both: &'static str,
 }
 
@@ -250,7 +251,7 @@ impl Series {
 
 fn differences(old: &System, new: &System, band: &[f64]) -> Vec<Difference> {
     let on_base = old.scene().excitation == Excitation::Base;
-    // With a load of 1, limits and displacements are those divided by the amplitude of the load.
+    // The load is 1, so the results are the limits and displacements divided by the amplitude of the load.
     let load = if on_base {
         Load::Base(1.0)
     } else {

@@ -9,7 +9,7 @@ use similar::{ChangeTag, TextDiff};
 pub struct Code {
     /// Number of lines of the emitted code, for the old and the new description.
     pub lines: (usize, usize),
-    /// Number of lines in only the old source, and number of lines in only the new source.
+    /// Number of lines that only the old source contains, and number of lines that only the new source contains.
     pub differing: (usize, usize),
     /// Number of bytes of the emitted code, for the old and the new description.
     pub bytes: (usize, usize),

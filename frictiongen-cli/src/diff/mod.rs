@@ -22,7 +22,7 @@ use std::io::Write;
 struct Differences {
     names: [String; 2],
     changes: Vec<Change>,
-    /// Sentences about results of the emitted code that the comparison does not cover, such as those from tables.
+    /// Sentences about results of the emitted code that the comparison does not cover, such as results from tables.
     notes: Vec<String>,
     answers: Answers,
     code: Result<Code, String>,
@@ -89,8 +89,8 @@ fn compare(names: [String; 2], texts: &[String; 2]) -> Result<Differences, Failu
     })
 }
 
-/// Returns a sentence if the emitted code of a scene does not use the exact formulas in double precision, which the
-/// comparison uses.
+/// Returns a sentence if the emitted code of a scene does not use the exact formulas in double precision. The
+/// comparison uses these formulas for every scene.
 fn note(which: &str, scene: &Scene) -> Option<String> {
     let tables = match (scene.declared.accuracy, scene.declared.budget) {
         (Accuracy::Relative(accuracy), _) => Some(format!(
@@ -117,7 +117,7 @@ fn unified(
         .unified_diff()
         .header(&name(0), &name(1))
         .to_string();
-    // Without this line break, the errors would begin in the last line of the text.
+    // The errors on standard error then begin on a new line of the terminal.
     if !text.is_empty() && !text.ends_with('\n') {
         text.push('\n');
     }

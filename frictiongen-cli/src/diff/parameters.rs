@@ -35,9 +35,8 @@ impl Change {
     }
 }
 
-/// Returns the old scene with the new names of its masses, and a change for each new name. Two conditions are necessary
-/// for a new name. Both scenes have the same number of masses. The old scene does not contain the new name, and the new
-/// scene does not contain the old name.
+/// Returns the old scene with new names for some masses, and a change for each new name. A mass gets a new name under
+/// two conditions: both scenes have the same number of masses, and each of the two names occurs in only one scene.
 pub fn renamed(old: &Scene, new: &Scene) -> (Scene, Vec<Change>) {
     let (mut scene, mut changes) = (old.clone(), Vec::new());
     if old.masses.len() != new.masses.len() {
@@ -81,7 +80,7 @@ pub fn changes(old: &Scene, new: &Scene) -> Vec<Change> {
         .collect()
 }
 
-/// Returns every field of a scene that has no default value or differs from it.
+/// Returns every field of a scene that has no default, or whose value is not the default.
 fn fields(scene: &Scene) -> Vec<Field> {
     let mut fields = vec![word("name", scene.name.clone())];
     for mass in &scene.masses {

@@ -1,5 +1,5 @@
-//! The exported functions and structs, from which the header and the Rust file are both written.  The two files
-//! therefore declare the same functions.
+//! The exported functions and structs. The header and the Rust file are written from this list, so they declare the
+//! same functions.
 
 /// Type of a number or a struct.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -51,7 +51,7 @@ pub struct Record {
     pub fields: Vec<Field>,
 }
 
-/// Way in which a parameter is passed.
+/// The way in which a parameter is passed.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Passed {
     /// By value.
@@ -90,7 +90,7 @@ pub struct Opaque {
     pub about: &'static str,
     /// Rust type of the contents.
     pub contents: String,
-    /// Size in words of 64 bits, with the mark.
+    /// Size in words of 64 bits, including the word for the mark of an initialised struct.
     pub words: usize,
 }
 

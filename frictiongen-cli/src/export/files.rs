@@ -1,10 +1,10 @@
-//! Writes the files beside the header and the Rust file: manifest, example and build files.
+//! Writes the manifest, the example and the build files of an exported crate.
 
 use frictiongen::study::scene::{Excitation, Provide, Scene};
 use frictiongen_codegen::standalone::StepperShape;
 use std::path::Path;
 
-/// Writes `Cargo.toml`.  `library` is the folder of the crate `frictiongen`, if it is not that of the registry.
+/// Writes `Cargo.toml`.  `library` is the folder of the crate `frictiongen`. `None` means the crate of the registry.
 pub fn manifest(prefix: &str, library: Option<&Path>) -> String {
     let head = head(&format!("{prefix}_solver"), "staticlib", library);
     format!(
@@ -26,11 +26,11 @@ pub fn fmu_manifest(prefix: &str, library: Option<&Path>) -> String {
     )
 }
 
-/// Writes the package and its dependency.
+/// Writes the package section and the dependency on `frictiongen`.
 fn head(name: &str, kind: &str, library: Option<&Path>) -> String {
     let version = env!("CARGO_PKG_VERSION");
     let place = match library {
-        // Cargo reads TOML strings, in which a backslash begins an escape.
+        // A backslash begins an escape in a TOML string, so the path is escaped as a Rust string.
         Some(path) => format!("path = {:?}", path.display().to_string()),
         None => format!("version = \"={version}\""),
     };

@@ -5,7 +5,7 @@ use super::status::STATUSES;
 use frictiongen::study::scene::{Provide, Scene};
 use frictiongen_codegen::standalone::{UnitConstants, c_text, scene_hash};
 
-/// Comment of the header about the rules that all functions follow.
+/// Comment in the header that states the rules for all functions.
 const CONTRACT: &str = "Every function returns a status.  Unless it is 0, no result is written, and a stepper keeps its state.\n \
      * A null pointer gives a status.  Any other pointer must point to memory of its type, and no other thread may\n \
      * change that memory during the call.  Results and inputs may not overlap.  The memory of a stepper and of a saved\n \

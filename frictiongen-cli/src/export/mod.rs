@@ -1,5 +1,5 @@
-//! `frictiongen export`: writes a crate with a C header, which solves the scene of a description for a program in C, or
-//! an FMU.
+//! `frictiongen export`: writes a crate that solves the scene of a description, with a C header for programs in C. With
+//! `--to fmu` it writes an FMU.
 
 mod face;
 mod files;
@@ -26,7 +26,7 @@ use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-/// Items of `provide` of which an export has functions.
+/// Items of `provide` for which an export contains functions.
 const EXPORTED: &str = "limits, motion, stuck, orbit, stepper or self_check";
 
 /// A checked request.
@@ -37,7 +37,7 @@ struct Asked<'a> {
     prefix: &'a str,
     /// Text of the description, and the command.
     origin: Origin<'a>,
-    /// Folder of the crate `frictiongen`, if it is not that of the registry.
+    /// Folder of the crate `frictiongen`. `None` means the crate of the registry.
     library: Option<&'a Path>,
 }
 
@@ -77,7 +77,7 @@ fn write_c(asked: &Asked<'_>) -> Result<(), Failure> {
     let source = asked.arguments.file.path();
     let all = files(asked, &face);
     create(&folder.join("src"))?;
-    // The description inside the folder may be the file that was read.
+    // The copy of the description in the folder may be the file that the command has read.
     let copy = folder.join(format!("{prefix}.friction"));
     let is_same = source.is_some_and(|source| same(source, &copy));
     for (path, text) in &all {
@@ -108,7 +108,7 @@ fn write_c(asked: &Asked<'_>) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Creates a folder and the folders around it.
+/// Creates a folder, and its parent folders if necessary.
 fn create(folder: &Path) -> Result<(), Failure> {
     fs::create_dir_all(folder).map_err(|error| {
         Failure::new(format_args!(
@@ -179,7 +179,7 @@ fn face_of(description: &Description) -> Result<Face, Failure> {
     Ok(face)
 }
 
-/// Fails for a description that renames the library.
+/// Fails for a description that gives the crate `frictiongen` another path.
 fn check_facade(description: &Description) -> Result<(), Failure> {
     let path = description.facade.to_string().replace(' ', "");
     if path == "::frictiongen" {
@@ -201,7 +201,7 @@ fn library(path: &Path) -> Result<PathBuf, Failure> {
     let whole = fs::canonicalize(path).map_err(|error| refused(&reason(&error)))?;
     let manifest = fs::read_to_string(whole.join("Cargo.toml"));
     let manifest = manifest.map_err(|_| refused("the folder has no Cargo.toml"))?;
-    // A program of another crate may have this name too: only the name of the package counts.
+    // A binary target of another crate may have this name too, so the code compares the name of the package.
     let mut package = manifest
         .lines()
         .map(str::trim)

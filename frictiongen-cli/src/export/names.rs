@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use frictiongen::study::scene::Scene;
 use frictiongen_codegen::standalone::c_name;
 
-/// Headers of the C library.  A header of the same name would hide one of them.
+/// Headers of the C library.  An exported header of the same name would hide a header of the library.
 const TAKEN: [&str; 24] = [
     "assert", "complex", "ctype", "errno", "fenv", "float", "inttypes", "iso646", "limits",
     "locale", "math", "setjmp", "signal", "stdarg", "stdbool", "stddef", "stdint", "stdio",
@@ -29,7 +29,7 @@ pub fn prefix(scene: &Scene, given: Option<&str>) -> Result<String, Failure> {
     Ok(name)
 }
 
-/// Fails if the header would hide one of the C library.
+/// Fails if the exported header would hide a header of the C library.
 pub fn check_header(name: &str) -> Result<(), Failure> {
     if TAKEN.contains(&name) {
         return Err(Failure::new(format_args!(
@@ -39,8 +39,8 @@ pub fn check_header(name: &str) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Returns the name of a mass as the field of a struct.  A name with letters outside ASCII is replaced by the number of
-/// the mass.
+/// Returns the name of a mass as the name of a struct field.  If the name has letters outside ASCII, the function uses
+/// the number of the mass instead.
 pub fn field(scene: &Scene, index: usize, start: &str) -> String {
     match scene.masses.get(index) {
         Some(mass) if mass.name.is_ascii() => format!("{start}_{}", mass.name),

@@ -1,4 +1,4 @@
-//! Functions of steady states with stops.
+//! Exported functions of steady states, with or without stops.
 
 use super::face::{Face, Field, Function, Kind, Passed, Record};
 use super::names::{field, mass};

@@ -8,13 +8,16 @@ use frictiongen_codegen::standalone::StepperShape;
 /// Bytes that padding may add to an extrapolated size.
 const PADDING: i64 = 16;
 
-/// Sizes of a stepper and of its saved state, with one or two modes, modes of the stuck chain, and inputs.
+/// Sizes of a stepper and of its saved state, for one or two modes, one or two modes of the stuck chain, and one or two
+/// inputs.
 type Corner = [usize; 2];
 
-/// Returns the sizes in words of 64 bits, including the mark in front: of the stepper and of its saved state.
+/// Returns the size of a stepper and the size of its saved state, in words of 64 bits. Each size includes one word for
+/// the mark.
 ///
-/// The size of a stepper is linear in each of its numbers of modes, of modes of the stuck chain and of inputs.  Eight
-/// sizes therefore determine all others.  The exported crate asserts that the result suffices on its target.
+/// The size of a stepper is linear in each of three numbers: modes, modes of the stuck chain, and inputs.  The sizes
+/// for eight combinations therefore determine all sizes.  The exported crate asserts that the result suffices on its
+/// target.
 pub fn words(shape: &StepperShape, precision: Precision) -> [usize; 2] {
     let corners = match precision {
         Precision::F64 => corners::<f64>(shape),
@@ -38,7 +41,7 @@ pub fn words(shape: &StepperShape, precision: Precision) -> [usize; 2] {
                 });
             sum + weight * size
         });
-        // The mark in front is one more word.
+        // The mark before the contents is one more word.
         usize::try_from((sum + PADDING + 7) / 8).unwrap_or(0) + 1
     })
 }

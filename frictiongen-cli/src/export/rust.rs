@@ -31,7 +31,7 @@ pub fn library(face: &Face, head: &str, (prefix, name, scalar): (&str, &str, &st
     )
 }
 
-/// Writes functions that several exported functions call.
+/// Writes the functions that several exported functions call.
 fn helpers(face: &Face, prefix: &str, scalar: &str) -> String {
     let has = |name: &str| face.records.iter().any(|record| record.name == name);
     let mut text = format!(

@@ -28,7 +28,8 @@ pub fn marks(
 ) -> Vec<Markers> {
     let mut marks = Vec::new();
     for (feature, marker, name) in MARKS {
-        // The picture shows amplitudes. Points of the fundamental component do not lie on these curves.
+        // The curves of the picture are amplitudes. Features of the fundamental component do not lie on these curves,
+        // so they get no mark.
         let marked = lines.iter().filter(|line| {
             line.feature == feature
                 && line.of == part.name
@@ -49,7 +50,8 @@ pub fn marks(
     marks
 }
 
-/// Draws each motion in a panel of its own. If the user gives no friction, the panel shows the motion without friction.
+/// Draws each motion in a panel of its own, at the friction that the user gives. Without a given friction, the panel
+/// shows the motion without friction.
 pub fn draw(
     report: &FeaturesReport<'_>,
     parts: &[Part],

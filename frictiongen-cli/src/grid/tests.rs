@@ -62,7 +62,7 @@ fn decimal_points() {
             compared += 1;
         }
     }
-    // The grids are chosen so that binary steps would miss many points.
+    // The grids are chosen so that steps in binary floating point would give wrong points in many of them.
     assert!(
         compared == 1000 + 20 + 2500 + 8301 + 991 && differ > 1000,
         "{compared} {differ}"

@@ -13,7 +13,7 @@ use std::io::Write;
 /// Largest distance between a limit and its line in the picture, in β/(1 + β).
 const LINES: f64 = 2e-4;
 
-/// Draws a map. Lines over the map show both limits.
+/// Draws a map. Lines over the map show β_lim and β*_lim.
 pub fn draw(
     report: &MapReport<'_>,
     boundaries: &[Boundary],

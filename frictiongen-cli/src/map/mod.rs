@@ -26,7 +26,7 @@ use points::{BoundaryReport, MapReport};
 use std::io::Write;
 use std::sync::Mutex;
 
-/// Largest number of significant digits to which a boundary can be requested.
+/// Largest number of significant digits that the user may request for a boundary.
 const MOST_DIGITS: u32 = 12;
 
 /// Runs `frictiongen map`.

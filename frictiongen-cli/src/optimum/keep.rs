@@ -1,4 +1,4 @@
-//! The bounds of `frictiongen optimum`: `--keep 'roof-base <= 5mm'`.
+//! The option `--keep` of `frictiongen optimum`, which sets upper bounds on amplitudes: `--keep 'roof-base <= 5mm'`.
 
 use super::valued::Valued;
 use crate::asked::Part;
@@ -9,7 +9,7 @@ use frictiongen::System;
 use frictiongen::study::columns::{Further, OptimumLine, OptimumTable};
 use frictiongen::study::optimum::{Kept, OptimumError, OptimumRequest};
 
-/// Parses the bounds.
+/// Parses the bounds of `--keep`.
 pub fn parsed(
     system: &System,
     texts: &[String],

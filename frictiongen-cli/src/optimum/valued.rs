@@ -16,7 +16,7 @@ pub struct Valued {
     /// Text of the value.
     pub text: String,
     pub part: Part,
-    /// The value in the unit of an optimum's amplitude.
+    /// The value in the unit in which an optimum gives amplitudes.
     pub value: f64,
 }
 
@@ -41,7 +41,7 @@ impl Valued {
                 &"a value with a unit needs the load; give --base, --force or --unbalance",
             ));
         }
-        // The groups of an optimum are those at r = 1.
+        // The groups of an optimum refer to the load at r = 1.
         let reference = system.angular_frequency(1.0);
         let unit = measure.convert(part.dimension(), 1.0, reference);
         Ok(Self {

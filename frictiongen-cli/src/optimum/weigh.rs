@@ -1,4 +1,5 @@
-//! Several quantities of `frictiongen optimum`. Each is divided by its value: `--of roof/5mm --of 'accel(roof)/2m/s2'`.
+//! The option `--of` of `frictiongen optimum` with several quantities, each divided by its own value: `--of roof/5mm
+//! --of 'accel(roof)/2m/s2'`.
 
 use super::valued::Valued;
 use crate::asked::Part;
@@ -30,8 +31,8 @@ pub fn parsed(
     texts.iter().map(one).collect()
 }
 
-/// Finds the best friction for all quantities together, and returns the lines of the answer. `table` creates the table
-/// for the decisive quantity, whose quotient is the largest.
+/// Finds the best friction for all quantities together, and returns the lines of the answer. The decisive quantity is
+/// the one with the largest quotient. `table` creates the table for it.
 pub fn lines<'a>(
     table: &dyn Fn(&'a Part) -> OptimumTable<'a>,
     request: &OptimumRequest,

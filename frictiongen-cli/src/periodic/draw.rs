@@ -10,8 +10,8 @@ use frictiongen_plot::desk::sketch_under_record;
 use frictiongen_plot::{Axis, Colour, Figure, Label, Line, Panel, Stroke};
 use std::io::Write;
 
-/// Draws the motion over a period. If the contact is among the motions, the picture also has the friction force over the
-/// slip.
+/// Draws the motion over a period. If the contact is among the motions, the picture also shows the friction force
+/// against the slip.
 pub fn motion(
     table: &PeriodicTable<'_>,
     row: &PeriodicRow,

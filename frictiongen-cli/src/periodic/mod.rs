@@ -90,7 +90,7 @@ fn scene(arguments: &PeriodicArguments) -> Result<System, Failure> {
     let mut description = file.description(&Limits::RUN_TIME)?;
     if arguments.hold {
         description.scene.stepping.input = StepInput::Hold;
-        // A description may set the input only beside a stepper.
+        // A description may set the input only if it provides a stepper.
         if !description.scene.provides(&Provide::Stepper) {
             description.scene.provide.push(Provide::Stepper);
         }

@@ -80,7 +80,7 @@ pub fn driven(
     picture::write_with(figure, sketch_under_record(system.scene()), form, out)
 }
 
-/// Draws pseudo-acceleration and displacement over the period, with the natural periods of the scene.
+/// Draws pseudo-acceleration and displacement against the period, with the natural periods of the scene.
 pub fn spectrum(
     system: &System,
     spectrum: &SpectrumReport<'_>,

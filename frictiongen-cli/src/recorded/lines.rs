@@ -15,7 +15,7 @@ pub struct Lines<'a> {
     pub lines: Vec<QuantityLine>,
     /// Titles and texts of the lines above the quantities.
     pub said: Vec<(&'static str, String)>,
-    /// Names and keys that JSON contains in addition to these texts.
+    /// Names and keys that JSON contains in addition to the titles and texts.
     pub keys: Vec<(&'static str, &'static str)>,
 }
 

@@ -1,4 +1,4 @@
-//! Content of the page, from the user's options and, where an option is missing, from defaults.
+//! Contents of the report page: from the user's options, or from defaults where the user gives no option.
 
 use super::words::Words;
 use crate::args::ReportArguments;
@@ -21,8 +21,8 @@ const ALL_SHOWN: usize = 4;
 const RANGE: [f64; 2] = [0.3, 1.5];
 /// Default frictions, as fractions of the median of β*_lim over the range.
 const FRACTIONS: [f64; 3] = [0.1, 0.3, 0.7];
-/// Number of frequencies from which the command computes the median of β*_lim and the largest motion with the contact
-/// stuck.
+/// Number of frequencies at which the command computes β*_lim for its median, and the motion with the contact stuck for
+/// its largest value.
 const PLACES: usize = 401;
 
 /// Scene, range, units and motions that the report page shows.
@@ -108,7 +108,7 @@ impl Asked {
         evenly(&self.band, count)
     }
 
-    /// Returns the masses in descending order of their motion with the contact stuck.
+    /// Returns the masses in descending order of their largest motion with the contact stuck.
     pub fn farthest_if_stuck(&self) -> Vec<usize> {
         farthest_if_stuck(&self.system, &self.band)
     }
@@ -150,7 +150,8 @@ impl Asked {
             if best.is_some() { ", and the best friction" } else { "" },
         ));
         if let Some(best) = best.filter(|best| 0.0 < *best && best.is_finite()) {
-            // A curve too close to the best one would be hard to distinguish. Its friction is left out.
+            // A curve close to the curve of the best friction would be hard to distinguish, so its friction is left
+            // out.
             levels.retain(|level| 0.05 * best < (level - best).abs());
             levels.push(best);
         }
@@ -174,7 +175,7 @@ fn evenly(band: &Band, count: usize) -> impl Iterator<Item = f64> + use<> {
     })
 }
 
-/// Returns the masses in descending order of their motion with the contact stuck.
+/// Returns the masses in descending order of their largest motion with the contact stuck.
 fn farthest_if_stuck(system: &System, band: &Band) -> Vec<usize> {
     let stuck = evenly(band, PLACES).filter_map(|r| system.at(r).ok()?.stuck().ok());
     let mut most = vec![(0.0_f64, 0); system.scene().masses.len()];
@@ -208,7 +209,7 @@ fn automatic(system: &System, in_hertz: bool) -> Band {
 }
 
 /// Returns the contact and masses that the page shows. For a long chain it returns only the most important ones. If a
-/// mass slides on a wall, the list does not contain the contact, because both have the same motion.
+/// mass slides on a wall, the contact has the same motion as this mass, and the list does not contain the contact.
 fn shown(system: &System, band: &Band, chosen: &mut Vec<String>) -> Result<Vec<Part>, Failure> {
     let mut all = asked::parts(system, &[])?;
     let scene = system.scene();

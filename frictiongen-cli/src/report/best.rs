@@ -49,7 +49,7 @@ pub fn search(asked: &Asked) -> Result<Vec<Best>, String> {
     let parts = asked.parts.iter();
     let parts = parts.filter(|part| only_contact || part.of != Of::Contact);
     let mut parts: Vec<Part> = parts.cloned().collect();
-    // The search keeps the motions that are largest with the contact stuck.
+    // The command searches only for the motions that are largest with the contact stuck.
     let farthest = asked.farthest_if_stuck();
     let rank = |part: &Part| match part.of {
         Of::Mass(mass) => farthest.iter().position(|other| *other == mass),
@@ -79,8 +79,8 @@ pub fn search(asked: &Asked) -> Result<Vec<Best>, String> {
     Ok(at_once(parts, best))
 }
 
-/// Returns two friction ratios. Up to the first, the contact sticks at no frequency of the range. From the second on, a
-/// stuck state exists at every frequency of the range.
+/// Returns two friction ratios. Up to the first, the contact sticks at no frequency of the range. From the second
+/// upwards, a stuck state exists at every frequency of the range.
 pub fn limits(best: &Result<Vec<Best>, String>) -> Option<(f64, f64)> {
     let mut all = best.iter().flatten();
     let found = all.find_map(|best| best.found.as_ref().ok())?;
@@ -109,7 +109,7 @@ fn damping(optimum: &Optimum, asked: &Asked) -> Option<f64> {
     response.largest(Of::Contact, Size::Damping)
 }
 
-/// Returns words for the reason why no other friction gives a lower amplitude.
+/// Returns words for the reason why every other friction gives a higher amplitude.
 pub fn kind(optimum: &Optimum) -> &'static str {
     match (optimum.kind, optimum.end) {
         (_, OptimumEnd::WorkSpent) => {

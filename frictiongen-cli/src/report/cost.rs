@@ -1,5 +1,5 @@
-//! Cost and accuracy of the emitted code. The module counts operations in the code, and compares results with
-//! double-double.
+//! Cost and accuracy of the emitted code. The module counts operations in the code, and compares results with the same
+//! results in double-double.
 
 use super::asked::Asked;
 use super::words::{digits, number};
@@ -51,8 +51,8 @@ struct Bounds {
     amplitude: u32,
     /// Size of a steady state with stops, in bytes.
     orbit: usize,
-    /// Length of a step of the stepper in seconds, and the operations of two kinds of steps. The first kind uses only
-    /// the constant tables, the second has one event. `None` if the scene declares no step.
+    /// Length of a step of the stepper in seconds, the operations of a step that uses only the constant tables, and the
+    /// operations of a step with one event. `None` if the scene declares no step.
     step: Option<(f64, u64, u64)>,
 }
 
@@ -276,7 +276,7 @@ fn compared<S: Float>(
         compared: (0, 0),
     };
     for r in asked.even(PLACES) {
-        // Both systems get the same number r, without a rounding between them.
+        // Both systems get the same number r. It is rounded only once.
         let own = S::constant(r);
         let (Ok(at), Ok(exact)) = (system.at(own), reference.at(Dd::from(own.to_f64()))) else {
             continue;

@@ -18,7 +18,7 @@ pub type Found = Result<(Regime, Swing), Error>;
 pub fn found(asked: &Asked, r: f64, beta: f64, of: Of) -> Found {
     let at = asked.system.at(r)?;
     let rest = Swing::REST;
-    // The closed form of a stuck elastic contact is a response, because the contact moves with its spring.
+    // For a stuck elastic contact the closed form is a response, because the contact moves with its spring.
     if beta == STUCK && !asked.is_elastic() {
         let stuck = at.stuck()?;
         let swing = match of {
@@ -66,7 +66,7 @@ pub fn at_once<Q: Send, A: Send>(questions: Vec<Q>, answer: impl Fn(Q) -> A + Sy
         let threads: Vec<_> = threads.collect();
         let answers = threads.into_iter().map(|thread| match thread.join() {
             Ok(answer) => answer,
-            // A panic in a thread continues here, as if this thread had computed the answer.
+            // A panic in a thread continues in this thread, as if this thread had computed the answer.
             Err(panic) => std::panic::resume_unwind(panic),
         });
         answers.collect()

@@ -1,4 +1,4 @@
-//! Computes and draws the regimes over frequency and friction, with both limits.
+//! Computes and draws the regimes over frequency and friction, with β_lim and β*_lim.
 
 use super::asked::Asked;
 use super::plot::{Across, Axes, Plot, Series};
@@ -35,12 +35,12 @@ pub struct Regimes {
     pub is_cut: bool,
     top: f64,
     rows: Vec<LimitsRow>,
-    /// The smallest and the largest values of both limits over the range.
+    /// The smallest and the largest values of β_lim and β*_lim over the range.
     pub spread: Spread,
     levels: Vec<f64>,
 }
 
-/// Extreme values of both limits over the range, as friction ratios.
+/// Extreme values of β_lim and β*_lim over the range, as friction ratios.
 pub struct Spread {
     /// Largest β up to which the contact sticks at no frequency of the range.
     pub continuous_to: f64,
@@ -59,7 +59,7 @@ fn cells(masses: usize) -> Option<(usize, usize)> {
 
 impl Regimes {
     /// Computes the map over the range, up to a friction above all `levels`. `known` contains the extreme values of
-    /// both limits if a search has already found them.
+    /// β_lim and β*_lim if a search has already found them.
     pub fn of(asked: &Asked, levels: &[f64], known: Option<(f64, f64)>) -> Result<Self, Failure> {
         let system = &asked.system;
         let (from, to) = (asked.band.from, asked.band.to);
@@ -309,7 +309,7 @@ impl Regimes {
     }
 }
 
-/// Returns the table of both limits in the units of the page.
+/// Returns the table of β_lim and β*_lim in the units of the page.
 fn table(asked: &Asked) -> LimitsTable<'_> {
     LimitsTable {
         setting: Setting {

@@ -28,8 +28,8 @@ use std::io::Write;
 pub fn run(arguments: &ReportArguments, out: &mut dyn Write) -> Result<(), Failure> {
     if let Some(path) = arguments.output.as_deref() {
         file::check_page(path, "a report")?;
-        // The check comes before the computation, so that an error about the file is reported before a long
-        // computation.
+        // The command checks the file before the computation, so that the user gets an error about the file without
+        // waiting.
         file::check(path, arguments.file.path())?;
     }
     let name = arguments.file.name();

@@ -84,7 +84,7 @@ impl Page<'_> {
                     meta name="viewport" content="width=device-width, initial-scale=1";
                     meta name="color-scheme" content="light dark";
                     title { (name) ": friction report" }
-                    // Both texts belong to this crate and contain no text of the user.
+                    // The style sheet and the script belong to this crate and contain no text of the user.
                     style { (PreEscaped(STYLE)) }
                 }
                 body {

@@ -5,8 +5,8 @@ use frictiongen_plot::{Colour, Figure, Label, Layer, Page, PanelFrame, Scale, St
 use maud::{Markup, PreEscaped, html};
 use serde_json::{Value as Json, json};
 
-/// Largest distance between the curve and straight lines through its data. It is the sum of two terms: the first number
-/// times the value of the curve at this position, and the second number times the largest value of the curve.
+/// Largest distance between the curve and straight lines through its data. The distance may be the first number times
+/// the value of the curve at this position, plus the second number times the largest value of the curve.
 const STRAYS: [f64; 2] = [5e-4, 2e-5];
 
 /// A curve of a panel in the units of the axes.
@@ -65,8 +65,8 @@ impl Series {
     }
 }
 
-/// Removes points of a piece as long as straight lines through the rest stay close to the curve. A curve that ends at a
-/// pole or an edge has many more points than a picture needs.
+/// Removes points of a piece as long as straight lines through the remaining points stay close to the curve. A curve
+/// that ends at a pole or at the edge of the range has many more points than a picture needs.
 fn thinned(piece: &[(f64, f64)], most: f64) -> Vec<(f64, f64)> {
     let [relative, absolute] = STRAYS;
     let mut kept = vec![false; piece.len()];
@@ -193,7 +193,7 @@ impl Plot {
     }
 }
 
-/// Returns the position of a panel's frame in the units of the picture, and the values at its sides.
+/// Returns the position of a panel's frame in the units of the picture, and the values at the sides of the frame.
 fn placed(frame: &PanelFrame) -> Json {
     json!({
         "left": rounded(frame.left),

@@ -21,11 +21,11 @@ use serde_json::{Value as Json, json};
 
 /// Number of rows of the table.
 const ROWS: usize = 31;
-/// Largest number of frequency ranges that the page lists in words. In each range one regime exists.
+/// Largest number of frequency ranges that the page lists in words. One regime exists in each range.
 const MOST_STRETCHES: usize = 6;
 /// Bound on the work of one curve, in units of about 10 µs. A page has up to eight curves.
 const WORK: usize = 60_000;
-/// Smallest amplitude on an axis, as a fraction of the largest. With this fraction the axis has four decades.
+/// Smallest amplitude on an axis, as a fraction of the largest. The axis then has at most four decades.
 const DECADES: f64 = 1e-4;
 
 /// A curve at one friction, with its name.
@@ -99,8 +99,8 @@ impl Responses {
         Ok(Self { levels, rows })
     }
 
-    /// Returns the regimes along a curve, each with its range of frequencies. Returns `None` if the page cannot list so
-    /// many ranges. `elastic` selects the words for an elastic contact.
+    /// Returns the regimes along a curve, each with its range of frequencies. Returns `None` if the curve has more
+    /// ranges than the page can list. `elastic` selects the words for an elastic contact.
     pub fn stretches(&self, beta: f64, elastic: bool) -> Option<Vec<(&'static str, f64, f64)>> {
         let level = self.levels.iter().find(|level| level.beta == beta)?;
         let mut found: Vec<(&'static str, f64, f64)> = Vec::new();
@@ -207,8 +207,8 @@ impl Responses {
         )
     }
 
-    /// Returns the bounds of the amplitude axis. All finite values lie within them. If an amplitude is unbounded, the
-    /// upper bound is a fixed multiple of the amplitudes at evenly spaced frequencies.
+    /// Returns the bounds of the amplitude axis. All finite values lie within the bounds. If an amplitude is unbounded,
+    /// the upper bound is a fixed multiple of the amplitudes at evenly spaced frequencies.
     fn ends(&self, part: usize, words: &Words) -> (f64, f64) {
         let sizes = |level: &Level| -> Vec<f64> {
             let points = level.curve.pieces.iter().flat_map(|piece| &piece.points);

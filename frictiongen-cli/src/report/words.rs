@@ -72,7 +72,7 @@ impl Words {
         }
     }
 
-    /// Formats a displacement with its unit. `ratio` is the displacement over P/k₁ or Y.
+    /// Formats a displacement with its unit. `ratio` is the displacement divided by P/k₁, or by Y for base motion.
     pub fn length(&self, ratio: f64) -> String {
         let value = digits(self.scales.length(ratio));
         format!("{value} {}", self.length_unit())

@@ -8,7 +8,7 @@ use crate::standalone::rust_text;
 use frictiongen_model::scene::{Beyond, FrictionLaw};
 use proc_macro2::{Ident, TokenStream};
 
-/// Number of masses from which on the documentation no longer names the methods of each mass.
+/// Smallest number of masses for which the documentation does not list the methods of single masses by name.
 const MANY_MASSES: usize = 9;
 
 /// Emits the scene's type.
@@ -43,7 +43,7 @@ pub(super) fn scene_struct(description: &Description, lines: Vec<String>) -> Tok
     }
 }
 
-/// Emits a structure of numbers, for an input.
+/// Emits a structure whose fields are numbers, for the input of a stepper.
 pub(super) fn numbers_struct(
     description: &Description,
     name: &Ident,
@@ -182,7 +182,7 @@ fn offers(emission: &Emission<'_>) -> Vec<String> {
     items
 }
 
-/// Lists methods, and the methods that have the names of masses.
+/// Returns a list of methods as text: the methods in `first`, then the methods that have the names of masses.
 fn methods(emission: &Emission<'_>, masses: &[usize], first: &[&str]) -> String {
     let mut methods: Vec<String> = first.iter().map(|method| format!("`{method}`")).collect();
     if masses.len() < MANY_MASSES {

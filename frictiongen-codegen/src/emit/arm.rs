@@ -3,15 +3,15 @@
 use super::emission::mentions;
 use proc_macro2::{Literal, TokenStream};
 
-/// Code of one match arm, for all masses in `masses`.
+/// One match arm: its code, and the masses that it serves.
 pub(super) struct Arm {
     pub masses: Vec<usize>,
     pub statements: TokenStream,
     pub value: TokenStream,
 }
 
-/// Returns the statements and the value expression for a chain of `all` masses. For a mass without an arm, the emitted
-/// function returns `None`.
+/// Returns the statements and the value expression of the emitted function. `all` is the number of masses of the chain.
+/// For a mass without an arm, the emitted function returns `None`.
 pub(super) fn chosen(arms: &[Arm], all: usize) -> (TokenStream, TokenStream) {
     let literals = |masses: &[usize]| -> Vec<Literal> {
         let masses = masses.iter().copied();
@@ -23,8 +23,8 @@ pub(super) fn chosen(arms: &[Arm], all: usize) -> (TokenStream, TokenStream) {
             statements,
             value,
         } = only;
-        // The lookup of the mode shapes returns `None` for all other masses. If the shapes fold away, the code has no
-        // such lookup.
+        // A single arm for all masses needs no check of the index, because its look-up of the mode shape returns `None`
+        // for a mass that does not exist. If the shapes fold away, the code has no look-up.
         if masses.len() == all && mentions(statements, "mass") {
             return (statements.clone(), value.clone());
         }

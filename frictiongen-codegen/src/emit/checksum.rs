@@ -17,8 +17,8 @@ pub(super) fn about(table: &TokenStream) -> String {
     )
 }
 
-/// Returns the documentation line with the checksum of the constant `TABLE` that the macro emits from these tables.
-/// Files in other languages have the same line, so that a reader can compare them with the macro's code.
+/// Returns the documentation line with the checksum of the constant `TABLE`, which the macro emits from `tables`. Files
+/// in C and Rust contain the same line, so that a reader can compare a file with the macro's code.
 pub(crate) fn about_table<S: Float>(tables: &Tables<S>) -> String {
     let precision = if S::EPSILON > f64::EPSILON {
         Precision::F32
@@ -58,7 +58,7 @@ fn collect(tokens: &TokenStream, numbers: &mut Vec<String>) {
     }
 }
 
-/// Returns the CRC-32 of some bytes, as zip and Ethernet define it.
+/// Returns the CRC-32 of `bytes`, as zip and Ethernet define it.
 fn crc(bytes: &[u8]) -> u32 {
     let crc = bytes.iter().fold(u32::MAX, |crc, byte| {
         (0..8).fold(crc ^ u32::from(*byte), |crc, _| {
@@ -72,7 +72,7 @@ fn crc(bytes: &[u8]) -> u32 {
 mod tests {
     use super::{about, crc};
 
-    /// Checks the CRC-32 of a text against its value in the catalogue of CRC algorithms.
+    /// Checks that the function reproduces the check value of CRC-32 in the catalogue of CRC algorithms.
     #[test]
     fn check_value() {
         assert_eq!(crc(b"123456789"), 0xcbf4_3926);

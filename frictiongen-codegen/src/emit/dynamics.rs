@@ -106,7 +106,8 @@ pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> Constants {
             #from_base
             const DYNAMICS: Dynamics<'static, #scalar #law> = Dynamics { #numbers };
     };
-    // The spring of an elastic contact keeps the contact's own mode.
+    // A rigid contact that sticks removes `LOST_MODES` modes from the chain. A stuck elastic contact removes none,
+    // because its spring can still deform.
     let lost = if elastic { 0 } else { LOST_MODES };
     let driven = transient.held.len() + lost;
     Constants {
@@ -118,8 +119,8 @@ pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> Constants {
     }
 }
 
-/// Emits all modes. If the constant `MODES` of the steady response lists the same modes, the emitted code uses it
-/// again.
+/// Emits all modes of the chain. If the constant `MODES` of the steady response has the same modes, emits a reference
+/// to `MODES`.
 fn modes(emission: &Emission<'_>, transient: &Transient<f64>) -> TokenStream {
     let all = |modes: &[Mode<f64>]| {
         let modes = mode_constants(emission, modes);

@@ -44,7 +44,8 @@ pub(super) struct Wanted<'a> {
 }
 
 impl Wanted<'_> {
-    /// Returns true if some method at one frequency is specific to a mass, so that the code needs mode shapes.
+    /// Returns true if the scene provides a method that returns the motion of one mass at one frequency. Such a method
+    /// needs the mode shapes.
     pub fn shapes(&self) -> bool {
         let moves = |masses: &Vec<(usize, &Ident)>| !masses.is_empty();
         self.stuck || self.motion.as_ref().is_some_and(moves)
@@ -127,7 +128,7 @@ impl<'a> Emission<'a> {
         self.modes() >= self.passes_from
     }
 
-    /// Returns true if the emitted code calls the kernel for the sums over the modes of a mass.
+    /// Returns true if the emitted code calls the kernel's functions that add up the motion of a mass from all modes.
     pub fn in_sums(&self) -> bool {
         self.modes() >= SUMS_FROM.min(self.passes_from)
     }
@@ -158,7 +159,7 @@ impl<'a> Emission<'a> {
     }
 
     /// Returns the last type argument of a kernel type in the user's module, with a comma before it. The argument
-    /// selects the law of an elastic contact. It is empty for a rigid contact.
+    /// selects the force law of an elastic contact. A rigid contact has no argument.
     pub fn law_in_types(&self) -> Option<TokenStream> {
         let Self { facade, scalar, .. } = self;
         self.is_elastic()
@@ -166,14 +167,14 @@ impl<'a> Emission<'a> {
     }
 
     /// Returns the last type argument of a kernel type in the hidden block, with a comma before it. The argument
-    /// selects the law of an elastic contact. It is empty for a rigid contact.
+    /// selects the force law of an elastic contact. A rigid contact has no argument.
     pub fn law(&self) -> Option<TokenStream> {
         let scalar = &self.scalar;
         self.is_elastic().then(|| code!(, ElasticChain<#scalar>))
     }
 
-    /// Returns the additional argument of the macro `wraps!` for a type with an elastic contact. It is empty for a
-    /// rigid contact.
+    /// Returns the additional argument of the macro `wraps!` for a type with an elastic contact. A rigid contact has no
+    /// additional argument.
     pub fn law_word(&self) -> Option<TokenStream> {
         self.is_elastic().then(|| code!(elastic))
     }
@@ -245,7 +246,7 @@ fn bound(names: &[Ident], body: &TokenStream, source: &TokenStream) -> TokenStre
     code!(let [#(#names),*] = #source;)
 }
 
-/// Returns true if a name occurs in the tokens, other than as the name of a field.
+/// Returns true if a name occurs in the tokens. The names of fields do not count.
 pub(super) fn mentions(tokens: &TokenStream, name: &str) -> bool {
     let mut field = false;
     tokens.clone().into_iter().any(|token| {

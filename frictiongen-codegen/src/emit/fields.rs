@@ -6,8 +6,8 @@ use proc_macro2::TokenStream;
 /// A field: its name, its value and its explanation.
 pub(super) type Field<'a> = (&'a str, TokenStream, &'a str);
 
-/// Emits `name: value, …`, with the explanations if `explained` is true. In a list of structures only the first has the
-/// explanations.
+/// Emits `name: value, …`, with the explanations if `explained` is true. In a list of structures, only the first
+/// structure has the explanations.
 pub(super) fn fields(explained: bool, fields: &[Field<'_>]) -> TokenStream {
     let fields = fields.iter().map(|(name, value, about)| {
         let name = local(name);

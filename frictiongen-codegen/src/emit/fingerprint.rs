@@ -64,7 +64,8 @@ pub(crate) fn fingerprint(scene: &Scene) -> u64 {
         }
     }
     hash.stepping(stepping);
-    // A scene with the default keeps the hash that it had before the field existed, and so does a rigid contact.
+    // Only a scene with damping relative to the base, with a stiffness of the contact, or with joints hashes these
+    // fields. All other scenes thus keep the hash that they had before the fields existed.
     if *damping_from == DampingFrom::Base {
         hash.unit(1);
     }

@@ -42,7 +42,7 @@ pub(super) fn emit(emission: &Emission<'_>) -> Stage {
     } else {
         &FROM_BASE
     };
-    // The parts that are 0 without damping stand in the code as plain zeros.
+    // The emitted code has plain zeros for the terms that are 0 without damping.
     let undamped = (!emission.damped())
         .then(|| code!(#[doc = " Without damping r²G, r²H_c and the imaginary parts are 0."]));
     let about = code! {
@@ -106,10 +106,10 @@ fn uniform_kind(modes: &[Mode<f64>]) -> Option<Kind> {
     modes.iter().all(|mode| mode.kind == kind).then_some(kind)
 }
 
-/// Names that the code around the formulas uses. The formulas must not use them again.
+/// Names that the code around the formulas uses. The formulas must not use these names.
 const TAKEN: [&str; 3] = ["inverse_r", "contact", "modes"];
 
-/// Emits the stage of a scene with one mode. The scale E is the size of this mode.
+/// Emits the frequency stage of a scene with one mode. The scale E is then the `size` of this mode.
 fn single(emission: &Emission<'_>) -> (TokenStream, Count) {
     let graph = emission.graph(1);
     let tracer = Tracer::over_constants(&graph, &emission.modal, emission.precision);
@@ -311,7 +311,7 @@ fn passes(emission: &Emission<'_>, kind: Kind) -> (TokenStream, Count) {
     let response = tracer.response("response");
     let at = chain.scaled(&response, graph.input("sum.scale"), false, 0);
     let sum = symbolic_sum(&graph, damped);
-    // The loop binds both numbers of a mode's load in quadrature, if there is one.
+    // If modes have a load in quadrature, the loop binds the two numbers of that load.
     let from_base = !emission.reduced.quadratures.is_empty();
     let quadrature = from_base.then(|| Quadrature {
         load: graph.input("quadrature"),

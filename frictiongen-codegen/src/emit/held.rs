@@ -12,8 +12,8 @@ use frictiongen_model::table::{Held, HeldForm, Tables};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::format_ident;
 
-/// Emits the products as constants and the functions that evaluate them. Emits nothing for an exact
-/// scene.
+/// Emits the stuck responses, in the form of products of factors, as constants, and the functions that evaluate the
+/// products. Emits nothing for a scene without a declared accuracy.
 pub(super) fn emit(emission: &Emission<'_>) -> Part {
     match &emission.description.tables {
         None => Part::default(),

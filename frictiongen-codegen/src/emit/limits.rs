@@ -1,4 +1,4 @@
-//! Emits the formulas of both limits.
+//! Emits the formulas of the two limits, β_lim and β*_lim.
 
 use super::emission::Emission;
 use super::frequency::operations_about;
@@ -8,7 +8,7 @@ use crate::graph::count::Count;
 use crate::graph::print::Printed;
 use proc_macro2::TokenStream;
 
-/// Emits the formulas of both limits as methods of the kernel's `Scene`.
+/// Emits the formulas of β_lim and β*_lim as methods of the kernel's `Scene`.
 pub(super) fn formulas(emission: &Emission<'_>) -> TokenStream {
     let scalar = &emission.scalar;
     let graph = emission.graph(emission.modes());

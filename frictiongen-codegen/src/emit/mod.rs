@@ -43,7 +43,8 @@ pub(crate) use fingerprint::fingerprint;
 pub use trace::traces;
 
 /// Smallest number of modes for which the emitted frequency stage consists of passes over an array of modes.
-/// Straight-line code is faster, but grows with the number of modes. `scripts/passes-trial` measures both.
+/// Straight-line code is faster, but grows with the number of modes. `scripts/passes-trial` measures both kinds of
+/// code.
 pub const PASSES_FROM: usize = 17;
 
 /// Returns the emitted code of a description.
@@ -52,8 +53,8 @@ pub fn emit(description: &Description) -> TokenStream {
     emit_in_passes(description, PASSES_FROM)
 }
 
-/// Returns the emitted code of a description, with another value for [`PASSES_FROM`]. `scripts/passes-trial` measures
-/// with it from which number of modes on passes are better.
+/// Returns the emitted code of a description, with `passes_from` in place of [`PASSES_FROM`]. `scripts/passes-trial`
+/// uses this function to find the number of modes from which passes are faster.
 #[must_use]
 pub fn emit_in_passes(description: &Description, passes_from: usize) -> TokenStream {
     if description.scene.is_joined() {
@@ -66,7 +67,7 @@ pub fn emit_in_passes(description: &Description, passes_from: usize) -> TokenStr
     let mut aliases = TokenStream::new();
     let (types, mut items) = joined(&emission, &own);
     if clashes {
-        // The scene's own names clash with imported names, so the block uses aliases.
+        // The names of the scene's types clash with imported names, so the block uses aliases for the scene's types.
         emission.names = TypeNames::of(&format_ident!("Emitted{}", description.name));
         let renamed = groups(&emission);
         for (alias, own) in types_of(&renamed).zip(types_of(&own)) {

@@ -10,8 +10,8 @@ use crate::graph::{Expr, Graph, Operand};
 use frictiongen_kernel::oscillator::mode::{Kind, Mode, ModeResponse};
 use proc_macro2::TokenStream;
 
-/// Emits the functions of a mode, multiplied so that they have no pole. Modes with the same kind of damping share one
-/// function.
+/// Emits the functions of a mode, multiplied by a factor that removes their pole. Modes with the same kind of damping
+/// share one function.
 pub(super) fn functions(emission: &Emission<'_>) -> TokenStream {
     if emission.modes() == 1 {
         return TokenStream::new();
@@ -102,7 +102,7 @@ pub(super) fn call(emission: &Emission<'_>, index: usize) -> (TokenStream, Count
     let Some(mode) = emission.reduced.modes.get(index) else {
         return (TokenStream::new(), Count::default());
     };
-    // The count uses the mode's own constants, which fold where the function is inlined.
+    // The count uses the numbers of this mode. They fold where the function is inlined.
     let graph = emission.graph(1);
     let tracer = Tracer::over_constants(&graph, &emission.modal, emission.precision);
     let Some(constants) = tracer.reduced.modes.get(index) else {

@@ -12,7 +12,7 @@ use crate::graph::{Expr, Operand};
 use frictiongen_kernel::response::coefficients::{Fundamental, ModalCoefficients};
 use proc_macro2::{Ident, Literal, TokenStream};
 
-/// Names that the code around the formulas uses. The formulas must not use them again.
+/// Names that the code around the formulas uses. The formulas must not use these names.
 const TAKEN: [&str; 8] = [
     "at",
     "inverse_r",
@@ -197,7 +197,7 @@ struct Coefficients<'g> {
     modal: Vec<Option<ModalCoefficients<Expr<'g>>>>,
 }
 
-/// Returns the documentation line about work that the number of operations does not include.
+/// Returns the documentation line about the work of a motion that its number of operations does not include.
 fn waves_about(emission: &Emission<'_>) -> String {
     let modes = emission.modes();
     let plural = if modes == 1 { "" } else { "s" };
@@ -235,8 +235,8 @@ fn of_contact(emission: &Emission<'_>, tracer: &Tracer<'_>) -> (TokenStream, Cou
     (body, count)
 }
 
-/// Emits the statements that all masses share, and the statements of each mass. Also returns the operations of the mass
-/// that needs most.
+/// Emits the statements that all masses share, and the statements of each mass. Also returns the number of operations
+/// for the mass with the most operations.
 fn of_masses(
     emission: &Emission<'_>,
     tracer: &Tracer<'_>,

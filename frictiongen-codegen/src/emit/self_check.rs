@@ -10,8 +10,8 @@ use frictiongen_kernel::number::dd::Dd;
 use frictiongen_model::scene::Precision;
 use proc_macro2::{Literal, TokenStream};
 
-/// Largest allowed error of an answer of the exact formulas, in rounding units. The known answers are at frequencies at
-/// which a change of r by 32 rounding units changes an answer by at most an eighth of this error.
+/// Largest allowed error of an answer of the exact formulas, in rounding units. The frequencies of the known answers
+/// are chosen so that a change of r by 32 rounding units changes an answer by at most an eighth of the allowed error.
 const ROUNDINGS: f64 = 4096.0;
 /// Range of the frequency ratios of the known answers. The first number is a multiple of the lowest resonance, and the
 /// second is a multiple of the highest resonance.
@@ -31,7 +31,8 @@ pub(super) fn sum_of_rounded(numbers: &impl Listed<Dd>, precision: Precision) ->
     sum
 }
 
-/// Emits `self_check` with the known answers. `constants` are the constants of all other parts.
+/// Emits `self_check` with the known answers. `constants` are the constants of all emitted code except the known
+/// answers.
 pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>, constants: &[&Checked]) -> Part {
     let scalar = &emission.scalar;
     let at_frequency = emission.scene.needs_frequency();
@@ -152,7 +153,7 @@ fn known_answers(
     (tables, Some(checked))
 }
 
-/// Returns two counts of numbers in a known answer: for the motions of masses, and for the stuck responses.
+/// Returns the number of masses whose motion is in a known answer, and the number of stuck responses in it.
 fn sizes(emission: &Emission<'_>, wanted: &Wanted<'_>) -> [Literal; 2] {
     let masses = wanted.motion.as_ref().map_or(0, Vec::len);
     let forces = if wanted.stuck {

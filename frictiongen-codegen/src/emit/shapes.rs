@@ -1,10 +1,10 @@
-//! Emits mode shapes in the kernel's order, mass after mass. Where the numbers are the same, the emitted code uses
-//! `MODE_SHAPES` again.
+//! Emits mode shapes in the kernel's order: the components of the first mass in all modes, then of the second mass, and
+//! so on. If `MODE_SHAPES` has the same numbers, the emitted code reads them from there.
 
 use super::emission::{Emission, rounded};
 use proc_macro2::{Literal, TokenStream};
 
-/// Emits `[mass][mode]` from a list of mode shapes, mass after mass.
+/// Emits `[mass][mode]` from a list of numbers in the kernel's order.
 pub(super) fn by_masses(emission: &Emission<'_>, shapes: &[f64]) -> TokenStream {
     let masses = emission.scene.masses.len();
     let modes = shapes.len() / masses.max(1);
@@ -19,7 +19,8 @@ pub(super) fn by_masses(emission: &Emission<'_>, shapes: &[f64]) -> TokenStream 
             let places = places.into_iter().map(Literal::usize_unsuffixed);
             code!(transposed(&[#(Self::MODE_SHAPES[#places]),*]))
         }
-        // Equal modes are rotated so that the contact drives only one of them, so `MODE_SHAPES` has other numbers.
+        // Modes of equal frequency are rotated so that the contact drives only one of them, so `MODE_SHAPES` has other
+        // numbers.
         None => {
             let masses = shapes.chunks(modes.max(1));
             let masses = masses.map(|shape| emission.list(shape.iter().copied()));

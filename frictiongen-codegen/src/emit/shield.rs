@@ -31,7 +31,7 @@ pub(super) fn emit(items: &TokenStream) -> TokenStream {
 const TYPES: [&str; 4] = ["bool", "f32", "f64", "usize"];
 
 /// Returns true if a name has a form like `mode_3_decay`. Users do not give constants such names, and each mode has
-/// dozens of them.
+/// dozens of such names.
 fn is_of_a_mode(text: &str) -> bool {
     let rest = text.strip_prefix("mode_").unwrap_or_default();
     let rest = rest.trim_start_matches(|letter: char| letter.is_ascii_digit());

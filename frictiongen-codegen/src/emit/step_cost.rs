@@ -1,4 +1,4 @@
-//! Writes the documentation of the work of one step of the stepper.
+//! Writes the documentation about the work of one step of the stepper.
 
 use frictiongen_kernel::motion::AnyContact;
 use frictiongen_kernel::number::dd::Dd;
@@ -7,7 +7,7 @@ use frictiongen_kernel::stepper::{
 };
 use frictiongen_model::scene::Precision;
 
-/// Returns documentation lines about the sub-intervals of a step.
+/// Returns documentation lines about the parts into which the stepper divides a step.
 pub(super) fn parts(scene: &StepScene<'_, Dd, AnyContact<Dd>>, step: Option<f64>) -> Vec<String> {
     let fastest = scene.fastest().to_f64();
     let shown = if (0.1..1e7).contains(&fastest) {

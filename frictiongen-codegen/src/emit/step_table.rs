@@ -1,5 +1,5 @@
-//! Emits the tables of a declared step. The tables describe each oscillator over the step. Each number is computed in
-//! double-double and rounded once.
+//! Emits the tables of a declared step. The tables describe how each oscillator advances over the step. Each number is
+//! computed in double-double and rounded once.
 
 use super::checksum;
 use super::dynamics::count;
@@ -49,8 +49,8 @@ pub(super) fn emit(
     }
 }
 
-/// Bound on the rounding error of a double-double sum near zero, as a fraction of its terms. An acceleration below the
-/// bound is set to 0, because the input then does not act on the contact.
+/// Bound on the rounding error of a double-double sum near zero, divided by the size of the summands. An acceleration
+/// below this bound is set to 0, because the input then does not act on the contact.
 const ROUNDING: f64 = 1e-26;
 
 fn table<const D: usize>(
@@ -65,7 +65,7 @@ fn table<const D: usize>(
     let mut loads = vec![Dd::ZERO; masses * inputs];
     let mut held_loads = vec![HeldLoad::zero(); sizes.held * inputs];
     let mut channels = vec![Channel::zero(); inputs];
-    // The step is rounded to the scene's scalar first, because the emitted code uses that value.
+    // The step is first rounded to the scene's scalar, because the emitted code uses the rounded value.
     let step = Dd::from(rounded(Dd::from(step), emission.precision));
     let pace = fill(
         scene,
@@ -99,7 +99,7 @@ fn table<const D: usize>(
     let modes = modes.map(|(index, mode)| write.mode(mode, index == 0));
     let held = held.iter().enumerate();
     let held = held.map(|(index, mode)| write.held(mode, index == 0));
-    // `chunks` panics at size 0. A chain without held modes has no `held_loads`, so the list stays empty.
+    // `chunks` panics at size 0. A chain without held modes has no `held_loads`, so the list is empty in any case.
     let loads = loads.chunks(inputs.max(1)).map(|row| write.list(row));
     let mut first = true;
     let held_loads = held_loads.chunks(inputs.max(1)).map(|row| {

@@ -157,7 +157,7 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
     }
 }
 
-/// Emits the calls of a type of stepper that take an input, and those of its masses.
+/// Emits the functions of a stepper type that take an input, and a method for each mass.
 fn calls(
     emission: &Emission<'_>,
     stepper: &Ident,

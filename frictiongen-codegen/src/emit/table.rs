@@ -15,8 +15,8 @@ use frictiongen_model::table::{
 };
 use proc_macro2::{Literal, TokenStream};
 
-/// Emits the tables as constants and the functions that evaluate them. Emits nothing for an exact
-/// scene.
+/// Emits the tables as constants and the functions that evaluate them. Emits nothing for a scene without a declared
+/// accuracy.
 pub(super) fn emit(emission: &Emission<'_>, motion: bool) -> Part {
     match &emission.description.tables {
         None => Part::default(),
@@ -284,7 +284,7 @@ fn sliding_error<S: Float>(tables: &Tables<S>) -> String {
 }
 
 fn limit_about<S: Float>(tables: &Tables<S>) -> Vec<String> {
-    // No work was spent on a proof, and more work might prove the table.
+    // True if no work was spent on a proof and a proof of this accuracy is possible.
     let untried = tables.proof.work == Work(0) && FINEST_PROVEN <= tables.request.accuracy;
     let remedy = match (untried, cfg!(feature = "proof")) {
         (true, true) => "  `proof: whole` in the scene asks for a proof.",

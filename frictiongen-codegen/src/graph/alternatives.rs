@@ -1,5 +1,5 @@
-//! Prints several alternatives, of which the emitted code evaluates only one. The operations that all alternatives
-//! share are before the choice.
+//! Prints several alternatives. The emitted code evaluates only one of them. It computes the operations that all
+//! alternatives share before it chooses.
 
 use super::count::Count;
 use super::print::{Printed, Printer};
@@ -15,8 +15,8 @@ pub struct Alternative {
 }
 
 impl Alternative {
-    /// Takes the operations on which `outputs` depend, and clears their names. The next formula gives its own names,
-    /// because the same operation may have another meaning in it.
+    /// Takes the operations on which `outputs` depend, and clears their names in the graph. The formula of the next
+    /// alternative gives new names, because the same operation may have another meaning in it.
     #[must_use]
     pub fn of(graph: &Graph, outputs: Vec<Operand>) -> Self {
         let nodes = graph.reachable(&outputs);
@@ -66,7 +66,7 @@ pub fn print(
     let mut printer = Printer::new(precision, taken);
     let common = common(alternatives);
     let ids: BTreeSet<Id> = common.iter().map(|(id, ..)| *id).collect();
-    // Only shared operations that the remaining code uses are bound to a name.
+    // A shared operation gets a name only if the code of an alternative or an output uses it directly.
     let mut border = BTreeSet::new();
     for Alternative { nodes, outputs } in alternatives {
         let rest = nodes.iter().filter(|(id, ..)| !ids.contains(id));
@@ -98,7 +98,7 @@ fn common(alternatives: &[Alternative]) -> Vec<Recorded> {
     }
     let mut common: Vec<Recorded> = Vec::new();
     let mut ids = BTreeSet::new();
-    // Operands come before their users, so one pass finds them.
+    // Operands come before the operations that use them, so one pass finds all common operations.
     for node in &first.nodes {
         let whole = operands(&node.1).iter().all(|id| ids.contains(id));
         if whole && others.iter().all(|other| other.has(node)) {

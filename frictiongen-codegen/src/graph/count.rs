@@ -23,13 +23,13 @@ impl Count {
             if graph.value(*id).is_some() {
                 continue;
             }
-            // If the condition is a constant parameter, the compiler makes the choice. It then costs nothing at run
-            // time.
+            // If the condition is a constant parameter, the compiler makes the choice. The choice then costs nothing at
+            // run time.
             if matches!(node, Node::Select(condition, ..) if is_input(condition)) {
                 continue;
             }
             if let Some(kind) = kind(node) {
-                // The text repeats a comparison in each choice that depends on it.
+                // The emitted code repeats a comparison in each choice that depends on it.
                 let times = if matches!(node, Node::Select(..)) {
                     2
                 } else {

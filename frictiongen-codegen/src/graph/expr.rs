@@ -14,10 +14,10 @@ pub enum Expr<'g> {
     Node(&'g Graph, Id),
 }
 
-/// Result of a comparison. It is known when the code is emitted, or the emitted code computes it.
+/// Result of a comparison: a truth value that is known when the code is emitted, or a comparison in the emitted code.
 #[derive(Clone, Copy)]
 pub enum Condition<'g> {
-    /// An outcome that is known while the operations are recorded.
+    /// A result that is known while the operations are recorded.
     Known(bool),
     /// A recorded comparison.
     Node(&'g Graph, Id),
@@ -39,8 +39,8 @@ impl Graph {
         Expr::Node(self, self.record_known(node, value))
     }
 
-    /// Records a value that the emitted code computes only if the constant parameter `flag` is true. If it is false,
-    /// the value is 0. The recorded choice has the name of the value.
+    /// Records a value that the emitted code computes only if its constant parameter `flag` is true. If `flag` is
+    /// false, the emitted code uses 0. The recorded choice takes over the name of the value.
     #[must_use]
     pub fn where_asked<'g>(&'g self, flag: &str, value: Expr<'g>) -> Expr<'g> {
         let Expr::Node(_, id) = value else {
@@ -123,7 +123,7 @@ impl<'g> Expr<'g> {
         }
     }
 
-    /// Returns a if this value was recorded as `-a`. Formulas thus recognise a − (−b) as a sum.
+    /// Returns a if this value was recorded as `-a`. The recorder can thus write a − (−b) as a + b.
     fn negated(self) -> Option<Self> {
         let Self::Node(graph, id) = self else {
             return None;
@@ -342,10 +342,10 @@ impl<'g> Scalar for Expr<'g> {
     }
 }
 
-/// Returns true if the emitted code keeps an operation on constants of the scene, which the compiler then computes in
-/// the scene's precision. The result must equal `value`, which is computed in double precision and then rounded to the
-/// scene's precision. An operation is not kept if its result allows further folding, or if compilers may round its
-/// function differently.
+/// Returns true if the emitted code keeps an operation on constants of the scene, so that the compiler computes it in
+/// the scene's precision. The compiler's result must equal `value`, which is computed in double precision and then
+/// rounded to the scene's precision. An operation does not stay if its result allows further folding, or if compilers
+/// may round its function differently.
 fn stays(precision: Precision, op: Binary, operands: [f64; 2], value: f64) -> bool {
     let rounded = |value: f64| match precision {
         Precision::F64 => value,

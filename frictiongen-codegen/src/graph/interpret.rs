@@ -11,8 +11,8 @@ enum Value<S> {
     Truth(bool),
 }
 
-/// Returns the values of `outputs`. `input` returns the value of an external value, given its text. Returns `None` if
-/// `input` does not know a value.
+/// Returns the values of `outputs`. `input` returns the value of an external value, given the Rust expression that
+/// names it. Returns `None` if `input` does not know an external value.
 pub fn interpret<S: Float>(
     graph: &Graph,
     outputs: &[Operand],

@@ -1,9 +1,8 @@
 //! Expression graph, which records the closed forms as code.
 //!
 //! [`Expr`] is a scalar type. The evaluation of a formula with this type records the operations. Constants fold during
-//! the recording, and equal operations are recorded once. A recorded [`Graph`] can be evaluated in numbers
-//! ([`interpret`]), its operations can be counted ([`count`]), and it can be printed as Rust ([`mod@print`];
-//! [`alternatives`]).
+//! the recording, and equal operations are recorded once. The result is a [`Graph`]. [`interpret`] evaluates a graph in
+//! numbers, [`count`] counts its operations, and [`mod@print`] and [`alternatives`] print it as Rust.
 
 pub mod alternatives;
 pub mod count;
@@ -95,7 +94,8 @@ pub enum Node {
 /// A recorded operation with its index and its name.
 pub(crate) type Recorded = (Id, Node, Option<Name>);
 
-/// Name of an operation, with the explanation from its formula.
+/// Name of the value that an operation computes. `about` is the formula's explanation of this value, which the emitted
+/// code shows.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Name {
     pub text: String,
@@ -111,7 +111,7 @@ struct Inner {
     values: HashMap<Id, f64>,
 }
 
-/// A straight-line program under construction.
+/// Graph of recorded operations. It grows while formulas are evaluated.
 #[derive(Default)]
 pub struct Graph {
     inner: RefCell<Inner>,
@@ -178,8 +178,8 @@ impl Graph {
         id
     }
 
-    /// Removes the names of all operations. Formulas that are recorded later then give names again, even to operations
-    /// that already exist.
+    /// Removes the names of all operations. Formulas that are recorded later can then name operations that already
+    /// exist.
     pub(crate) fn unname(&self) {
         self.inner.borrow_mut().names.fill(None);
     }

@@ -63,7 +63,7 @@ impl Printer {
         }
     }
 
-    /// Binds values that have a name or more than one use. An output counts as `each` uses of its value.
+    /// Binds each value that has a name or more than one use. An output counts as `each` uses of its value.
     pub(super) fn visit_all(&mut self, nodes: &[Recorded], outputs: &[Operand], each: usize) {
         let mut uses: BTreeMap<Id, usize> = BTreeMap::new();
         for (_, node, _) in nodes {
@@ -98,7 +98,7 @@ impl Printer {
         }
     }
 
-    /// Returns the statements bound since the last call.
+    /// Returns the statements that the printer has bound since the last call of this function.
     pub(super) fn statements(&mut self) -> TokenStream {
         std::mem::take(&mut self.statements)
     }
@@ -298,7 +298,8 @@ impl Printer {
     }
 }
 
-/// Returns the doc comment of a `let` statement. The compiler ignores this comment, which is for the reader.
+/// Returns an explanation as the doc comment of a `let` statement. The compiler ignores the comment. It helps the
+/// reader.
 fn explained(about: &str) -> TokenStream {
     if about.is_empty() {
         return TokenStream::new();

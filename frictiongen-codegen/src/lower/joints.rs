@@ -1,4 +1,4 @@
-//! Scenes with several contacts or dashpots for which the generator emits code.
+//! Checks whether the generator emits code for a scene with several contacts or dashpots.
 
 use frictiongen_model::scene::Provide;
 use frictiongen_model::validate::Path;
@@ -7,7 +7,7 @@ use frictiongen_syntax::{Located, Problems};
 /// Largest number of contacts of a scene for which the generator emits code.
 pub(super) const MOST_CONTACTS: usize = 4;
 
-/// Reports what the generator does not emit for a scene with several contacts or dashpots.
+/// Reports the properties of a scene with several contacts or dashpots for which the generator emits no code.
 pub(super) fn check(located: &Located<'_>, problems: &mut Problems) {
     let scene = &located.scene;
     let count = scene.joints.contacts.len();

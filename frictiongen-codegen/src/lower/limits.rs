@@ -11,8 +11,8 @@ pub struct Limits {
     pub tables: bool,
     /// Selects whether the generator proves the tables.
     pub proof: ProofAt,
-    /// True if a scene may have any `contacts` and `dampers`. Otherwise it may have only those for which the generator
-    /// emits code.
+    /// True if a scene may have any `contacts` and `dampers`. If false, a scene may have only `contacts` and `dampers`
+    /// for which the generator emits code.
     pub joints: bool,
 }
 
@@ -39,7 +39,7 @@ impl ProofAt {
 }
 
 impl Limits {
-    /// Limits for a macro expansion. Each mass causes a method and a section of code.
+    /// Limits for a macro expansion. The number of masses is limited, because each mass adds a method and much code.
     pub const MACRO: Self = Self {
         masses: 64,
         tables: true,

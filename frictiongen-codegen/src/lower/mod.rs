@@ -98,7 +98,7 @@ impl SceneTables {
         }
     }
 
-    /// Adds the proof that a scene requests from the macro.
+    /// Adds the proof of the accuracy that the macro makes, with the work that the scene's `proof` allows.
     #[cfg(feature = "proof")]
     fn prove_requested(&mut self, scene: &Scene) {
         match scene.declared.proof {
@@ -215,7 +215,7 @@ fn lower(
     }
 }
 
-/// Reports a step or a damping for which the emitted motion in time would lose its digits.
+/// Reports a step or a damping for which rounding would spoil the emitted motion in time.
 fn check_motion_in_time(located: &Located<'_>, problems: &mut Problems) {
     let scene = &located.scene;
     if !problems.is_empty() {
@@ -264,7 +264,7 @@ fn partial(syntax: &Syntax, sources: &Sources, header: Header) -> Partial {
     }
 }
 
-/// Returns the tables with the requested proof, as far as the limits allow one.
+/// Returns the tables with the requested proof, if the limits allow a proof.
 fn proven(tables: Option<SceneTables>, scene: &Scene, limits: &Limits) -> Option<SceneTables> {
     #[cfg(feature = "proof")]
     if limits.proof == ProofAt::Requested {

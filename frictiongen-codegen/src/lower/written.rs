@@ -2,8 +2,8 @@
 
 use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
 
-/// Returns a text without byte order mark and without the doc comments before the struct. The emitted type has these
-/// doc comments already.
+/// Returns a text without byte order mark and without the doc comments before the struct. The emitted type already has
+/// these doc comments.
 pub(super) fn of_text(text: &str) -> String {
     let text = text.trim_start_matches('\u{feff}');
     let mut before = true;
@@ -35,8 +35,8 @@ pub(super) fn of_tokens(tokens: &TokenStream) -> String {
     format!("{head} {body}")
 }
 
-/// Returns the source text of a group, if it consists of the group's own tokens. The source of tokens from another
-/// macro contains parameters of that macro instead.
+/// Returns the source text of a group. Returns `None` if the source text does not consist of the group's own tokens:
+/// the source text of tokens from another macro contains the parameters of that macro.
 fn source(group: &Group) -> Option<String> {
     let text = group.span().source_text()?;
     let read: TokenStream = text.parse().ok()?;

@@ -2,7 +2,7 @@
 
 use super::*;
 
-/// Compares the result with `syn`, which knows every literal of the language.
+/// Compares the values of literals with the values from `syn`, which knows every literal of the language.
 #[test]
 fn as_syn_reads_them() {
     for text in [

@@ -23,7 +23,7 @@ pub(super) fn of_numbers(numbers: Numbers, values: impl IntoIterator<Item = f64>
         })
 }
 
-/// Returns the checksum of indices. Each index is one word.
+/// Returns the checksum of indices. Each index enters as one word.
 #[allow(
     clippy::cast_possible_truncation,
     reason = "an index of a piece has at most 16 bits"

@@ -1,12 +1,11 @@
-//! Collects the numbers in the formulas of a file. Each number gets a name, and all numbers are in one place of the
-//! file.
+//! Collects the numbers in the formulas of a file. Each number gets a name. The file defines all numbers in one place.
 
 use super::{Language, Numbers};
 
 /// Form of a constant: a single number, or a structure with named numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Form {
-    /// One number.
+    /// A single number.
     Number,
     /// A zero on the imaginary axis, as a factor of a product.
     Zero,
@@ -111,7 +110,7 @@ impl Constants {
             .flat_map(|constant| constant.values.iter().copied())
     }
 
-    /// Returns an expression for each number, in the order of [`values`](Self::values). The text is divided into lines.
+    /// Returns an expression for each number, in the order of [`values`](Self::values), as one text with several lines.
     pub fn expressions(&self) -> String {
         let prefix = match self.numbers.language {
             Language::C => "",

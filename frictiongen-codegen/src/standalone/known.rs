@@ -1,4 +1,4 @@
-//! Known answers, with which an emitted file compares its own answers.
+//! Known answers. The self-check of an emitted file compares its own answers with them.
 
 use super::{Numbers, Source, domain};
 use crate::known::{Known, Outcome, Question, known};
@@ -6,7 +6,7 @@ use frictiongen_kernel::Float;
 use frictiongen_model::modal::Modal;
 use frictiongen_model::scene::Precision;
 
-/// Allowed error of an answer in addition to the error of the table, in rounding units.
+/// Allowed error of an answer beyond the error of the table, in rounding units.
 const ROUNDINGS: f64 = 64.0;
 
 /// Returns the allowed error of an answer, and the known answers.

@@ -1,8 +1,8 @@
 //! Writes tables as code without dependencies: a Rust file, or C99.
 //!
-//! Both files perform the kernel's operations in the same order, so that all results have the same bits. The only
-//! exception is the arc tangent of a phase. It is the function of the platform, or in Rust without std a function of
-//! the file itself.
+//! The Rust file and the C file perform the kernel's operations in the kernel's order, so that all results have the
+//! same bits. The only exception is the arc tangent of a phase. It is the function of the platform. In Rust without
+//! std, it is a function of the file itself.
 
 mod c;
 mod checksum;
@@ -180,7 +180,7 @@ fn about<S: Float>(source: &Source<'_, S>) -> Vec<String> {
 }
 
 /// Returns a sentence about the accuracy of the tables between the checked points. A command without `--prove` tries no
-/// proof, and the macro may have a proof of the same numbers.
+/// proof. The sentence then names the commands that try one, because the macro may have proven the same numbers.
 fn told<S>(tables: &Tables<S>, proof: &Proof) -> String {
     if proof.evidence != Evidence::Checked || proof.work != Work(0) {
         return proof.told();

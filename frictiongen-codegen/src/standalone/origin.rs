@@ -4,7 +4,7 @@
 use crate::emit::fingerprint;
 use frictiongen_model::scene::Scene;
 
-/// The request to the reader at the head of an emitted file.
+/// Request to the reader in the first lines of an emitted file.
 pub const NOTICE: &str = "generated: change the description, not this file";
 
 /// The description and the command of an emitted file.
@@ -36,8 +36,8 @@ impl Origin<'_> {
         ]
     }
 
-    /// Returns the origin as line comments in Rust, without the description. It serves code whose documentation already
-    /// contains the description.
+    /// Returns the origin as line comments in Rust, without the description. Files whose documentation already contains
+    /// the description use this function.
     #[must_use]
     pub fn rust_head(&self, scene: &Scene) -> String {
         let head = self.head(scene);
@@ -77,8 +77,8 @@ impl Origin<'_> {
 }
 
 /// Returns a text that is safe in a comment of C. The text is in ASCII, without trigraphs and without the marks that
-/// begin or end a comment. The function adds a full stop to a backslash at the end of a line, because the compiler
-/// would join two lines.
+/// begin or end a comment. The function adds a full stop after a backslash at the end of a line, because the compiler
+/// would otherwise join this line with the next.
 pub fn c_text(text: &str) -> String {
     let mut out = String::new();
     for letter in text.chars() {

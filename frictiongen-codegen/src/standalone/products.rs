@@ -39,7 +39,7 @@ pub(super) fn factors<S: Float>(
     (!all.is_empty()).then(|| all.join("\n        * "))
 }
 
-/// Writes a product, including the division by its own poles.
+/// Writes a product, divided by its poles.
 pub(super) fn quotient<S: Float>(
     constants: &mut Constants,
     name: &str,

@@ -24,7 +24,7 @@ pub(super) struct Function {
 pub(super) struct Stuck {
     /// Products over the poles that several responses share.
     pub poles: Vec<Function>,
-    /// The response of each mass, by the name of the mass, and the force that holds the contact.
+    /// The response of each mass, under the name of the mass, and the force that keeps the contact stuck.
     pub masses: Vec<Function>,
     pub force: Expression,
     /// Expressions for the frequency ratios of the undamped resonances of the stuck chain.
@@ -52,7 +52,8 @@ impl Stuck {
         }
         let mut masses = Vec::new();
         for (place, (mass, form)) in scene.masses.iter().zip(&held.masses).enumerate() {
-            // Two masses may have names that differ only in their case.
+            // Keys with the mass's name could collide, because two masses may have names that differ only in their
+            // case.
             let key = format!("STUCK_{}", place + 1);
             masses.push(Function {
                 name: mass.name.clone(),

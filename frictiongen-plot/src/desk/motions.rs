@@ -8,8 +8,8 @@ use std::f64::consts::PI;
 /// The figure shows a spectral line if it is at least this fraction of the largest line.
 const FLOOR: f64 = 1e-5;
 
-/// Returns a figure of displacements and friction force over time, with phase portraits. If the contact is among the
-/// motions, the figure also shows its hysteresis loop, the friction force over the slip. The area of the loop of one
+/// Returns a figure of displacements and friction force against time, with phase portraits. If the contact is among the
+/// motions, the figure also shows its hysteresis loop, the friction force against the slip. The area of the loop of one
 /// period is the energy that the contact dissipates in that period. If `turned` is true, the figure shows the contact's
 /// motion with the opposite sign.
 #[must_use]
@@ -126,7 +126,7 @@ pub fn history_figure(
     Figure::new("", title, 2, panels)
 }
 
-/// Returns the panel with the friction force over the slip of the contact.
+/// Returns the panel with the friction force against the slip of the contact.
 fn loop_panel(slip: &[f64], force: &[f64], scales: &Scales) -> Panel {
     let across = Axis::fitted(scales.displacement_label(), slip.iter().copied());
     let up = Axis::fitted(scales.friction_label(), force.iter().copied());

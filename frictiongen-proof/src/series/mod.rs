@@ -45,7 +45,7 @@ impl<const N: usize> IntervalSeries<N> {
         series
     }
 
-    /// Returns the series of 1 over the variable.
+    /// Returns the series of 1/r, where r is the variable.
     #[must_use]
     pub fn inverse(value: Interval) -> Self {
         let inverse = Interval::ONE / value;
@@ -122,7 +122,7 @@ impl<const N: usize> IntervalSeries<N> {
         terms
     }
 
-    /// Returns Σ a_j b_{k−j} over j ≤ k, from j = `first` on.
+    /// Returns the sum of a_j b_{k−j} over j from `first` to k.
     ///
     /// The function sums the bounds of the products with rounding to nearest, and widens the sum once for all
     /// roundings. With n products whose magnitudes sum to s, the rounding error is less than (n + 1)εs. The code uses

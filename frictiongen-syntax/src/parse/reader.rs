@@ -224,8 +224,8 @@ impl<'t> Reader<'t> {
     }
 
     /// Parses entries separated by commas. After a faulty entry the function continues with the next entry. `begins`
-    /// returns true if an entry begins at the present token although the comma before it is missing.
-    /// `begins_after_error` returns the same after an error that left the reader at an unknown position.
+    /// returns true if an entry begins at the next token although the comma before it is missing. `begins_after_error`
+    /// answers the same question after an error that left the reader at an unknown position.
     pub(crate) fn list<T>(
         &mut self,
         problems: &mut Problems,

@@ -213,8 +213,8 @@ fn base(channel: &Channel, dt: f64) -> Result<Vec<[f64; 2]>, MeasureError> {
     })
 }
 
-/// Returns the acceleration of the base at the start and the end of every step between two samples, in m/s². Within a
-/// step it changes linearly.
+/// Returns the acceleration of the base at the start and the end of every step between two samples, in m/s². The
+/// acceleration changes linearly within a step.
 pub(super) fn accelerations(channel: &Channel, dt: f64) -> Result<Vec<[f64; 2]>, MeasureError> {
     let scale = channel.unit.scale();
     let pairs = channel.samples.windows(2);

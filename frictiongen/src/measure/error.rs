@@ -67,7 +67,7 @@ pub enum MeasureError {
         /// Fraction of the samples that stay at this value.
         share: f64,
     },
-    /// The name of a channel is neither that of the excitation nor that of a mass.
+    /// The name of a channel is not the name of the excitation, and not the name of a mass.
     NoSuchPlace {
         /// Name of the channel.
         channel: String,
@@ -114,7 +114,8 @@ pub enum MeasureError {
     /// The measured amplitude differs by a power of 1000 from every amplitude that the scene can have. A unit is
     /// therefore wrong.
     WrongUnit {
-        /// The measured amplitude over the nearest amplitude that the scene can have, rounded to a power of 1000.
+        /// The measured amplitude, divided by the nearest amplitude that the scene can have, and rounded to a power of
+        /// 1000.
         factor: f64,
         /// Name of the mass.
         mass: String,
@@ -125,7 +126,7 @@ pub enum MeasureError {
         mass: String,
         /// Measured amplitude |x̄|.
         measured: f64,
-        /// The amplitude |x̄| of the scene that is nearest to the measured one.
+        /// The amplitude |x̄| of the scene that is nearest to the measured amplitude.
         nearest: f64,
     },
     /// No friction force gives the scene the measured phase of a mass.
@@ -137,7 +138,7 @@ pub enum MeasureError {
         /// Lag of the mass behind the excitation with the best-fitting friction force, degrees.
         nearest: f64,
     },
-    /// The measured values are fewer than the unknowns.
+    /// The number of measured values is smaller than the number of unknowns.
     TooFewData {
         /// Number of measured values.
         data: usize,

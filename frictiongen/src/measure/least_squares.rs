@@ -6,12 +6,13 @@
 
 use nalgebra::{DMatrix, DVector};
 
-/// Largest number of steps of a fit. Rejected steps count too.
+/// Largest number of steps of a fit, including rejected steps.
 const MOST_STEPS: usize = 200;
-/// The fit ends when the last step changes every parameter by less than this fraction. It also ends when the last step
+/// The fit ends in two cases: the last step changes every parameter by less than this fraction of its value, or it
 /// changes all residuals together by less than this fraction of a standard deviation.
 const SMALL: f64 = 1e-10;
-/// Factor by which the damping grows after a rejected step and shrinks after an accepted one (Marquardt's choice).
+/// Factor by which the damping grows after a rejected step, and by which it shrinks after an accepted step (Marquardt's
+/// choice).
 const GROWTH: f64 = 10.0;
 /// The data do not determine a direction in parameter space if its singular value is below this fraction of the largest
 /// singular value.
@@ -37,10 +38,10 @@ pub(super) struct Fit {
     /// Number of independent directions in parameter space that the data determine. It equals the number of parameters
     /// if the data determine all of them.
     pub(super) rank: usize,
-    /// Condition number of the fit: the largest singular value of the Jacobian over the smallest singular value of a
-    /// determined direction. The Jacobian is that of the scaled parameters.
+    /// Condition number of the fit: the largest singular value of the Jacobian, divided by the smallest singular value
+    /// of a determined direction. The columns of this Jacobian are derivatives with respect to the scaled parameters.
     pub(super) condition: f64,
-    /// The scale of each parameter. The fit divides changes of the parameter by it.
+    /// The scale of each parameter. The fit divides changes of a parameter by its scale.
     sizes: Vec<f64>,
     /// Directions of relative parameter changes, each with its singular value. The singular value is 0 if the data do
     /// not determine the direction.
@@ -83,9 +84,9 @@ impl Fit {
     }
 }
 
-/// Returns the scale of each parameter, by which the fit divides its changes. The scale is the larger of two numbers:
-/// the parameter itself, and the change that shifts the residuals by one standard deviation. The second number serves a
-/// parameter that tends to zero.
+/// Returns the scale of each parameter, by which the fit divides changes of the parameter. The scale is the larger of
+/// two numbers: the parameter itself, and the change that shifts the residuals by one standard deviation. The second
+/// number is for a parameter that tends to zero.
 fn sizes(parameters: &[f64], jacobian: &DMatrix<f64>) -> Vec<f64> {
     let columns = jacobian.column_iter();
     let sizes = parameters.iter().zip(columns).map(|(value, column)| {
@@ -122,7 +123,7 @@ pub(super) fn minimise(
         let mut damped = normal.clone();
         for index in 0..damped.nrows() {
             if let Some(value) = damped.get_mut((index, index)) {
-                // A parameter that no residual depends on keeps its value.
+                // The damping keeps a parameter constant on which no residual depends.
                 *value += damping * value.max(f64::MIN_POSITIVE);
             }
         }
@@ -141,8 +142,8 @@ pub(super) fn minimise(
             .iter()
             .zip(&at)
             .all(|(new, old)| (new - old).abs() <= SMALL * old.abs().max(SMALL));
-        // A parameter that tends to 0 never changes by a small fraction of itself. In this case the change of the
-        // residuals decides.
+        // The step of a parameter that tends to 0 never becomes small relative to the parameter. In this case the
+        // change of the residuals decides.
         let small = small || (&lines.jacobian * &step).norm() <= SMALL;
         let new = residuals(&moved).map(|values| values.norm_squared());
         if let Some(new) = new.filter(|new| *new <= squares) {

@@ -122,9 +122,9 @@ impl Measured {
         let masses = masses.map(|(place, channel)| Ok((*place, tone(channel, &kept(channel))?)));
         let masses = masses.collect::<Result<Vec<_>, MeasureError>>()?;
         let seconds = driven.len() as f64 / rate;
-        // The standard deviation of a phase from half of the record is √2 times that from the whole record. The
-        // middles of the halves are half of the record apart. The deviation of the frequency is therefore 2·phase over
-        // 2π·T/2.
+        // The standard deviation of a phase from half of the record is √2 times that from the whole record. The middles
+        // of the two halves are T/2 apart, where T is the length of the record. The standard deviation of the frequency
+        // is therefore 2·phase/(2π·T/2).
         let phase = drive_tone.deviation / drive_tone.fundamental().norm();
         Ok(Self {
             hertz: per_sample * rate,

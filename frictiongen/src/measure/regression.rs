@@ -4,8 +4,8 @@
 //! of a drive, as in the EMPS benchmark (Janot, Gautier and Brunot, Data set and reference models of EMPS, 2019).
 //!
 //! The method differentiates no signal. It multiplies the equation by a bump function, which is zero with zero slope at
-//! both ends of a window, and integrates by parts (modulating functions, Shinbrot 1957). A derivative of a smoothed
-//! position would be too small, and the mass would be too large by the same factor.
+//! both ends of a window, and integrates by parts (modulating functions, Shinbrot 1957). The alternative is a
+//! derivative of a smoothed position. It would be too small, and the mass would be too large by the same factor.
 
 use super::identify::Estimate;
 use super::recording::{Channel, Dimension};
@@ -111,8 +111,9 @@ impl Recording {
     }
 }
 
-/// Returns three weights for each sample of a window: the bump function φ = (1 − s²)⁵ over s from −1 to 1, φ̇ and φ̈,
-/// times the step. The bump function is so flat at both ends that sums are as accurate as integrals.
+/// Returns three weights for each sample of a window: φ, φ̇ and φ̈, each multiplied by the step. φ = (1 − s²)⁵ is the
+/// bump function, with s from −1 to 1. It is so flat at both ends that a sum over the samples is as accurate as an
+/// integral.
 fn bump(length: usize, step: f64) -> Vec<[f64; 3]> {
     let half = 0.5 * length as f64 * step;
     let places = (0..length).map(|i| (2.0 * i as f64 + 1.0) / length as f64 - 1.0);
@@ -141,8 +142,8 @@ struct Window {
 }
 
 impl Window {
-    /// Integrates the equation over the samples of position and force. Each list of samples comes with its factor to
-    /// the SI unit.
+    /// Integrates the equation over the samples of position and force. Each list of samples comes with the factor that
+    /// converts it to the SI unit.
     fn of(
         (motion, metres): (&[f64], f64),
         (push, newtons): (&[f64], f64),

@@ -5,8 +5,8 @@ use super::{MeasureError, Recording};
 
 /// Name of the channel with the motion of the base.
 const BASE: &str = "base";
-/// Smallest number of steps in a period of the oscillator. The displacement at a reversal between two steps has a
-/// relative error below ((2π/40)²/8)²/2, about 5e-6.
+/// Smallest number of steps in a period of the oscillator. The code interpolates the displacement at a reversal between
+/// two steps, with a relative error below ((2π/40)²/8)²/2, about 5e-6.
 const STEPS: f64 = 40.0;
 /// Number of periods in a decade of [`periods`].
 const DECADE: f64 = 60.0;
@@ -101,8 +101,8 @@ impl Oscillator {
         }
     }
 
-    /// Returns the state [u, u′] a time t later. During this time the acceleration of the base is a + st (Nigam and
-    /// Jennings).
+    /// Returns the state [u, u′] after a time t. During this time the acceleration of the base is a + s·t′, where t′
+    /// runs from 0 to t (Nigam and Jennings).
     fn moved(&self, [u, v]: [f64; 2], a: f64, s: f64, t: f64) -> [f64; 2] {
         let (omega, decay) = (self.omega, self.zeta * self.omega);
         let stiffness = omega * omega;
@@ -129,7 +129,7 @@ impl Oscillator {
     }
 
     /// Returns the largest |u|. In each step of length `dt`, the acceleration of the base changes linearly between the
-    /// two numbers in `steps`.
+    /// two numbers of the step in `steps`.
     fn peak(&self, steps: &[[f64; 2]], dt: f64) -> f64 {
         let parts = (STEPS * self.omega * dt / std::f64::consts::TAU)
             .ceil()
@@ -146,7 +146,7 @@ impl Oscillator {
                 let [_, v] = state;
                 let [u, w] = next;
                 if v * w < 0.0 {
-                    // The displacement has its extreme near the zero of the chord of the velocity.
+                    // The displacement has its extreme near the instant at which the chord of the velocity is zero.
                     let [turning, _] = self.moved(state, a, slope, h * v / (v - w));
                     peak = peak.max(turning.abs());
                 }

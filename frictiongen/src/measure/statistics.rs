@@ -8,23 +8,23 @@ pub(super) const CHI: f64 = NORMAL * NORMAL;
 /// Value that a normally distributed number exceeds with probability 1/1000.
 const RARE: f64 = 3.090_232_306_167_813;
 
-/// Returns an upper bound on the sum of squared residuals over the degrees of freedom, for noise of known deviations.
-/// By chance, one of 1000 recordings exceeds the bound. The bound is the χ² quantile by Wilson and Hilferty's
-/// approximation (Abramowitz and Stegun, 26.4.17). It is 3 % above the exact quantile for one degree of freedom and 0.6
-/// % for ten.
+/// Returns an upper bound on the misfit, which is the sum of squared residuals divided by the degrees of freedom, for
+/// noise of known deviations. By chance, one of 1000 recordings exceeds the bound. The bound is the χ² quantile by
+/// Wilson and Hilferty's approximation (Abramowitz and Stegun, 26.4.17). It is 3 % above the exact quantile for one
+/// degree of freedom, and 0.6 % above it for ten.
 fn most_by_chance(freedom: usize) -> f64 {
     let spread = 2.0 / (9.0 * freedom.max(1) as f64);
     (1.0 - spread + RARE * spread.sqrt()).powi(3)
 }
 
-/// Returns true if noise explains a misfit, the sum of squared residuals over the degrees of freedom. Without degrees
-/// of freedom the result is true.
+/// Returns true if noise explains a misfit, which is the sum of squared residuals divided by the degrees of freedom.
+/// Without degrees of freedom the result is true.
 pub(super) fn is_chance(misfit: Option<f64>, freedom: usize) -> bool {
     misfit.is_none_or(|misfit| misfit <= most_by_chance(freedom))
 }
 
-/// Returns the factor on the variances of a fit. If noise does not explain the misfit, the factor is the misfit.
-/// Otherwise it is 1, because the deviations are known.
+/// Returns the factor by which the variances of a fit are multiplied. If noise does not explain the misfit, the factor
+/// is the misfit. Otherwise it is 1, because the deviations are known.
 pub(super) fn excess(misfit: Option<f64>, freedom: usize) -> f64 {
     let unexplained = misfit.filter(|misfit| !is_chance(Some(*misfit), freedom));
     unexplained.unwrap_or(1.0)
@@ -56,7 +56,8 @@ fn within(t: f64, freedom: usize) -> f64 {
     let angle = (t / n.sqrt()).atan();
     let cosine_squared = angle.cos().powi(2);
     let odd = !freedom.min(MANY).is_multiple_of(2);
-    // The series is 1 + (1/2)c² + (1·3/2·4)c⁴ + …, or c + (2/3)c³ + … for an odd number of degrees of freedom.
+    // The series is 1 + (1/2)c² + (1·3/2·4)c⁴ + …, or c + (2/3)c³ + … for an odd number of degrees of freedom, where c
+    // is the cosine of the angle.
     let (mut term, mut k) = if odd { (angle.cos(), 1.0) } else { (1.0, 0.0) };
     let mut sum = 0.0;
     while k <= n - 2.0 {

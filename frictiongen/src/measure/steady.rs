@@ -11,15 +11,16 @@ const BLOCK: f64 = 2.0;
 const MOST_BLOCKS: usize = 40;
 /// Smallest number of blocks from which the code decides that the motion is steady.
 const FEWEST_BLOCKS: usize = 4;
-/// The frequency of the excitation counts as constant if its phase deviates from that of a constant frequency by at
-/// most this value, in rad. This corresponds to a variation of the frequency by 1/30 of the width of a spectral line.
+/// The frequency of the excitation counts as constant if its phase deviates from the phase of a constant frequency by
+/// at most this value, in rad. This corresponds to a variation of the frequency by 1/30 of the width of a spectral
+/// line.
 const STRAY: f64 = 0.05;
-/// The excitation counts as steady if its amplitude changes relatively by at most this value.
+/// The excitation counts as steady if its amplitude changes by at most this fraction.
 const SWELL: f64 = 0.05;
 /// A change counts as noise up to this number of standard deviations.
 const SURE: f64 = 6.0;
-/// The motion counts as steady if its fundamental changes relatively by at most this value. The search first tries the
-/// smaller value, and then the larger one, which allows for friction that changes slowly.
+/// The motion counts as steady if its fundamental changes by at most one of these fractions. The search first tries the
+/// smaller fraction. The larger fraction allows for friction that changes slowly.
 const STEADY: [f64; 2] = [2e-3, 2e-2];
 /// The motion counts as steady if its fundamental scatters about its mean by at most this fraction.
 const SCATTER: f64 = 0.1;
@@ -116,7 +117,7 @@ fn steady_drive(name: &str, blocks: &Blocks, hertz: f64, seconds: f64) -> Result
 }
 
 /// Returns three numbers: the slope over the first half of the phases, the slope over the second half, and the largest
-/// distance from a straight line.
+/// distance of a phase from a straight line.
 fn bend(phases: &[f64]) -> (f64, f64, f64) {
     let line = |part: &[f64]| {
         let n = part.len().max(1) as f64;
@@ -145,8 +146,8 @@ fn settled(name: &str, blocks: &Blocks) -> Result<usize, MeasureError> {
         .get(values.len() - values.len().div_ceil(3)..)
         .unwrap_or(&[]);
     let middle = mean(last);
-    // The scatter is computed from the differences of neighbouring blocks, about their mean. A trend therefore does not
-    // count.
+    // The scatter is computed from the differences of neighbouring blocks, after their mean is subtracted. A trend
+    // therefore does not increase the scatter.
     let pairs = last
         .windows(2)
         .filter_map(|pair| Some(pair.last()? - pair.first()?));
@@ -156,7 +157,7 @@ fn settled(name: &str, blocks: &Blocks) -> Result<usize, MeasureError> {
     let freedom = steps.len().saturating_sub(1).max(1);
     let scatter = (0.5 * squares / freedom as f64).sqrt();
     let noise = blocks.deviation * std::f64::consts::SQRT_2;
-    // A motion counts as steady if it changes by no more than its noise.
+    // A motion also counts as steady if its changes are within its noise.
     if SCATTER * middle.norm() < scatter && SURE * noise < scatter {
         return Err(MeasureError::NotSteady(name.to_owned()));
     }

@@ -1,8 +1,8 @@
 //! Finds one frequency in samples, and the amplitudes of its harmonics with their uncertainty.
 //!
 //! Thesis 4.3.3 takes the peak of a spectrum under a Hann window with zero padding. This file uses the same window, but
-//! avoids two errors of that method. It solves the window's sums for the mean and all harmonics at once, so that no
-//! harmonic affects another. Its frequency is not limited to the grid of a spectrum.
+//! avoids two errors of that method. It solves the sums under the window for the mean and all harmonics together, so
+//! that no harmonic affects another. It also finds frequencies between the lines of a spectrum.
 
 use crate::Complex;
 use nalgebra::{DMatrix, DVector};
@@ -11,13 +11,13 @@ use std::f64::consts::TAU;
 
 /// Largest number of harmonics. With few samples the number is lower.
 pub const HARMONICS: usize = 5;
-/// Half-width of the frequency band for the noise, divided by the driving frequency. A wider band would include half
-/// and one and a half times the driving frequency, where a contact may cause components.
+/// Half-width of the frequency band in which the code estimates the noise, divided by the driving frequency. A wider
+/// band would include 0.5 and 1.5 times the driving frequency, where a contact may cause components.
 const BESIDE: f64 = 0.45;
-/// A bin of the spectrum belongs to a harmonic, and not to the noise, if it is within this distance of the harmonic.
-/// The unit is one bin.
+/// A bin of the spectrum belongs to a harmonic, and not to the noise, if its distance from the harmonic is at most this
+/// number of bins.
 const LINE: f64 = 3.0;
-/// Number of bins for an estimate of the noise with an error below a tenth. If the band has fewer bins, the code also
+/// Number of bins for which the error of the noise estimate is below a tenth. If the band has fewer bins, the code also
 /// uses the bins between the harmonics.
 const ENOUGH_BINS: usize = 64;
 /// Smallest number of bins from which the noise is estimated.
@@ -141,7 +141,7 @@ impl ToneBasis {
         Some(Tone {
             mean,
             harmonics,
-            // The amplitude is X = 2D/Σw. The real and the imaginary part of D each have half of |D|².
+            // The amplitude is X = 2D/Σw. The real and the imaginary part of D each contribute half of |D|².
             deviation: (2.0 * floor).sqrt() / whole,
             residual,
         })
@@ -217,10 +217,9 @@ fn normal(sums: &[Complex<f64>], harmonics: usize) -> DMatrix<f64> {
 
 /// Factor by which zeros lengthen the samples before the code computes the spectrum.
 const PADDING: usize = 4;
-/// Number of samples above which the code adds no zeros.
+/// Number of samples above which the code appends no zeros.
 const LONG: usize = 1 << 20;
-/// Number of steps of the refinement of a frequency. A step uses the phases of the first and second half of the
-/// samples.
+/// Number of steps that refine a frequency. A step compares the phases of the first and the second half of the samples.
 const STEPS: usize = 4;
 /// Smallest number of cycles with which a frequency can be determined.
 pub(super) const FEWEST_CYCLES: f64 = 4.0;
@@ -260,7 +259,7 @@ pub(super) fn frequency(samples: &[f64]) -> Option<f64> {
             let (_, harmonics) = basis.components(part)?;
             harmonics.first().map(|x| x.im.atan2(x.re))
         };
-        // The middles of the two halves are half of the samples apart. Each phase refers to the middle of its half.
+        // The middles of the two halves are half of the samples apart. The phase of a half refers to its middle.
         let apart = 0.5 * count as f64;
         let turns = (phase(second)? - phase(first)?) / TAU - found * apart;
         found += (turns - turns.round()) / apart;

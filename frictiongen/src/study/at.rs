@@ -162,11 +162,11 @@ impl<'a, S: Plain> ProvidesOrbit for &'a System<S> {
 }
 
 impl<S: Float> System<S> {
-    /// Returns β_lim and β*_lim without search, and the real part of the receptance H of the contact, times r²E. E is
-    /// the scale of the modal sums. The function serves damped chains, and chains with many modes.
+    /// Returns β_lim and β*_lim without search, and the real part of r²EH. H is the receptance of the contact, and E is
+    /// the scale of the modal sums. The function is for damped chains, and for chains with many modes.
     ///
-    /// The compiler must not inline this function. The shorter caller is then faster for an undamped chain with one
-    /// mass.
+    /// The compiler must not inline this function. The caller is then shorter, and faster for an undamped chain with
+    /// one mass.
     #[inline(never)]
     fn limits_of_sums(&self, inverse_r: S) -> (Limits<S>, S) {
         limits_of_sums(&self, inverse_r)

@@ -225,8 +225,7 @@ impl Builder {
                 }
             }
         };
-        // A spring or contact with an unknown name is left out of the further checks. The checks can then report other
-        // faults.
+        // The further checks leave out a spring or contact with an unknown name, so that they can find other faults.
         let mut springs = Vec::with_capacity(self.springs.len());
         for (from, to, stiffness) in &self.springs {
             let place = || format!("the spring `{from} - {to}`");

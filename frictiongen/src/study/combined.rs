@@ -1,7 +1,7 @@
 //! Motions that combine masses and base: relative displacements, spring forces and the base shear.
 //!
-//! A spring force over P equals the spring's elongation x̄ times k/k₁. Every method for displacements therefore also
-//! returns forces.
+//! A spring force divided by P equals the spring's elongation x̄, multiplied by k/k₁. Every method for displacements
+//! therefore also returns forces.
 
 use super::held::{SystemHeld, static_share};
 use super::motion::{SystemMotion, SystemSteady, SystemStuck};
@@ -316,7 +316,7 @@ impl<S: Float> SystemStuck<'_, S> {
             return None;
         }
         let one = S::constant(1.0);
-        // The spring of an elastic contact moves by ρf.
+        // Under the contact force f, the spring of an elastic contact moves by ρf.
         let contact = match system.compliance() {
             None => Complex::new(zero, zero),
             Some(compliance) => complex::scale(self.contact_force(), compliance),
@@ -365,7 +365,7 @@ impl SystemStepper<'_> {
                     let now = self.mass_at(mass);
                     Some([now.displacement(), now.velocity()])
                 })?;
-        // The terms of a force are over k₁.
+        // The terms of a force are divided by k₁.
         let unit = match of.is_force() {
             true => system.scene.first_stiffness(),
             false => 1.0,

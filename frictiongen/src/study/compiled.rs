@@ -149,8 +149,8 @@ impl<'s, S: Float> CompiledSystem<'s, S> {
         self
     }
 
-    /// Returns the proof for β_lim. `proven`, which needs the feature `proof`, makes this proof. Without it, the tables
-    /// are only compared with exact values at points.
+    /// Returns the proof for β_lim. `proven`, which needs the feature `proof`, makes this proof. If there is no proof,
+    /// the tables were only compared with exact values at points.
     ///
     /// `tables().motion_proof` is the proof for the contact's motion. `tables().sliding_proof` is the proof for β*_lim,
     /// which needs no evaluations.

@@ -28,8 +28,8 @@ impl<'a> SystemHeld<'a> {
         self.offset_range
     }
 
-    /// Returns the constant part of the friction force, over P (over k₁Y for base motion). This part keeps the contact
-    /// at its offset. A positive force opposes positive sliding.
+    /// Returns the constant part of the friction force, divided by P (by k₁Y for base motion). This part keeps the
+    /// contact at its offset. A positive force opposes positive sliding.
     #[must_use]
     pub fn constant_force(&self) -> f64 {
         -(self.offset / receptance(self.stuck.at().scene()))
@@ -52,7 +52,8 @@ impl<'a> Deref for SystemHeld<'a> {
     }
 }
 
-/// Returns the displacement of a mass for a constant unit displacement of the contact, Σφ_k(φᵀw)/λ over Σ(φᵀw)²/λ.
+/// Returns the displacement of a mass for a constant unit displacement of the contact: Σφ_k(φᵀw)/λ divided by
+/// Σ(φᵀw)²/λ.
 pub(super) fn static_share<S: Float>(system: &System<S>, mass: usize) -> Option<S> {
     let zero = S::constant(0.0);
     let shape = system.shape(mass)?;

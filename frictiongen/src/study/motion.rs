@@ -1,4 +1,4 @@
-//! Continuous and stuck motions of a run-time system. They add access to masses by name to the kernel's motions.
+//! Continuous and stuck motions of a run-time system. The types give the kernel's motions access to masses by name.
 
 use super::error::UnknownMass;
 use super::system::System;

@@ -25,8 +25,8 @@ pub enum UnknownMotion {
     Function(String),
     /// A force has neither a velocity nor an acceleration.
     Rate(String),
-    /// `slip(…)`, `force(…)` and `energy(…)` need the name of a contact. The first field is the function, the second the
-    /// name in its brackets.
+    /// The brackets of `slip(…)`, `force(…)` or `energy(…)` do not contain the name of a contact. The first field is
+    /// the name of the function, and the second field is the text in its brackets.
     Slip(String, String),
     /// The closing bracket is missing, or text follows it.
     Brackets(String),
@@ -90,7 +90,7 @@ impl<S: Float> System<S> {
     /// | `spring(first-roof)` | force in the spring between `first` and `roof` |
     /// | `shear` | base shear: the sum of the forces in all springs between a mass and the base |
     ///
-    /// A force is over P (over k₁Y for base motion).
+    /// A force is divided by P (by k₁Y for base motion).
     ///
     /// ```
     /// use frictiongen::{Of, System};

@@ -1,4 +1,5 @@
-//! Steady states of a run-time system in any regime. They add access to masses by name to the kernel's steady states.
+//! Steady states of a run-time system in any regime. The types give the kernel's steady states access to masses by
+//! name.
 
 use super::error::UnknownMass;
 use super::system::System;

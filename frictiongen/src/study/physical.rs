@@ -60,8 +60,8 @@ struct PointAnswers {
     sliding_limit: Sensitive,
 }
 
-/// Frequency ratio r and friction ratio β of an operating point, with the units of length and force of the
-/// non-dimensional amplitudes and limits. All four have derivatives.
+/// Frequency ratio r and friction ratio β of an operating point, and the units of length and force of the
+/// non-dimensional amplitudes and limits. Each of these four numbers has derivatives.
 struct PhysicalGroups {
     r: Sensitive,
     beta: Sensitive,

@@ -54,7 +54,7 @@ pub enum SystemResponse<'a> {
 /// The amplitude of a motion, which is its largest displacement, and the phase of that maximum.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Swing {
-    /// The largest |x̄| of the period, over P/k₁ (over Y for base motion).
+    /// The largest |x̄| of the period, where x̄ = x/(P/k₁) (x/Y for base motion).
     pub amplitude: f64,
     /// Lag of the instant at which |x̄| reaches `amplitude` behind the maximum of the excitation, in rad, in (−π, π].
     /// `None` if the contact or mass does not move.
@@ -112,7 +112,7 @@ impl SystemResponse<'_> {
         }
     }
 
-    /// Returns amplitude and phase of the contact or of a mass. Returns `None` if the scene has no such mass.
+    /// Returns amplitude and phase of the contact or of a mass. Returns `None` if the scene does not have this motion.
     #[must_use]
     pub fn swing(&self, of: Of) -> Option<Swing> {
         let moving = |(amplitude, phase)| Swing {
@@ -138,7 +138,7 @@ impl SystemResponse<'_> {
     }
 
     /// Returns the centred amplitude: half the distance between the least and the largest x̄, in units of P/k₁ (of Y
-    /// for base motion). Returns `None` if the scene has no such mass.
+    /// for base motion). Returns `None` if the scene does not have this motion.
     #[must_use]
     pub fn centred_amplitude(&self, of: Of) -> Option<f64> {
         match self {
@@ -149,7 +149,7 @@ impl SystemResponse<'_> {
     }
 
     /// Returns the lag −arg X₁ of the fundamental component behind the excitation, in rad, in (−π, π]. Returns `None`
-    /// if the contact or mass does not move, and if the scene has no such mass.
+    /// if the contact or mass does not move, and if the scene does not have this motion.
     #[must_use]
     pub fn fundamental_phase(&self, of: Of) -> Option<f64> {
         fundamental_phase(self.harmonic(of, 1)?, self.centred_amplitude(of)?)
@@ -210,7 +210,7 @@ impl SystemResponse<'_> {
     }
 
     /// Returns the monoharmonic estimate of an amplitude (5.50, 7.33). Returns `None` outside the continuous regime,
-    /// and if the scene has no such mass.
+    /// and if the scene does not have this motion.
     #[must_use]
     pub fn monoharmonic(&self, of: Of) -> Option<f64> {
         let Self::Continuous(motion) = self else {
@@ -220,7 +220,7 @@ impl SystemResponse<'_> {
     }
 
     /// Returns the largest displacement, velocity or acceleration of the contact or of a mass. Returns `None` if the
-    /// scene has no such mass.
+    /// scene does not have this motion.
     ///
     /// An acceleration jumps when the friction force jumps. The result includes the values on both sides of a jump.
     #[must_use]
@@ -245,7 +245,7 @@ impl SystemResponse<'_> {
     }
 
     /// Returns X_n, the complex amplitude of harmonic n in x̄ = Re Σ X_n e^{inτ}, for the contact or a mass. τ = 0 is a
-    /// maximum of the excitation. Returns `None` if the scene has no such mass.
+    /// maximum of the excitation. Returns `None` if the scene does not have this motion.
     #[must_use]
     pub fn harmonic(&self, of: Of, n: u32) -> Option<Complex<f64>> {
         match self {
@@ -262,8 +262,8 @@ impl SystemResponse<'_> {
         }
     }
 
-    /// Returns the largest friction force of the period over the load amplitude P. If the contact slides without a
-    /// stop, it is β. If the contact stops and breaks away, it is μβ. If the contact never slides, it is μβ*_lim plus
+    /// Returns the largest friction force of the period, divided by the load amplitude P. If the contact slides without
+    /// a stop, it is β. If the contact stops and breaks away, it is μβ. If the contact never slides, it is μβ*_lim plus
     /// the constant force due to its offset.
     #[must_use]
     pub fn contact_force(&self) -> f64 {
@@ -311,7 +311,7 @@ pub(super) fn equivalent_damping(
     centred: impl Fn(Of) -> Option<f64>,
 ) -> Option<f64> {
     let scene = system.scene();
-    // A spring force f̄ over P is κx̄, so that ½κx̄² = ½f̄²/κ.
+    // f̄, a spring force divided by P, equals κx̄, so that ½κx̄² = ½f̄²/κ.
     let strain = |index: usize| {
         let force = centred(Of::Spring(index))?;
         let stiffness = scene.springs.get(index)?.stiffness / scene.first_stiffness();

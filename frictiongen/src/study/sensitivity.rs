@@ -61,8 +61,8 @@ pub type Sensitive = Dual<Dd>;
 pub struct Varied {
     system: System<Sensitive>,
     data: Modal<Sensitive>,
-    /// The system without derivatives (`plain`), and below it the data for motion in time with derivatives
-    /// (`transient`). The first use of each computes it.
+    /// The system without derivatives (`plain`), and the data for motion in time with derivatives (`transient`). Their
+    /// first use computes them.
     plain: OnceLock<System>,
     transient: OnceLock<Option<Transient<Sensitive>>>,
     /// The varied quantity, and the settings of a stepper with derivatives, which the first use computes.

@@ -200,7 +200,7 @@ impl<'a> SystemAt<'a> {
         Ok(other.map_or(last, SystemOrbit::not_from_rest))
     }
 
-    /// Returns true if no other steady state than the closed form can exist. With μ = 1 no other state exists, unless
+    /// Returns true if no steady state other than the closed form can exist. With μ = 1 no other state exists, unless
     /// √λ_i/r is an even integer for an undamped mode that the contact drives.
     fn is_unique(&self) -> bool {
         let numbers = self.scene().numbers();

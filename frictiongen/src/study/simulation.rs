@@ -91,7 +91,7 @@ impl<S: Plain> System<S> {
     /// force, Y for a base motion.
     ///
     /// The speeds of `friction: stribeck` need the amplitude. With a constant kinetic friction force, nothing depends
-    /// on the amplitude. β is the kinetic friction force at zero speed over P (over k₁Y for base motion).
+    /// on the amplitude. β is the kinetic friction force at zero speed, divided by P (by k₁Y for base motion).
     ///
     /// ```
     /// # fn main() -> Result<(), Box<dyn std::error::Error>> {

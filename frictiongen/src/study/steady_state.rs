@@ -76,7 +76,7 @@ impl<S: Plain> System<S> {
     }
 
     /// Returns β*_lim = |f|/μ, the smallest β = F/P for which the contact need not slide. f is the force of the stuck
-    /// contact over P. The contact may be rigid or elastic.
+    /// contact, divided by P. The contact may be rigid or elastic.
     ///
     /// From this β on, an elastic contact that starts without force never slides. After a motion with slides, its
     /// slider may rest at another position. The contact then carries an additional constant force.
@@ -90,8 +90,8 @@ impl<S: Plain> System<S> {
         Ok(self.limit_of(force))
     }
 
-    /// Returns the complex amplitude of every mass while the contact never slides, over P/k₁ (over Y for base motion).
-    /// The contact may be rigid or elastic.
+    /// Returns the complex amplitude of every mass while the contact never slides, divided by P/k₁ (by Y for base
+    /// motion). The contact may be rigid or elastic.
     ///
     /// # Errors
     /// Same errors as [`stuck_limit`](Self::stuck_limit).

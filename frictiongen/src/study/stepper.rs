@@ -15,8 +15,8 @@ use std::ops::{Deref, DerefMut};
 /// Number of polynomial coefficients of the input over one step. It is large enough for each kind of input.
 const COEFFICIENTS: usize = 4;
 
-/// Constant tables for steps of one length, as vectors. They advance each mode of the sliding chain and of the stuck
-/// chain.
+/// Constant tables for steps of a fixed length, as vectors. They advance each mode of the sliding chain and of the
+/// stuck chain.
 #[doc(hidden)]
 #[derive(Clone, Debug)]
 pub struct SystemStepTables<S> {
@@ -124,7 +124,7 @@ type KernelStepper<'a, S> =
 #[doc(hidden)]
 pub type SystemStepSaved<S = f64> = Saved<S, SystemStepStore<S>>;
 
-/// The motion of a system in steps of one length, under any input.
+/// The motion of a system in steps of equal length, under any input.
 #[derive(Clone, Debug)]
 pub struct SystemStepper<'a, S = f64> {
     pub(super) system: &'a System<S>,
@@ -357,7 +357,7 @@ impl<'a, S: Float> SystemStepper<'a, S> {
     }
 
     /// Returns the present displacement and velocity of a mass. `index` is the index in the description. For an invalid
-    /// index, both are 0.
+    /// index, displacement and velocity are 0.
     #[must_use]
     pub fn mass_at(&self, index: usize) -> MassNow<S> {
         self.stepper.mass(index)

@@ -257,8 +257,8 @@ impl<S: Float> System<S> {
     }
 
     /// Returns an upper bound on β_lim, and the exact β*_lim (6.11, 6.27, 6.33), without a search over time. The bound
-    /// on β_lim replaces the velocity constraint S by its limit for τ → 0 (5.64). This is the fastest call if no other
-    /// result is needed at this r.
+    /// on β_lim uses the limit of the velocity constraint for τ → 0 in place of its maximum S (5.64). This is the
+    /// fastest call if no other result is needed at this r.
     ///
     /// # Errors
     /// [`OutOfDomain`] for NaN and negative r. At r = 0 and r = ∞ the call returns the limit values. [`OutOfDomain`]
@@ -277,8 +277,8 @@ impl<S: Float> System<S> {
         if self.scene.is_joined() {
             return vec![None; self.resonances.len()];
         }
-        // An elastic contact dissipates less than a rigid one in each cycle, but the same for large amplitudes, so that
-        // the thresholds are the same.
+        // At large amplitudes, an elastic contact dissipates as much energy in a cycle as a rigid contact. The
+        // thresholds of both contacts are therefore the same.
         self.modal
             .resonance_thresholds()
             .into_iter()
@@ -322,9 +322,9 @@ impl<S: Float> System<S> {
             .map(rounded)
     }
 
-    /// Returns β_∞ and β*_∞, the values of β_lim and β*_lim for r → ∞ (6.28). Both are infinite on a moving base. An
-    /// elastic contact has β_∞ = 0. Its β*_∞ is 0, or on a moving base its stiffness over μk₁. Both are NaN for a scene
-    /// with `contacts` or `dampers`, which has no such closed form.
+    /// Returns β_∞ and β*_∞, the values of β_lim and β*_lim for r → ∞ (6.28). β_∞ and β*_∞ are infinite on a moving
+    /// base. An elastic contact has β_∞ = 0. Its β*_∞ is 0, or on a moving base its stiffness divided by μk₁. β_∞ and
+    /// β*_∞ are NaN for a scene with `contacts` or `dampers`, which has no such closed form.
     #[must_use]
     pub fn high_frequency_limits(&self) -> (S, S) {
         if self.scene.is_joined() {

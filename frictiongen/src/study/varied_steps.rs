@@ -20,9 +20,9 @@ impl Varied {
     /// variable in every sample. Derivatives are at constant samples, in the scene's units.
     ///
     /// The derivatives stay correct after stops, break-aways and reversals. They include the change of the instants of
-    /// these events with the quantity. At some values of the quantity an event appears or vanishes. There the motion has
-    /// no derivative, and the stepper returns the derivative of one side. Steppers without derivatives show such a value:
-    /// just below and just above it they count different numbers of events.
+    /// these events with the quantity. At some values of the quantity an event appears or vanishes. At such a value the
+    /// motion has no derivative, and the stepper returns the derivative of one side. Steppers without derivatives show
+    /// such a value: just below and just above it they count different numbers of events.
     ///
     /// ```
     /// use frictiongen::study::{System, SystemInput, sensitivity::Sensitive};

@@ -13,7 +13,8 @@ use crate::{Error, NoOrbit};
 const UNSETTLED: usize = 400;
 /// Additional work of a response if motion from rest did not settle and the search found another steady state.
 const ANOTHER: usize = 1000;
-/// Number of vibrations of the fastest mode in a cycle for which the work of the cycle is twice that of a slow mode.
+/// If the fastest mode vibrates this number of times in a cycle of the excitation, the work of the cycle is twice that
+/// of a cycle with a slow mode.
 const VIBRATIONS: f64 = 10.0;
 /// Work of a motion that settled, for each mass of a damped chain.
 const DAMPED: usize = 8;
@@ -41,7 +42,7 @@ pub(in crate::study) fn work(
     match found {
         Ok(response) if !response.is_settled() => spent,
         Ok(response) if !response.is_from_rest() => unsettled(ANOTHER),
-        // With μ = 1 no state other than the closed form can exist, so that no motion is followed.
+        // With μ = 1 no state other than the closed form can exist, so that the code computes no motion in time.
         Ok(SystemResponse::Continuous(_)) if scene.stiction <= 1.0 => 1,
         Ok(SystemResponse::Continuous(_) | SystemResponse::StickSlip(_)) => followed,
         Ok(SystemResponse::Stuck(_)) => followed.div_ceil(4),

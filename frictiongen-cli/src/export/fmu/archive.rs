@@ -23,7 +23,7 @@ const END: u32 = 0x0605_4b50;
 const VERSION: u16 = 10;
 /// Names are in UTF-8.
 const FLAGS: u16 = 1 << 11;
-/// 1 January 1980 at midnight, the first date of the format. The same scene therefore gives the same bytes.
+/// 1 January 1980 at midnight, the first date of the format. With a fixed date the same scene gives the same bytes.
 const TIME: u16 = 0;
 const DATE: u16 = (1 << 5) | 1;
 
@@ -72,9 +72,9 @@ impl Archive {
         self.bytes
     }
 
-    /// Writes the fields that both headers of a file have.
+    /// Writes the fields that the local header and the central header of a file have in common.
     fn common(&mut self, entry: &Entry) {
-        // The third number is the method: stored without compression.
+        // The third number is the compression method, 0 for no compression.
         for word in [VERSION, FLAGS, 0, TIME, DATE] {
             self.word(word);
         }
@@ -99,7 +99,7 @@ fn bounded(size: usize) -> u32 {
     u32::try_from(size).unwrap_or(u32::MAX)
 }
 
-/// Returns the CRC-32 of the format.
+/// Returns the CRC-32 of some bytes, as the zip format defines it.
 pub(super) fn checksum(bytes: &[u8]) -> u32 {
     let step = |sum: u32, _: u32| (sum >> 1) ^ (0xedb8_8320 & (sum & 1).wrapping_neg());
     let byte = |sum: u32, byte: &u8| (0..8).fold(sum ^ u32::from(*byte), step);

@@ -12,8 +12,8 @@ const UNITS: [(&str, &str); 5] = [
     ("s", "s=\"1\""),
 ];
 
-/// Writes the description of an FMU. `identifier` is the name of its binary without the extension. `step` is the step
-/// as the binary computes with it.
+/// Writes the description of an FMU. `identifier` is the name of its binary without the extension. `step` is the length
+/// of a step in s, in the precision of the binary.
 pub fn write(
     scene: &Scene,
     variables: &Variables,
@@ -127,13 +127,13 @@ fn variable(kind: &str, (reference, name, about): (usize, &str, &str), more: &st
     )
 }
 
-/// Returns true if every name is of the standard's structured form, `a.b` in ASCII.
+/// Returns true if every name has the form of the standard's structured names, `a.b` in ASCII.
 fn is_structured(variables: &Variables) -> bool {
     let mut names = variables.outputs.iter().map(|output| &output.name);
     names.all(|name| name.is_ascii())
 }
 
-/// Escapes a text for an attribute. Names of a description have no marks that XML reserves, but comments may.
+/// Escapes a text for an attribute. Names of a description contain no characters that XML reserves, but comments may.
 fn escaped(text: &str) -> String {
     text.replace('&', "&amp;")
         .replace('<', "&lt;")

@@ -88,7 +88,7 @@ pub fn run(asked: &Asked<'_>) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Returns the step as the binary computes with it, in s.
+/// Returns the length of a step in s, in the precision of the binary.
 fn step(scene: &Scene) -> Result<f64, Failure> {
     if !scene.provides(&Provide::Stepper) {
         return Err(Failure::new(
@@ -106,7 +106,7 @@ fn step(scene: &Scene) -> Result<f64, Failure> {
     })
 }
 
-/// Returns the folder of the crate: `frame_fmu` beside `frame.fmu`.
+/// Returns the folder of the crate. For `frame.fmu` it is `frame_fmu` in the same folder.
 fn folder(output: &Path) -> Result<PathBuf, Failure> {
     match (output.file_stem(), output.extension()) {
         (Some(stem), Some(ending)) if ending.eq_ignore_ascii_case("fmu") => {
@@ -121,7 +121,7 @@ fn folder(output: &Path) -> Result<PathBuf, Failure> {
     }
 }
 
-/// Returns the name of this machine in FMI 3.0.
+/// Returns the name of this machine's platform in FMI 3.0.
 fn platform() -> String {
     let architecture = if ARCH == "arm" { "aarch32" } else { ARCH };
     let system = if OS == "macos" { "darwin" } else { OS };

@@ -10,7 +10,7 @@ use frictiongen::study::scene::Scene;
 /// Compares the archive with the layout of APPNOTE.TXT 6.3, field by field.
 #[test]
 fn an_archive_of_one_file() {
-    // The check value of CRC-32 (ISO-HDLC).
+    // The check value of CRC-32 (ISO-HDLC) in the catalogue of CRC algorithms.
     assert_eq!(checksum(b"123456789"), 0xcbf4_3926);
     let mut archive = Archive::default();
     archive.add("a/b", b"123456789");
@@ -42,7 +42,7 @@ fn attributes<'a>(text: &'a str, name: &str) -> Vec<&'a str> {
         .collect()
 }
 
-/// The description gives each variable the value reference with which the Rust file looks it up.
+/// Checks that each variable has the value reference under which the Rust file looks the variable up.
 #[test]
 fn both_files_number_the_variables_alike() {
     let shaken = ODD
@@ -77,7 +77,7 @@ fn both_files_number_the_variables_alike() {
         // 3 masses: 3 or 4 inputs, stiction, 6 initial values and 6 + 3 + 4 + 4 outputs.
         let inputs = variables.fields.len();
         assert_eq!(names.len(), 1 + inputs + 1 + 6 + 17);
-        // Each output is once an output, and once an initial unknown.
+        // Each output is listed twice: as an output, and as an initial unknown.
         let outputs = attributes(structure, "valueReference");
         let first = 1 + inputs + 1 + 6;
         assert_eq!(outputs.len(), 34);

@@ -1,4 +1,4 @@
-//! The variables of an FMU, from which its description and its Rust file are both written.
+//! The variables of an FMU. Its description and its Rust file are written from this list.
 
 use crate::export::names::mass;
 use crate::export::stepping::inputs;
@@ -21,13 +21,13 @@ pub enum Kind {
 pub struct Settable {
     /// Name.
     pub name: String,
-    /// Unit, or nothing for a ratio.
+    /// Unit. It is empty for a ratio.
     pub unit: &'static str,
     /// Meaning.
     pub about: String,
-    /// Time at which the importer may set it.
+    /// Time at which the importer may set the number.
     pub kind: Kind,
-    /// Value without a call.
+    /// Value if the importer does not set the number.
     pub start: f64,
     /// Smallest value.
     pub least: Option<f64>,
@@ -70,7 +70,7 @@ impl Variables {
         let forces = forces.map(|index| format!("{}.force", mass(scene, *index)));
         let names = base.chain(forces).chain(["friction".to_owned()]);
         let input = |(name, about): (String, String)| {
-            // The unit stands at the end of the comment in C: `displacement of the base, m`.
+            // The comment in C ends with the unit, for example `displacement of the base, m`.
             let unit = match name.as_str() {
                 "base.displacement" => "m",
                 "base.velocity" => "m/s",

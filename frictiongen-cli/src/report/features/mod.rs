@@ -1,4 +1,4 @@
-//! Section about the features of the response. They are the features of `frictiongen features`, in other words.
+//! Section about the features of the response. It describes the features of `frictiongen features` in other words.
 
 mod tables;
 
@@ -89,8 +89,8 @@ impl Features {
         lines.filter(move |line| line.feature == feature)
     }
 
-    /// Returns the features as `frictiongen features` prints them. Each has the parameter to which its first number is
-    /// most sensitive.
+    /// Returns the features as `frictiongen features` prints them. Each feature names the parameter to which its first
+    /// number is most sensitive.
     fn report<'a>(&self, asked: &'a Asked) -> FeaturesReport<'a> {
         FeaturesReport {
             system: &asked.system,

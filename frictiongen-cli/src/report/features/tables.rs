@@ -264,7 +264,8 @@ impl Features {
             },
         ];
         if let [_] = self.frictions.as_slice() {
-            // If there is only one friction, the title contains it. Its column is then removed.
+            // If the table has only one friction, its title contains the friction, and the column of frictions is
+            // removed.
             for table in &mut tables {
                 table.leave_out("friction");
             }
@@ -295,7 +296,7 @@ fn limit(words: &Words, force: f64) -> String {
     }
 }
 
-/// Formats the amplitude of a line. With a load this amplitude is already in m.
+/// Formats the amplitude of a line. With a load, this amplitude is in m.
 fn amplitude(words: &Words, line: &FeatureLine) -> String {
     match line.amplitude {
         None => String::new(),
@@ -324,7 +325,7 @@ fn does(regime: &str) -> String {
         "continuous" => "slides all the time".to_owned(),
         "stick-slip" => "slides and stops in turn".to_owned(),
         "stuck" => "is stuck".to_owned(),
-        // The share of an elastic contact follows the regime.
+        // For an elastic contact, a share in brackets follows the name of the regime.
         other => other.replacen("stick-slip (", "slides and sticks in turn (", 1),
     }
 }

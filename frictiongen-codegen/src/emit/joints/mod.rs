@@ -1,5 +1,5 @@
-//! Emits the stepper, the simulation, the steady states and the stuck state of a scene with several contacts or dashpots.
-//! All wrap the kernel's engine, and have a method for each mass and each contact.
+//! Emits the stepper, the simulation, the steady states and the stuck state of a scene with several contacts or
+//! dashpots. Each emitted type wraps a type of the kernel, and has a method for each mass and each contact.
 
 mod at;
 mod simulation;
@@ -97,7 +97,8 @@ impl<'a> Emission<'a> {
         self.provides(&Provide::Stuck) || self.provides(&Provide::Orbit)
     }
 
-    /// Returns true if the scene provides anything that takes the ratios r and β. A stepper alone does not.
+    /// Returns true if the scene provides a method that takes the ratios r and β. The methods of a stepper do not take
+    /// ratios.
     fn provides_ratios(&self) -> bool {
         self.provides(&Provide::Simulation) || self.provides_at()
     }
@@ -115,7 +116,7 @@ impl<'a> Emission<'a> {
         code!((#plus, #minus, #value))
     }
 
-    /// Emits a number as a constant function of time.
+    /// Emits a `Wave` that has this value at any time.
     fn constant(&self, value: f64) -> TokenStream {
         let (engine, value, zero) = (&self.engine, self.number(value), self.number(0.0));
         code!(#engine::Wave {
@@ -127,8 +128,8 @@ impl<'a> Emission<'a> {
         })
     }
 
-    /// Emits the constants of the chain. In them, the kinetic friction force of each contact is its share of the common
-    /// friction force.
+    /// Emits the constants of the chain. Each contact has its share of the common friction force as kinetic friction
+    /// force.
     fn chain(&self, modal: &Modal) -> TokenStream {
         let (scene, engine, size) = (&self.description.scene, &self.engine, &self.size);
         let scalar = &self.scalar;
@@ -221,8 +222,9 @@ impl<'a> Emission<'a> {
         )
     }
 
-    /// Emits a method for each mass and for each contact. `about` contains the documentation of both kinds of methods, in
-    /// which `{}` stands for the name. `of` contains the types of their results.
+    /// Emits a method for each mass and for each contact. `about` has two documentation texts: one for the method of a
+    /// mass, one for the method of a contact. The texts contain `{}` in place of the name. `of` has the two types of
+    /// result.
     fn named(&self, about: [&str; 2], of: [&TokenStream; 2]) -> TokenStream {
         let method = |about: &str, name: &Ident, call: TokenStream, of: &TokenStream| {
             let about = format!(" {}", about.replace("{}", &name.to_string()));

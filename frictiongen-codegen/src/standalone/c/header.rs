@@ -53,8 +53,8 @@ pub fn c_header<S: Float>(source: &Source<'_, S>, name: &str) -> String {
     text
 }
 
-/// Returns a number for the header's guard that is different for different tables. It is the FNV-1a hash of all pieces,
-/// of the summary and of the scene.
+/// Returns a number for the header's include guard, so that headers of different tables have different guards. The
+/// number is the FNV-1a hash of all pieces of the tables, of the summary and of the scene.
 fn mark<S: Float>(source: &Source<'_, S>) -> String {
     let numbers = piece_numbers(source.tables).into_iter();
     let bytes = numbers.flat_map(|number| number.to_bits().to_le_bytes());

@@ -37,7 +37,8 @@ fn constant(name: &str, of: &str) -> String {
     format!("{}_{}", name.to_uppercase(), of.to_uppercase())
 }
 
-/// Returns two conditions: that r is outside the domain, and that r or β is outside the domain.
+/// Returns two conditions in C: the first is true if r is outside the domain, the second if r or β is outside the
+/// domain.
 fn outside(name: &str) -> [String; 2] {
     let of = |of: &str| constant(name, of);
     let within = |value: &str| {
@@ -56,8 +57,8 @@ fn refusal(condition: &str, status: &str) -> String {
     format!("    if ({condition}) {{\n        return {status};\n    }}\n")
 }
 
-/// Writes the source file. If `header` is `None`, the file contains the header and the numbers as well. The functions
-/// begin with `name`, as those of the header do.
+/// Writes the source file. If `header` is `None`, the source file contains the header and the numbers as well. The
+/// names of its functions begin with `name`, as in the header.
 ///
 /// Returns `None` if β*_lim is not stored as a product, because then only the exact formulas have the accuracy.
 #[must_use]
@@ -98,7 +99,7 @@ pub fn c_source<S: Float>(
     Some(text)
 }
 
-/// Writes the search for a piece, and its evaluation.
+/// Writes the function that finds a piece of the tables, and the function that evaluates a piece.
 fn lookup<S: Float>(source: &Source<'_, S>, formulas: &Formulas) -> String {
     let Numbers { real, .. } = formulas.numbers;
     let [low, density] = &formulas.index;
@@ -179,7 +180,7 @@ fn factors(formulas: &Formulas) -> String {
     text
 }
 
-/// Writes the functions of both limits.
+/// Writes the functions for β_lim and β*_lim.
 fn limits<S: Float>(source: &Source<'_, S>, formulas: &Formulas, name: &str) -> String {
     let Numbers { real, .. } = formulas.numbers;
     let Formulas { sliding, .. } = formulas;

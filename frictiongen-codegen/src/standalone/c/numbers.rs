@@ -23,7 +23,7 @@ pub fn c_tables<S: Float>(source: &Source<'_, S>, name: &str) -> Option<String> 
     Some(format!("{origin}{about}{}", without_head(source, name)?))
 }
 
-/// Writes the numbers without origin and summary, for a file that also contains the header.
+/// Writes the numbers, without the comments about origin and tables, for a file that also contains the header.
 pub(super) fn without_head<S: Float>(source: &Source<'_, S>, name: &str) -> Option<String> {
     let formulas = Formulas::of(source, Language::C)?;
     let guard = format!("{}_NUMBERS_H", name.to_uppercase());

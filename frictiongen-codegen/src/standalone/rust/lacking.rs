@@ -2,12 +2,12 @@
 
 use super::super::Numbers;
 
-/// Number of equal steps from 0 to 1 at which the arc tangent is tabulated. The series then covers arguments of at most
-/// 1/16.
+/// Number of equal steps from 0 to 1 at which the arc tangent is tabulated. The power series then needs arguments of at
+/// most 1/16.
 const PARTS: u32 = 8;
 
-/// Writes a trait with both functions, for a file that may be built without std. Methods of the type take precedence
-/// over methods of a trait, so the file uses those of std where std is linked.
+/// Writes a trait with the square root and the arc tangent, for a file that may be built without std. Methods of the
+/// type take precedence over methods of a trait, so a build with std uses the methods of std.
 pub(super) fn source(numbers: Numbers) -> String {
     // Format constants: bits of the fraction, exponent bias, integer types, shift before the integer root, and the
     // power of two that scales a subnormal number.
@@ -16,7 +16,8 @@ pub(super) fn source(numbers: Numbers) -> String {
     } else {
         ("f64", 52, 1023, "u64", "u128", 54, 54)
     };
-    // Odd terms up to t¹³, or t⁷ in single precision. The remainder is below 1e-18 and 3e-11 of t.
+    // Odd terms up to t¹³, or up to t⁷ in single precision. The remainder, divided by t, is below 1e-18, or below 3e-11
+    // in single precision.
     let terms = if numbers.single { 4 } else { 7 };
     let last = 2 * terms - 1;
     let series = (1..terms - 1)

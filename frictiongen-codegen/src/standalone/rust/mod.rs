@@ -14,8 +14,8 @@ use super::{
 use frictiongen_kernel::Float;
 use frictiongen_model::table::Tables;
 
-/// Writes the file, for crates with and without std. Returns `None` if β*_lim has no closed product form. Only the
-/// exact formulas keep the accuracy then.
+/// Writes the file, for crates with and without std. Returns `None` if β*_lim is not stored as a product, because then
+/// only the exact formulas have the accuracy.
 #[must_use]
 pub fn rust_source<S: Float>(source: &Source<'_, S>) -> Option<String> {
     let formulas = Formulas::of(source, Language::Rust)?;
@@ -67,7 +67,7 @@ fn errors() -> String {
     )
 }
 
-/// Writes the constants that connect ratios with units, the declared ranges, and the conversions.
+/// Writes the constants that convert between ratios and units, the declared ranges, and the conversions.
 fn units<S: Float>(source: &Source<'_, S>, words: &Words) -> String {
     let numbers = Numbers::of::<S>(Language::Rust);
     let Numbers { real, .. } = numbers;
@@ -116,7 +116,7 @@ fn units<S: Float>(source: &Source<'_, S>, words: &Words) -> String {
 /// The attribute of an emitted constant that is written with all its digits.
 const DIGITS: &str = "#[allow(clippy::approx_constant, clippy::unreadable_literal, clippy::excessive_precision, reason = \"all digits, as they are printed\")]\n";
 
-/// Writes the limits.
+/// Writes the functions for β_lim and β*_lim.
 fn limits(formulas: &Formulas, words: &Words) -> String {
     let Numbers { real, .. } = formulas.numbers;
     let Formulas { sliding, .. } = formulas;
@@ -137,7 +137,7 @@ fn limits(formulas: &Formulas, words: &Words) -> String {
     )
 }
 
-/// Writes the factors of products that the formulas call.
+/// Writes the functions that evaluate one factor of a product, if the formulas call them.
 fn factors(formulas: &Formulas) -> String {
     let Numbers { real, .. } = formulas.numbers;
     let all = [
@@ -170,7 +170,7 @@ fn factors(formulas: &Formulas) -> String {
     text
 }
 
-/// Writes the search for a piece, and its evaluation.
+/// Writes the function that finds a piece of the tables, and the function that evaluates a piece.
 fn lookup<S: Float>(formulas: &Formulas, tables: &Tables<S>) -> String {
     let Numbers { real, .. } = formulas.numbers;
     let terms = tables.terms;
@@ -235,7 +235,7 @@ fn polynomial(terms: usize) -> String {
     sum
 }
 
-/// Writes the module of all numbers.
+/// Writes the module that contains all numbers.
 fn numbers<S: Float>(source: &Source<'_, S>, formulas: &Formulas) -> String {
     let tables = source.tables;
     let numbers = formulas.numbers;

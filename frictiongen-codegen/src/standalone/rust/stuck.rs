@@ -4,7 +4,7 @@ use super::super::formulas::Formulas;
 use super::super::stuck::{Expression, Function, Stuck};
 use super::super::{Numbers, Words};
 
-/// Writes the responses while the contact is stuck, with the complex operations that they need.
+/// Writes the functions for the responses while the contact is stuck, and the complex operations that they call.
 pub(super) fn source(formulas: &Formulas, stuck: &Stuck, words: &Words) -> String {
     let Numbers { real, .. } = formulas.numbers;
     let mut source = String::new();

@@ -114,7 +114,7 @@ pub fn fit_lines(system: &System, found: &SweepFit, points: usize) -> Vec<Quanti
     let mut lines = QuantityLines::default();
     let scene = system.scene();
     lines.estimate("reference_Hz", "sqrt(k1/m1)", found.reference, "Hz");
-    // The following lines have the factors from f in Hz to r, and from ω in rad/s to r.
+    // The next two lines are r/f, with f in Hz, and r/ω, with ω in rad/s.
     let inverse = Estimate {
         value: 1.0 / found.reference.value,
         from: 1.0 / found.reference.to,

@@ -64,7 +64,7 @@ impl ResidualRow<'_> {
         apart / self.datum.deviation
     }
 
-    /// Returns a residual divided by its standard deviation. Returns `None` unless both amplitude and phase were
+    /// Returns a residual divided by its standard deviation. Returns `None` unless the amplitude and the phase were
     /// measured.
     fn whole(&self, residual: f64) -> Option<f64> {
         (self.known == MotionKnown::Both).then(|| residual / self.datum.deviation)
@@ -76,8 +76,8 @@ fn name(system: &System, mass: usize) -> &str {
     mass.map_or("", |mass| mass.name.as_str())
 }
 
-/// Returns the rows of all motions of all observations. `known` has one entry for each observation: the measured
-/// quantities.
+/// Returns the rows of all motions of all observations. `known` has one entry for each observation: the quantities that
+/// were measured.
 #[must_use]
 pub fn residuals<'o>(
     system: &'o System,

@@ -16,7 +16,7 @@ pub struct TransmissibilityTable<'a> {
 impl Row for Measured {}
 
 impl<'a> TransmissibilityTable<'a> {
-    /// Creates the table. It has the masses that at least one of the recordings contains.
+    /// Creates the table. It contains every mass that occurs in at least one of the recordings.
     #[must_use]
     pub fn of(system: &'a System, measured: &[Measured]) -> Self {
         let each = measured.iter().flat_map(|measured| &measured.masses);

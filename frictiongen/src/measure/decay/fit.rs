@@ -7,7 +7,7 @@ use crate::measure::statistics::student;
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::PI;
 
-/// Step of a finite difference, relative to the scale of the parameter.
+/// Step of a finite difference, divided by the scale of the parameter.
 const DIFFERENCE: f64 = 1e-6;
 /// Index of the parameter “number of samples in a half cycle” in [`Shape`].
 const HALF: usize = 3;
@@ -143,7 +143,8 @@ impl<'s> DecayFit<'s> {
         }
     }
 
-    /// Returns all parameters. `free` are the values of the fitted ones.
+    /// Returns all parameters. `free` has the values of the fitted parameters. All others have the values of the first
+    /// guess.
     fn shape(&self, free: &[f64]) -> Option<Shape> {
         let mut shape = self.start;
         for (part, value) in self.free.iter().zip(free) {

@@ -1,12 +1,12 @@
 //! Finds friction and damping from a free vibration of one mass (thesis 4.3.2).
 //!
 //! After its release, a mass oscillates about one point while it moves up, and about another point while it moves down.
-//! The distance between the two points is 2F/k. The extremes decrease by 4F/k in a cycle (4.2). With viscous damping
-//! each half cycle also multiplies the distance from the point by e^{−πζ/√(1−ζ²)} (Feeny and Liang, J. Sound Vib. 195
-//! (1996) 149).
+//! The distance between the two points is 2F/k. The extremes decrease by 4F/k in a cycle (4.2). With viscous damping,
+//! each half cycle also multiplies the distance of the mass from the point of this half cycle by e^{−πζ/√(1−ζ²)} (Feeny
+//! and Liang, J. Sound Vib. 195 (1996) 149).
 //!
 //! The extremes give a first guess. The code then fits all samples between the first and the last extreme, because
-//! noise makes single peaks appear too high.
+//! noise makes a single peak appear too high.
 
 mod fit;
 mod swings;
@@ -21,7 +21,8 @@ use fit::DecayFit;
 use std::f64::consts::PI;
 use swings::{Swings, noise};
 
-/// A decrease in a half cycle counts as rounding error if it is below this fraction of a swing.
+/// A decrease in a half cycle counts as rounding error if the decrease, divided by the largest swing, is at most this
+/// value.
 const ROUNDING: f64 = 1e-9;
 
 /// Friction, damping and natural frequency found in a free vibration.
@@ -39,8 +40,8 @@ pub struct FreeDecay {
     pub linear_decrement: f64,
     /// The extremes that the fit has used. Each is a pair: time from the first sample in s, and displacement in m.
     pub extremes: Vec<(f64, f64)>,
-    /// Standard deviation of the residuals, divided by the standard deviation of the noise. If it is far above 1, the
-    /// model does not describe the motion of the mass.
+    /// Standard deviation of the residuals, divided by the standard deviation of the noise. If this quotient is far
+    /// above 1, the model does not describe the motion of the mass.
     pub misfit: f64,
 }
 
@@ -134,7 +135,7 @@ fn of(
     let noise = noise(samples);
     let swings = Swings::of(samples, noise)?;
     let fit = DecayFit::new(samples, &swings, damping)?.solved()?;
-    // Sampled extremes may seem to decrease although the motion between the samples does not.
+    // The sampled extremes may seem to decrease, although the extremes of the motion between the samples do not.
     if !(ROUNDING < fit.length.0 / swings.largest + fit.decrement.0) {
         return Err(MeasureError::NoDecay);
     }

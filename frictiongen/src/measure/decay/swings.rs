@@ -5,11 +5,11 @@ use crate::measure::MeasureError;
 
 /// Smallest number of extremes, which is one more than the number of unknowns of the decay.
 const FEWEST: usize = 4;
-/// A swing (the motion from one extreme to the next) ends when the motion in the opposite direction exceeds this number
-/// of standard deviations of the noise. It must also exceed [`PART`].
+/// A swing (the motion from one extreme to the next) ends when the mass has moved back by more than this number of
+/// standard deviations of the noise, and by more than the fraction [`PART`] of the range.
 const TURN: f64 = 8.0;
-/// A swing ends when the motion in the opposite direction exceeds this fraction of the whole range of the samples. It
-/// must also exceed [`TURN`].
+/// A swing ends when the mass has moved back by more than this fraction of the whole range of the samples, and by more
+/// than [`TURN`] standard deviations of the noise.
 const PART: f64 = 0.02;
 
 /// Swings of a free vibration. A swing is the motion from one extreme to the next.
@@ -63,8 +63,8 @@ impl Swings {
     }
 }
 
-/// Returns the standard deviation of the noise, estimated from third differences. A smooth motion contributes little to
-/// them.
+/// Returns the standard deviation of the noise, estimated from third differences of the samples. A smooth motion
+/// contributes little to third differences.
 pub(super) fn noise(samples: &[f64]) -> f64 {
     let thirds = samples.windows(4).filter_map(|w| {
         let &[a, b, c, d] = w else { return None };
@@ -74,8 +74,8 @@ pub(super) fn noise(samples: &[f64]) -> f64 {
     (thirds.sum::<f64>() / (20.0 * count)).sqrt()
 }
 
-/// Returns the index and the value of each sample at which the motion reverses. The result contains neither the start
-/// of the record nor reversals within the noise.
+/// Returns the index and the value of each sample at which the motion reverses. The result contains neither the first
+/// sample nor reversals within the noise.
 fn extremes(samples: &[f64], turn: f64) -> Vec<(usize, f64)> {
     let mut found = Vec::new();
     let Some(first) = samples.first() else {
@@ -100,7 +100,8 @@ fn extremes(samples: &[f64], turn: f64) -> Vec<(usize, f64)> {
             high = (place, *value);
         }
     }
-    // A mass that is held before its release has its first extreme at an arbitrary sample of that interval.
+    // If the mass is held before its release, noise decides at which sample of that interval the first extreme is
+    // found.
     if !found.is_empty() {
         found.remove(0);
     }
@@ -115,9 +116,9 @@ mod tests {
     use rand_distr::{Distribution, StandardNormal};
     use std::f64::consts::TAU;
 
-    /// Checks the noise estimate for white noise with the deviation 1, alone and on a motion a hundred times as large.
-    /// The estimate from 40,000 samples has a standard deviation of 0.54 %, and the tolerance is five times this value.
-    /// The motion's own third differences are 100 (2π/2000)³, about 3e-6.
+    /// Checks the estimate for white noise with a standard deviation of 1, alone and on a motion a hundred times as
+    /// large. The estimate from 40,000 samples has a standard deviation of 0.54 %, and the tolerance is five times this
+    /// value. The third differences of the motion are 100 (2π/2000)³, about 3e-6.
     #[test]
     fn white_noise_has_its_deviation() {
         let mut random = ChaCha8Rng::seed_from_u64(1);
@@ -131,7 +132,7 @@ mod tests {
             let found = noise(&samples);
             assert!((found - 1.0).abs() < 0.027, "{size}: {found}");
         }
-        // A parabola has no third difference. Rounding of values up to 10⁴ remains.
+        // The third differences of a parabola are 0. The rounding errors of values up to 10⁴ remain.
         let parabola: Vec<f64> = (0..100).map(|i| f64::from(i * i)).collect();
         assert!(noise(&parabola) < 1e-10);
         assert_eq!(noise(&[1.0, 2.0]), 0.0);

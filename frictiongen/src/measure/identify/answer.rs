@@ -28,9 +28,9 @@ impl Estimate {
 /// Conclusion about the friction force that a measurement allows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Verdict {
-    /// The description does not explain the measurement. Noise of the given deviations would cause such residuals in
-    /// fewer than one of 1000 recordings. Force and interval belong to the best fit, and may be far from the force of
-    /// the rig.
+    /// The description does not explain the measurement. If the description were right, noise of the given deviations
+    /// would cause such large residuals in fewer than one of 1000 recordings. The force and its interval belong to the
+    /// best fit, and may be far from the force of the real contact.
     NotExplained,
     /// The measurement determines one friction force.
     Determined,
@@ -42,7 +42,7 @@ pub enum Verdict {
     /// frequency, as at an invariant point, or friction is too small to exceed the noise.
     NotDetermined,
     /// Amplitudes without phases allow two conclusions. Either the contact almost sticks, or a unit is wrong by a
-    /// factor of 1000 or a million. The description would also explain a motion that is larger by this factor.
+    /// factor of 1000 or a million. The description would also explain the motion if it were larger by this factor.
     AlmostStuck,
 }
 
@@ -110,12 +110,12 @@ pub struct Identified {
     pub levels: Vec<Estimate>,
     /// The conclusion about the friction force.
     pub verdict: Verdict,
-    /// The other unknowns with their estimates, in the order of the request. [`Identified::undetermined`] lists those
-    /// with an infinite interval.
+    /// The unknowns that were fitted besides the friction force, with their estimates, in the order of the request.
+    /// [`Identified::undetermined`] lists the unknowns with an infinite interval.
     pub unknowns: Vec<(Unknown, Estimate)>,
-    /// Sum of the squared residuals over their variances, divided by the degrees of freedom. `None` without degrees of
-    /// freedom. If it exceeds 1 by more than chance explains, the verdict is [`Verdict::NotExplained`], and the
-    /// intervals are wider by the square root of this number.
+    /// Sum of squared residuals, each divided by its variance, and the sum divided by the degrees of freedom. `None`
+    /// without degrees of freedom. If this number exceeds 1 by more than chance explains, the verdict is
+    /// [`Verdict::NotExplained`], and the intervals are wider by the square root of this number.
     pub misfit: Option<f64>,
     /// Degrees of freedom: number of data minus the number of unknowns that the data determine.
     pub freedom: usize,
@@ -128,16 +128,16 @@ pub struct Identified {
 }
 
 impl Identified {
-    /// Returns true if noise explains the residuals. Without degrees of freedom nothing contradicts the fit, and the
-    /// result is true.
+    /// Returns true if noise explains the residuals. Without degrees of freedom the result is true, because nothing
+    /// contradicts the fit.
     #[must_use]
     pub fn is_explained(&self) -> bool {
         is_chance(self.misfit, self.freedom)
     }
 
-    /// Returns the unknowns that the measurements do not determine. The response may not change with such an unknown,
-    /// or two unknowns may change the response in the same way. The other estimates are valid for any value of these
-    /// unknowns.
+    /// Returns the unknowns that the measurements do not determine. Either the response does not change with such an
+    /// unknown, or two unknowns change the response in the same way. The estimates of all other unknowns are valid for
+    /// any values of the undetermined unknowns.
     #[must_use]
     pub fn undetermined(&self) -> Vec<Unknown> {
         let all = self.unknowns.iter();

@@ -1,4 +1,5 @@
-//! Residuals of an identification: measured minus computed motions, decorrelated and scaled to standard deviation 1.
+//! Residuals of an identification: measured minus computed motions, transformed so that they are uncorrelated and have
+//! the standard deviation 1.
 
 use super::observation::{Datum, Observation, Using};
 use crate::Complex;
@@ -104,7 +105,8 @@ impl<'o> Weighed<'o> {
                 Using::Amplitude => all.push(seen.norm() - model.norm()),
                 Using::Phase | Using::PhaseAlone => {
                     let turn = seen * model.conj();
-                    // A motion of zero amplitude has no phase. It counts as the largest possible error.
+                    // A computed motion of zero amplitude has no phase. Its phase counts as wrong by the largest
+                    // possible error.
                     let still = model.norm() < f64::MIN_POSITIVE.sqrt();
                     all.push(if still { PI } else { turn.im.atan2(turn.re) });
                 }

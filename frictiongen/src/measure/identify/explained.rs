@@ -9,16 +9,17 @@ use crate::study::System;
 use crate::study::units::polar;
 use std::f64::consts::PI;
 
-/// A measurement counts as not explained if the root mean square of the unexplained motion is at least this fraction of
-/// that of the measured motion.
+/// A measurement counts as not explained if the root mean square of the unexplained motion, divided by that of the
+/// measured motion, is at least this value.
 const GROSS: f64 = 0.5;
-/// A measurement with a corrected unit counts as explained if the root mean square of the unexplained motion is at most
-/// this fraction of that of the measured motion.
+/// A measurement with a corrected unit counts as explained if the root mean square of the unexplained motion, divided
+/// by that of the measured motion, is at most this value.
 const MENDED: f64 = 0.2;
-/// A measured motion may have a wrong unit if it is below this fraction of the scene's largest motion over all friction
-/// forces.
+/// The unit of a measured motion may be wrong if the motion is below this fraction of the scene's largest motion at any
+/// friction force.
 const TINY: f64 = 0.01;
-/// Phases count as not explained if the root mean square of their differences is at least this value, in rad (15°).
+/// Phases count as not explained if the root mean square of the differences between measured and computed phases is at
+/// least this value, in rad (15°).
 const TURNED: f64 = PI / 12.0;
 
 impl IdentifyProblem<'_> {
@@ -36,7 +37,7 @@ impl IdentifyProblem<'_> {
                     Using::Complex => (measured - value).norm(),
                     _ => (measured.norm() - value.norm()).abs(),
                 };
-                // A difference within the noise counts as explained.
+                // A difference that the noise can cause counts as explained.
                 let apart = (apart - 5.0 * datum.deviation / factor.abs()).max(0.0);
                 left += apart * apart;
                 all += size * size;
@@ -58,7 +59,7 @@ impl IdentifyProblem<'_> {
         if self.using == Using::PhaseAlone {
             return self.turns_alike(friction);
         }
-        // If only phases are compared, the amplitude only needs to be plausible.
+        // If the fit compares only phases, the amplitude only has to be plausible.
         let gross = if self.using == Using::Phase {
             0.9
         } else {
@@ -84,13 +85,13 @@ impl IdentifyProblem<'_> {
         })
     }
 
-    /// Returns the friction forces at which the range is scanned.
+    /// Returns the friction forces of the scan over the range.
     fn forces(&self) -> impl Iterator<Item = f64> {
         let end = self.range.1;
         (0..=PLACES).map(move |i| end * f64::from(i) / f64::from(PLACES))
     }
 
-    /// Returns true if some friction force explains the motion after a correction of its unit by `factor`.
+    /// Returns true if some friction force explains the motion after its unit is corrected by `factor`.
     fn mends(&self, factor: f64) -> bool {
         let parts = self
             .forces()
@@ -98,9 +99,9 @@ impl IdentifyProblem<'_> {
         parts.fold(f64::INFINITY, f64::min) < MENDED
     }
 
-    /// Returns true if the unit of measured amplitudes without phases is in doubt. Two conditions are necessary. The
-    /// amplitudes are as small as with an almost stuck contact. Amplitudes larger by a power of 1000 are explained as
-    /// well.
+    /// Returns true if the unit of measured amplitudes without phases is in doubt. There are two conditions: the
+    /// amplitudes are as small as with an almost stuck contact, and amplitudes larger by a power of 1000 would be
+    /// explained as well.
     pub(super) fn doubts_unit(&self) -> bool {
         if self.using != Using::Amplitude {
             return false;
@@ -131,7 +132,7 @@ impl IdentifyProblem<'_> {
                 // A motion of zero amplitude has no phase, so that it explains no measured phase.
                 let (size, lag) = polar(value * datum.value.conj());
                 let apart = if 0.0 < size { lag.abs() } else { PI };
-                // A difference within the noise counts as explained.
+                // A difference that the noise can cause counts as explained.
                 let noise = 5.0 * datum.deviation / datum.value.norm();
                 let apart = (apart - noise).max(0.0);
                 squares += apart * apart;

@@ -13,9 +13,9 @@ use crate::{Complex, Regime};
 /// Number of intervals into which the scan divides the range of forces. The intervals are shorter near the start of the
 /// range.
 pub(super) const PLACES: u32 = 96;
-/// Number of steps of a golden-section search. They narrow an interval to 1e-9 of its width.
+/// Number of steps of a golden-section search. The steps narrow an interval to 1e-9 of its width.
 const SECTIONS: usize = 44;
-/// Number of steps of a bisection. They narrow an interval to 1e-12 of its width.
+/// Number of steps of a bisection. The steps narrow an interval to 1e-12 of its width.
 const HALVINGS: usize = 40;
 /// The measurement determines the friction force if the width of the 95 % interval is at most this multiple of the
 /// force.
@@ -107,8 +107,8 @@ impl<'a> IdentifyProblem<'a> {
             .ok_or(MeasureError::NoFit)
     }
 
-    /// Returns the factors that scale the scene's derivatives to the measured values. If the amplitude was measured,
-    /// the factor is 1. Otherwise it is the modulus of the measured value over the scene's amplitude.
+    /// Returns a factor for each motion, by which the code multiplies the scene's derivatives. If the amplitude was
+    /// measured, the factor is 1. Otherwise it is the modulus of the measured value divided by the scene's amplitude.
     fn sizes(&self, system: &System, seen: &Observation, friction: f64) -> Option<Vec<f64>> {
         if self.using != Using::PhaseAlone {
             return Some(vec![1.0; seen.motions.len()]);
@@ -152,7 +152,8 @@ impl<'a> IdentifyProblem<'a> {
             .map(|i| (place(i), self.squares(&weighed, place(i))))
             .collect();
         let best = self.lowest(&weighed, &scanned)?;
-        // The second pass uses the errors of the load, computed with the force that the first pass has found.
+        // The second pass needs the errors of the load at a friction force. It takes the force that the first pass has
+        // found.
         let weighed = self.weighed(self.system, Some(best))?;
         let scanned: Vec<(f64, f64)> = scanned
             .iter()
@@ -237,8 +238,8 @@ impl<'a> IdentifyProblem<'a> {
         if left.1 <= right.1 { left } else { right }
     }
 
-    /// Returns the force at which the sum of squares reaches `most`, on one side of the minimum. The sign of `side`
-    /// selects the side.
+    /// Returns the force at which the sum of squares reaches `most`, on one side of the force at the minimum. The sign
+    /// of `side` selects the side.
     fn edge(&self, weighed: &[Weighed<'_>], force: f64, most: f64, side: f64) -> f64 {
         let end = if side < 0.0 {
             self.range.0
@@ -306,7 +307,7 @@ impl Alone {
             verdict = Verdict::AlmostStuck;
         }
         if verdict == Verdict::Stuck {
-            // Every force above the lower bound fits equally well. The lower bound is then the answer.
+            // Every force above the lower bound fits equally well, so the lower bound is the answer.
             friction.value = friction.from;
         }
         if !is_chance(self.misfit, self.freedom) {
@@ -342,8 +343,8 @@ pub(super) fn verdict(friction: &Estimate, levels: usize, explained: &[Explained
     }
 }
 
-/// Returns the condition number: the relative change of the friction force over the relative change of the motion that
-/// causes it.
+/// Returns the condition number: a relative change of the friction force, divided by the relative change of the motion
+/// that it causes.
 fn condition(problem: &IdentifyProblem<'_>, friction: &Estimate, explained: &[Explained]) -> f64 {
     let Some(along) = Along::new(problem.system, Direction::Friction) else {
         return f64::INFINITY;

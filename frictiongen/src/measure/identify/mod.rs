@@ -1,4 +1,4 @@
-//! Identification of the friction force from a response (thesis 4.5, 6.4.2), together with other unknowns.
+//! Identification of the friction force, alone or together with other unknowns, from a response (thesis 4.5, 6.4.2).
 
 mod answer;
 mod data;
@@ -19,13 +19,14 @@ pub use request::{IdentifyRequest, Unknown};
 impl System {
     /// Finds the friction force that explains the measurements in any regime, with its 95 % interval.
     ///
-    /// For the friction force alone, the call scans the sum of squares over the whole range. The interval contains the
-    /// forces at which the sum exceeds its minimum by less than χ² allows. The scan finds different forces with the
-    /// same response, and detects a flat response. With more unknowns, damped Gauss–Newton steps with exact
-    /// sensitivities follow. The intervals then come from the covariance.
+    /// For the friction force alone, the call scans the sum of squared residuals over the whole range of forces. The
+    /// interval contains the forces at which the sum exceeds its minimum by less than χ² allows. The scan finds
+    /// different forces with the same response, and detects a response that hardly depends on the force. With more
+    /// unknowns, damped Gauss–Newton steps with exact sensitivities follow. The intervals then come from the
+    /// covariance.
     ///
-    /// The stiffness of an elastic contact is an unknown as well ([`Quantity::ContactStiffness`]). A contact that never
-    /// slides determines this stiffness, but not the friction force.
+    /// The stiffness of an elastic contact can also be an unknown ([`Quantity::ContactStiffness`]). A contact that
+    /// never slides determines this stiffness, but not the friction force.
     ///
     /// [`Quantity::ContactStiffness`]: crate::study::sensitivity::Quantity::ContactStiffness
     ///

@@ -65,12 +65,12 @@ pub(super) fn answer(
     })
 }
 
-/// Upper bound of the scan, as a multiple of the largest limit at other frequencies. The scan needs this bound because
-/// no finite force makes the contact stick at its antiresonance.
+/// Upper bound of the scan, as a multiple of the largest β*_lim at 0, at the resonances and at ∞. The scan needs this
+/// bound because no finite force makes the contact stick at its antiresonance.
 const FAR: f64 = 20.0;
 
 /// Returns two forces in N: the smallest force at which the contact is stuck, and the upper bound of the scan. The
-/// second is smaller than the first only if the first exceeds [`FAR`] times the limits at other frequencies.
+/// bound equals the smallest force, unless the smallest force is beyond the bound that [`FAR`] gives.
 pub(super) fn sticks_from(system: &System, seen: &Observation) -> Option<(f64, f64)> {
     let r = system.frequency_ratio_at_hertz(seen.hertz);
     let limit = system.at(r).ok()?.sliding_limit();

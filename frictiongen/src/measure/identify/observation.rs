@@ -25,7 +25,7 @@ pub struct Datum {
     pub mass: usize,
     /// Order n of the harmonic.
     pub harmonic: u32,
-    /// Complex amplitude X_n over the amplitude of the load, in m/m or m/N. τ = 0 is a maximum of the load.
+    /// Complex amplitude X_n divided by the amplitude of the load, in m/m or m/N. τ = 0 is a maximum of the load.
     pub value: Complex<f64>,
     /// Standard deviation of the real part, and of the imaginary part, from the noise of the mass's own channel.
     pub deviation: f64,
@@ -69,7 +69,7 @@ pub enum Using {
     Complex,
     /// The amplitude alone.
     Amplitude,
-    /// The phase. The amplitude only serves to check that the motion is plausible.
+    /// The phase. The fit uses the amplitude only to check that the motion is plausible.
     Phase,
     /// The phase, for motions without a measured amplitude. The code uses only the argument of [`Datum::value`].
     PhaseAlone,

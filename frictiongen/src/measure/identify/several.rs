@@ -35,8 +35,7 @@ fn is_contact_stiffness(unknown: Unknown) -> bool {
     matches!(unknown, Unknown::Quantity(Quantity::ContactStiffness))
 }
 
-/// Returns the variables for the derivative with respect to an unknown. This derivative is the sum of the derivatives
-/// with respect to these variables.
+/// Returns the variables whose derivatives add up to the derivative with respect to an unknown.
 fn directions(unknown: Unknown, masses: usize) -> Vec<Direction> {
     match unknown {
         Unknown::Stiction => vec![Direction::Quantity(Quantity::Stiction)],
@@ -94,9 +93,9 @@ impl SeveralFit<'_, '_> {
             None => vec![Direction::Friction],
             Some(place) => directions(*self.unknowns.get(place)?, masses),
         };
-        // `Along` differentiates with respect to a factor on the frequencies whose value is 1. The unknown is the whole
-        // factor, which the changed scene already contains. By the chain rule the derivative is therefore divided by
-        // this factor.
+        // The unknown is the whole factor on the frequencies, which the changed scene already contains. `Along`
+        // differentiates with respect to a further factor, whose value is 1. By the chain rule, the derivative is
+        // divided by the whole factor.
         let factor = match index
             .checked_sub(1)
             .and_then(|place| self.unknowns.get(place))
@@ -122,8 +121,8 @@ impl SeveralFit<'_, '_> {
         Some(DVector::from_vec(all))
     }
 
-    /// Returns the derivatives of the residuals by finite differences. The fit uses them where dual numbers give no
-    /// derivative, because an event is about to appear or vanish.
+    /// Returns the derivatives of the residuals by finite differences. The fit uses finite differences where dual
+    /// numbers give no derivative, because an event is about to appear or vanish.
     fn difference(&self, parameters: &[f64], index: usize) -> Option<DVector<f64>> {
         let value = *parameters.get(index)?;
         let step = DIFFERENCE * value.abs().max(DIFFERENCE);
@@ -166,8 +165,8 @@ pub(super) fn fit(
     let mut levels = alone.levels.clone();
     levels.sort_by(|a, b| a.1.total_cmp(&b.1));
     let (low, high) = problem.range;
-    // Forces at one third and two thirds of the range are further starts, because the unknowns may be far from the
-    // scene's values.
+    // Forces at one third and two thirds of the range are additional starting points, because the unknowns may be far
+    // from the scene's values.
     let others = [1.0, 2.0].map(|part| low + (high - low) * part / 3.0);
     let forces = levels
         .iter()
@@ -182,7 +181,8 @@ pub(super) fn fit(
                 .map(|(unknown, start)| bounds(*unknown, *start)),
         )
         .collect();
-    // A wrong first guess of a contact's stiffness changes the response by more than steps along its slope can follow.
+    // If the first guess of a contact's stiffness is far off, steps along the slope do not lead to the right stiffness.
+    // The fit therefore starts from several stiffnesses.
     let factors: &[f64] = match unknowns.iter().copied().any(is_contact_stiffness) {
         true => &[1.0, 0.2, 5.0],
         false => &[1.0],
@@ -227,7 +227,7 @@ pub(super) fn fit(
         }
     }
     let first = best.ok_or(MeasureError::NoFit)?;
-    // The second pass uses the errors of the load at the solution of the first pass.
+    // The second pass uses the errors of the load at the fitted values of the first pass.
     let system = several
         .system(&first.parameters)
         .ok_or(MeasureError::NoFit)?;

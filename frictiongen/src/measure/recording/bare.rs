@@ -8,7 +8,7 @@ use crate::measure::MeasureError;
 /// The possible formats of a recording, as text for a message.
 const FORMATS: &str = "CSV with a line of names and units, columns of numbers alone with --channel NAME=COLUMN:UNIT, and PEER AT2 in g";
 
-/// Number of lines among which an AT2 record has its number of samples and its time step.
+/// Number of lines at the start of an AT2 record that may contain its number of samples and its time step.
 const HEADER: usize = 6;
 
 /// Parses a finite number. If `comma` is true, the number may have a decimal comma.
@@ -36,7 +36,8 @@ fn cells(line: &str, commas_separate: bool) -> Option<Vec<f64>> {
 /// Reads columns that contain only numbers. Returns `None` if the first line is not a line of numbers. Without a rate,
 /// the first of several columns contains the time in s.
 ///
-/// If the rate is given, a line such as `0,5` is one number with a decimal comma. Otherwise it is two numbers.
+/// If the rate is given, a line such as `0,5` is one number with a decimal comma. Without a rate, the line has two
+/// numbers.
 pub(super) fn columns(text: &str, rate: Option<f64>) -> Result<Option<CsvTable>, MeasureError> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let lines = text.lines().map(str::trim).enumerate();
@@ -83,8 +84,8 @@ pub(super) fn columns(text: &str, rate: Option<f64>) -> Result<Option<CsvTable>,
     Ok(Some(table))
 }
 
-/// Returns the error for a text without a line of numbers. The message says where reading stopped, and names the
-/// possible formats.
+/// Returns the error for a text that contains no line of numbers. The message says where the function stopped reading,
+/// and names the possible formats.
 pub(super) fn foreign(text: &str, error: MeasureError) -> MeasureError {
     let (line, what) = match &error {
         MeasureError::Format { line, what } => (*line, what.clone()),

@@ -9,20 +9,22 @@ use std::f64::consts::PI;
 const FEWEST: usize = 16;
 /// An interval of a signal counts as flat if it has this number of equal successive samples.
 const FLAT: usize = 4;
-/// A channel counts as clipped if it has this number of flat intervals at one value. A smaller number may be due to
+/// A channel counts as clipped if it has this number of flat intervals at one value. Fewer flat intervals may be due to
 /// chance.
 const PLACES: i32 = 2;
-/// Length, in cycles, of the interval from which the code computes the slope of the signal before a flat interval.
+/// Length of the interval from which the code computes the slope before a flat interval, as a fraction of a cycle.
 const BEFORE: f64 = 0.02;
-/// Clipping is possible if the slope before a flat interval is at least this fraction of the largest slope in a cycle.
+/// A channel can be clipped only if the slope before a flat interval, divided by the largest slope in a cycle, is at
+/// least this value.
 const STEEP: f64 = 0.1;
-/// A signal is clipped if the slope just before a flat interval is at least this fraction of the slope over twice that
-/// distance. Before a stop of the contact the fraction is a half, because the motion is then a parabola. Before
-/// clipping it is nearly 1. For a sinusoid clipped at 0.99 of its amplitude it is 0.75.
+/// A channel counts as clipped if the slope over the interval [`BEFORE`] just before a flat interval, divided by the
+/// slope over twice this interval, is at least this value. Before a stop of the contact the quotient is a half, because
+/// the motion is then a parabola. Before clipping it is nearly 1. For a sinusoid clipped at 0.99 of its amplitude it is
+/// 0.75.
 const STRAIGHT: f64 = 0.7;
-/// Largest acceleration next to a flat interval that rounding of the samples can explain, as a multiple of ω²A for a
-/// sinusoid of amplitude A. The code computes the acceleration a from the parabola next to the interval. The slope of
-/// this parabola is √(2ag/A), where g is the distance to the next rounded value.
+/// Largest acceleration next to a flat interval that rounding of the samples can explain, divided by ω²A, for a
+/// sinusoid of amplitude A. With this acceleration a, the signal approaches the interval on a parabola, with the slope
+/// √(2ag/A) at the distance g of the next rounded value. Only a larger slope counts as clipping.
 const HARD: f64 = 10.0;
 
 /// Fails unless the channels are a usable recording: enough finite samples, no constant channel and no clipped channel.
@@ -104,8 +106,8 @@ fn clipped(values: &[f64], extreme: f64, middle: f64) -> Option<f64> {
         .windows(2)
         .filter(|pair| matches!(pair, [a, b] if (*a < middle) != (*b < middle)))
         .count();
-    // A cycle has two crossings of the mean. Noise adds crossings, so that the cycle seems shorter and the test becomes
-    // milder.
+    // A cycle has two crossings of the mean. Noise adds crossings. The cycle then seems shorter, and fewer channels
+    // count as clipped.
     let cycle = 2.0 * values.len() as f64 / crossings.max(1) as f64;
     let reach = ((BEFORE * cycle).ceil() as usize).max(2);
     let largest = (extreme - middle).abs() * 2.0 * PI / cycle;
@@ -121,8 +123,8 @@ fn clipped(values: &[f64], extreme: f64, middle: f64) -> Option<f64> {
             continue;
         }
         flat += group.len();
-        // The slope ends at the last sample before the flat interval, because the clipped signal may lie anywhere
-        // beyond the first flat sample.
+        // The code computes the slope up to the last sample before the flat interval. At the first flat sample, the
+        // true signal may be anywhere beyond the clipped value.
         let slope = |reach: usize| {
             let last = values.get(at.checked_sub(1)?)?;
             let before = values.get(at.checked_sub(1 + reach)?)?;

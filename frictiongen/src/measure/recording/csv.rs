@@ -107,7 +107,7 @@ impl CsvTable {
                 if cell.is_empty() {
                     return Ok(None);
                 }
-                // Where commas do not separate the cells, a comma is a decimal comma.
+                // If commas do not separate the cells, a comma is a decimal comma.
                 let value = bare::number(cell, separator != Some(','));
                 value.map(Some).ok_or_else(|| MeasureError::NotANumber {
                     line,

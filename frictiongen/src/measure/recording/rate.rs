@@ -19,7 +19,7 @@ pub(super) fn even_rate(
         });
     };
     let steps = time.len().saturating_sub(1).max(1) as f64;
-    // The first time step reveals a change of the step that a mean would hide.
+    // Steps are compared with the first step as well, because the mean step alone would hide a change of the step.
     let usual = time.get(1).map_or(0.0, |second| second - first);
     let mean = (last - first) / steps;
     let apart = |step: f64, other: f64| !((step - other).abs() <= EVEN * other.abs());
@@ -34,7 +34,8 @@ pub(super) fn even_rate(
         }
     }
     if apart(mean, usual) {
-        // Rounded times may differ from step to step, but their error does not grow over the record.
+        // Rounding of the times makes single steps uneven, but its error does not grow over the record. The mean of ten
+        // steps is therefore compared with the mean of all steps.
         let ten = time.len().min(11) - 1;
         let early = time
             .get(ten)

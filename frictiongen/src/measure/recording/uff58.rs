@@ -204,7 +204,7 @@ fn set(lines: &mut FileLines<'_>, request: &CsvRequest) -> Result<Option<Set>, M
     let record = lines.next()?;
     let function: i64 = number(lines, field(record, 0, 5), "a function type")?;
     let entity = field(record, 31, 41);
-    // The entity field has room for only ten characters. A longer name is therefore taken from the title.
+    // The entity field has room for only ten characters. The function therefore reads a longer name from the title.
     let name = match entity {
         "" | "NONE" => title.as_str(),
         entity if title.starts_with(entity) => title.as_str(),

@@ -4,7 +4,7 @@ use super::{Oscillator, Recording, periods, response_spectrum};
 use crate::measure::CsvRequest;
 use std::f64::consts::{PI, TAU};
 
-/// Integrates u″ + 2ζωu′ + ω²u = −a(t) with the classical Runge-Kutta method, in `parts` parts of each step.
+/// Integrates u″ + 2ζωu′ + ω²u = −a(t) by the classical Runge-Kutta method. Each step is divided into `parts` parts.
 fn integrated(omega: f64, zeta: f64, steps: &[[f64; 2]], dt: f64, parts: u32) -> Vec<[f64; 2]> {
     let mut state = [0.0, 0.0];
     let mut all = Vec::new();
@@ -28,8 +28,8 @@ fn integrated(omega: f64, zeta: f64, steps: &[[f64; 2]], dt: f64, parts: u32) ->
     all
 }
 
-/// Compares one step with the classical Runge-Kutta method. The step is exact, so that only rounding and the error of
-/// Runge-Kutta remain: (ωh)⁴ of a part, 1e-10.
+/// Compares one step with the classical Runge-Kutta method. The step is exact. The difference is therefore rounding
+/// plus the error of Runge-Kutta, which is (ωh)⁴ for parts of length h, or 1e-10.
 #[test]
 fn a_step_is_exact_for_a_line() {
     let values = [0.0, 3.0, -1.0, 4.0, 4.0, -2.5, 0.0];
@@ -57,7 +57,7 @@ fn a_step_is_exact_for_a_line() {
     assert_eq!(compared, 9 * 6 * 2);
 }
 
-/// Returns a record of a half sine of the acceleration, in m/s² with the length 1 s, and then rest.
+/// Returns a record of the acceleration in m/s²: a half sine of length 1 s, and then rest.
 fn half_sine(samples: u32, rest: u32) -> Recording {
     let mut text = String::from("time_s,base_m_s2\n");
     for sample in 0..=samples + rest {
@@ -72,8 +72,8 @@ fn half_sine(samples: u32, rest: u32) -> Recording {
     Recording::inputs_from_csv(&text, &CsvRequest::default()).unwrap()
 }
 
-/// Compares the undamped response to a half sine of length 1 and amplitude 1 with its closed form. With Ω = π it is u =
-/// (sin Ωt − (Ω/ω) sin ωt)/(Ω² − ω²) while the pulse lasts, and a free vibration afterwards.
+/// Compares the undamped response to a half sine of length 1 and amplitude 1 with its closed form. With Ω = π, the
+/// closed form is u = (sin Ωt − (Ω/ω) sin ωt)/(Ω² − ω²) during the pulse, and a free vibration after the pulse.
 #[test]
 fn a_half_sine_has_its_shock_spectrum() {
     let samples = 4000;
@@ -92,7 +92,8 @@ fn a_half_sine_has_its_shock_spectrum() {
         let expected = within.map(|t| u(t).abs()).fold(residual, f64::max);
         let found = response_spectrum(&record, 0.0, &[period]).unwrap();
         let found = found[0].displacement;
-        // Straight lines between 4000 samples of a half sine miss it by (π/4000)²/8, 8e-8. The peak has 5e-6 at most.
+        // Straight lines between 4000 samples deviate from the half sine by (π/4000)²/8, or 8e-8. The error of the peak
+        // is at most 5e-6.
         assert!(
             (found / expected - 1.0).abs() < 5e-6,
             "{period}: {found} {expected}"
@@ -100,9 +101,9 @@ fn a_half_sine_has_its_shock_spectrum() {
     }
 }
 
-/// Checks that one motion of the base gives one spectrum, recorded as velocity or as displacement. Between two samples of
-/// a velocity the acceleration is taken as constant. This changes a half sine by (π/4000)²/12. The spline through
-/// displacements changes it by less.
+/// Checks that a motion of the base has the same spectrum if it is recorded as velocity or as displacement. The code
+/// takes the acceleration as constant between two samples of a velocity, which changes a half sine by (π/4000)²/12. The
+/// spline through displacements changes the half sine by less.
 #[test]
 fn velocities_and_displacements_give_the_same_spectrum() {
     let samples = 4000_u32;

@@ -18,7 +18,7 @@ pub struct SweepFit {
     pub damping: Option<Estimate>,
     /// The natural frequencies of the fitted scene, Hz.
     pub natural: Vec<Estimate>,
-    /// Sum of squared residuals over the degrees of freedom. `None` if the points have no deviations.
+    /// Sum of squared residuals, divided by the degrees of freedom. `None` if the points have no deviations.
     pub misfit: Option<f64>,
     /// Degrees of freedom: number of points minus the number of parameters that the points determine.
     pub freedom: usize,
@@ -34,7 +34,7 @@ pub struct SweepFit {
 
 impl SweepFit {
     /// Returns true if the given deviations of the points explain the residuals. Without deviations or degrees of
-    /// freedom nothing contradicts the fit, and the result is true.
+    /// freedom the result is true, because nothing contradicts the fit.
     #[must_use]
     pub fn is_explained(&self) -> bool {
         is_chance(self.misfit, self.freedom)

@@ -6,7 +6,7 @@ use crate::measure::least_squares::{Fit, minimise};
 
 /// Range of the factors by which the starting points multiply the scene's own frequencies.
 const FACTORS: [f64; 2] = [0.5, 2.0];
-/// Number of intervals of equal length in this range.
+/// Number of equal intervals into which the code divides the range [`FACTORS`].
 const TRIED: u32 = 40;
 /// Factors by which the starting points multiply the scene's own mass and stiffness ratios. `TWO` is for two storeys,
 /// and `THREE` for three.
@@ -15,15 +15,16 @@ const THREE: [f64; 3] = [0.7, 1.0, 1.4];
 /// Number of starting points from which the code makes a fit. They have the smallest sums of squares.
 const STARTS: usize = 6;
 /// The code accepts a fit from the scene's own parameters if its misfit is below this value. The misfit is the sum of
-/// squared residuals over the degrees of freedom.
+/// squared residuals, divided by the degrees of freedom.
 const GOOD: f64 = 2.0;
-/// Factors that give further starting points: each multiplies one parameter of the best fit and leaves the others. The
-/// code repeats this at most [`ROUNDS`] times, as long as the result improves.
+/// Factors that give further starting points. Each starting point has one parameter of the best fit multiplied by one
+/// of these factors. The code repeats the fits from these points at most [`ROUNDS`] times, as long as the result
+/// improves.
 const HOPS: [f64; 4] = [0.97, 0.99, 1.01, 1.03];
 const ROUNDS: usize = 4;
 const BETTER: f64 = 0.999;
-/// A fit ends early if its parameters come within this relative distance of the best fit so far. It would only lead to
-/// the best fit again.
+/// A fit ends early if its parameters come within this relative distance of the best fit so far, because it would only
+/// find the best fit again.
 const BACK: f64 = 1e-5;
 
 impl Sweep<'_> {
@@ -56,7 +57,7 @@ impl Sweep<'_> {
             .collect();
         let mut judged = Vec::new();
         for ratios in tried {
-            // All frequency factors use the same modal analysis, because they only scale r.
+            // The code uses one modal analysis for all factors on the frequencies, because such a factor only scales r.
             let Some(system) = self.at(&ratios) else {
                 continue;
             };
@@ -102,8 +103,8 @@ impl Sweep<'_> {
                 |at| self.linearise(at, form),
             )
         };
-        // Amplitudes have poles. Near a pole the slope of the sum of squares does not lead to the minimum, but the
-        // slope of the logarithms does.
+        // Amplitudes have poles. Near a pole, the slope of the sum of squared amplitude differences does not lead to
+        // the minimum. The slope for the logarithms of the amplitudes does.
         let from = |start: &[f64]| {
             let rough = run(start, AmplitudeScale::Log)?;
             run(&rough.parameters, AmplitudeScale::Plain).filter(|fit| fit.settled)
@@ -120,8 +121,8 @@ impl Sweep<'_> {
         let best = fits
             .min_by(|a, b| a.squares.total_cmp(&b.squares))
             .ok_or(MeasureError::NoFit)?;
-        // Amplitudes have no sign. A resonance on the wrong side of a data point therefore gives a separate minimum
-        // next to the right one.
+        // Amplitudes have no sign. A resonance on the wrong side of a data point therefore gives a false minimum next
+        // to the right minimum.
         let mut best = best;
         for _ in 0..ROUNDS {
             let places = 0..best.parameters.len();
@@ -135,7 +136,8 @@ impl Sweep<'_> {
                     let back = pairs.fold(0.0_f64, |most, (new, old)| {
                         most.max((new - old).abs() / old.abs().max(BACK))
                     });
-                    // Most of these fits lead back to the best fit. They end as soon as they have returned to it.
+                    // Most fits from these starting points lead back to the best fit. Such a fit ends as soon as it has
+                    // returned to the best fit.
                     (BACK < back).then(|| self.linearise(at, AmplitudeScale::Plain))?
                 };
                 let residuals = |at: &[f64]| self.residuals(at, AmplitudeScale::Plain);

@@ -12,7 +12,7 @@ use nalgebra::DVector;
 
 /// The fit has failed if more than this fraction of the amplitudes remains unexplained.
 const GROSS: f64 = 0.5;
-/// Step of a finite difference, relative to the parameter that it changes.
+/// Step of a finite difference, divided by the parameter that it changes.
 const DIFFERENCE: f64 = 1e-6;
 
 pub(super) fn answer(sweep: &Sweep<'_>, fit: &Fit) -> Result<SweepFit, MeasureError> {

@@ -35,29 +35,29 @@ impl<'a, R: Row + 'a> Columns<'a, R> {
         &self.measure
     }
 
-    /// Sets the contact or mass to which all columns belong that later calls add.
+    /// Sets the contact or mass that owns the columns of all later calls.
     pub fn begin_part(&mut self, part: &str) {
         self.part = Some(part.to_owned());
         self.order = None;
     }
 
-    /// Ends the columns of a contact or mass. Columns that later calls add belong to the whole row.
+    /// Ends the columns of a contact or mass. The columns of later calls belong to the whole row.
     pub fn end_parts(&mut self) {
         self.part = None;
         self.order = None;
     }
 
-    /// Sets the order of the harmonic of the columns that later calls add.
+    /// Sets the order of the harmonic for the columns of later calls.
     pub fn begin_harmonic(&mut self, order: u32) {
         self.order = Some(order);
     }
 
-    /// Sets the outputs (text, CSV, JSON, Python) of the columns that later calls add.
+    /// Sets the outputs (text, CSV, JSON, Python) for the columns of later calls.
     pub fn show(&mut self, shown: Shown) {
         self.shown = shown;
     }
 
-    /// Sets the arguments, frequency or friction, on which the columns that later calls add depend.
+    /// Sets the arguments on which the columns of later calls depend: frequency or friction.
     pub fn along(&mut self, axis: Axis) {
         self.axis = axis;
     }
@@ -173,8 +173,8 @@ impl<'a, R: Row + 'a> Columns<'a, R> {
         self.moves_before(0, of);
     }
 
-    /// Sets the function that returns the derivatives of an earlier column's values. `before` is the number of columns
-    /// after this earlier column.
+    /// Sets the function that returns the derivatives of an earlier column's values. The earlier column is the one that
+    /// has `before` columns after it.
     pub fn moves_before(&mut self, before: usize, of: impl Fn(&R) -> Option<&Sensed> + 'a) {
         if let Some(column) = self.all.iter_mut().rev().nth(before) {
             column.moves = Some(Box::new(of));
@@ -182,7 +182,7 @@ impl<'a, R: Row + 'a> Columns<'a, R> {
     }
 
     /// Sets a condition for the last column. Text output with one line for each value prints the value of this column
-    /// only if the condition is true.
+    /// only if the condition is true for the row.
     pub fn say_if(&mut self, says: impl Fn(&R) -> bool + 'a) {
         if let Some(last) = self.all.last_mut() {
             last.says = Some(Box::new(says));

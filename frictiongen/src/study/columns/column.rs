@@ -177,8 +177,8 @@ impl<Row> Column<'_, Row> {
         self.moves.as_ref()?(row)
     }
 
-    /// Returns the unit of the numbers, for example `m`. For a displacement without a load it is the reference length,
-    /// `P/k1` or `Y`.
+    /// Returns the unit of the numbers, for example `m`. For a displacement without a load, returns the reference
+    /// length, `P/k1` or `Y`.
     #[must_use]
     pub fn of_what(&self) -> &'static str {
         self.of_what

@@ -91,8 +91,8 @@ impl JoinedRow {
 /// The tables of a scene with several contacts.
 #[derive(Clone, Copy)]
 pub struct JoinedTable<'a> {
-    /// System, units, and frequencies and frictions as the user gave them. The table does not use the list of motions
-    /// in these settings.
+    /// System and units, with frequencies and frictions as the user gave them. The table does not use the list of
+    /// motions in these settings.
     pub setting: Setting<'a>,
     /// The scene's contacts and masses.
     pub joined: &'a Joined<'a>,
@@ -117,7 +117,7 @@ impl<'a> JoinedTable<'a> {
     }
 
     /// Computes the row of the steady state that motion from rest reaches. If the motion does not settle, the row
-    /// states this reason.
+    /// states this as the reason.
     ///
     /// # Errors
     /// [`JoinedError`] for a frequency or a friction outside the domain.
@@ -240,7 +240,7 @@ impl<'a> JoinedTable<'a> {
             columns.number(Head::of("amplitude", Dimension::Length), move |row| {
                 Some(row.part(index)?.amplitude)
             });
-            // The parts begin with the contacts. A mass has an amplitude alone.
+            // The contacts come before the masses. A mass has only an amplitude.
             if contacts <= index {
                 continue;
             }

@@ -1,4 +1,4 @@
-//! Rows and columns of the table of both limits, β_lim and β*_lim.
+//! Rows and columns of the table of the limits β_lim and β*_lim.
 
 use super::builder::Columns;
 use super::column::{Column, Head, Row};
@@ -13,8 +13,8 @@ pub enum LimitsAsked {
     Exact,
     /// The exact limits, and the two bounds on β_lim.
     All,
-    /// The limit β*_lim, and an upper bound on β_lim. The bound replaces the velocity constraint S by its limit for τ →
-    /// 0.
+    /// The limit β*_lim, and an upper bound on β_lim without a search. The bound uses the value of the velocity
+    /// constraint for τ → 0 in place of its maximum S.
     WithoutSearch,
 }
 
@@ -25,15 +25,17 @@ pub struct LimitsRow {
     pub frequency: Frequency,
     /// Limit of continuous motion β_lim.
     pub continuous: Option<f64>,
-    /// Upper bound on β_lim, which replaces the velocity constraint S by its limit for τ → 0.
+    /// Upper bound on β_lim without a search. It uses the value of the velocity constraint for τ → 0 in place of its
+    /// maximum S.
     pub without_search: Option<f64>,
-    /// Lower bound on β_lim, which replaces the velocity constraint S by the sum of the modes' own maxima.
+    /// Lower bound on β_lim. It uses the sum of the maxima of the single modes in place of the maximum S of the
+    /// velocity constraint.
     pub per_mode: Option<f64>,
     /// Limit of sliding β*_lim.
     pub sliding: f64,
 }
 
-/// The table of both limits over frequency.
+/// The table of β_lim and β*_lim over frequency.
 #[derive(Clone, Copy)]
 pub struct LimitsTable<'a> {
     /// System and units of the answers.

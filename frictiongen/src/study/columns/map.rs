@@ -24,7 +24,7 @@ pub struct MapRow<'m> {
     pub found: &'m Result<MapPoint, Error>,
 }
 
-/// A row of the table of limits: both limits at one frequency of a map.
+/// A row of the table of limits: β_lim and β*_lim at one frequency of a map.
 #[derive(Clone, Copy, Debug)]
 pub struct MapLimitsRow {
     /// Frequency of the excitation, as ratio r, in Hz and in rad/s.
@@ -90,7 +90,8 @@ impl MapRow<'_> {
         self.found.as_ref().ok()
     }
 
-    /// Returns the point if its motion repeats. Without a period, the numbers of stops and reversals are undefined.
+    /// Returns the point if its motion repeats. If the motion does not repeat, it has no number of stops or reversals
+    /// in a period.
     fn counted(&self) -> Option<&MapPoint> {
         self.point().filter(|point| 0 < point.pattern.period)
     }

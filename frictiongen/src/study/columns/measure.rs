@@ -13,7 +13,7 @@ use std::f64::consts::TAU;
 pub enum Dimension {
     /// A ratio, or a number whose unit is in another column.
     One,
-    /// A displacement, in m under a load. Without a load the unit is P/k₁ (Y for base motion).
+    /// A displacement, in m under a load. Without a load, it is divided by P/k₁ (by Y for base motion).
     Length,
     /// A velocity, in m/s under a load, otherwise dx̄/dτ.
     Velocity,
@@ -21,11 +21,11 @@ pub enum Dimension {
     Acceleration,
     /// A phase, in degrees under a load and otherwise in rad.
     Angle,
-    /// A force, in N under a load. Without a load the unit is P (k₁Y for base motion).
+    /// A force, in N under a load. Without a load, it is divided by P (by k₁Y for base motion).
     Force,
-    /// Mean power in W under a load. Without a load, the work in a cycle in units of P²/k₁ (of k₁Y² for base motion).
+    /// Mean power in W under a load. Without a load, the work in a cycle, divided by P²/k₁ (by k₁Y² for base motion).
     Power,
-    /// Energy of a cycle, in J under a load. Without a load the unit is P²/k₁ (k₁Y² for base motion).
+    /// Energy of a cycle, in J under a load. Without a load, the energy is divided by P²/k₁ (by k₁Y² for base motion).
     Energy,
     /// A frequency, in Hz.
     Hertz,
@@ -87,7 +87,7 @@ impl Measure {
     }
 
     /// Returns the units of length and force at an angular frequency in rad/s, or `None` without a load. For NaN it
-    /// returns those at r = 1.
+    /// returns the units at r = 1.
     #[must_use]
     pub fn scale_at(&self, omega: f64) -> Option<LoadScale> {
         let factor = match self.fall() {
@@ -186,7 +186,7 @@ impl Measure {
             .map_or(rate, |scale| scale.velocity(rate, omega) * omega)
     }
 
-    /// Converts the work in a cycle, over P²/k₁, to these units. Under a load the result is a mean power in W.
+    /// Converts the work in a cycle, divided by P²/k₁, to these units. Under a load the result is a mean power in W.
     #[must_use]
     pub fn power(&self, work: f64, omega: f64) -> f64 {
         self.scale.map_or(work, |scale| {

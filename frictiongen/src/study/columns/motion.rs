@@ -12,19 +12,22 @@ use crate::study::units::polar;
 /// contain it.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct PartMotion<'r> {
-    /// Largest displacement over P/k₁ or Y (amplitude), and its phase in rad.
+    /// Largest displacement (amplitude), divided by P/k₁ (by Y for base motion), and its phase in rad.
     pub swing: Option<Swing>,
-    /// Centred amplitude: half the distance between the least and the largest displacement, over P/k₁ or Y.
+    /// Centred amplitude: half the distance between the least and the largest displacement, divided by P/k₁ (by Y for
+    /// base motion).
     pub centred: Option<f64>,
     /// Lag of the fundamental component behind the excitation, rad.
     pub fundamental_phase: Option<f64>,
-    /// Monoharmonic estimate of the amplitude, over P/k₁ or Y.
+    /// Monoharmonic estimate of the amplitude, divided by P/k₁ (by Y for base motion).
     pub monoharmonic: Option<f64>,
     /// Largest |dx̄/dτ| and largest |d²x̄/dτ²|.
     pub rates: Option<(f64, f64)>,
-    /// Largest force in the contact over P, and energy that the contact dissipates in a cycle over P²/k₁.
+    /// Largest force in the contact, divided by P, and the energy that the contact dissipates in a cycle, divided by
+    /// P²/k₁.
     pub contact: Option<(f64, f64)>,
-    /// Equivalent viscous damping ratio of the contact, relative to the strain energy of all springs or of one spring.
+    /// Equivalent viscous damping ratio of the contact, computed with the strain energy of all springs or of one
+    /// spring.
     pub damping: Option<f64>,
     /// Complex amplitudes of the requested harmonics, in the order of the request.
     pub harmonics: &'r [Complex<f64>],
@@ -58,7 +61,7 @@ pub fn motions<'a, R: Moving + 'a>(columns: &mut Columns<'a, R>, parts: &[Part],
         let length = columns.measure().title(size);
         columns.begin_part(&named.name);
         if named.size != Size::Displacement {
-            // The largest velocity or acceleration has neither a phase nor harmonics.
+            // A largest velocity or acceleration has neither a phase nor harmonics.
             let of = named.size;
             let name = match of {
                 Size::Energy => "cycle",

@@ -62,7 +62,7 @@ impl Row for OptimumSensitivityRow {}
 
 impl Row for TunedPoint {}
 
-/// Returns the width of the interval that contains the best friction, if the search did not converge.
+/// Returns the width of the interval that contains the best friction. Returns `None` if the search converged.
 fn unsure(optimum: &Optimum) -> Option<f64> {
     let [from, to] = optimum.bracket;
     (optimum.end != OptimumEnd::Converged).then_some(to - from)
@@ -96,8 +96,8 @@ impl<'a> OptimumTable<'a> {
         rows.collect()
     }
 
-    /// Returns an operating point from which the parameters take their names and units. The numbers of this point have
-    /// no influence.
+    /// Returns an operating point. The parameters take their names and units from it. The numbers of the point have no
+    /// effect.
     fn point(&self) -> Option<OperatingPoint> {
         Some(OperatingPoint::Physical {
             hertz: 1.0,

@@ -187,7 +187,7 @@ impl<'a> SensitivityTable<'a> {
         columns.done()
     }
 
-    /// Returns the columns of the parameters, without those of the point.
+    /// Returns the columns of the parameters, without the columns of the operating point.
     #[must_use]
     pub fn parameter_columns(&self) -> Vec<Column<'a, SensitivityRow>> {
         let mut columns = Columns::new(&self.setting.measure);

@@ -206,8 +206,8 @@ impl Friction {
         }
     }
 
-    /// Returns the exponent n with which β increases over frequency, as rⁿ. The reason is a load whose amplitude
-    /// depends on frequency. If the user gave β, n is 0.
+    /// Returns the exponent n if β is proportional to rⁿ, because the amplitude of the load depends on frequency and
+    /// the user gave a force. If the user gave β, n is 0.
     #[must_use]
     pub fn rise(&self, measure: &Measure) -> i32 {
         if self.is_force { measure.fall() } else { 0 }
@@ -315,7 +315,8 @@ impl<'a> Setting<'a> {
         columns.along(Axis::Row);
     }
 
-    /// Adds the columns of the friction. Under a load whose amplitude depends on frequency, β depends on both.
+    /// Adds the columns of the friction. Under a load whose amplitude depends on frequency, β depends on friction and
+    /// frequency.
     pub fn friction<R: AtFriction + 'a>(&self, columns: &mut Columns<'a, R>) {
         let given = |forces: bool| -> &'a [f64] {
             if self.forces == forces {

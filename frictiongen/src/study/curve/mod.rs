@@ -1,8 +1,8 @@
 //! Responses over frequency in every regime. The points are close together where a curve bends.
 //!
-//! A curve consists of pieces. The code cuts it where the regime changes, at poles, at jumps and where no response
-//! exists. Between two cuts the code adds points until straight lines are accurate enough. It locates the cuts to
-//! rounding. A picture therefore never joins points on two sides of a cut.
+//! A curve consists of pieces. The code cuts the curve where the regime changes, at poles, at jumps and where no
+//! response exists. Between two cuts the code adds points until straight lines are accurate enough. It locates the cuts
+//! to rounding. A picture therefore never joins points on two sides of a cut.
 
 mod answer;
 mod pieces;

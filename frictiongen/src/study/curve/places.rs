@@ -66,7 +66,7 @@ pub(super) fn places(system: &System, request: &CurveRequest, beta: f64) -> Vec<
     }
     grid.extend(&subharmonics);
     let sides = |pole: &f64| [pole * (1.0 - NEAR_POLE), pole * (1.0 + NEAR_POLE)];
-    // No other frequency ratio is nearer to a pole than the two sides of the pole.
+    // The two points on both sides of a pole are nearer to the pole than all other points.
     let beside = |r: &f64| poles.iter().any(|pole| (r / pole - 1.0).abs() <= NEAR_POLE);
     grid.retain(|r| request.from <= *r && *r <= request.to && !beside(r));
     let sides = poles.iter().flat_map(sides);

@@ -23,13 +23,13 @@ pub struct CurvePoint {
     /// True if motion from rest ends in this state. False if motion from rest does not settle and this is another
     /// state.
     pub from_rest: bool,
-    /// The offset of the contact's relative motion from its centre, over P/k₁ (over Y for base motion).
+    /// The offset of the contact's relative motion from its centre, divided by P/k₁ (by Y for base motion).
     pub offset: f64,
     /// The requested motions, in the order of the request.
     pub movements: Vec<Movement>,
-    /// The largest friction force over P (over k₁Y for base motion).
+    /// The largest friction force, divided by P (by k₁Y for base motion).
     pub contact_force: f64,
-    /// The work of friction in one cycle of the excitation, over P²/k₁ (over k₁Y² for base motion).
+    /// The work of friction in one cycle of the excitation, divided by P²/k₁ (by k₁Y² for base motion).
     pub friction_work: f64,
 }
 
@@ -38,7 +38,8 @@ pub struct CurvePoint {
 pub struct Movement {
     /// Amplitude and phase of the largest displacement.
     pub swing: Swing,
-    /// Centred amplitude, half the distance between the least and the largest x̄, over P/k₁ (over Y for base motion).
+    /// Centred amplitude, half the distance between the least and the largest x̄, where x̄ = x/(P/k₁) (x/Y for base
+    /// motion).
     pub centred: f64,
     /// Lag of the fundamental component behind the excitation, in rad, in (−π, π]. `None` if the contact or mass does
     /// not move.

@@ -1,7 +1,8 @@
 //! Adds points to a curve where it bends. The first frequency ratios of the curve are called *places*.
 //!
-//! The code halves all open intervals in turn, wide ones before narrow ones. If the bound on work ends the refinement,
-//! the points are equally close over the whole range.
+//! An interval between two points is open while a straight line does not represent the curve in it. The code halves all
+//! open intervals in turn, wide ones before narrow ones. If the bound on work ends the refinement, the points are
+//! equally close over the whole range.
 
 use super::answer::{Curve, End};
 use super::pieces::{self, CurveNode};
@@ -22,7 +23,7 @@ pub(super) const NARROW: f64 = 1e-7;
 /// not settle, or if motion from rest ends in different steady states at neighbouring points.
 pub(super) const NARROW_SCATTERED: f64 = 1e-3;
 /// A motion counts as scattered if more than this number of intervals are open between two frequency ratios of the
-/// first grid. An interval is open while a straight line does not represent the curve in it.
+/// first grid.
 const MOST_BENT: usize = 32;
 /// The search stops locating a change in the contact's pattern of stops if the relative width of the interval is below
 /// this value.
@@ -114,8 +115,8 @@ impl<'a> Refine<'a> {
             SMALL * sizes.get(sizes.len() / 2).copied().unwrap_or(0.0)
         };
         let scales: Vec<f64> = (0..self.request.of.len()).map(median).collect();
-        // If a stuck contact isolates a mass from the load, its computed motion is rounding. Its bends must not be
-        // followed.
+        // If a stuck contact isolates a mass from the load, its computed motion is rounding. The refinement must not
+        // follow bends of such a motion.
         let least = ROUNDING * scales.iter().copied().fold(0.0, f64::max);
         scales.into_iter().map(|scale| scale.max(least)).collect()
     }
@@ -198,7 +199,7 @@ impl<'a> Refine<'a> {
                     NARROW
                 }
                 (Ok(_), Ok(_)) => NARROW_SCATTERED,
-                // If both ends have the same error, points between them give no new information.
+                // If both points have no response for the same reason, points between them give no new information.
                 (Err(a), Err(b)) if a == b => continue,
                 _ => NARROW_GAP,
             };
@@ -214,7 +215,7 @@ impl<'a> Refine<'a> {
     }
 
     /// Returns true if two settled points certainly belong to one state, however steep the curve is between them.
-    /// Either both belong to the closed form, or μ ≤ 1 and no other state exists.
+    /// Either both points belong to the closed form, or μ ≤ 1 and no other state exists.
     fn is_one_state(&self, a: &CurvePoint, b: &CurvePoint) -> bool {
         let slides = |point: &CurvePoint| point.regime == Regime::Continuous;
         self.system.scene().stiction <= 1.0 || (slides(a) && slides(b))

@@ -33,7 +33,7 @@ impl Refine<'_> {
         if down {
             places.reverse();
         }
-        // The cut of a pole is stored with the place below the pole.
+        // The cut of a pole is stored with the frequency ratio just below the pole.
         let poles: Vec<bool> = places
             .windows(2)
             .map(|pair| {

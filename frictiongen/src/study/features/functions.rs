@@ -37,7 +37,7 @@ pub(super) struct ChainNumbers<T> {
     pub inverse_mass: T,
     /// ρ = k₁/k, the compliance of an elastic contact. `None` for a rigid contact.
     pub compliance: Option<T>,
-    /// μ, static over kinetic friction force.
+    /// μ, the static friction force divided by the kinetic friction force.
     pub stiction: T,
     /// True if the requested motion is that of the contact, false if it is that of a mass.
     pub is_contact: bool,

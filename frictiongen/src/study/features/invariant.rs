@@ -1,5 +1,6 @@
 //! Frequencies at which friction does not change a motion, ranges in which more friction makes a motion larger, and
-//! frequencies at which a motion vanishes without friction. All three exist only in chains without damping.
+//! frequencies at which a motion vanishes without friction. Such frequencies and ranges exist only in chains without
+//! damping.
 
 use super::functions::Target;
 use super::isolate::{Crowded, FunctionZero, MotionFunction};

@@ -171,7 +171,7 @@ impl<'m> MotionFunction<'m> {
             last = y;
         }
         zeros.sort_by(|a, b| b.y.to_f64().total_cmp(&a.y.to_f64()));
-        // A zero at the common end of two intervals is found from both intervals.
+        // The search finds a zero at the common end of two intervals twice.
         zeros.dedup_by(|a, b| {
             a.crosses && b.crosses && (a.y - b.y).abs() <= b.y * Dd::from(CANCELLED)
         });

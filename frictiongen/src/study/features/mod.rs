@@ -2,8 +2,8 @@
 //! the stuck chain, sliding ranges, regimes over frequency, and peaks.
 //!
 //! Interval arithmetic finds the zeros of functions in closed form ([`Certainty::Proven`]). Other features depend on a
-//! search over the half period, or on steady states with stops. The code samples these in steps of a stated length, and
-//! refines them ([`Certainty::Sampled`]).
+//! search over the half period, or on steady states with stops. The code samples such features in steps of a stated
+//! length, and refines them ([`Certainty::Sampled`]).
 
 mod functions;
 mod invariant;
@@ -32,8 +32,8 @@ pub enum Certainty {
     /// The list contains every feature in the range, found by a closed form or by interval arithmetic. Two features
     /// with a relative distance below 1e-9 may count as one. A feature within 1e-13 of a pole does not appear.
     Proven,
-    /// The search samples the range in `steps` equal steps over 1/r, and refines each change that it finds. It finds
-    /// every interval longer than one step.
+    /// The search samples the range in `steps` steps of equal length in 1/r, and refines each change that it finds. It
+    /// finds every interval longer than one step.
     ///
     /// It finds a shorter interval only in two cases. In the first, the middle one of three neighbouring samples is
     /// closest to the value at which the feature begins. In the second, the interval is next to a resonance or to an
@@ -60,13 +60,14 @@ pub enum FeatureError {
     Range,
     /// A friction ratio is negative, not finite or NaN.
     Friction,
-    /// There is no such mass.
+    /// The scene has no mass with the requested name.
     UnknownMass(UnknownMass),
     /// The motion is neither that of the contact nor that of a mass.
     Combination,
     /// The chain is damped. The requested points exist only without damping.
     Damped,
-    /// The range contains more poles or zeros than a list can have. They become infinitely close towards r = 0.
+    /// The range contains more poles or zeros than a list can have. Poles and zeros become infinitely close towards r =
+    /// 0.
     Crowded,
 }
 

@@ -220,7 +220,7 @@ impl Features<'_> {
     /// Returns the frequencies at which the exact amplitudes of a motion at two friction ratios cross, in ascending
     /// order. The contact slides all the time at both friction ratios. The chain may be damped.
     ///
-    /// The list is sampled. It separates two crossings if their distance over 1/r exceeds one of
+    /// The list is sampled. It separates two crossings if their distance in 1/r exceeds one of
     /// [`Certainty::STEPS`](super::Certainty::STEPS) equal steps of the range.
     ///
     /// Each pair of friction ratios has its own crossings. For the contact's motion without damping the amplitudes only

@@ -9,8 +9,8 @@ const STEPS: usize = 60;
 /// Larger of the two fractions into which a golden section divides an interval.
 const GOLDEN: f64 = 0.618_033_988_749_894_8;
 
-/// Returns sample points between `from` and `to`: evenly spaced over r and over 1/r, and close together near each of
-/// `marks`.
+/// Returns sample points between `from` and `to`: evenly spaced in r, evenly spaced in 1/r, and close together near
+/// each of `marks`.
 pub(super) fn samples([from, to]: [f64; 2], count: usize, marks: &[f64]) -> Vec<f64> {
     let share = |i: usize| i as f64 / count as f64;
     let mut places = vec![from, to];
@@ -32,7 +32,7 @@ pub(super) fn samples([from, to]: [f64; 2], count: usize, marks: &[f64]) -> Vec<
     places
 }
 
-/// Returns the inner bounds of equal steps over 1/r, for a range of r. Sub-harmonics are evenly spaced over 1/r.
+/// Returns the inner bounds of steps of equal length in 1/r, for a range of r. Sub-harmonics are evenly spaced in 1/r.
 pub(super) fn steps([from, to]: [f64; 2]) -> Vec<f64> {
     let count = Certainty::STEPS;
     let (first, last) = (1.0 / from, 1.0 / to);

@@ -45,9 +45,10 @@ impl Features<'_> {
     /// Without damping β_lim has a closed form for r ≥ √λ_N/2, and this closed form is an upper bound on β_lim at every
     /// r.
     ///
-    /// For an elastic contact, the list is proven for every range. Without damping it is proven for a range above
-    /// √λ_N/2. Otherwise the code samples the intervals in which the closed form exceeds β. In these intervals the
-    /// search may miss a regime whose range is narrower than one of [`Certainty::STEPS`] equal steps over 1/r.
+    /// For an elastic contact, the list is proven for every range. For a rigid contact without damping, it is proven
+    /// for a range above √λ_N/2. Otherwise the code samples the intervals in which the closed form exceeds β. In these
+    /// intervals the search may miss a regime whose range is narrower than one of [`Certainty::STEPS`] equal steps in
+    /// 1/r.
     ///
     /// # Errors
     /// [`FeatureError::Friction`], [`FeatureError::Range`], [`FeatureError::Crowded`].

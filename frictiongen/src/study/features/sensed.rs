@@ -1,5 +1,5 @@
 //! Derivatives of a feature with respect to every parameter. The derivatives of zeros come from implicit
-//! differentiation, the others from closed forms.
+//! differentiation, all other derivatives from closed forms.
 
 use super::isolate::{FunctionZero, MotionFunction};
 use crate::study::parameter::{OperatingPoint, Parameter, parameters_of};
@@ -214,7 +214,7 @@ impl Variations {
         })
     }
 
-    /// Returns the frequency at which a function f of r and β is 0, with its derivatives. The function computes them
+    /// Returns the frequency at which a function f of r and β is 0, with the derivatives of the frequency. They follow
     /// from the derivatives of f.
     pub fn of_place(
         &self,

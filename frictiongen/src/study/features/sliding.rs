@@ -48,8 +48,8 @@ pub(super) struct Bound {
 
 impl Features<'_> {
     /// Returns the resonances of the chain with its contact stuck, in ascending order. One resonance lies between every
-    /// two neighbouring resonances of modes that the contact drives. An elastic contact has one more, above them. The
-    /// other resonances belong to modes that the contact does not drive.
+    /// two neighbouring resonances of modes that the contact drives. An elastic contact has one more resonance, above
+    /// all of these. All further resonances belong to modes that the contact does not drive.
     #[must_use]
     pub fn held_resonances(&self) -> Vec<HeldResonance> {
         let dynamics = self.system.dynamics();

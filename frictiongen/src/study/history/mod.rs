@@ -1,7 +1,7 @@
 //! Motions over time: displacements, velocities and the friction force at evenly spaced instants, and every event.
 //!
 //! Samples are values of the closed form, and events are exact. A history is a run from rest or from a state, or one
-//! period of a steady state. A plot of displacement over velocity is the phase portrait.
+//! period of a steady state. A plot of displacement against velocity is the phase portrait.
 
 mod run;
 mod spectrum;
@@ -126,9 +126,9 @@ pub struct History {
     pub samples: u32,
     /// The requested motions, in the order of the request.
     pub tracks: Vec<Track>,
-    /// The friction force over P (over k₁Y for base motion) at each sample. While the contact slides, it is the kinetic
-    /// friction force. While the contact sticks, it is the force that keeps the contact at rest. A positive force
-    /// opposes positive sliding.
+    /// The friction force at each sample, divided by P (by k₁Y for base motion). While the contact slides, it is the
+    /// kinetic friction force. While the contact sticks, it is the force that keeps the contact at rest. A positive
+    /// force opposes positive sliding.
     pub friction: Vec<f64>,
     /// State of the contact at each sample: stuck, or sliding forward or backward.
     pub contact: Vec<Contact>,
@@ -141,7 +141,7 @@ pub struct History {
 pub struct Track {
     /// Selects the contact or the mass.
     pub of: Of,
-    /// x̄ at each sample, over P/k₁ (over Y for base motion).
+    /// x̄ at each sample, where x̄ = x/(P/k₁) (x/Y for base motion).
     pub displacement: Vec<f64>,
     /// dx̄/dτ at each sample. Multiply by ω for the velocity in time.
     pub velocity: Vec<f64>,

@@ -21,7 +21,7 @@ pub struct Spectrum {
 pub struct SpectralLine {
     /// Order n: the frequency divided by the frequency of the excitation.
     pub order: f64,
-    /// Complex amplitude X in Re(X e^{inτ}), over P/k₁ (over Y for base motion). τ counts from a maximum of the
+    /// Complex amplitude X in Re(X e^{inτ}), divided by P/k₁ (by Y for base motion). τ counts from a maximum of the
     /// excitation. The component of order 0 is the mean.
     pub component: Complex<f64>,
 }
@@ -44,8 +44,8 @@ impl History {
     /// Returns the spectrum of a motion from its samples. Returns `None` if the history does not contain the motion.
     ///
     /// A fast Fourier transform over whole cycles computes the spectrum, so that it needs no window. Orders are
-    /// multiples of 1 over the number of cycles, up to half the number of samples in a cycle. τ = 0 is the first
-    /// sample.
+    /// multiples of 1/c, where c is the number of cycles, up to half the number of samples in a cycle. τ = 0 is the
+    /// first sample.
     ///
     /// Vibrations above half the sampling rate appear at lower orders (aliasing). At friction reversals, harmonics
     /// decrease with the third power of their order. The error of a harmonic therefore decreases with the third power
@@ -106,7 +106,7 @@ impl History {
 
 impl SystemResponse<'_> {
     /// Returns X in Re(X e^{ikτ/p}), the component of order k/p of the contact or of a mass. Returns `None` if the
-    /// scene has no such mass.
+    /// scene does not have this motion.
     ///
     /// p is the [`period`](Self::period) in cycles of the excitation. Every p-th component is a
     /// [`harmonic`](Self::harmonic). τ = 0 is the maximum of the excitation closest to the instant at which the

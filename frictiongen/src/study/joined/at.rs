@@ -32,7 +32,8 @@ pub struct JoinedAt<'a> {
 
 impl<'a> Joined<'a> {
     /// Evaluates the scene at the frequency ratio r = ω√(m₁/k₁). Frictions are ratios β = F/P (F/(k₁Y) for base
-    /// motion). Displacements are over P/k₁ (over Y for base motion), and forces are over P (over k₁Y for base motion).
+    /// motion). Displacements are divided by P/k₁ (by Y for base motion), and forces are divided by P (by k₁Y for base
+    /// motion).
     ///
     /// # Errors
     /// [`OutOfDomain`] unless r is above 0 and finite. [`JoinedError::NoSpring`] for a scene without springs.

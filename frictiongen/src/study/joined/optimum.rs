@@ -134,7 +134,8 @@ impl Search<'_, '_> {
         let at = self.joined.at_any(r)?;
         let amplitudes = match at.orbit(friction) {
             Ok(orbit) => orbit.amplitudes(),
-            // A friction just below the limit of the stuck state moves the contacts less in each cycle, for ever.
+            // With a friction just below the limit of the stuck state, the contacts move less in each cycle, but never
+            // stop moving.
             Err(JoinedError::Engine(JointError::NotSteady)) => at.last_cycles(friction)?,
             Err(error) => return Err(error),
         };

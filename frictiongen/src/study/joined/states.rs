@@ -12,7 +12,7 @@ const SAME: f64 = 1e-6;
 
 impl<'a> JoinedAt<'a> {
     /// Returns every steady state that the search finds. The initial states are rest, the state in which no contact
-    /// slides, the response without friction, and multiples of these two. The steady state from rest is the first in
+    /// slides, the response without friction, and multiples of the last two. The steady state from rest is the first in
     /// the list. The list is empty if the search finds no steady state.
     ///
     /// # Errors

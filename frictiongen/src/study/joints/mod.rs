@@ -67,7 +67,7 @@ pub struct Chain {
     pub dashpots: Vec<(Node, Node, f64)>,
     /// The matrix of modal or Rayleigh damping by rows, or no rows.
     pub damping: Vec<Vec<f64>>,
-    /// True if this matrix acts on velocities relative to the base. False if it acts on absolute velocities.
+    /// True if the damping matrix acts on velocities relative to the base. False if it acts on absolute velocities.
     pub damping_from_base: bool,
     /// The contacts.
     pub contacts: Vec<Joint>,
@@ -86,7 +86,7 @@ pub enum JointError {
     Number(&'static str),
     /// A spring, dashpot, contact or load refers to a mass that does not exist, or connects a node with itself.
     Ends(&'static str),
-    /// Rigid contacts, by index, that can all stick at once and form a closed loop. Their forces are then not
+    /// Rigid contacts, by index, that can all stick at the same time and form a closed loop. Their forces are then not
     /// determined.
     Redundant(Vec<usize>),
     /// The solver would need more than [`MAX_PATTERNS`] patterns to decide which contacts stick.

@@ -144,7 +144,8 @@ pub fn random_chain(random: &mut Random) -> (Chain, f64) {
     }
     let zeta: Vec<f64> = (0..n).map(|_| random.between(0.0, 0.05)).collect();
     let mut contacts = Vec::new();
-    // One contact for each mass at the most, to the wall or to the mass before: never redundant.
+    // Each mass has at most one contact, to the wall or to the mass before it. The contacts are therefore never
+    // redundant.
     for i in 0..n {
         if random.unit() < 0.6 && contacts.len() < 4 {
             let other = if i > 0 && random.unit() < 0.5 {

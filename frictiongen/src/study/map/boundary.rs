@@ -25,15 +25,16 @@ pub struct Boundary {
 impl System {
     /// Returns the boundaries in a map, at each of its frequency ratios.
     ///
-    /// A boundary of the continuous or of the stuck regime is the exact limit. Between both limits the contact
+    /// A boundary of the continuous or of the stuck regime is the exact limit. Between β_lim and β*_lim the contact
     /// alternately sticks and slides. In this range the search also evaluates the middle and the quarters between two
     /// neighbouring β of the map. It halves every interval with different patterns at its bounds, until it knows the
     /// boundary to `digits` significant digits. If the middle has a third pattern, the search continues in both halves.
     ///
     /// The search finds all boundaries that are more than a quarter of the map's step apart. It can miss two boundaries
     /// of one region within a quarter of a step. It can also miss a boundary close to a limit, within a 64th of the
-    /// rest of the step. A finer map has smaller quarters. In a cascade of period doublings, the search may meet a
-    /// third pattern more than six times between two neighbours. It then finds only the lowest of these boundaries.
+    /// part of the step in which the contact alternately sticks and slides. A finer map has smaller quarters. In a
+    /// cascade of period doublings, the search may meet a third pattern more than six times between two neighbours. It
+    /// then finds only the lowest of these boundaries.
     ///
     /// Close to a boundary a motion settles slowly, so that more digits take much longer.
     ///

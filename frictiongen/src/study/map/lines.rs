@@ -1,4 +1,4 @@
-//! Both limits over frequency. The points are close together where the limits bend.
+//! β_lim and β*_lim over frequency. The points are close together where the limits bend.
 
 use crate::study::system::System;
 use crate::{Limits, OutOfDomain};
@@ -11,16 +11,16 @@ const MOST_SUBHARMONICS: usize = 25;
 /// The code does not halve an interval if its relative width is below this value.
 const NARROW: f64 = 1e-9;
 
-/// Both limits over frequency.
+/// β_lim and β*_lim over frequency.
 #[derive(Clone, Debug)]
 pub struct LimitLines {
-    /// Pairs of r and both limits, in ascending order of r. A limit may be infinite.
+    /// Pairs of r and the limits β_lim and β*_lim, in ascending order of r. A limit may be infinite.
     pub points: Vec<(f64, Limits<f64>)>,
 }
 
 impl System {
-    /// Returns both limits from one frequency ratio to another. Straight lines between neighbouring points deviate by
-    /// at most `accuracy` in β/(1 + β).
+    /// Returns β_lim and β*_lim from one frequency ratio to another. Straight lines between neighbouring points deviate
+    /// from the limits by at most `accuracy` in β/(1 + β).
     ///
     /// # Errors
     /// [`OutOfDomain`] unless 0 ≤ from < to < ∞.

@@ -50,9 +50,9 @@ pub struct MapPoint {
     /// True if motion from rest ends in this state. False if motion from rest does not settle and this is another
     /// state.
     pub from_rest: bool,
-    /// The offset of the contact's relative motion from its centre, over P/k₁ (over Y for base motion).
+    /// The offset of the contact's relative motion from its centre, divided by P/k₁ (by Y for base motion).
     pub offset: f64,
-    /// The requested amplitudes, in the order of the request, over P/k₁ (over Y for base motion).
+    /// The requested amplitudes, in the order of the request, divided by P/k₁ (by Y for base motion).
     pub amplitudes: Vec<f64>,
     /// The centred amplitudes, in the same order and unit as `amplitudes`. A centred amplitude is half the distance
     /// between the least and the largest displacement.
@@ -64,7 +64,7 @@ pub struct MapPoint {
 pub struct MapColumn {
     /// Frequency ratio r = ω√(m₁/k₁) of the excitation.
     pub r: f64,
-    /// Both limits at r.
+    /// β_lim and β*_lim at r.
     pub limits: Limits<f64>,
     /// The response for each β, or the reason why there is none.
     pub points: Vec<Result<MapPoint, Error>>,
@@ -84,7 +84,7 @@ impl Pattern {
     #[must_use]
     pub fn of(response: &SystemResponse<'_>) -> Self {
         let (stops, reversals, period) = match response {
-            // The contact of a closed form reverses twice in a cycle.
+            // In the closed form, the contact reverses twice in a cycle.
             SystemResponse::Continuous(_) => (0, 2, 1),
             SystemResponse::StickSlip(orbit) if orbit.is_settled() => {
                 (orbit.stops(), orbit.reversals(), orbit.period())

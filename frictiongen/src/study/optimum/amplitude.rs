@@ -10,14 +10,15 @@ use crate::study::{response::SystemResponse, sensitivity::Sensitive};
 use crate::{Error, NoOrbit, NotContinuous, Regime};
 use std::cell::Cell;
 
-/// Relative step in r and in friction of a central difference.
+/// Relative step of the central differences: the step in r divided by r, and the step in friction divided by the
+/// friction.
 const DIFFERENCE: f64 = 1e-6;
 
 /// Amount of friction: a given friction, or enough friction that the contact never slides.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::study) enum FrictionAmount {
-    /// A given friction: the friction force over the load's unit of force at r = 1. For a load of constant amplitude it
-    /// is the friction ratio β.
+    /// A given friction: the friction force, divided by the load's unit of force at r = 1. For a load of constant
+    /// amplitude it is the friction ratio β.
     Ratio(f64),
     /// Enough friction that the contact never slides.
     Locked,
@@ -138,11 +139,11 @@ impl<'s> Amplitude<'s> {
         }
     }
 
-    /// Returns the amplitude in units of P/k₁ (of Y for base motion). The amplitude is infinite on a resonance that
-    /// neither friction nor damping bounds. It is NaN if no response exists.
+    /// Returns the amplitude, divided by P/k₁ (by Y for base motion). The result is infinite on a resonance at which
+    /// neither friction nor damping bounds the amplitude. It is NaN if no response exists.
     ///
-    /// Below both limits the result is the amplitude of the closed form. With μ > 1, motion from rest may end in
-    /// another state, whose amplitude [`followed`](Self::followed) returns.
+    /// If β is below β_lim and β*_lim, the result is the amplitude of the closed form. With μ > 1, motion from rest may
+    /// end in another state. [`followed`](Self::followed) returns the amplitude of that state.
     pub(super) fn at(&self, r: f64, friction: FrictionAmount) -> f64 {
         if let FrictionAmount::Ratio(force) = friction
             && (!self.follows.get() || self.is_spent())
@@ -169,7 +170,7 @@ impl<'s> Amplitude<'s> {
             Err(Error::NoOrbit(NoOrbit::Unbounded)) if self.is_unbounded(r, friction) => {
                 f64::INFINITY
             }
-            // The contact is stuck on a resonance of the chain with its contact stuck.
+            // The contact is stuck, and r is a resonance of the chain with its contact stuck.
             Err(Error::NoOrbit(NoOrbit::Unbounded) | Error::StuckResonance(_)) => {
                 self.beside_resonance(r, friction)
             }
@@ -186,8 +187,8 @@ impl<'s> Amplitude<'s> {
     }
 
     /// Returns true if r is an undamped resonance at which the load supplies more energy than this amount of friction
-    /// dissipates. Beside such a resonance motion from rest needs so many cycles that the search ends in another state,
-    /// whose amplitude says nothing about the resonance.
+    /// dissipates. At frequencies near such a resonance, motion from rest needs so many cycles that the search ends in
+    /// another state. The amplitude of that state says nothing about the resonance.
     pub(super) fn is_unbounded(&self, r: f64, friction: FrictionAmount) -> bool {
         let FrictionAmount::Ratio(friction) = friction else {
             return false;

@@ -14,8 +14,8 @@ pub enum OptimumKind {
     NoFriction,
     /// The smallest amplitude is that of the stuck contact. More friction does not change it.
     Stuck,
-    /// The answer is trivial: the contact is stuck over the whole band, so that the requested quantity rests. For the
-    /// contact force, there is no friction.
+    /// The requested quantity is 0, so that the result is trivial. Either the contact is stuck over the whole band, or
+    /// the quantity is the contact force and there is no friction.
     Trivial,
     /// A bound on another quantity excludes frictions with a smaller amplitude.
     Bounded,
@@ -57,14 +57,14 @@ pub struct Tolerance {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum OptimumEnd {
     /// The search converged to a minimum. For two equal peaks the friction ratio is exact to rounding. For a single
-    /// peak it has half of the digits.
+    /// peak half of the digits of the friction ratio are exact.
     Converged,
     /// The search ended at a friction at which the amplitude jumps. On one side of the jump the motion reaches another
     /// steady state with a larger amplitude.
     Jump,
-    /// The search reached its bound on work. The result is the best friction found before.
+    /// The search reached its bound on work. The result is the best friction up to that point.
     WorkSpent,
-    /// The caller stopped the search. The result is the best friction found before.
+    /// The caller stopped the search. The result is the best friction up to that point.
     Stopped,
 }
 

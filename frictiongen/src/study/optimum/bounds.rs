@@ -1,5 +1,5 @@
-//! Finds the frequency ratios of a band at which β_lim or β*_lim equals β, and the extremes of both limits over the
-//! band.
+//! Finds the frequency ratios of a band at which β_lim or β*_lim equals β, and the extreme values of β_lim and β*_lim
+//! over the band.
 
 use super::line;
 use super::look::PLACE;

@@ -89,8 +89,8 @@ pub(super) fn between(scan: &[Scanned], best: f64) -> Vec<(Scanned, Scanned)> {
             // Where the steady state changes to another one, the slope at one point does not predict the amplitude at
             // the next point.
             let least = SHARE * below.value.min(above.value);
-            // If the tangents do not meet in the interval, the amplitude is not convex over friction. Its tangents then
-            // give no bound.
+            // If the tangents do not meet in the interval, the amplitude is not a convex function of friction. Its
+            // tangents then give no bound.
             let low = meeting(below, above).map_or(least, |(_, value)| value.max(least));
             (falls && low <= WORTH * best).then(|| (low, (below.clone(), above.clone())))
         })

@@ -1,5 +1,5 @@
-//! Finds the friction ratio between two others for which the highest peak is smallest. The search tracks each peak
-//! while friction changes.
+//! Finds the friction ratio between two given friction ratios for which the highest peak is smallest. The search tracks
+//! each peak while friction changes.
 
 use super::amplitude::FrictionAmount;
 use super::look::{BandPeak, Look};
@@ -33,7 +33,7 @@ pub(super) struct Crept {
     pub done: bool,
 }
 
-/// Returns the friction ratio between two others for which the highest of their peaks is smallest.
+/// Returns the friction ratio between two given friction ratios for which the highest of their peaks is smallest.
 pub(super) fn crept(band: &AmplitudeBand<'_>, below: &Scanned, above: &Scanned) -> Option<Crept> {
     let (mut below, mut above) = (below.clone(), above.clone());
     let mut best: Option<Scanned> = None;

@@ -39,7 +39,7 @@ pub(super) fn tolerance(band: &AmplitudeBand<'_>, least: &Least, excess: f64) ->
     let mut above = above.filter(|scanned| least.at.beta < scanned.beta);
     let to = match edge(band, &least.at, &mut above, (level, near)) {
         Some(to) => to,
-        // The amplitude exceeds the level at no further point of the scan, and not with the contact stuck over the
+        // The amplitude is below the level at all further points of the scan, and also with the contact stuck over the
         // whole band.
         None if least.locked_from.is_finite() => f64::INFINITY,
         None => least

@@ -28,8 +28,8 @@ const MOST: usize = 3;
 /// A peak is added to the evaluations at other friction ratios if its amplitude is at least this fraction of the
 /// largest amplitude.
 const LEARNED: f64 = 0.9;
-/// Number of grid points on each side of a peak that the search adds to all later evaluations. They are necessary
-/// because the peak moves with friction.
+/// Number of grid points on each side of a peak that the search adds to all later evaluations, because the peak moves
+/// with friction.
 const SIDE: i32 = 4;
 
 impl AmplitudeBand<'_> {

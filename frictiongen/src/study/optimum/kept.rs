@@ -103,7 +103,7 @@ impl System {
             kind: OptimumKind::Bounded,
             end: OptimumEnd::Converged,
             beyond_jump: None,
-            // Both describe a minimum. At a bound the friction ratio is not one.
+            // Tolerances and sensitivities describe a minimum. A friction ratio at a bound is not a minimum.
             tolerances: Vec::new(),
             sensitivities: Vec::new(),
             ..own.told(&search.band, &least)?
@@ -243,10 +243,11 @@ impl<'s> KeptSearch<'s> {
         holds
     }
 
-    /// Returns a friction ratio that satisfies all bounds. The search is for scans without such a ratio.
+    /// Returns a friction ratio that satisfies all bounds. The search calls this function if the scan has no such
+    /// ratio.
     ///
     /// # Errors
-    /// [`OptimumError::Unreachable`] names the first bound that cannot hold together with those before it.
+    /// [`OptimumError::Unreachable`] names the first bound that cannot be satisfied together with the bounds before it.
     fn reachable(&self, others: &[OptimumProblem<'s>]) -> Result<Option<f64>, OptimumError> {
         let mut found = None;
         for (index, problem) in others.iter().enumerate() {

@@ -107,8 +107,8 @@ impl OpenBand {
 /// amplitude.
 pub(super) type Top = (Option<[f64; 2]>, (f64, f64));
 
-/// Returns the local maxima whose amplitude is at least `least`. If `closed` is true, these are maxima between
-/// frequencies with a closed form. Otherwise these are all other maxima.
+/// Returns the local maxima whose amplitude is at least `least`. If `closed` is true, the result contains the maxima
+/// between frequencies with a closed form. Otherwise it contains all other maxima.
 pub(super) fn tops(seen: &[SeenFrequency], least: f64, closed: bool) -> Vec<Top> {
     let mut found = Vec::new();
     for (index, own) in seen.iter().enumerate() {

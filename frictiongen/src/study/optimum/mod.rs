@@ -53,8 +53,8 @@ impl System {
     /// not settle take most of the work. [`Optimum::end`] says whether the search reached the bound, or ended at a jump
     /// to another steady state. [`Optimum::bracket`] then contains the best friction ratio.
     ///
-    /// With μ > 1 the first comparison of friction ratios uses the closed form if β is below both limits. The search
-    /// then computes motion from rest over a fine grid of the band, at the friction ratios that seem best. The
+    /// With μ > 1 the first comparison of friction ratios uses the closed form if β is below β_lim and β*_lim. The
+    /// search then computes motion from rest over a fine grid of the band, at the friction ratios that seem best. The
     /// amplitude of the result is the largest on that grid. Grid points are 0.25 % apart, and 0.0025 % around the
     /// largest peak. A peak between two grid points may be higher.
     ///

@@ -9,7 +9,8 @@ use crate::study::system::System;
 /// A quantity of a motion under a load whose amplitude may depend on frequency.
 ///
 /// Its values at different frequencies are comparable. The unit of displacement is that of the load at r = 1, and the
-/// unit of time is that of the scene, √(m₁/k₁). Friction is the friction force over the load's unit of force at r = 1.
+/// unit of time is that of the scene, √(m₁/k₁). Friction is the friction force, divided by the load's unit of force at
+/// r = 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::study) struct Objective {
     pub of: Of,
@@ -46,8 +47,9 @@ impl Objective {
         }
     }
 
-    /// Returns true for the force in springs, whose value may depend on the offset of a stuck contact. Such a value
-    /// passes through 0 with friction, so that the value at one friction does not bound the value at another.
+    /// Returns true for the force in springs, whose value may depend on the offset of a stuck contact. When friction
+    /// changes, such a value may pass through 0. Its value at one friction therefore does not bound its value at
+    /// another friction.
     pub fn depends_on_offset(&self) -> bool {
         self.of.is_force()
     }
@@ -70,7 +72,8 @@ impl Objective {
         r.powi(rate - self.fall)
     }
 
-    /// Returns the quantity of a response, in the units of r. Returns `None` if the scene has no such motion.
+    /// Returns the quantity of a response, in the units of the load at r. Returns `None` if the scene has no such
+    /// motion.
     pub fn of_response(&self, response: &SystemResponse<'_>) -> Option<f64> {
         response.largest(self.of, self.size)
     }

@@ -97,7 +97,8 @@ pub(super) fn places(
     let free = free.map(|(resonance, zeta)| (resonance.to_f64(), zeta.to_f64()));
     let held = system.dynamics().held.iter();
     let held = held.map(|mode| (mode.frequency, mode.zeta));
-    // The system's own resonances are used here, because they agree to the last bit with those in its closed forms.
+    // The code uses the resonances of the system itself, because they agree to the last bit with those in its closed
+    // forms.
     places.extend(system.resonances().iter().map(|r| (*r, true)));
     for (resonance, zeta) in free.chain(held) {
         places.push((resonance, true));
@@ -119,7 +120,8 @@ pub(super) fn places(
         }
     }
     places.retain(|(r, _)| from <= *r && *r <= to);
-    // The sort puts an entry for the first evaluation before an equal frequency without it, so that the former remains.
+    // The sort puts an entry for the first evaluation before an equal frequency without it, so that the entry for the
+    // first evaluation remains.
     places.sort_by(|a, b| a.0.total_cmp(&b.0).then(b.1.cmp(&a.1)));
     places.dedup_by(|a, b| a.0 == b.0);
     let mut last = 0.0;

@@ -141,7 +141,7 @@ impl<'s> OptimumProblem<'s> {
             // Derivatives exist only for a minimum that moves smoothly with a parameter. A minimum at a jump does not.
             _ => Vec::new(),
         };
-        // Friction ratios of an unfinished search are not verified, so an interval of them is not either.
+        // The friction ratios of an unfinished search are not verified, and neither is an interval between them.
         let verified = EXCESSES.iter().filter(|_| least.end != SearchEnd::Spent);
         let tolerances = verified
             .map(|excess| flat::tolerance(band, least, *excess))

@@ -1,5 +1,5 @@
 //! Scans friction ratios, from zero to so much friction that nothing slides. At each friction ratio, the scan computes
-//! the largest amplitude over a band, and its slope over friction.
+//! the largest amplitude over a band, and its slope with respect to friction.
 
 use super::amplitude::FrictionAmount;
 use super::look::{BandPeak, Closely, Look, OpenBand};

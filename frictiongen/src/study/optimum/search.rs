@@ -6,7 +6,7 @@
 //!
 //! A minimum is either a crossing of two peaks or the minimum of one peak. Newton's method on the difference of the
 //! peaks' heights finds a crossing. The zero of the slope is the minimum of one peak. If the search finds neither,
-//! golden sections narrow the bracket around the best friction ratio. They need no slopes.
+//! golden sections narrow the bracket around the best friction ratio. Golden sections need no slopes.
 
 use super::amplitude::FrictionAmount;
 use super::candidates::{FrictionCandidate, HOLDS, before, between, of_scan, stays, valleys};
@@ -23,7 +23,7 @@ const AGAIN: usize = 4;
 /// Largest number of checks of the best friction ratio over the whole band. The search makes another check if a check
 /// finds a higher peak.
 const CHECKS: usize = 6;
-/// Largest number of golden-section steps. They end earlier if the relative width of the bracket reaches `NARROW`.
+/// Largest number of golden-section steps. The steps end earlier if the relative width of the bracket reaches `NARROW`.
 const SECTIONS: usize = 40;
 /// Relative width of a bracket of friction at which golden sections end.
 const NARROW: f64 = 1e-7;
@@ -35,8 +35,8 @@ const STATIONARY: f64 = 1e-4;
 pub(super) const WORK_OF_ONE: usize = 300_000;
 /// The final check may do additional work: the bound on the work of the search, divided by this number.
 const OF_A_CHECK: usize = 6;
-/// The search checks the scan up to this multiple of the best amplitude. It exceeds every amplitude for which the
-/// result has a tolerance of friction.
+/// The search checks the points of the scan whose amplitude is at most this multiple of the best amplitude. The
+/// multiple exceeds every amplitude for which the result has a tolerance of friction.
 const HIGHEST_TOLERANCE: f64 = 1.12;
 
 /// The kind of a minimum of the largest amplitude over friction.
@@ -119,7 +119,7 @@ pub(super) fn minima(
     scan: &[Scanned],
     mut top: f64,
 ) -> Vec<FrictionCandidate> {
-    // With μ > 1 the amplitude of an unchecked minimum is a lower bound, which must not exclude others.
+    // With μ > 1 the amplitude of an unchecked minimum is a lower bound. Such a bound must not exclude other minima.
     let exact = band.amplitude.system.scene().stiction <= 1.0;
     let mut minima: Vec<FrictionCandidate> = Vec::new();
     // An amplitude of 0 cannot be improved. Just below the friction that stops the contact, motions too small to settle

@@ -225,7 +225,7 @@ fn least_trivial(band: &AmplitudeBand<'_>, scan: &[Scanned], at: Scanned) -> Sca
     to
 }
 
-/// Evaluates the points of the scan again whose amplitude is at most `level`, including the peaks from the grids. The
+/// Evaluates again all points of the scan whose amplitude is at most `level`, including the peaks from the grids. The
 /// former amplitudes of these points were lower bounds.
 pub(super) fn raise(band: &AmplitudeBand<'_>, scan: &mut [Scanned], level: f64) {
     for seen in scan

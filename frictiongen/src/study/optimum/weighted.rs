@@ -23,7 +23,8 @@ const WORK_OF_A_ROUND: usize = super::WORK / 2;
 const NEARLY: f64 = 1.5;
 /// Largest number of friction ratios around which the search examines intervals.
 const MOST_POINTS: usize = 6;
-/// A check of the whole band confirms a quotient if their relative difference is at most this value.
+/// A check of the whole band confirms a quotient if the quotient from the check differs from it by at most this
+/// fraction.
 const SAME: f64 = 1e-6;
 /// Two quotients count as equal in the words of the answer if their relative difference is at most this value.
 const BALANCE: f64 = 1e-3;
@@ -156,7 +157,7 @@ impl<'s> WeightedSearch<'s> {
                 OptimumEnd::WorkSpent
             },
             beyond_jump: None,
-            // Both describe the minimum of a single quantity.
+            // Tolerances and sensitivities describe the minimum of a single quantity.
             tolerances: Vec::new(),
             sensitivities: Vec::new(),
             ..told
@@ -215,7 +216,7 @@ impl<'s> WeightedSearch<'s> {
         let mut all: Vec<f64> = points.iter().map(|(beta, _)| *beta).collect();
         all.sort_by(f64::total_cmp);
         all.dedup();
-        // Low bounds come first. They give a cutoff that excludes most of the others.
+        // Low bounds come first. They give a cutoff that excludes most of the other friction ratios.
         let mut points = points.to_vec();
         points.sort_by(|a, b| a.1.total_cmp(&b.1));
         let mut top = f64::INFINITY;

@@ -274,7 +274,7 @@ fn integrated(step: f64, accelerations: &[f64]) -> Vec<[f64; 2]> {
         place += step * (rate + step * (2.0 * here + next(k)) / 6.0);
         rate += 0.5 * step * (here + next(k));
     }
-    // With this velocity at the start, the displacement closes.
+    // With this velocity at the start, the displacement at the end of the period equals the displacement at its start.
     let count = accelerations.len() as f64;
     let drift = place / (count * step);
     for (k, [place, rate]) in motion.iter_mut().enumerate() {

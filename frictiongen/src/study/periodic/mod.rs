@@ -1,8 +1,8 @@
 //! Steady states under any periodic load: a table of one period, or harmonics.
 //!
-//! The stepper follows the motion, whose steps are exact for loads that are polynomials between samples. Newton's method
-//! finds the state that repeats after a whole number of periods of the load. Closed forms need a cosine, so that such a
-//! load has no limits, no friction ratio and no phase.
+//! The stepper computes the motion. Its steps are exact for loads that are polynomials between samples. Newton's method
+//! finds the state that repeats after a whole number of periods of the load. Closed forms require a load that is a
+//! cosine in time. For other periodic loads there are therefore no limits, no friction ratio and no phase.
 
 mod answer;
 mod error;

@@ -24,8 +24,8 @@ const SAME: f64 = 1e-13;
 /// Newton's method may end if the relative difference after a period is below this value, and a step no longer reduces
 /// the difference.
 const ENOUGH: f64 = 1e-11;
-/// Step of the central differences, relative to the size of the motion. Their relative error is about the square of
-/// this step.
+/// Step of the central differences, divided by the size of the motion. The relative error of the differences is about
+/// the square of this step.
 const STEP: f64 = 1e-5;
 /// A direction counts as neutral (a deviation along it does not change after a period) if its singular value is below
 /// this value.
@@ -33,12 +33,13 @@ const RANK: f64 = 1e-7;
 /// A Floquet multiplier counts as lying on the unit circle if its distance from the circle is at most this value,
 /// because of rounding in the differences.
 const ON_CIRCLE: f64 = 1e-7;
-/// The test of a steady state ends when the multipliers predict that the motion's distance from it has fallen to this
-/// fraction.
+/// The test of a steady state ends when the multipliers predict that the motion's distance from the steady state has
+/// fallen to this fraction.
 const DECAY: f64 = 0.1;
 /// Largest number of periods of the load that the test of a steady state follows.
 const MOST_CONFIRMED: usize = 512;
-/// The motion has reached a steady state if its distance is below this fraction of the size of the motion.
+/// The motion has reached a steady state if its distance from that state is below this fraction of the size of the
+/// motion.
 const REACHED: f64 = 1e-7;
 /// Steady states may form a continuum, and the initial state decides in which of them the motion ends. The motion
 /// counts as having reached such a state if its distance from the state is below this value.
@@ -115,7 +116,7 @@ impl Search<'_> {
             aways.push(numbers.away(&first));
         }
         self.walk.go(&here)?;
-        // A motion that has not begun has no size. Any other size then serves as well.
+        // If the motion has not begun, its size is 0. The code then uses the size 1, because any positive size serves.
         if self.size == 0.0 {
             self.size = 1.0;
         }

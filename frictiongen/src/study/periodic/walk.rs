@@ -125,7 +125,7 @@ impl<'a> Walk<'a> {
             eventful.push(self.step()?.events > 0);
         }
         let (mut best, mut middle, mut run) = (0, 0, 0);
-        // A run may reach over the end of the period.
+        // The sequence of steps without an event may continue beyond the end of the period.
         for place in 0..2 * count {
             let event = eventful.get(place % count.max(1)).copied().unwrap_or(true);
             run = if event { 0 } else { run + 1 };

@@ -165,8 +165,8 @@ fn number(scene: &mut Scene, quantity: Quantity) -> &mut f64 {
     }
 }
 
-/// The differences are taken in double-double numbers, so that rounding does not limit them. Their own error, of second
-/// order in the change of a ten-millionth, is the reason for the tolerance.
+/// The differences are taken in double-double numbers, so that rounding does not limit them. The tolerance covers the
+/// error of the differences, which is of second order in the relative change of a ten-millionth.
 #[test]
 fn steps_carry_derivatives() {
     let mut compared = 0;
@@ -211,5 +211,6 @@ fn steps_carry_derivatives() {
     assert_eq!(compared, COMPARED);
 }
 
-/// 7, 7, 8 and 4 quantities of the scenes, friction and load, times 6, 6, 6 and 4 results.
+/// Number of compared derivatives. The four scenes have 7, 7, 8 and 4 quantities, each plus friction and load, and 6,
+/// 6, 6 and 4 results.
 const COMPARED: u32 = 9 * 6 + 9 * 6 + 10 * 6 + 6 * 4;

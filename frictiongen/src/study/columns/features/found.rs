@@ -45,8 +45,8 @@ pub struct FeatureLists {
     pub(super) regimes: Vec<FeatureAt<(Certainty, RegimeRange)>>,
     /// Largest amplitudes near the resonances.
     pub(super) peaks: Vec<FeatureAt<Named<ResonantPeak>>>,
-    /// Frequencies at which a motion has the same amplitude for two neighbouring friction ratios. The first number is
-    /// the other ratio.
+    /// Frequencies at which a motion has the same amplitude for two neighbouring friction ratios of the request. The
+    /// number in an entry is the second friction ratio.
     pub(super) crossings: Vec<FeatureAt<Named<(f64, Crossing)>>>,
 }
 

@@ -45,7 +45,8 @@ pub struct FeatureLine {
     pub of: String,
     /// Further details in words.
     pub detail: String,
-    /// Frequency ratio of the feature, or the one at which it begins. `None` if the feature has no frequency.
+    /// Frequency ratio of the feature, or the frequency ratio at which it begins. `None` if the feature has no
+    /// frequency.
     pub r: Option<f64>,
     /// Frequency ratio at which the feature ends.
     pub to: Option<f64>,
@@ -93,8 +94,8 @@ impl FeatureLine {
         self
     }
 
-    /// Returns the name of the first number, the parameter to which it is most sensitive, and its change in per cent
-    /// for one per cent of the parameter.
+    /// Returns the name of the first number, the parameter to which this number is most sensitive, and the change of
+    /// the number in per cent for one per cent of the parameter.
     #[must_use]
     pub fn strongest(&self) -> Option<(&'static str, Parameter, f64)> {
         let (name, sensed) = self.sensed.first()?;
@@ -117,7 +118,7 @@ pub struct FeaturesAsked<'a> {
     pub range: [f64; 2],
     /// Friction ratios β.
     pub frictions: &'a [f64],
-    /// True if the result must contain the exact peaks. For a long chain they take long.
+    /// True if the result must contain the exact peaks. They take much time for a long chain.
     pub peaks: bool,
 }
 
@@ -287,7 +288,7 @@ fn sticks(share: f64) -> String {
 
 impl AtOneFriction<'_, '_> {
     /// Returns the fraction of the period in which an elastic contact sticks. Returns `None` for a rigid contact, and
-    /// for other regimes than stick-slip.
+    /// for every regime except stick-slip.
     fn sticking(&self, regime: Regime, r: f64) -> Option<f64> {
         let system = self.features.system();
         if system.scene().stiffness.is_none() || regime != Regime::StickSlip {

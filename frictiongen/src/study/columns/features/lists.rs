@@ -196,7 +196,7 @@ fn peaks<'a>(setting: &Setting<'a>) -> Vec<Column<'a, FeatureAt<Named<ResonantPe
     sheet.columns.done()
 }
 
-/// A frequency at which a motion has the same amplitude with two frictions, and the other friction.
+/// A frequency at which a motion has the same amplitude for two frictions, with the second friction.
 type CrossingRow = FeatureAt<Named<(f64, Crossing)>>;
 
 fn crossings<'a>(setting: &Setting<'a>) -> Vec<Column<'a, CrossingRow>> {

@@ -31,7 +31,8 @@ impl<'a, R: Row + 'a> Sheet<'a, R> {
         self.columns.converted(Head::of(name, Dimension::Force), of);
     }
 
-    /// Adds a column of lengths, in m under a load and otherwise over P/k₁ or Y.
+    /// Adds a column of lengths, in m under a load. Without a load the lengths are divided by P/k₁, or by Y for base
+    /// motion.
     pub(super) fn length(&mut self, name: &'static str, of: impl Fn(&R) -> Option<f64> + 'a) {
         self.columns
             .converted(Head::of(name, Dimension::Length), of);
@@ -46,7 +47,7 @@ impl<'a, R: Row + 'a> Sheet<'a, R> {
         self.columns.number("beta", move |row| Some(beta(row)));
     }
 
-    /// Adds a column of the other friction in a comparison with the requested friction.
+    /// Adds a column of the second friction, with which the feature compares the requested friction.
     pub(super) fn other_friction(&mut self, beta: impl Fn(&R) -> f64 + 'a) {
         let head = Head::of("other_beta", Dimension::Force).under_load("other_friction");
         self.columns.number(head, move |row| Some(beta(row)));

@@ -33,8 +33,8 @@ impl<'a> FeatureTable<'a> {
     /// Returns the symbol of a parameter.
     #[must_use]
     pub fn symbol(&self, parameter: Parameter) -> String {
-        // Names and units of parameters do not depend on the numbers of the operating point. Any numbers therefore
-        // serve.
+        // Names and units of parameters do not depend on the numbers of the operating point, so the code uses arbitrary
+        // numbers.
         let point = match self.setting.measure.load() {
             Some(load) => OperatingPoint::Physical {
                 hertz: 1.0,
@@ -97,7 +97,7 @@ impl<'a> FeatureTable<'a> {
         columns.done()
     }
 
-    /// Adds the columns of a frequency, in Hz and as ratio r. Each has a name and a heading.
+    /// Adds two columns for a frequency: in Hz, and as ratio r. Each has a name and a heading.
     fn place(
         &self,
         columns: &mut Columns<'a, FeatureLine>,

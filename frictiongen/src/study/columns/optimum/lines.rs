@@ -25,8 +25,8 @@ pub struct OptimumLine {
     pub unit: &'static str,
     /// Unit of the parameter, if the value is the relative change of the amplitude per unit of this parameter.
     pub per: Option<&'static str>,
-    /// If the value is a tolerance of the friction: excess of the amplitude over the best amplitude at the bounds of
-    /// the tolerance, as a fraction.
+    /// For a tolerance of the friction: the excess of the amplitude at the bounds of the tolerance, relative to the
+    /// best amplitude.
     pub excess: Option<f64>,
 }
 
@@ -94,7 +94,7 @@ impl<'a> OptimumTable<'a> {
         self.lines_with(optimum, tuned, Further::None)
     }
 
-    /// Returns the answer as lines, with further lines for the quantities in `further`. Each of them has its part, its
+    /// Returns the answer as lines, with further lines for the quantities in `further`. Each quantity has its part, its
     /// bound or the value that divides it, and its largest value with the best friction.
     #[must_use]
     pub fn lines_with(

@@ -28,7 +28,8 @@ fn a_block_on_a_floor() {
         }
     }
     let kinds: Vec<Event> = events.iter().map(|event| event.event).collect();
-    // At the stop the load is −P cos θ, beyond the grip: the block turns round without a stop.
+    // When the velocity becomes 0, the load −P cos θ exceeds the static friction force. The block reverses without a
+    // stop.
     assert_eq!(kinds, [Event::Reversal], "{events:?}");
     assert!(
         (events[0].tau - low).abs() < 1e-12,
@@ -72,7 +73,7 @@ fn a_free_pair_vibrates_about_its_mean_place() {
             .energy()
             > 0.0
     );
-    // Both masses move as one body while the clutch sticks: P/(5 ω²), with P = k₁.
+    // While the clutch sticks, both masses move as one body with the amplitude P/(5 ω²), where P = k₁.
     let body = 500.0 / (5.0 * at.omega() * at.omega());
     let got = stuck.mass("right").expect("a mass").norm();
     assert!(apart(got, body) < 1e-12, "{got} {body}");

@@ -59,7 +59,7 @@ fn steady_states_are_those_of_a_single_contact() {
             let rate = expected.multipliers().iter().map(|m| m.norm());
             let rate = rate.fold(0.0, f64::max);
             let got = orbit.multipliers().first().map_or(0.0, |m| m.norm());
-            // The multipliers here come from differences with a step of 1e-6.
+            // The multipliers of the solver for several contacts come from differences with a step of 1e-6.
             assert!(
                 (got - rate).abs() < 1e-5,
                 "r {r}, beta {beta}: {got} {rate}"
@@ -152,7 +152,8 @@ fn regimes_are_told_with_the_contacts_that_stick() {
     let at = system.joined().expect("answers").at(0.6).expect("r");
     let stuck = at.stuck().expect("a state");
     let above = at.orbit(1.5 * stuck.limit()).expect("an orbit");
-    // The motion from rest overshoots, so that a contact may have slipped before, and keeps its place.
+    // The motion from rest overshoots. A contact may therefore have slipped before it sticks, and then keeps its
+    // position.
     assert_eq!(above.regime(), Regime::Stuck);
     assert_eq!(above.marginal_contacts(), ["brace", "pads"]);
     assert!(above.is_marginal());

@@ -29,21 +29,21 @@ fn friction_forces_change_from_step_to_step() {
         let floor = stepper.contact_named("floor").expect("a contact");
         (stepper.mass("block").expect("a mass"), floor, events)
     };
-    // μF = 6 N holds 5 N.
+    // The static friction force μF = 6 N withstands the force of 5 N.
     let ((x, v), floor, _) = take(5.0, 100);
     assert_eq!((x, v), (0.0, 0.0));
     assert!(
         floor.is_sticking && (floor.force - 5.0).abs() < 1e-14,
         "{floor:?}"
     );
-    // With F = 3 N the block goes, by (5 − 3)/2 m/s².
+    // With F = 3 N the block accelerates by (5 − 3)/2 m/s².
     let ((x, v), floor, _) = take(3.0, 100);
     assert!(
         (x - 0.5).abs() < 1e-12 && (v - 1.0).abs() < 1e-12,
         "{x} {v}"
     );
     assert!(!floor.is_sticking && floor.force == 3.0);
-    // Without contact, by 5/2 m/s².
+    // Without friction the block accelerates by 5/2 m/s².
     let ((x, v), floor, _) = take(0.0, 100);
     assert!(
         (x - (0.5 + 1.0 + 1.25)).abs() < 1e-11 && (v - 3.5).abs() < 1e-11,

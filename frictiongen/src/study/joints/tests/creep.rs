@@ -28,7 +28,7 @@ fn contacts_that_stick_do_not_creep() {
     creep_under_constant_loads(300);
 }
 
-/// Long form of the test above, with 20,000 cycles.
+/// Repeats `contacts_that_stick_do_not_creep` with 20,000 cycles.
 #[test]
 #[ignore = "half a minute"]
 fn contacts_that_stick_do_not_creep_long() {
@@ -50,7 +50,7 @@ fn creep_under_constant_loads(cycles: usize) {
                     ..rigid((Mass(3), Mass(2)), 0.4, 1.0)
                 },
             ],
-            // 28 + 2 of the sliding contact is the most that the first contact sees.
+            // The first contact carries at most 28 from the load and 2 from the sliding contact.
             loads: vec![
                 (0, Wave::constant(28.0)),
                 (1, Wave::harmonic(12.0, 31.0)),

@@ -101,7 +101,7 @@ fn balance(chain: &Chain, omega: f64, cycles: f64) -> Result<(f64, usize), Joint
                     &series.speed_terms(contact.plus, contact.minus),
                     at,
                 );
-                // A slider dissipates; so does no contact that sticks.
+                // Only a sliding contact dissipates energy.
                 if state.phases[j] != 0 {
                     let power = series.force(j, at) * speed;
                     assert!(power > -1e-9, "{power}");
@@ -129,7 +129,8 @@ fn random_scenes(count: usize) -> usize {
     for index in 0..count {
         let (mut chain, omega) = random_chain(&mut random);
         for contact in &mut chain.contacts {
-            // An elastic contact with μ > 1 loses the energy of its drop at once, which `balance` does not count.
+            // At break-away, the force of an elastic contact with μ > 1 drops suddenly, and its spring loses energy.
+            // `balance` does not count this loss.
             if contact.stiffness.is_some() {
                 contact.stiction = 1.0;
             }
@@ -151,7 +152,7 @@ fn random_scenes_keep_their_energy() {
     assert!(random_scenes(40) > 1000);
 }
 
-/// Long form of the test above, with more random scenes.
+/// Repeats `random_scenes_keep_their_energy` with more random scenes.
 #[test]
 #[ignore = "minutes"]
 fn random_scenes_keep_their_energy_long() {

@@ -149,7 +149,7 @@ fn single_precision_follows_double_precision() {
         worst / size
     );
     assert_eq!(count.0, events);
-    // 100 units in the last place.
+    // The tolerance is 100 units in the last place.
     assert!(
         worst < 100.0 * f64::from(f32::EPSILON) * size,
         "{worst} {size}"

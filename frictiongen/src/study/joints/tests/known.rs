@@ -16,7 +16,7 @@ fn coupled_clutches() {
         stiction: 1.1,
         stiffness: None,
     };
-    // 10 sin 10πt.
+    // The torque is 10 sin 10πt.
     let torque = Wave {
         amplitude: 10.0,
         omega: 10.0 * PI,
@@ -59,17 +59,17 @@ fn coupled_clutches() {
     ];
     println!("{changes:?} {:?}", motion.state().v);
     assert_eq!(changes.len(), expected.len(), "{changes:?}");
-    // The digits given end at 5e-14.
+    // The published digits end at 5e-14.
     for (got, expected) in changes.iter().zip(expected) {
         assert_eq!((got.0, got.1), (expected.0, expected.1));
         assert!((got.2 - expected.2).abs() < 1e-12, "{got:?} {expected:?}");
     }
     let v = &motion.state().v;
     assert!((v[0] - 3.247_058_272_419).abs() < 1e-12, "{v:?}");
-    // Ten digits are known of the others, the rest follows from the momentum below.
+    // Ten digits of the other velocities are known. The angular momentum determines the further digits.
     assert!((2.463_187_166..2.463_187_167).contains(&v[1]), "{v:?}");
     assert!(v[1] == v[2] && v[2] == v[3], "{v:?}");
-    // Angular momentum: the torque's integral and that of the start.
+    // The angular momentum is the integral of the torque plus the momentum at the start.
     let momentum: f64 = v.iter().sum();
     let torque = 10.0 + (1.0 - (15.0 * PI).cos()) / PI;
     assert!((momentum - torque).abs() < 1e-12, "{momentum} {torque}");
@@ -93,10 +93,10 @@ fn oscillator_that_comes_to_rest() {
     assert_eq!(motion.state().v, [0.0]);
 }
 
-/// Checks the loop of force over displacement of an elastic contact that moves through ±5, and its area 4F(X − F/k).
+/// Checks the loop of force against displacement of an elastic contact that moves through ±5, and its area 4F(X − F/k).
 #[test]
 fn loop_of_an_elastic_contact() {
-    // The mass is so heavy that it stands still; the base moves as 5 sin t.
+    // The mass is so heavy that it stays at rest. The base moves as 5 sin t.
     let chain = Chain {
         masses: vec![1e18],
         contacts: vec![Joint {
@@ -168,7 +168,7 @@ fn symmetric_halves_share_their_events() {
         loads: vec![(1, Wave::harmonic(30.0, 17.0))],
         ..Chain::default()
     };
-    // The half: one half of the mass and of the load.
+    // One half of the chain has one half of the middle mass and of the load.
     let half = Chain {
         masses: vec![1.3, 1.0],
         springs: vec![(Wall, Mass(0), 900.0), (Mass(0), Mass(1), 1500.0)],

@@ -15,7 +15,7 @@ fn question(random: &mut Random, count: usize, kinetic: bool) -> (Chain, Vec<f64
         .map(|_| random.between(0.3, 3.0))
         .collect();
     let contacts = (0..count).map(|i| {
-        // To the wall or to any mass before: no loop.
+        // Each contact connects to the wall or to an earlier mass, so that the contacts form no loop.
         let other: Node = if i == 0 || random.unit() < 0.3 {
             Wall
         } else {
@@ -172,7 +172,8 @@ fn against_all(count: usize) {
         let (chain, forces) = question(&mut random, contacts, index % 3 == 0);
         let model = chain.model().expect("a chain");
         let all = all(contacts);
-        // Half the questions: what exceeds its grip if all stick has broken away.
+        // In half of the cases, every contact has broken away whose force would exceed the static friction force if all
+        // contacts stuck.
         let (_, holds) = dense(&chain, &model, &forces, &vec![0; contacts]);
         let exceeds = |&j: &usize| {
             let contact = &chain.contacts[j];
@@ -212,7 +213,7 @@ fn decisions_are_those_of_all_patterns() {
     against_all(600);
 }
 
-/// Long form of the test above.
+/// Repeats `decisions_are_those_of_all_patterns` with more decisions.
 #[test]
 #[ignore = "a minute"]
 fn decisions_are_those_of_all_patterns_long() {

@@ -47,7 +47,7 @@ fn storeys() -> Chain {
         loads: (0..5).map(|i| (i, Wave::default())).collect(),
         ..Chain::default()
     };
-    // One pad beside the dampers, which sticks most of the time.
+    // A friction pad in addition to the dampers. It sticks most of the time.
     chain.contacts.push(rigid((Mass(4), Wall), 6.0, 1.3));
     chain.damp_modes(&[0.02; 5]).expect("ratios");
     chain
@@ -108,7 +108,7 @@ fn a_load_that_jumps() {
     motion.set_load(0, Wave::default()).expect("a load");
     events.extend(motion.run(4.0, &mut |_, _, _| {}).expect("a motion"));
     let times: Vec<f64> = events.iter().map(|event| event.time).collect();
-    // One second with (5 − 3)/2, then −3/2: at rest after 2/3 s.
+    // The block accelerates by (5 − 3)/2 m/s² for one second, and then by −3/2 m/s². It is at rest after another 2/3 s.
     assert_eq!(times.len(), 2, "{events:?}");
     assert!((times[0] - 1.0).abs() < 1e-15 && (times[1] - (2.0 + 2.0 / 3.0)).abs() < 1e-14);
     assert!((motion.state().x[0] - (0.5 + 1.0 / 3.0)).abs() < 1e-14);

@@ -49,12 +49,12 @@ fn settle(count: usize) -> (usize, usize) {
             back < 1e-10 * size,
             "scene {index}: {back:.1e} of {size:.1e}"
         );
-        // No shorter period.
+        // The motion has no shorter period.
         for state in period.iter().take(steady.period - 1) {
             assert!(away(state, &steady.state) > 1e-6 * size, "scene {index}");
         }
         several += usize::from(steady.period > 1);
-        // The motion from rest comes to it, to one of its cycles, where it does so in 150 cycles.
+        // If the motion from rest settles within 150 cycles, it reaches one of the cycles of this steady state.
         let rate = steady.multipliers.first().map_or(0.0, |m| m.norm());
         if rate.powf(150.0 / steady.period as f64) < 1e-9 && steady.neutral == 0 {
             let rest = Motion::from_rest(&chain).expect("a chain").state().clone();
@@ -82,7 +82,7 @@ fn random_scenes_settle() {
     assert_eq!(open, 0);
 }
 
-/// Long form of the test above. It includes periods of several cycles.
+/// Repeats `random_scenes_settle` with more scenes. Some of them have periods of several cycles.
 #[test]
 #[ignore = "half a minute"]
 fn random_scenes_settle_long() {

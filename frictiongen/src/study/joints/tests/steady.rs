@@ -38,7 +38,7 @@ fn steady_states_are_those_of_the_reference() {
             steady.residual,
             steady.multipliers[0].norm()
         );
-        // The reference holds 1e-9 where it settles within 200 cycles.
+        // The reference is accurate to 1e-9 if its motion settles within 200 cycles.
         if cycles < 200.0 {
             assert!(differs < 1e-9, "scene {index}: {differs:.1e}");
             worst = worst.max(differs);
@@ -111,7 +111,7 @@ fn changes_decay_with_the_multipliers() {
             .map(|(a, b)| (a - b).powi(2));
         changes.push(size.sum::<f64>().sqrt());
     }
-    // The largest multiplier is one of a pair: the mean over many cycles.
+    // The largest multiplier is one of a complex pair, so the rate of decay is a mean over many cycles.
     let rate = (changes[59] / changes[29]).powf(1.0 / 30.0);
     let expected = steady.multipliers[0].norm();
     assert!(
@@ -162,7 +162,7 @@ fn the_stuck_chain_is_the_steady_state_with_large_levels() {
         }
         let largest = stuck.amplitudes.iter().fold(1e-12_f64, |m, x| m.max(*x));
         for (i, amplitude) in stuck.amplitudes.iter().enumerate() {
-            // Sampling misses a maximum by (π/720)²/2 at the most, which is 1e-5.
+            // Sampling misses a maximum by at most (π/720)²/2, which is 1e-5.
             let miss = (0.5 * (highest[i] - lowest[i]) - amplitude).abs() / largest;
             assert!(miss < 2e-5, "{miss:.1e} {chain:?}");
             worst = worst.max(miss);
@@ -209,7 +209,8 @@ fn the_limit_names_the_contact_that_goes_first() {
     let (limit, first) = stuck.limit.expect("a limit");
     for (share, slides) in [(1.001, false), (0.999, true)] {
         let mut motion = Motion::from_rest(&make(limit * share)).expect("a chain");
-        // The motion from rest overshoots: first with levels far above, then from the settled state.
+        // The motion from rest overshoots. The test therefore first settles it with much larger friction forces, and
+        // continues from the settled state.
         let mut far = Motion::from_rest(&make(1e6)).expect("a chain");
         far.run(80.0 * TAU / 19.0, &mut |_, _, _| {})
             .expect("a motion");
@@ -232,7 +233,7 @@ fn energies_of_contacts_are_what_the_load_puts_in() {
     let mut seen = 0;
     for _ in 0..8 {
         let (mut chain, omega) = random_chain(&mut random);
-        // Contacts alone dissipate.
+        // Only the contacts dissipate energy.
         chain.damping.clear();
         chain.dashpots.clear();
         chain.base = Wave::default();

@@ -12,19 +12,19 @@ pub use number::{Tunable, UnknownTunable};
 use tried::TunedSearch;
 
 impl System {
-    /// Returns the best friction together with the best value of one number of the description. With both, the largest
-    /// amplitude of a motion over a band of frequencies is smallest. The number is a stiffness, a mass, a damping
-    /// ratio, a damping factor or μ. Band, load and friction force keep their values in Hz, N and m, even if m₁ or k₁
-    /// varies.
+    /// Returns the best friction together with the best value of one number of the description. With this friction and
+    /// this value, the largest amplitude of a motion over a band of frequencies is smallest. The number is a stiffness,
+    /// a mass, a damping ratio, a damping factor or μ. Band, load and friction force keep their values in Hz, N and m,
+    /// even if m₁ or k₁ varies.
     ///
     /// The search evaluates 17 values of the number, including both bounds of its interval. For each value it finds the
-    /// best friction over all friction, as [`optimum`](Self::optimum) does. It also computes the derivative of the
+    /// best of all friction ratios, as [`optimum`](Self::optimum) does. It also computes the derivative of the
     /// amplitude with respect to the number, while friction stays optimal. The values are in geometric steps, or in
     /// quadratic steps if the interval starts at 0 or below.
     ///
     /// If the amplitude first falls and then rises between two neighbouring values, the search finds the minimum
     /// between them. The minimum is a zero of the derivative, or a crossing of two branches. The search first looks for
-    /// the best friction near the best friction of the neighbours, and at the end over all friction.
+    /// the best friction near the best friction of the neighbours, and at the end among all friction ratios.
     ///
     /// The result is the smallest amplitude of all evaluated values. The search misses a minimum between two neighbours
     /// if the amplitude rises at the first or falls at the second. If the minimum is sharp, value and friction have 9

@@ -200,7 +200,8 @@ impl TunedSearch<'_> {
             } else {
                 above = here;
             }
-            // After two steps on the same side, the next step passes the minimum by the error of this step.
+            // After two steps on the same side, the next step is extended beyond the meeting point by the distance from
+            // the last value to that point.
             beyond = match meeting(&below, &above) {
                 Some((next, _)) if last == Some(side) => next - value,
                 _ => 0.0,

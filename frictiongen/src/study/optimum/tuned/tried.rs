@@ -14,8 +14,8 @@ use crate::study::units::{Load, angular_frequency};
 use frictiongen_model::scene::Excitation;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// A peak counts as stationary over a variable if its relative slope is at most this value. A steeper peak has no
-/// derivative.
+/// A peak counts as stationary with respect to a variable if its relative slope is at most this value. A steeper peak
+/// has no derivative.
 const STATIONARY: f64 = 1e-4;
 /// Step of a finite difference, relative to the number's value.
 const DIFFERENCE: f64 = 1e-5;
