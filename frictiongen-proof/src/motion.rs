@@ -373,7 +373,8 @@ impl<S: Float> MotionProof<'_, S> {
     }
 }
 
-/// Returns the angle of a complex series, from its value. Its slope is (re·im′ − im·re′)/(re² + im²).
+/// Returns the series of the angle of a complex series. `value` is the first term of the angle. The slope of the angle
+/// is (re·im′ − im·re′)/(re² + im²).
 fn turning([re, im]: [IntervalSeries<SHORT>; 2], value: Interval) -> IntervalSeries<SHORT> {
     let slope = |series: &IntervalSeries<SHORT>| {
         let mut slope = IntervalSeries::fixed(Interval::ZERO);

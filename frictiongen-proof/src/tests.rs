@@ -257,8 +257,8 @@ fn witnesses_that_are_none() {
     );
 }
 
-/// Checks that the series near the start of the half period agrees with the sum itself. The test has modes of every
-/// kind of damping, and includes slopes in r.
+/// Checks that the Taylor series in τ near the start of the half period agrees with F/sin τ from the sum over the
+/// modes. The test has modes of every kind of damping, and includes slopes in r.
 #[test]
 fn early_as_anywhere() {
     let mut state = 5;

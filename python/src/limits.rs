@@ -1,4 +1,4 @@
-//! Computes both limits over frequency: the limit of continuous motion β_lim and the limit of sliding β*_lim.
+//! Computes the limit of continuous motion β_lim and the limit of sliding β*_lim over frequency.
 
 use crate::asked::{Frequencies, FrequencyArguments, LoadArguments, check_size, measure, setting};
 use crate::columns::Columns;

@@ -171,7 +171,8 @@ impl Motions {
         std::iter::once(contact).chain(masses).collect()
     }
 
-    /// Returns the fields in Rust, each with an expression of its motion.
+    /// Returns the fields of the struct in Rust code. The value of each field is a motion of the contact or of a mass,
+    /// passed to the macro `function`.
     fn written(&self, scene: &Scene, function: &str) -> String {
         let contact = format!("contact: {function}!(motion.contact()), ");
         let masses = self.masses.iter().map(|index| {

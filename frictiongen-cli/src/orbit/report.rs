@@ -45,7 +45,7 @@ impl Table for OrbitReport {
                         .states(&at, frequency, friction)
                         .map_err(Failure::new)?;
                 }
-                // Without a steady state, the line contains the reason.
+                // If no steady state exists, the line contains the reason.
                 if rows.is_empty() {
                     let row = table.row(&at, frequency, friction);
                     rows.push(row.map_err(Failure::new)?);

@@ -46,7 +46,7 @@ fn collect(tokens: &TokenStream, numbers: &mut Vec<String>) {
         match &token {
             TokenTree::Literal(literal) => {
                 let (sign, text) = (if negative { "-" } else { "" }, literal.to_string());
-                // The texts of doc comments are literals too.
+                // The texts of doc comments are literals too, but they do not begin with a digit.
                 if text.starts_with(|first: char| first.is_ascii_digit()) {
                     numbers.push(format!("{sign}{text}"));
                 }

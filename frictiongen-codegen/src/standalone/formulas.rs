@@ -39,7 +39,7 @@ impl Formulas {
         let mut constants = Constants::new(numbers);
         let of = tables.sliding.as_ref()?;
         let sliding = if of.numerator.is_empty() && of.denominator.is_empty() {
-            // A constant limit has no sign.
+            // If β*_lim is constant, it is the modulus of the gain.
             let limit = [of.gain.to_f64().abs()];
             constants.add("SLIDING_LIMIT", Form::Number, &limit, "beta*_lim")
         } else {

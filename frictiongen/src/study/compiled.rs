@@ -1,4 +1,4 @@
-//! A run-time system with tables. They correspond to the tables that the macro emits for the field `accuracy` of a
+//! A run-time system with tables. The tables correspond to those that the macro emits for the field `accuracy` of a
 //! description.
 
 pub use super::compiled_stuck::CompiledStuck;

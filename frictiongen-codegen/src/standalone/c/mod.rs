@@ -187,7 +187,7 @@ fn limits<S: Float>(source: &Source<'_, S>, formulas: &Formulas, name: &str) -> 
     let [r_outside, _] = outside(name);
     let column = columns(source.tables);
     let column = column.first().map_or("beta_lim", |(name, _)| *name);
-    // A constant limit does not name r.
+    // If β*_lim is constant, its expression does not contain r.
     let ignored = if sliding.contains("(r") {
         ""
     } else {

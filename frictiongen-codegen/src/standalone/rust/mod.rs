@@ -120,7 +120,7 @@ const DIGITS: &str = "#[allow(clippy::approx_constant, clippy::unreadable_litera
 fn limits(formulas: &Formulas, words: &Words) -> String {
     let Numbers { real, .. } = formulas.numbers;
     let Formulas { sliding, .. } = formulas;
-    // A constant limit does not name r.
+    // If β*_lim is constant, its expression does not contain r.
     let r = if sliding.contains("(r") { "r" } else { "_" };
     format!(
         "/// Both limits (`β_lim`, `β*_lim`) of β = {beta} at the frequency ratio r = ω√(m₁/k₁).  Below the first a motion exists in\n\

@@ -132,7 +132,8 @@ impl<'a> Sweep<'a> {
         Some(self.compared(&self.values(&self.at(parameters)?, 1.0)?, form))
     }
 
-    /// Returns the residuals of the points, measured minus computed amplitudes, in the given form.
+    /// Returns the residuals of the points: measured minus computed amplitudes, or the differences of their logarithms,
+    /// as `form` selects.
     pub(super) fn compared(&self, values: &[Complex<f64>], form: AmplitudeScale) -> DVector<f64> {
         let residuals = self
             .points

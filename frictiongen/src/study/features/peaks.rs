@@ -48,8 +48,8 @@ pub struct ResonantPeak {
 pub struct Crossing {
     /// Frequency ratio r of the crossing.
     pub r: f64,
-    /// Frequency of the crossing, in Hz under a load. Its derivative with respect to friction keeps the ratio of the
-    /// two frictions constant.
+    /// Frequency of the crossing, in Hz under a load. Its derivative with respect to friction is taken at a constant
+    /// ratio of the two frictions.
     pub frequency: Sensed,
     /// The amplitude for either friction at the crossing, in m under a load.
     pub amplitude: f64,

@@ -50,7 +50,8 @@ impl SystemResponse<'_> {
     pub fn history(&self, of: &[Of], samples: u32) -> Result<History, HistoryError> {
         let (system, r) = match self {
             Self::Continuous(motion) => (*motion.at().scene(), motion.at().frequency_ratio()),
-            // An orbit exists only if r is neither 0 nor infinite. Any valid r therefore passes the check.
+            // The check needs a valid r. For an orbit the code passes r = 1, because an orbit exists only if r is
+            // neither 0 nor infinite.
             Self::StickSlip(orbit) => (orbit.system, 1.0),
             Self::Stuck(stuck) => (*stuck.at().scene(), stuck.at().frequency_ratio()),
         };

@@ -75,7 +75,7 @@ impl Joined<'_> {
                 best = (amplitude, place);
             }
         }
-        // The tried frictions descend.
+        // The frictions in `tried` are in descending order.
         let high = tried.get(best.1.saturating_sub(1)).copied();
         let low = tried.get(best.1 + 1).copied();
         let ends = (low.unwrap_or(LEAST * most), high.unwrap_or(most));
@@ -120,7 +120,7 @@ impl Search<'_, '_> {
         for r in &self.grid {
             match self.joined.at_any(*r)?.stuck() {
                 Ok(stuck) => most = most.max(stuck.limit()),
-                // On an undamped resonance no friction is enough.
+                // On an undamped resonance of the stuck chain, no friction keeps all contacts stuck.
                 Err(JoinedError::Resonance) => {}
                 Err(error) => return Err(error),
             }

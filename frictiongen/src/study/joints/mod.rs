@@ -1,10 +1,11 @@
 //! Chains with several contacts, rigid and elastic, dashpots, and masses that no spring holds, at run time.
 //!
 //! All quantities are in the units of the description. A contact of the nodes `later - earlier` has the relative
-//! displacement z, which is that of the later mass minus that of the earlier one, or that of the mass minus that of
-//! the base or the wall. Its force f acts against z on the later mass. [`frictiongen_kernel::joints`] has the motion
-//! from event to event, the closed form of the stuck state and the steady states, which emitted code shares. This module
-//! has the check of a chain and its damping matrix.
+//! displacement z. Between two masses, z is the displacement of the later mass minus that of the earlier mass. On the
+//! base or the wall, z is the displacement of the mass minus that of the base or the wall. The force f of the contact
+//! acts against z on the later mass. [`frictiongen_kernel::joints`] has the motion from event to event, the closed form
+//! of the stuck state and the steady states, which emitted code shares. This module has the check of a chain and its
+//! damping matrix.
 
 mod damping;
 mod model;

@@ -14,8 +14,8 @@ pub(super) const PLACE: f64 = 2e-9;
 const FIRST: [f64; 2] = [1.5, 2.0];
 /// The same two numbers as in `FIRST`, for an evaluation at all frequencies of the band.
 const WHOLE: [f64; 2] = [1.1, 4.0];
-/// Factor on the expected amplitude, if all friction ratios with a known amplitude are farther away than the first
-/// factor of `FIRST` or `WHOLE`.
+/// Factor by which the expected amplitude is multiplied, if all friction ratios with a known amplitude are farther away
+/// than the first factor of `FIRST` or `WHOLE`.
 const UNKNOWN: f64 = 5.0;
 
 /// A local maximum of the amplitude over the band.

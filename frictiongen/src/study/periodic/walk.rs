@@ -27,7 +27,7 @@ pub(super) struct Place {
     at: usize,
 }
 
-/// Numbers of a state. Two states have the same list of numbers only if the contact state is the same.
+/// Numbers that describe a state. Two states can be compared number by number only if their contact state is the same.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Numbers {
     pub contact: Contact,

@@ -1,5 +1,5 @@
-//! Compares arrays of fixed length, as in emitted code, with vectors. Both run the same code, so that the bits must be
-//! equal. Also tests `f32`.
+//! Compares arrays of fixed length, as in emitted code, with vectors. Arrays and vectors run the same code, so that the
+//! bits of the results must be equal. Also tests `f32`.
 
 use super::super::{Chain, Model, Motion, Wave};
 use super::{Joint, rigid};

@@ -121,7 +121,8 @@ fn changes_decay_with_the_multipliers() {
     assert!(steady.is_stable());
 }
 
-/// Compares the steady state with very large friction forces with the closed form of the chain while no contact slides.
+/// Compares the steady state under very large friction forces with the closed form of the chain while no contact
+/// slides.
 #[test]
 fn the_stuck_chain_is_the_steady_state_with_large_levels() {
     let mut random = Random::new(77);
