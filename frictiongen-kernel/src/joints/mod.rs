@@ -29,6 +29,7 @@ mod orbit;
 mod roots;
 mod run;
 mod series;
+mod shooting;
 mod simulation;
 mod size;
 mod state;

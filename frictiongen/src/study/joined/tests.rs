@@ -6,6 +6,7 @@ mod reference;
 mod refused;
 mod single;
 mod stepper;
+mod undamped;
 
 use crate::System;
 
