@@ -41,6 +41,9 @@ mod tree;
 mod unknowns;
 mod wave;
 
+#[cfg(test)]
+mod tests;
+
 pub use crate::errors::Halt;
 pub use base::Curve;
 pub use cycle::{ContactCycle, Cycle, Watch};
