@@ -123,6 +123,23 @@ impl<S: Float, Z: Size> Motion<S, Z> {
     }
 }
 
+impl<S: Float, Z: Size> Motion<S, Z> {
+    /// Searches for a periodic motion near the present state by Newton's method alone, under loads of the angular
+    /// frequency ω. `place` is the size of the displacements, by which the search divides them. Returns `None` if
+    /// Newton's method does not converge.
+    ///
+    /// # Errors
+    ///
+    /// [`Halt`], if the motion exceeds a bound.
+    pub fn refine(
+        &self,
+        omega: S,
+        (period, place): (usize, S),
+    ) -> Result<Option<Steady<S, Z>>, Halt> {
+        Search::new(self, omega, place).newton(self, period)
+    }
+}
+
 /// Search for a periodic motion by the shooting method.
 pub(super) struct Search<S: Float, Z: Size> {
     /// Duration of a cycle of the load.

@@ -4,6 +4,7 @@ mod balance;
 mod free;
 mod reference;
 mod refused;
+mod sensitivity;
 mod single;
 mod stepper;
 mod undamped;
