@@ -4,7 +4,7 @@ use super::model::Model;
 use super::roots::{first_negative, value};
 use super::run::Observe;
 use super::series::{Poly, Series, TERMS};
-use super::size::{Size, add, at, set};
+use super::size::{Size, add, at};
 use super::state::{STUCK, State};
 use crate::errors::Regime;
 use crate::{Float, Scalar};
@@ -41,6 +41,20 @@ impl<S: Float> ContactCycle<S> {
             force: zero,
             energy: zero,
         }
+    }
+
+    /// Returns true if the contact has slid by more than rounding errors. A contact may reach its friction force once in
+    /// every cycle without sliding. Rounding errors then decide whether it slides by some 1e-16 of its displacement.
+    fn has_slid(&self) -> bool {
+        self.slip > least_slip(self.displacement)
+    }
+
+    /// Replaces the results of a slip within rounding errors by those of a contact that sticks.
+    fn forget_slip(&mut self) {
+        let zero = S::constant(0.0);
+        (self.stops, self.reversals) = (0, 0);
+        (self.slip, self.energy) = (zero, zero);
+        self.stuck_fraction = S::constant(1.0);
     }
 
     /// Returns the regime of the contact: continuous, stick-slip or stuck.
@@ -94,7 +108,6 @@ impl<S: Float, Z: Size> Cycle<S, Z> {
 pub struct Watch<S: Float, Z: Size> {
     ends: Z::Contacts<(usize, usize)>,
     cycle: Cycle<S, Z>,
-    slides: Z::Contacts<bool>,
     /// Smallest and largest displacement of each mass up to now.
     spans: Z::Masses<Option<(S, S)>>,
     /// Constant velocity of each mass. Its contribution is subtracted from the displacement of the mass.
@@ -108,20 +121,15 @@ impl<S: Float, Z: Size> Watch<S, Z> {
     pub fn new(model: &Model<S, Z>) -> Self {
         let zero = S::constant(0.0);
         let size = &model.size;
-        let mut ends = size.contacts((0, 0));
-        for (ends, contact) in ends.as_mut().iter_mut().zip(model.contacts()) {
-            *ends = (contact.plus, contact.minus);
-        }
         let nothing = ContactCycle::nothing();
         Self {
-            ends,
+            ends: ends(model),
             cycle: Cycle {
                 amplitudes: size.masses(zero),
                 centred: size.masses(zero),
                 contacts: size.contacts(nothing),
                 events: 0,
             },
-            slides: size.contacts(false),
             spans: size.masses(None),
             drifts: size.masses(zero),
             passed: zero,
@@ -137,8 +145,13 @@ impl<S: Float, Z: Size> Watch<S, Z> {
     }
 
     /// Returns for each contact true if it has slid in the period.
-    pub fn slides(&self) -> &Z::Contacts<bool> {
-        &self.slides
+    pub fn slides(&self, model: &Model<S, Z>) -> Z::Contacts<bool> {
+        let mut slides = model.size.contacts(false);
+        let contacts = self.cycle.contacts.as_ref().iter();
+        for (slides, contact) in slides.as_mut().iter_mut().zip(contacts) {
+            *slides = contact.has_slid();
+        }
+        slides
     }
 
     fn see_masses(&mut self, series: &Series<S, Z>, end: S) {
@@ -179,9 +192,6 @@ impl<S: Float, Z: Size> Watch<S, Z> {
         contact.slip = contact.slip + series.length * integral(&speed, end).abs();
         let work = integral(&product(&force, &speed), end);
         contact.energy = contact.energy + series.length * work;
-        if end > S::constant(0.0) {
-            set(self.slides.as_mut(), j, true);
-        }
     }
 
     /// Returns the results of a period of the given length.
@@ -189,6 +199,9 @@ impl<S: Float, Z: Size> Watch<S, Z> {
     pub fn cycle(mut self, length: S) -> Cycle<S, Z> {
         for contact in self.cycle.contacts.as_mut() {
             contact.stuck_fraction = contact.stuck_fraction / length;
+            if !contact.has_slid() && contact.slip > S::constant(0.0) {
+                contact.forget_slip();
+            }
         }
         let spans = self.spans.as_ref().iter();
         for (centred, span) in self.cycle.centred.as_mut().iter_mut().zip(spans) {
@@ -215,6 +228,52 @@ impl<S: Float, Z: Size> Observe<S, Z> for Watch<S, Z> {
             contact.reversals += usize::from(before * after == -1);
         }
     }
+}
+
+/// Returns the rounding error of a slip, for the largest relative displacement of the contact.
+fn least_slip<S: Float>(displacement: S) -> S {
+    S::constant(64.0 * S::EPSILON) * displacement
+}
+
+/// Observer that notes whether a contact slides.
+pub(super) struct Slid<S: Float, Z: Size> {
+    ends: Z::Contacts<(usize, usize)>,
+    /// True if a contact has slid by more than rounding errors.
+    pub(super) slides: bool,
+    scalar: core::marker::PhantomData<S>,
+}
+
+impl<S: Float, Z: Size> Slid<S, Z> {
+    /// Starts to observe the contacts of a chain.
+    pub(super) fn new(model: &Model<S, Z>) -> Self {
+        Self {
+            ends: ends(model),
+            slides: false,
+            scalar: core::marker::PhantomData,
+        }
+    }
+}
+
+impl<S: Float, Z: Size> Observe<S, Z> for Slid<S, Z> {
+    fn stretch(&mut self, series: &Series<S, Z>, end: S, state: &State<S, Z>) {
+        let phases = state.phases.as_ref().iter().zip(self.ends.as_ref());
+        for (_, &(plus, minus)) in phases.filter(|(phase, _)| phase.abs() == 1) {
+            let slip = series.length * integral(&series.speed_terms(plus, minus), end).abs();
+            let place = series.place((plus, minus), end).abs();
+            self.slides |= slip > least_slip(place);
+        }
+    }
+
+    fn event(&mut self, _: S, _: &Z::Contacts<i8>, _: &Z::Contacts<i8>) {}
+}
+
+/// Returns the two nodes of each contact.
+fn ends<S: Float, Z: Size>(model: &Model<S, Z>) -> Z::Contacts<(usize, usize)> {
+    let mut ends = model.size.contacts((0, 0));
+    for (ends, contact) in ends.as_mut().iter_mut().zip(model.contacts()) {
+        *ends = (contact.plus, contact.minus);
+    }
+    ends
 }
 
 /// Returns the largest absolute value of a polynomial between 0 and `end`. `slope` is its derivative, up to a constant

@@ -29,6 +29,7 @@ mod orbit;
 mod roots;
 mod run;
 mod series;
+mod shooting;
 mod simulation;
 mod size;
 mod state;
@@ -39,6 +40,9 @@ mod tolerances;
 mod tree;
 mod unknowns;
 mod wave;
+
+#[cfg(test)]
+mod tests;
 
 pub use crate::errors::Halt;
 pub use base::Curve;

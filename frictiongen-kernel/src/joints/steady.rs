@@ -5,18 +5,15 @@
 //! displacement. If a contact does not slide in the period, its position stays constant and is not an unknown. The
 //! steady state is then *marginal*: it depends on the position that the earlier motion has left.
 
-use super::cycle::{Cycle, Watch};
-use super::least::{apart, solve, sort_by};
-use super::neutral::neutral;
+use super::cycle::{Cycle, Slid, Watch};
+use super::least::apart;
 use super::run::{Bounds, Motion, Observe};
 use super::simulation::{MAX_EVENTS, MAX_STRETCHES};
-use super::size::{Size, add, at, set};
-use super::state::{FREE, State};
+use super::size::Size;
+use super::state::State;
 use super::tolerances::Tolerances;
-use super::unknowns::Unknowns;
 use crate::errors::Halt;
 use crate::number::complex::Complex;
-use crate::number::matrix::SquareMatrix;
 use crate::{Float, Scalar};
 
 /// Number of cycles from rest before the first attempt.
@@ -25,8 +22,9 @@ const WARM: usize = 30;
 const ATTEMPTS: usize = 6;
 /// Largest period of a steady state, in cycles of the load.
 pub const MAX_PERIOD: usize = 64;
-/// Largest number of Newton steps in an attempt.
-const NEWTON: usize = 12;
+/// Number of cycles without sliding after which all contacts count as stuck for ever. An undamped free vibration of a
+/// chain whose contacts stick never decays.
+const QUIET: usize = 128;
 /// The test of a periodic motion ends when the multipliers predict that the motion's distance from it has fallen to
 /// this fraction.
 const DECAY: f64 = 1e-3;
@@ -50,9 +48,9 @@ pub struct Steady<S: Float, Z: Size> {
     /// that the motion from rest has reached.
     pub neutral: usize,
     /// Floquet multipliers of a period, followed by unused entries.
-    multipliers: Z::Unknowns<Complex<S>>,
+    pub(super) multipliers: Z::Unknowns<Complex<S>>,
     /// Number of multipliers.
-    count: usize,
+    pub(super) count: usize,
     /// For each contact, true if it does not slide in the period. The steady state depends on the positions of these
     /// contacts, or on the constant forces in them.
     pub marginal: Z::Contacts<bool>,
@@ -76,14 +74,20 @@ impl<S: Float, Z: Size> Steady<S, Z> {
         let most = S::constant(1.0 - 1e-9);
         self.multipliers().iter().all(|m| modulus(m) < most)
     }
+
+    /// Returns true if no small deviation grows. `noise` is the error of a multiplier.
+    fn is_bounded(&self, noise: S) -> bool {
+        let most = S::constant(1.0) + noise;
+        self.multipliers().iter().all(|m| modulus(m) < most)
+    }
 }
 
-fn modulus<S: Float>(number: &Complex<S>) -> S {
+pub(super) fn modulus<S: Float>(number: &Complex<S>) -> S {
     number.re.hypot(number.im)
 }
 
 /// Returns the distance of a multiplier from 1.
-fn from_one<S: Float>(number: &Complex<S>) -> S {
+pub(super) fn from_one<S: Float>(number: &Complex<S>) -> S {
     (number.re - S::constant(1.0)).hypot(number.im)
 }
 
@@ -91,19 +95,15 @@ impl<S: Float, Z: Size> Motion<S, Z> {
     /// Searches for the steady state that the motion reaches, under loads of the angular frequency ω. Returns `None` if
     /// the motion does not settle on a period of at most [`MAX_PERIOD`] cycles.
     ///
-    /// The search follows at most 1890 cycles until the motion settles, 12 times 256 cycles to confirm a result, and 12
-    /// times 12 periods for each unknown.
+    /// The search follows at most 1890 cycles until the motion settles, 12 times 319 cycles to confirm a result, and 12
+    /// times 12 periods for each unknown. If no contact slides for 128 cycles, the result is the state in which all
+    /// contacts stick, even if a free vibration about this state does not decay.
     ///
     /// # Errors
     ///
     /// [`Halt`], if the motion exceeds a bound.
     pub fn settle(&mut self, omega: S) -> Result<Option<Steady<S, Z>>, Halt> {
-        let mut search = Search {
-            cycle: S::constant(core::f64::consts::TAU) / omega,
-            place: S::constant(1.0),
-            moving: self.model().size.contacts(false),
-            tolerances: Tolerances::new(),
-        };
+        let mut search = Search::new(self, omega, S::constant(1.0));
         let mut cycles = WARM;
         for _ in 0..ATTEMPTS {
             let period = search.warm(self, cycles)?;
@@ -112,8 +112,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
                 .flatten()
             {
                 if let Some(steady) = search.newton(self, period)?
-                    && steady.is_stable()
-                    && search.confirm(self, &steady)?
+                    && search.accepts(self, &steady)?
                 {
                     return search.about_its_mean(self, steady).map(Some);
                 }
@@ -124,23 +123,55 @@ impl<S: Float, Z: Size> Motion<S, Z> {
     }
 }
 
+impl<S: Float, Z: Size> Motion<S, Z> {
+    /// Searches for a periodic motion near the present state by Newton's method alone, under loads of the angular
+    /// frequency ω. `place` is the size of the displacements, by which the search divides them. Returns `None` if
+    /// Newton's method does not converge.
+    ///
+    /// # Errors
+    ///
+    /// [`Halt`], if the motion exceeds a bound.
+    pub fn refine(
+        &self,
+        omega: S,
+        (period, place): (usize, S),
+    ) -> Result<Option<Steady<S, Z>>, Halt> {
+        Search::new(self, omega, place).newton(self, period)
+    }
+}
+
 /// Search for a periodic motion by the shooting method.
-struct Search<S: Float, Z: Size> {
+pub(super) struct Search<S: Float, Z: Size> {
     /// Duration of a cycle of the load.
-    cycle: S,
+    pub(super) cycle: S,
     /// Size of the displacements in the motion, by which the search divides displacements.
-    place: S,
+    pub(super) place: S,
     /// For each contact, true if it slides in a period.
-    moving: Z::Contacts<bool>,
-    tolerances: Tolerances<S>,
+    pub(super) moving: Z::Contacts<bool>,
+    /// Number of cycles since a contact last slid.
+    quiet: usize,
+    pub(super) tolerances: Tolerances<S>,
 }
 
 impl<S: Float, Z: Size> Search<S, Z> {
+    fn new(motion: &Motion<S, Z>, omega: S, place: S) -> Self {
+        Self {
+            cycle: S::constant(core::f64::consts::TAU) / omega,
+            place,
+            moving: motion.model().size.contacts(false),
+            quiet: 0,
+            tolerances: Tolerances::new(),
+        }
+    }
+
     /// Advances the motion by a number of cycles. Returns the shortest period after which the last states repeat, if
     /// there is one.
     fn warm(&mut self, motion: &mut Motion<S, Z>, cycles: usize) -> Result<Option<usize>, Halt> {
         let window = MAX_PERIOD.min(cycles / 2);
-        self.advance(motion, cycles.saturating_sub(window), &mut ())?;
+        let skipped = cycles.saturating_sub(window);
+        let mut slid = Slid::new(motion.model());
+        self.advance(motion, skipped, &mut slid)?;
+        self.note(slid.slides, skipped);
         let first = motion.state().clone();
         let zero = S::constant(0.0);
         let mut aways = [zero; MAX_PERIOD];
@@ -149,6 +180,8 @@ impl<S: Float, Z: Size> Search<S, Z> {
         for away in aways.iter_mut().take(window) {
             watch = Watch::new(motion.model());
             self.advance(motion, 1, &mut watch)?;
+            let slides = watch.slides(motion.model());
+            self.note(slides.as_ref().contains(&true), 1);
             *away = self.between(motion.state(), &first);
             most = Scalar::max(most, *away);
         }
@@ -166,6 +199,36 @@ impl<S: Float, Z: Size> Search<S, Z> {
         Ok(aways.position(|away| *away <= near).map(|place| place + 1))
     }
 
+    /// Counts the cycles without sliding.
+    fn note(&mut self, slides: bool, cycles: usize) {
+        self.quiet = if slides { 0 } else { self.quiet + cycles };
+    }
+
+    /// Returns true if the motion settles on a periodic motion, or vibrates about it for ever while all contacts stick.
+    fn accepts(&self, motion: &mut Motion<S, Z>, steady: &Steady<S, Z>) -> Result<bool, Halt> {
+        if steady.period > 1 && self.repeats_earlier(motion, steady)? {
+            return Ok(false);
+        }
+        let slides = self.moving.as_ref().contains(&true);
+        if self.quiet >= QUIET && !slides && steady.is_bounded(self.tolerances.step) {
+            return Ok(true);
+        }
+        Ok(steady.is_stable() && self.confirm(motion, steady)?)
+    }
+
+    /// Returns true if a periodic motion already repeats after fewer cycles than its period.
+    fn repeats_earlier(&self, motion: &Motion<S, Z>, steady: &Steady<S, Z>) -> Result<bool, Halt> {
+        let mut motion = motion.clone();
+        motion.restart(steady.state.clone());
+        for _ in 1..steady.period {
+            self.advance(&mut motion, 1, &mut ())?;
+            if self.away(motion.state(), steady) <= self.tolerances.close {
+                return Ok(true);
+            }
+        }
+        Ok(false)
+    }
+
     /// Returns the distance between two states: the largest difference of displacements, or of velocities over ω.
     fn between(&self, one: &State<S, Z>, other: &State<S, Z>) -> S {
         let rate = S::constant(core::f64::consts::TAU) / self.cycle;
@@ -174,7 +237,7 @@ impl<S: Float, Z: Size> Search<S, Z> {
     }
 
     /// Advances the motion by a number of cycles, from a maximum of the load. The time of this maximum becomes 0.
-    fn advance(
+    pub(super) fn advance(
         &self,
         motion: &mut Motion<S, Z>,
         cycles: usize,
@@ -189,7 +252,7 @@ impl<S: Float, Z: Size> Search<S, Z> {
     }
 
     /// Returns the duration of a number of cycles.
-    fn length(&self, cycles: usize) -> S {
+    pub(super) fn length(&self, cycles: usize) -> S {
         S::constant(cycles as f64) * self.cycle
     }
 
@@ -235,7 +298,8 @@ impl<S: Float, Z: Size> Search<S, Z> {
         let before = self.away(motion.state(), steady);
         let mut watch = Watch::new(motion.model());
         self.advance(motion, periods * steady.period, &mut watch)?;
-        let mut slides = watch.slides().as_ref().iter().zip(steady.marginal.as_ref());
+        let slides = watch.slides(motion.model());
+        let mut slides = slides.as_ref().iter().zip(steady.marginal.as_ref());
         if slides.any(|(slides, marginal)| *slides && *marginal) {
             return Ok(false);
         }
@@ -254,146 +318,5 @@ impl<S: Float, Z: Size> Search<S, Z> {
             self.between(state, &steady.state)
         };
         away / self.place
-    }
-
-    /// Returns the conversion between states and unknowns.
-    fn unknowns(&self) -> Unknowns<'_, S, Z> {
-        let rate = S::constant(core::f64::consts::TAU) / self.cycle;
-        Unknowns {
-            place: self.place,
-            speed: self.place * rate,
-            moving: &self.moving,
-        }
-    }
-
-    /// Searches for a periodic motion near a state by Newton's method.
-    fn newton(
-        &mut self,
-        motion: &Motion<S, Z>,
-        period: usize,
-    ) -> Result<Option<Steady<S, Z>>, Halt> {
-        let size = motion.model().size.clone();
-        let (zero, half) = (S::constant(0.0), S::constant(0.5));
-        let (same, rank) = (self.tolerances.same, self.tolerances.rank);
-        let mut start = motion.clone();
-        let mut before = S::constant(f64::INFINITY);
-        for _ in 0..NEWTON {
-            let mut watch = Watch::new(motion.model());
-            let mut end = start.clone();
-            self.advance(&mut end, period, &mut watch)?;
-            self.moving = watch.slides().clone();
-            if end.state().phases != start.state().phases {
-                start = end;
-                continue;
-            }
-            let from = self.unknowns().read(&start);
-            let to = self.unknowns().read(&end);
-            let residual = apart(to.as_ref(), from.as_ref());
-            let Ok(mut matrix) = self.derivatives(&start, &to, period) else {
-                return Ok(None);
-            };
-            let stops = residual >= half * before && residual <= S::constant(50.0) * same;
-            if residual <= same || stops {
-                let found = self.found(&start, &mut matrix, (period, residual), watch);
-                return Ok(Some(found));
-            }
-            before = residual;
-            subtract_from_one(matrix.as_mut(), from.as_ref().len());
-            let mut difference = to;
-            for (to, from) in difference.as_mut().iter_mut().zip(from.as_ref()) {
-                *to = *to - *from;
-            }
-            let (mut turns, mut moved) = (size.square(zero), size.unknowns(zero));
-            let known = difference.as_ref();
-            solve(matrix.as_mut(), turns.as_mut(), known, rank, moved.as_mut());
-            for (to, from) in moved.as_mut().iter_mut().zip(from.as_ref()) {
-                *to = *from + *to;
-            }
-            if moved.as_ref().iter().any(|value| !value.is_finite()) {
-                return Ok(None);
-            }
-            start = self.unknowns().write(&start, &moved);
-        }
-        Ok(None)
-    }
-
-    /// Returns the derivatives of the unknowns after a period with respect to the unknowns before it, column by column.
-    fn derivatives(
-        &self,
-        start: &Motion<S, Z>,
-        to: &Z::Unknowns<S>,
-        period: usize,
-    ) -> Result<Z::Square<S>, Halt> {
-        let unknowns = self.unknowns();
-        let step = self.tolerances.step;
-        let from = unknowns.read(start);
-        let mut matrix = start.model().size.square(S::constant(0.0));
-        let size = from.as_ref().len().max(1);
-        for (index, column) in matrix.as_mut().chunks_exact_mut(size).enumerate() {
-            let mut moved = from.clone();
-            add(moved.as_mut(), index, step);
-            let mut end = unknowns.write(start, &moved);
-            self.advance(&mut end, period, &mut ())?;
-            let end = unknowns.read(&end);
-            for (row, entry) in column.iter_mut().enumerate() {
-                *entry = (at(end.as_ref(), row) - at(to.as_ref(), row)) / step;
-            }
-        }
-        Ok(matrix)
-    }
-
-    /// Returns the steady state that belongs to a periodic motion. Overwrites the matrix.
-    fn found(
-        &self,
-        start: &Motion<S, Z>,
-        matrix: &mut Z::Square<S>,
-        (period, residual): (usize, S),
-        watch: Watch<S, Z>,
-    ) -> Steady<S, Z> {
-        let model = start.model();
-        let zero = S::constant(0.0);
-        let mut multipliers = model.size.unknowns(Complex::new(zero, zero));
-        let count = multipliers.as_ref().len();
-        SquareMatrix::new(matrix.as_mut(), count).eigenvalues(multipliers.as_mut());
-        let moving = self.moving.as_ref();
-        let neutral = neutral(model, |j| moving.get(j) == Some(&false));
-        // Place and velocity of a free part are a double root, which the differences split.
-        let all = multipliers.as_mut();
-        sort_by(all, from_one);
-        let split = self.tolerances.split;
-        let ones = all.iter().take(neutral).filter(|m| from_one(m) < split);
-        let ones = ones.count();
-        let count = count.saturating_sub(ones);
-        for index in 0..count {
-            if let Some(&kept) = all.get(index + ones) {
-                set(all, index, kept);
-            }
-        }
-        if let Some(kept) = all.get_mut(..count) {
-            sort_by(kept, |m| -modulus(m));
-        }
-        let mut marginal = model.size.contacts(false);
-        let contacts = marginal.as_mut().iter_mut().enumerate();
-        for ((j, marginal), moves) in contacts.zip(moving) {
-            *marginal = !*moves && start.state().phase(j) != FREE;
-        }
-        Steady {
-            period,
-            state: start.state().clone(),
-            neutral,
-            multipliers,
-            count,
-            marginal,
-            cycle: watch.cycle(self.length(period)),
-            residual,
-        }
-    }
-}
-
-/// Replaces a matrix M by 1 − M.
-fn subtract_from_one<S: Float>(matrix: &mut [S], size: usize) {
-    for (index, entry) in matrix.iter_mut().enumerate() {
-        let diagonal = size > 0 && index / size == index % size;
-        *entry = S::constant(f64::from(u8::from(diagonal))) - *entry;
     }
 }

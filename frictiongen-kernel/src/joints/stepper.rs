@@ -3,7 +3,7 @@
 use super::base::Curve;
 use super::model::Model;
 use super::now::{ContactState, MassState};
-use super::run::{Bounds, Count, Motion};
+use super::run::{Bounds, Count, Motion, Observe};
 use super::size::{Size, at};
 use super::wave::Wave;
 use crate::Float;
@@ -80,6 +80,19 @@ impl<S: Float, Z: Size> Stepper<S, Z> {
         forces: &[S],
         frictions: &[S],
     ) -> Result<u32, OutOfDomain> {
+        let mut count = Count(0);
+        self.advance_with(base, forces, frictions, &mut count)?;
+        Ok(count.0)
+    }
+
+    /// Advances by one step, as [`advance`](Self::advance) does, and passes each stretch and each event to `watch`.
+    pub(super) fn advance_with(
+        &mut self,
+        base: [S; 2],
+        forces: &[S],
+        frictions: &[S],
+        watch: &mut impl Observe<S, Z>,
+    ) -> Result<(), OutOfDomain> {
         if let Some(number) = base.iter().find(|number| !number.is_finite()) {
             return Err(OutOfDomain::BaseMotion(Given::of(*number)));
         }
@@ -91,14 +104,14 @@ impl<S: Float, Z: Size> Stepper<S, Z> {
             return Err(OutOfDomain::Friction(Given::of(*friction)));
         }
         let mut motion = self.motion.clone();
-        let events = self.follow(&mut motion, base, (forces, frictions));
-        let events = events.map_err(OutOfDomain::Motion)?;
+        let followed = self.follow(&mut motion, base, (forces, frictions), watch);
+        followed.map_err(OutOfDomain::Motion)?;
         self.motion = motion;
         self.base = base;
         for (load, force) in self.forces.as_mut().iter_mut().zip(forces) {
             *load = *force;
         }
-        Ok(events)
+        Ok(())
     }
 
     /// Advances a copy of the motion by one step, so that an error leaves the stepper unchanged.
@@ -107,7 +120,8 @@ impl<S: Float, Z: Size> Stepper<S, Z> {
         motion: &mut Motion<S, Z>,
         base: [S; 2],
         (forces, frictions): (&[S], &[S]),
-    ) -> Result<u32, Halt> {
+        watch: &mut impl Observe<S, Z>,
+    ) -> Result<(), Halt> {
         let zero = S::constant(0.0);
         motion.rewind();
         let rests = |base: &[S; 2]| base.iter().all(|number| number.is_zero());
@@ -131,9 +145,7 @@ impl<S: Float, Z: Size> Stepper<S, Z> {
                 motion.set_level(contact, Wave::constant(*friction))?;
             }
         }
-        let mut count = Count(0);
-        motion.run(self.dt, BOUNDS, &mut count)?;
-        Ok(count.0)
+        motion.run(self.dt, BOUNDS, watch)
     }
 
     /// Returns the motion at the end of the last step.

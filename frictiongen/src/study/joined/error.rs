@@ -2,6 +2,7 @@
 
 use crate::study::error::UnknownMass;
 use crate::study::joints::JointError;
+use crate::study::sensitivity::NoDerivative;
 use crate::{Given, OutOfDomain, Unsupported};
 use std::fmt;
 
@@ -47,6 +48,8 @@ pub enum JoinedError {
     UnknownContact(UnknownContact),
     /// The scene has no mass with the requested name.
     UnknownMass(UnknownMass),
+    /// The steady state has no derivatives.
+    NoDerivative(NoDerivative),
     /// The solver found no answer.
     Engine(JointError),
 }
@@ -78,6 +81,7 @@ impl fmt::Display for JoinedError {
             ),
             Self::UnknownContact(error) => error.fmt(f),
             Self::UnknownMass(error) => error.fmt(f),
+            Self::NoDerivative(error) => error.fmt(f),
             Self::Engine(error) => error.fmt(f),
         }
     }
@@ -106,6 +110,12 @@ impl From<UnknownContact> for JoinedError {
 impl From<UnknownMass> for JoinedError {
     fn from(error: UnknownMass) -> Self {
         Self::UnknownMass(error)
+    }
+}
+
+impl From<NoDerivative> for JoinedError {
+    fn from(error: NoDerivative) -> Self {
+        Self::NoDerivative(error)
     }
 }
 

@@ -4,8 +4,10 @@ mod balance;
 mod free;
 mod reference;
 mod refused;
+mod sensitivity;
 mod single;
 mod stepper;
+mod undamped;
 
 use crate::System;
 

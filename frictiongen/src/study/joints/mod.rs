@@ -17,7 +17,7 @@ mod stuck;
 mod tests;
 
 pub use run::{Heap, MAX_EVENTS, MAX_STRETCHES, Motion, Transition};
-pub use steady::{MAX_PERIOD, Steady, steady_state, steady_state_of};
+pub use steady::{MAX_PERIOD, Steady, steady_state, steady_state_near, steady_state_of};
 pub use stuck::{StuckResponse, stuck_response};
 
 use frictiongen_kernel::joints::{self, Halt, MAX_PATTERNS};

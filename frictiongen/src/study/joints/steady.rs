@@ -33,6 +33,21 @@ pub struct Steady {
 }
 
 impl Steady {
+    fn new(found: joints::Steady<f64, Heap>) -> Self {
+        let marginal = found.marginal.iter().enumerate();
+        let marginal = marginal.filter(|(_, marginal)| **marginal);
+        Self {
+            period: found.period,
+            state: found.state.clone(),
+            neutral: found.neutral,
+            multipliers: found.multipliers().to_vec(),
+            marginal: marginal.map(|(j, _)| j).collect(),
+            cycle: found.cycle.clone(),
+            residual: found.residual,
+            found,
+        }
+    }
+
     /// Returns true if every small deviation decays, except deviations that belong to `marginal` and `neutral`.
     pub fn is_stable(&self) -> bool {
         self.found.is_stable()
@@ -66,17 +81,20 @@ pub fn steady_state(chain: &Chain, omega: f64) -> Result<Steady, JointError> {
 /// Same errors as [`steady_state`].
 pub fn steady_state_of(motion: Motion, omega: f64) -> Result<Steady, JointError> {
     let found = motion.into_engine().settle(omega)?;
-    let found = found.ok_or(JointError::NotSteady)?;
-    let marginal = found.marginal.iter().enumerate();
-    let marginal = marginal.filter(|(_, marginal)| **marginal);
-    Ok(Steady {
-        period: found.period,
-        state: found.state.clone(),
-        neutral: found.neutral,
-        multipliers: found.multipliers().to_vec(),
-        marginal: marginal.map(|(j, _)| j).collect(),
-        cycle: found.cycle.clone(),
-        residual: found.residual,
-        found,
-    })
+    found.map(Steady::new).ok_or(JointError::NotSteady)
+}
+
+/// Returns the steady state of a chain that is close to a known steady state of a similar chain. Newton's method starts
+/// from the known state.
+///
+/// # Errors
+///
+/// [`JointError::NotSteady`] if Newton's method does not converge. Other [`JointError`]s if the motion itself fails.
+pub fn steady_state_near(chain: &Chain, omega: f64, near: &Steady) -> Result<Steady, JointError> {
+    let mut motion = Motion::from_rest(chain)?;
+    motion.restart(near.state.clone());
+    let place = near.cycle.amplitudes.iter().copied().fold(0.0, f64::max);
+    let place = if place > 0.0 { place } else { 1.0 };
+    let found = motion.into_engine().refine(omega, (near.period, place))?;
+    found.map(Steady::new).ok_or(JointError::NotSteady)
 }

@@ -1,0 +1,179 @@
+//! Parameters of a steady state of several contacts: the numbers of a description and of an operating point.
+
+use crate::study::parameter::{Parameter, symbol};
+use crate::study::sensitivity::{OperatingPoint, Quantity};
+use crate::study::units::Load;
+use frictiongen_model::scene::{Damping, Scene};
+
+/// A number on which a steady state of several contacts depends. Every index is that of the description.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum JoinedParameter {
+    /// A mass, the stiffness of a spring, or a damping number of the description.
+    Quantity(Quantity),
+    /// The coefficient of a dashpot.
+    Dashpot(usize),
+    /// The share of a contact: its friction force over the common friction.
+    Share(usize),
+    /// The stiffness of an elastic contact.
+    ContactStiffness(usize),
+    /// Ratio μ of the static to the kinetic friction force of a contact.
+    Stiction(usize),
+    /// The common friction F, or β without a load.
+    Friction,
+    /// The amplitude of the load.
+    Load,
+    /// The frequency in Hz under a load, otherwise the frequency ratio r.
+    Frequency,
+}
+
+/// A scene at an operating point, with all its numbers.
+#[derive(Clone, Debug)]
+pub(super) struct Setting {
+    pub(super) scene: Scene,
+    pub(super) point: OperatingPoint,
+}
+
+impl Setting {
+    /// Creates the setting. Each mode gets a damping ratio of its own, so that each ratio can vary alone.
+    pub(super) fn new(scene: &Scene, point: OperatingPoint) -> Self {
+        let mut scene = scene.clone();
+        if let Damping::Uniform(ratio) = scene.damping {
+            scene.damping = Damping::Modal(vec![ratio; scene.masses.len()]);
+        }
+        Self { scene, point }
+    }
+
+    /// Returns every parameter.
+    pub(super) fn parameters(&self) -> Vec<JoinedParameter> {
+        let scene = &self.scene;
+        let masses = (0..scene.masses.len()).map(Quantity::Mass);
+        let springs = (0..scene.springs.len()).map(Quantity::Stiffness);
+        let mut quantities: Vec<Quantity> = masses.chain(springs).collect();
+        match &scene.damping {
+            Damping::None => {}
+            Damping::Uniform(_) | Damping::Modal(_) => {
+                quantities.extend((0..scene.masses.len()).map(Quantity::DampingRatio));
+            }
+            Damping::Rayleigh { .. } => {
+                quantities.extend([Quantity::MassDamping, Quantity::StiffnessDamping]);
+            }
+        }
+        let quantities = quantities.into_iter().map(JoinedParameter::Quantity);
+        let dashpots = (0..scene.joints.dampers.len()).map(JoinedParameter::Dashpot);
+        let contacts = (0..scene.named_contacts().len()).flat_map(|contact| {
+            [
+                JoinedParameter::Share(contact),
+                JoinedParameter::ContactStiffness(contact),
+                JoinedParameter::Stiction(contact),
+            ]
+        });
+        let point = [
+            JoinedParameter::Friction,
+            JoinedParameter::Load,
+            JoinedParameter::Frequency,
+        ];
+        let all = quantities.chain(dashpots).chain(contacts).chain(point);
+        all.filter(|parameter| self.clone().number(*parameter).is_some())
+            .collect()
+    }
+
+    /// Returns the number of a parameter. Returns `None` if this setting has no such parameter.
+    pub(super) fn number(&mut self, parameter: JoinedParameter) -> Option<&mut f64> {
+        let Self { scene, point } = self;
+        let contacts = &mut scene.joints.contacts;
+        let is_single = contacts.is_empty();
+        match parameter {
+            JoinedParameter::Quantity(quantity) => match (quantity, &mut scene.damping) {
+                (Quantity::Mass(index), _) => Some(&mut scene.masses.get_mut(index)?.value),
+                (Quantity::Stiffness(index), _) => {
+                    Some(&mut scene.springs.get_mut(index)?.stiffness)
+                }
+                (Quantity::DampingRatio(index), Damping::Modal(ratios)) => ratios.get_mut(index),
+                (Quantity::MassDamping, Damping::Rayleigh { mass, .. }) => Some(mass),
+                (Quantity::StiffnessDamping, Damping::Rayleigh { stiffness, .. }) => {
+                    Some(stiffness)
+                }
+                _ => None,
+            },
+            JoinedParameter::Dashpot(index) => {
+                Some(&mut scene.joints.dampers.get_mut(index)?.coefficient)
+            }
+            JoinedParameter::Share(index) => Some(&mut contacts.get_mut(index)?.law.share),
+            JoinedParameter::ContactStiffness(_) if is_single => scene.stiffness.as_mut(),
+            JoinedParameter::ContactStiffness(index) => {
+                contacts.get_mut(index)?.law.stiffness.as_mut()
+            }
+            JoinedParameter::Stiction(_) if is_single => Some(&mut scene.stiction),
+            JoinedParameter::Stiction(index) => Some(&mut contacts.get_mut(index)?.law.stiction),
+            JoinedParameter::Friction => Some(match point {
+                OperatingPoint::Groups { beta, .. } => beta,
+                OperatingPoint::Physical { friction, .. } => friction,
+            }),
+            JoinedParameter::Load => match point {
+                OperatingPoint::Groups { .. } => None,
+                OperatingPoint::Physical { load, .. } => Some(match load {
+                    Load::Force(amplitude)
+                    | Load::Base(amplitude)
+                    | Load::BaseVelocity(amplitude)
+                    | Load::BaseAcceleration(amplitude)
+                    | Load::Unbalance(amplitude) => amplitude,
+                }),
+            },
+            JoinedParameter::Frequency => Some(match point {
+                OperatingPoint::Groups { r, .. } => r,
+                OperatingPoint::Physical { hertz, .. } => hertz,
+            }),
+        }
+    }
+}
+
+impl JoinedParameter {
+    /// Returns the parameter of the same kind for a scene with a single contact, if there is one.
+    fn single(self) -> Option<Parameter> {
+        match self {
+            Self::Quantity(quantity) => Some(Parameter::Quantity(quantity)),
+            Self::Friction => Some(Parameter::Friction),
+            Self::Load => Some(Parameter::Load),
+            Self::Frequency => Some(Parameter::Frequency),
+            _ => None,
+        }
+    }
+
+    /// Returns the symbol of the parameter, with the names of the description: for example `m upper`, `share brace` or
+    /// `F`.
+    #[must_use]
+    pub fn symbol(self, scene: &Scene, point: &OperatingPoint) -> String {
+        let contact = |short: &str, index: usize| {
+            let contacts = scene.named_contacts();
+            let name = contacts.get(index).map_or("", |contact| &contact.name);
+            format!("{short} {name}")
+        };
+        match (self, self.single()) {
+            (Self::Quantity(quantity), _) => symbol(quantity, scene),
+            (_, Some(single)) => single.symbol(scene, point),
+            (Self::Dashpot(index), _) => {
+                let damper = scene.joints.dampers.get(index);
+                let ends = damper.map(|damper| {
+                    let (from, to) = (scene.node_name(damper.from), scene.node_name(damper.to));
+                    format!("c {from} - {to}")
+                });
+                ends.unwrap_or_default()
+            }
+            (Self::Share(index), _) => contact("share", index),
+            (Self::ContactStiffness(index), _) => contact("stiffness", index),
+            (Self::Stiction(index), _) => contact("mu", index),
+            (Self::Friction | Self::Load | Self::Frequency, None) => String::new(),
+        }
+    }
+
+    /// Returns the SI unit of the parameter. The unit of a ratio is empty.
+    #[must_use]
+    pub fn unit(self, point: &OperatingPoint) -> &'static str {
+        match (self, self.single()) {
+            (_, Some(single)) => single.unit(point),
+            (Self::Dashpot(_), _) => "N s/m",
+            (Self::ContactStiffness(_), _) => "N/m",
+            _ => "",
+        }
+    }
+}

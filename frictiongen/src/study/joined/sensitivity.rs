@@ -1,0 +1,301 @@
+//! Derivatives of steady states with several contacts with respect to every number of a description and of an operating
+//! point.
+//!
+//! Newton's method finds the steady state of a slightly changed scene from the known state, with a residual below 1e-11.
+//! The derivatives are central differences of such states, with Richardson's extrapolation from two steps. A step is
+//! valid only if the contacts have the same numbers of stops and reversals on both sides.
+
+use super::error::JoinedError;
+use super::parameter::{JoinedParameter, Setting};
+use super::scene::Joined;
+use super::units::Units;
+use crate::study::joints::{Chain, JointError, Steady, steady_state, steady_state_near};
+use crate::study::parameter::Slope;
+use crate::study::sensitivity::{NoDerivative, OperatingPoint};
+use crate::study::system::System;
+use crate::study::units::{Load, angular_frequency};
+use crate::{Given, OutOfDomain, Regime};
+use frictiongen_model::scene::{Excitation, Scene};
+
+/// Largest change of a parameter, as a fraction of the parameter.
+const STEP: f64 = 1e-3;
+/// Number of steps that the code tries. Each step is a quarter of the one before it.
+const STEPS: usize = 5;
+/// The extrapolation may change a difference by at most this fraction of the result. The error of the extrapolation is
+/// then about the square of this fraction.
+const AGREES: f64 = 3e-5;
+
+/// Derivatives with respect to one parameter p.
+#[derive(Clone, Debug, PartialEq)]
+pub struct JoinedSensitivity {
+    /// The parameter p.
+    pub parameter: JoinedParameter,
+    /// The value of the parameter p, in its own unit.
+    pub value: f64,
+    /// Amplitude of each mass and its derivative with respect to p.
+    pub amplitudes: Vec<Slope>,
+    /// Energy that each contact dissipates in a period, and its derivative with respect to p.
+    pub energies: Vec<Slope>,
+}
+
+/// Derivatives of a steady state with respect to every parameter.
+///
+/// Under a load, amplitudes are in m and energies in J. For a non-dimensional operating point, the units are P/k₁ and
+/// P²/k₁ (Y and k₁Y² for base motion).
+#[derive(Clone, Debug, PartialEq)]
+pub struct JoinedSensitivities {
+    /// The regime of the steady state.
+    pub regime: Regime,
+    /// Derivatives with respect to each parameter, in the order masses, springs, damping, dashpots, contacts, friction,
+    /// load, frequency. A parameter that is 0 is not in the list, nor is a μ of 1.
+    pub parameters: Vec<JoinedSensitivity>,
+}
+
+/// A scene at an operating point, in the form that the solver needs.
+struct Prepared {
+    chain: Chain,
+    omega: f64,
+    units: Units,
+}
+
+/// Amplitudes and energies of a steady state, and the number of stops and reversals of each contact.
+struct Found {
+    numbers: Vec<f64>,
+    events: Vec<(usize, usize)>,
+}
+
+impl Joined<'_> {
+    /// Returns the derivatives of the amplitude of each mass, and of the energy that each contact dissipates, in the
+    /// steady state that motion from rest reaches. A difference of steady states gives each derivative, with an error of
+    /// about 1e-8 of the amplitude (of the sum of all energies). The chain may have a large period.
+    ///
+    /// ```
+    /// use frictiongen::study::{System, joined::JoinedParameter, sensitivity::OperatingPoint};
+    ///
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// let frame: System = "struct Frame {
+    ///     masses: { lower: 2.0, upper: 1.5 },
+    ///     springs: { base - lower: 1500.0, lower - upper: 1200.0 },
+    ///     contacts: { brace: base - lower { stiffness: 4.0e3 }, pads: lower - upper { share: 0.6 } },
+    ///     damping: modal(0.01),
+    ///     excitation: base,
+    /// }"
+    /// .parse()?;
+    /// let all = frame.joined()?.sensitivities(OperatingPoint::Groups { r: 0.6, beta: 0.3 })?;
+    /// let of = |parameter| all.parameters.iter().find(|found| found.parameter == parameter);
+    /// let shares = [0, 1].map(|contact| of(JoinedParameter::Share(contact)));
+    /// // A change of all shares by one factor has the effect of a change of the friction.
+    /// if let (Some(friction), [Some(brace), Some(pads)]) = (of(JoinedParameter::Friction), shares) {
+    ///     let of_shares = brace.amplitudes[1].derivative + 0.6 * pads.amplitudes[1].derivative;
+    ///     assert!((0.3 * friction.amplitudes[1].derivative - of_shares).abs() < 1e-7);
+    /// }
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// # Errors
+    /// [`NoDerivative::Marginal`] if the steady state depends on the initial state, because a contact never slides or no
+    /// spring holds a part of the chain. [`NoDerivative::Graze`] if an event is about to appear or to vanish.
+    /// [`JoinedError::Engine`] if the motion does not settle. Other [`JoinedError`]s for an operating point outside the
+    /// domain.
+    pub fn sensitivities(&self, point: OperatingPoint) -> Result<JoinedSensitivities, JoinedError> {
+        let setting = Setting::new(self.scene(), point);
+        let prepared = prepare(&setting)?;
+        let steady = steady_state(&prepared.chain, prepared.omega)?;
+        if !steady.marginal.is_empty() || steady.neutral > 0 {
+            return Err(NoDerivative::Marginal.into());
+        }
+        let search = Search {
+            found: Found::of(&steady, prepared.units),
+            masses: prepared.chain.masses.len(),
+            setting,
+            steady,
+        };
+        let mut parameters = Vec::new();
+        for parameter in search.setting.parameters() {
+            if let Some(found) = search.sensitivity(parameter)? {
+                parameters.push(found);
+            }
+        }
+        Ok(JoinedSensitivities {
+            regime: search.steady.cycle.regime(),
+            parameters,
+        })
+    }
+}
+
+/// Returns the chain of a scene at an operating point, with its load and its friction forces.
+fn prepare(setting: &Setting) -> Result<Prepared, JoinedError> {
+    let system = system(&setting.scene)?;
+    let joined = system.joined()?;
+    let (at, friction) = match setting.point {
+        OperatingPoint::Groups { r, beta } => (joined.at(r)?, beta),
+        OperatingPoint::Physical {
+            hertz,
+            friction,
+            load,
+        } => {
+            let omega = angular_frequency(hertz);
+            if load.is_base_motion() != (setting.scene.excitation == Excitation::Base) {
+                return Err(JoinedError::Amplitude(Given::of(load.amplitude())));
+            }
+            (joined.under(omega, amplitude(load, omega))?, friction)
+        }
+    };
+    Ok(Prepared {
+        chain: at.chain(friction)?,
+        omega: at.omega(),
+        units: at.units(),
+    })
+}
+
+/// Returns the amplitude of the force in N, or of the base motion in m.
+fn amplitude(load: Load, omega: f64) -> f64 {
+    match load {
+        Load::Force(amplitude) | Load::Base(amplitude) => amplitude,
+        Load::BaseVelocity(amplitude) => amplitude / omega,
+        Load::BaseAcceleration(amplitude) => amplitude / (omega * omega),
+        Load::Unbalance(amplitude) => amplitude * omega * omega,
+    }
+}
+
+/// Returns the system of a scene whose numbers differ slightly from those of a valid scene.
+fn system(scene: &Scene) -> Result<System, JoinedError> {
+    let system = System::try_from(scene.clone());
+    system.map_err(|_| JoinedError::OutOfDomain(OutOfDomain::State))
+}
+
+impl Found {
+    fn of(steady: &Steady, units: Units) -> Self {
+        let cycle = &steady.cycle;
+        let amplitudes = cycle.amplitudes.iter().map(|x| x / units.length);
+        let energies = cycle.contacts.iter().map(|c| c.energy / units.energy());
+        let events = cycle.contacts.iter().map(|c| (c.stops, c.reversals));
+        Self {
+            numbers: amplitudes.chain(energies).collect(),
+            events: events.collect(),
+        }
+    }
+}
+
+/// The known steady state of a scene, from which the search for neighbouring states starts.
+struct Search {
+    setting: Setting,
+    steady: Steady,
+    found: Found,
+    /// Number of masses.
+    masses: usize,
+}
+
+impl Search {
+    /// Returns the derivatives with respect to one parameter. Returns `None` if no central difference exists, because the
+    /// parameter is 0 or a μ of 1.
+    fn sensitivity(
+        &self,
+        parameter: JoinedParameter,
+    ) -> Result<Option<JoinedSensitivity>, JoinedError> {
+        let value = self.setting.clone().number(parameter).copied();
+        let Some(value) = value.filter(|value| *value != 0.0) else {
+            return Ok(None);
+        };
+        let is_stiction = matches!(parameter, JoinedParameter::Stiction(_));
+        if is_stiction && value * (1.0 - STEP) < 1.0 {
+            return Ok(None);
+        }
+        let derivatives = self.derivatives(parameter, value)?;
+        let pairs = self.found.numbers.iter().zip(derivatives);
+        let slopes = pairs.map(|(value, derivative)| Slope {
+            value: *value,
+            derivative,
+        });
+        let mut amplitudes: Vec<Slope> = slopes.collect();
+        let energies = amplitudes.split_off(self.masses);
+        Ok(Some(JoinedSensitivity {
+            parameter,
+            value,
+            amplitudes,
+            energies,
+        }))
+    }
+
+    /// Returns the derivative of each number of the answer with respect to a parameter.
+    fn derivatives(&self, parameter: JoinedParameter, value: f64) -> Result<Vec<f64>, JoinedError> {
+        let mut coarse: Option<Vec<f64>> = None;
+        let mut step = STEP;
+        for _ in 0..STEPS {
+            let Some(fine) = self.difference(parameter, value, step)? else {
+                (coarse, step) = (None, step / 4.0);
+                continue;
+            };
+            if let Some(coarse) = &coarse {
+                let pairs = fine.iter().zip(coarse);
+                // The error of a central difference falls with the square of the step.
+                let better: Vec<f64> = pairs
+                    .map(|(fine, coarse)| fine + (fine - coarse) / 15.0)
+                    .collect();
+                if self.agree(&fine, &better, value) {
+                    return Ok(better);
+                }
+            }
+            (coarse, step) = (Some(fine), step / 4.0);
+        }
+        Err(NoDerivative::Graze.into())
+    }
+
+    /// Returns the central difference over a relative step. Returns `None` if the steady states on both sides do not have
+    /// the events of the known state.
+    fn difference(
+        &self,
+        parameter: JoinedParameter,
+        value: f64,
+        step: f64,
+    ) -> Result<Option<Vec<f64>>, JoinedError> {
+        let ends = [value * (1.0 + step), value * (1.0 - step)];
+        let [Some(above), Some(below)] = [
+            self.moved(parameter, ends[0])?,
+            self.moved(parameter, ends[1])?,
+        ] else {
+            return Ok(None);
+        };
+        let pairs = above.numbers.iter().zip(&below.numbers);
+        let width = ends[0] - ends[1];
+        Ok(Some(
+            pairs
+                .map(|(above, below)| (above - below) / width)
+                .collect(),
+        ))
+    }
+
+    /// Returns the steady state for another value of a parameter. Returns `None` if it does not have the events of the
+    /// known state.
+    fn moved(&self, parameter: JoinedParameter, value: f64) -> Result<Option<Found>, JoinedError> {
+        let mut setting = self.setting.clone();
+        if let Some(number) = setting.number(parameter) {
+            *number = value;
+        }
+        let Prepared {
+            chain,
+            omega,
+            units,
+        } = prepare(&setting)?;
+        let found = match steady_state_near(&chain, omega, &self.steady) {
+            Ok(steady) => Found::of(&steady, units),
+            Err(JointError::NotSteady) => return Ok(None),
+            Err(error) => return Err(error.into()),
+        };
+        Ok((found.events == self.found.events).then_some(found))
+    }
+
+    /// Returns true if the extrapolation changes no derivative by much.
+    fn agree(&self, fine: &[f64], better: &[f64], value: f64) -> bool {
+        let (amplitudes, energies) = self.found.numbers.split_at(self.masses);
+        let largest = amplitudes.iter().copied().fold(0.0, f64::max);
+        let energy: f64 = energies.iter().sum();
+        let mut pairs = fine.iter().zip(better).enumerate();
+        pairs.all(|(index, (fine, better))| {
+            let size = if index < self.masses { largest } else { energy };
+            let change = ((better - fine) * value).abs();
+            change <= AGREES * (size + (better * value).abs())
+        })
+    }
+}
