@@ -124,6 +124,24 @@ pub(super) fn base_motion<S: Float>(input: Input, from: [S; 2], to: [S; 2]) -> [
 
 /// Shifts the origin of a polynomial by `by`.
 pub(super) fn shift<S: Float>(terms: &mut [S], by: S) {
+    // Short polynomials are written out without loops, as in `dot.rs`.
+    match terms {
+        [_] => return,
+        [a, b] => {
+            *a = *a + by * *b;
+            return;
+        }
+        [a, b, c, d] => {
+            *c = *c + by * *d;
+            *b = *b + by * *c;
+            *a = *a + by * *b;
+            *c = *c + by * *d;
+            *b = *b + by * *c;
+            *c = *c + by * *d;
+            return;
+        }
+        _ => {}
+    }
     let count = terms.len();
     for start in 0..count {
         let mut above = S::constant(0.0);

@@ -1,7 +1,7 @@
 //! Constant tables of an oscillator over a sub-interval of a step. The stepper multiplies the oscillator's state and
 //! its drive by these constants.
 
-use super::dot::dot;
+use super::dot::{add, dot};
 use crate::motion::TERMS;
 use crate::number::scalar::Float;
 
@@ -81,35 +81,62 @@ pub(super) fn next<S: Float>(
     [rise, turn]
 }
 
-/// Computes the moments ∫ sʲ y′ ds and ∫ sʲ u′ ds from 0 to `place`, for j < D. y is the displacement of an
+/// Computes the moments ∫ sʲ y′ ds for j < D and ∫ sʲ u′ ds for j < E, from 0 to `place`. y is the displacement of an
 /// oscillator, and u is its scaled velocity. `state` is their value at 0. `drive` gives the terms of the power series
 /// of the load.
-pub(super) fn moments<S: Float, const D: usize>(
+// An array's `map` would cost more than its sums in code that is optimised for size.
+#[inline]
+pub(super) fn moments<S: Float, const D: usize, const E: usize>(
     of: (S, S),
-    mut state: [S; 2],
+    [mut y, mut u]: [S; 2],
     drive: impl Fn(usize) -> [S; 2],
     terms: usize,
     place: S,
-) -> [[S; D]; 2] {
+) -> ([S; D], [S; E]) {
     let (zero, one) = (S::constant(0.0), S::constant(1.0));
-    let mut sums = [[zero; D]; 2];
+    let (mut rises, mut turns, mut weights) = ([zero; D], [zero; E], [zero; D]);
     let (mut order, mut power) = (one, place);
     for index in 0..terms {
-        state = next(of, state, drive(index)).map(|term| term / order);
-        let (mut beyond, mut factor) = (order, power);
-        let [of_y, of_u] = &mut sums;
-        for (place_of, (of_y, of_u)) in of_y.iter_mut().zip(of_u).enumerate() {
-            let mut weight = factor;
-            if place_of != 0 {
-                weight = factor * (order / beyond);
-            }
-            let [y, u] = state.map(|term| term * weight);
-            (*of_y, *of_u) = (*of_y + y, *of_u + u);
-            (beyond, factor) = (beyond + one, factor * place);
+        let [rise, turn] = next(of, [y, u], drive(index));
+        (y, u) = (rise / order, turn / order);
+        weigh(&mut weights, order, power, place);
+        add(&mut rises, y, &weights);
+        if let Some(weights) = weights.first_chunk() {
+            add(&mut turns, u, weights);
         }
         (order, power) = (order + one, power * place);
     }
-    sums
+    (rises, turns)
+}
+
+/// Computes the weights of a term of order n in the moments: n·p^(n+j)/(n+j) for j < D, where p is the end of the
+/// motion. `power` is pⁿ.
+#[inline(always)]
+fn weigh<S: Float, const D: usize>(weights: &mut [S; D], order: S, power: S, place: S) {
+    let (one, two, three) = (S::constant(1.0), S::constant(2.0), S::constant(3.0));
+    match weights.as_mut_slice() {
+        [zeroth] => *zeroth = power,
+        [zeroth, first] => {
+            *zeroth = power;
+            *first = power * place * (order / (order + one));
+        }
+        [zeroth, first, second, third] => {
+            *zeroth = power;
+            let mut factor = power * place;
+            *first = factor * (order / (order + one));
+            factor = factor * place;
+            *second = factor * (order / (order + two));
+            factor = factor * place;
+            *third = factor * (order / (order + three));
+        }
+        weights => {
+            let (mut beyond, mut factor) = (order, power);
+            for weight in weights {
+                *weight = factor * (order / beyond);
+                (beyond, factor) = (beyond + one, factor * place);
+            }
+        }
+    }
 }
 
 /// Rewrites the weights of y and u over a sub-interval as three shears.
@@ -199,8 +226,8 @@ impl<S: Float, const D: usize> HeldStep<S, D> {
         let (zero, one) = (S::constant(0.0), S::constant(1.0));
         let mut rows = [[HeldRow::zero(); D]; 2];
         for (place, start) in [[one, zero], [zero, one]].into_iter().enumerate() {
-            let values: [[S; D]; 2] = moments(of, start, |_| [zero; 2], TERMS, one);
-            for (rows, values) in rows.iter_mut().zip(values) {
+            let (rises, turns) = moments::<S, D, D>(of, start, |_| [zero; 2], TERMS, one);
+            for (rows, values) in rows.iter_mut().zip([rises, turns]) {
                 for (row, value) in rows.iter_mut().zip(values) {
                     if let Some(weight) = row.state.get_mut(place) {
                         *weight = value;
@@ -218,8 +245,8 @@ impl<S: Float, const D: usize> HeldStep<S, D> {
                         [zero, term]
                     }
                 };
-                let values: [[S; D]; 2] = moments(of, [zero; 2], drive, TERMS, one);
-                for (rows, values) in rows.iter_mut().zip(values) {
+                let (rises, turns) = moments::<S, D, D>(of, [zero; 2], drive, TERMS, one);
+                for (rows, values) in rows.iter_mut().zip([rises, turns]) {
                     for (row, value) in rows.iter_mut().zip(values) {
                         let weights = row.drive.get_mut(channel);
                         if let Some(weight) = weights.and_then(|row| row.get_mut(place)) {

@@ -1,7 +1,7 @@
 //! Motion over a sub-interval in which the contact slides. The stepper advances with the constant tables, or with a
 //! power series up to an event.
 
-use super::dot::add;
+use super::dot::{add, dot};
 use super::drive::{at, derived, growth};
 use super::interval::{Departure, OFF_CHORD, ROUNDINGS, StepInterval, integral, product};
 use super::law::StepContact;
@@ -227,29 +227,37 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
             *to = *state;
         }
         let steps = self.table.modes.get(..driven).unwrap_or_default();
-        let mut base = base.into_iter();
+        let states = &mut *self.store.scratch;
         let (mut order, mut size) = (S::constant(1.0), zero);
+        // The term of the present order, and the sum of the absolute values of its summands.
+        let mut sum = -base[0];
+        let mut sizes = sum.abs();
+        for (step, [_, u]) in steps.iter().zip(&*states) {
+            let term = step.contact * step.angle * *u;
+            (sum, sizes) = (sum + term, sizes + term.abs());
+        }
         for (place, slot) in velocity.slots().enumerate() {
-            let mut sum = -base.next().unwrap_or(zero);
-            let mut sizes = sum.abs();
-            for (step, [_, u]) in steps.iter().zip(&*self.store.scratch) {
-                let term = step.contact * step.angle * *u;
-                (sum, sizes) = (sum + term, sizes + term.abs());
-            }
             *slot = sum;
             if place < 4 {
                 size = size + sizes;
             }
             let force = slope * sum + if place == 0 { level } else { zero };
             let inverse = S::constant(1.0) / order;
-            let states = steps.iter().zip(&mut *self.store.scratch);
-            for (index, (step, state)) in states.enumerate() {
-                let load = load_term(self.table.loads_of(index), self.store.drive, place);
-                let drive = load - step.per_force * step.contact * force;
-                let rates = next((step.angle, step.zeta), *state, [zero, drive]);
-                *state = rates.map(|rate| rate * inverse);
-            }
             order = order + S::constant(1.0);
+            sum = -base.get(place + 1).copied().unwrap_or(zero);
+            sizes = sum.abs();
+            for (index, (step, state)) in steps.iter().zip(&mut *states).enumerate() {
+                let mut drive = zero;
+                if place < D {
+                    drive = load_term(self.table.loads_of(index), self.store.drive, place);
+                }
+                drive = drive - step.per_force * step.contact * force;
+                let [rise, turn] = next((step.angle, step.zeta), *state, [zero, drive]);
+                let u = turn * inverse;
+                *state = [rise * inverse, u];
+                let term = step.contact * step.angle * u;
+                (sum, sizes) = (sum + term, sizes + term.abs());
+            }
         }
         velocity.size = size;
         velocity
@@ -277,12 +285,10 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
                 [zero, load - pull * force]
             };
             let of = (step.angle, step.zeta);
-            let [rises, turns]: [[S; D]; 2] = moments(of, *state, drive, velocity.count, tau);
+            let (rises, [turn]) = moments::<S, D, 1>(of, *state, drive, velocity.count, tau);
             let [y, u] = *state;
-            let first = |rows: &[S; D]| rows.first().copied().unwrap_or(zero);
-            *state = [y + first(&rises), u + first(&turns)];
-            let done = load.iter().zip(&rises);
-            let mut done = done.fold(zero, |sum, (term, moment)| sum + *term * *moment);
+            *state = [y + rises.first().copied().unwrap_or(zero), u + turn];
+            let mut done = dot(zero, &load, &rises);
             if reacts {
                 done = done - self.reaction(index, &rises);
             }
@@ -310,9 +316,6 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
 #[inline]
 fn load_term<S: Float, const D: usize>(loads: &[S], inputs: &[[S; D]], place: usize) -> S {
     let zero = S::constant(0.0);
-    if D <= place {
-        return zero;
-    }
     let pairs = loads.iter().zip(inputs);
     pairs.fold(zero, |sum, (load, input)| {
         sum + *load * input.get(place).copied().unwrap_or(zero)

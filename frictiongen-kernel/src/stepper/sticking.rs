@@ -131,13 +131,15 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
                 continue;
             };
             let load = self.held_load(index, step);
-            let drive = |place: usize| load.map(|load| load.get(place).copied().unwrap_or(zero));
+            let [of_y, of_u] = &load;
+            let term = |load: &[S; D], place: usize| load.get(place).copied().unwrap_or(zero);
+            let drive = |place: usize| [term(of_y, place), term(of_u, place)];
             let of = (step.angle, step.zeta);
-            let rows: [[S; D]; 2] = moments(of, state, drive, terms, tau);
+            let (rises, turns) = moments::<S, D, D>(of, state, drive, terms, tau);
             let first = |rows: &[S; D]| rows.first().copied().unwrap_or(zero);
             let [y, u] = state;
-            let moved = [y + first(&rows[0]), u + first(&rows[1])];
-            work = work + self.held_work(index, step, &rows, moved[0], tau);
+            let moved = [y + first(&rises), u + first(&turns)];
+            work = work + self.held_work(index, step, &[rises, turns], moved[0], tau);
             if let Some(state) = self.store.held.get_mut(index) {
                 *state = moved;
             }

@@ -69,39 +69,45 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
             *to = *state;
         }
         let motions = self.moving_base();
-        let mut still = still.into_iter();
+        let states = &mut *self.store.scratch;
         let (mut order, mut size) = (S::constant(1.0), zero);
+        // The term of the present order, and the sum of the absolute values of its summands.
+        let mut sum = still[0];
+        let mut sizes = sum.abs();
+        for (step, [y, _]) in self.table.held.iter().zip(&*states) {
+            let term = step.force * *y;
+            (sum, sizes) = (sum - term, sizes + term.abs());
+        }
         for (place, slot) in force.slots().enumerate() {
-            let mut sum = still.next().unwrap_or(zero);
-            let mut sizes = sum.abs();
-            for (step, [y, _]) in self.table.held.iter().zip(&*self.store.scratch) {
-                let term = step.force * *y;
-                (sum, sizes) = (sum - term, sizes + term.abs());
-            }
             *slot = sum;
             if place < 4 {
                 size = size + sizes;
             }
             let inverse = S::constant(1.0) / order;
-            let states = self.table.held.iter().zip(&mut *self.store.scratch);
-            for (index, (step, state)) in states.enumerate() {
+            order = order + S::constant(1.0);
+            sum = still.get(place + 1).copied().unwrap_or(zero);
+            sizes = sum.abs();
+            for (index, (step, state)) in self.table.held.iter().zip(&mut *states).enumerate() {
                 let mut drive = [zero; 2];
                 if place < D {
                     let loads = self.table.held_loads_of(index);
                     drive = held_load_term(loads, self.store.drive, place);
                 }
-                if let Some(motions) = &motions {
-                    for (from_base, motion) in step.from_base.iter().zip(motions) {
-                        let motion = motion.get(place).copied().unwrap_or(zero);
-                        for (term, from_base) in drive.iter_mut().zip(from_base) {
-                            *term = *term + *from_base * motion;
-                        }
-                    }
+                if let Some([velocity, acceleration]) = &motions {
+                    let ([of_velocity, of_acceleration], [first, second]) = (step.from_base, drive);
+                    let velocity = velocity.get(place).copied().unwrap_or(zero);
+                    let acceleration = acceleration.get(place).copied().unwrap_or(zero);
+                    drive = [
+                        first + of_velocity[0] * velocity + of_acceleration[0] * acceleration,
+                        second + of_velocity[1] * velocity + of_acceleration[1] * acceleration,
+                    ];
                 }
-                let rates = next((step.angle, step.zeta), *state, drive);
-                *state = rates.map(|rate| rate * inverse);
+                let [rise, turn] = next((step.angle, step.zeta), *state, drive);
+                let y = rise * inverse;
+                *state = [y, turn * inverse];
+                let term = step.force * y;
+                (sum, sizes) = (sum - term, sizes + term.abs());
             }
-            order = order + S::constant(1.0);
         }
         force.size = size;
         force
