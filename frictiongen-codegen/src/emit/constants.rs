@@ -153,7 +153,7 @@ fn at_frequency(emission: &Emission<'_>) -> Part {
             (
                 "ends",
                 code!(Ends { #ends }),
-                "limits of β for r → 0 and for r → ∞, whatever `range` says",
+                "limits of β for r → 0 and for r → ∞, whatever `range` says; β_lim for r → 0 is 0",
             ),
             (
                 "rubbing",
@@ -163,7 +163,7 @@ fn at_frequency(emission: &Emission<'_>) -> Part {
             (
                 "absorbs",
                 code!(#absorbs),
-                "V and H may have common zeros, at which the holding force decides the limits",
+                "true if V and H may have common zeros; there the force that a stuck contact needs decides the limits",
             ),
             (
                 "unbounded",
@@ -250,12 +250,12 @@ fn mode_constant(emission: &Emission<'_>, mode: &Mode<f64>, first: bool) -> Toke
             (
                 "kind",
                 code!(Kind::#kind),
-                "kind of damping: `Light` for ζ < 1/2, `Heavy` for ζ < 1, `Over` for ζ > 1",
+                "kind of damping: `Undamped` for ζ = 0, `Light` for ζ < 1/2, `Heavy` for ζ < 1, `Critical` for ζ = 1, `Over` for ζ > 1",
             ),
             (
                 "in_contact",
                 code!(#in_contact),
-                "the contact drives the mode: φᵀw is not 0",
+                "true if the contact drives the mode: φᵀw is not 0",
             ),
             (
                 "resonance",
@@ -363,7 +363,7 @@ fn chain(emission: &Emission<'_>) -> TokenStream {
     let fields = fields(
         true,
         &[
-            ("damped", code!(#damped), "a mode is damped"),
+            ("damped", code!(#damped), "true if a mode is damped"),
             (
                 "on_moving_base",
                 on_moving_base,

@@ -79,7 +79,7 @@ pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> Constants {
             (
                 "held",
                 code!(&[#(#held),*]),
-                "modes of the chain with its contact stuck, of states y and u",
+                "modes of the chain with its contact stuck; the state of a mode is y and u = y′/Ω",
             ),
             (
                 "participations",
@@ -148,7 +148,7 @@ fn held(emission: &Emission<'_>, mode: &HeldMode<f64>, first: bool) -> TokenStre
     let fields = fields(
         first,
         &[
-            ("kind", code!(Kind::#kind), "kind of damping"),
+            ("kind", code!(Kind::#kind), "kind of damping, as in `MODES`"),
             (
                 "frequency",
                 frequency,
@@ -156,11 +156,15 @@ fn held(emission: &Emission<'_>, mode: &HeldMode<f64>, first: bool) -> TokenStre
             ),
             ("zeta", zeta, "ζ"),
             ("q", q, "√|1 − ζ²|"),
-            ("force", force, "−(contact force)/y"),
+            (
+                "force",
+                force,
+                "contact force, with its damping force, divided by −y",
+            ),
             (
                 "inverse",
                 inverse,
-                "[m₁₁, m₁₂, m₂₂], which turns the products of a motion with both states into y and u",
+                "symmetric matrix [m₁₁, m₁₂, m₂₂]: times the products of the chain's motion with the `participations` of y and u it gives y and u",
             ),
         ],
     );

@@ -48,9 +48,12 @@ pub(super) fn emit(emission: &Emission<'_>) -> Stage {
     let about = code! {
         /// Sums V, H, U, G and H_c of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), and the functions of the modes.
         ///
+        /// V is the response of the contact to the load, and H to a force in the contact.  U is the slope and G the value, at a
+        /// reversal, of its response to a square wave of friction.  H_c decides whether the contact breaks away there (5.63).
+        ///
         /// Sums over the modes, with x = √λ/r = 1/R:
         #[doc = #response]
-        /// r²H of (φᵀw)²/(x² − 1 + 2iζx), r²U of (φᵀw)²uR², r²G of (φᵀw)²gR² and r²H_c of (φᵀw)²(g + 2ζRu).
+        /// r²H is the sum of (φᵀw)²/(x² − 1 + 2iζx), r²U of (φᵀw)²uR², r²G of (φᵀw)²gR², r²H_c of (φᵀw)²(g + 2ζRu).
         /// Each is returned times E as `v`, `h`, `u`, `g` or `reversal`.  E, the `scale`, is the smallest |x² − 1| + 2ζx of the
         /// modes in contact, so that the sums stay finite on a resonance.
         #undamped

@@ -21,9 +21,9 @@ pub(super) fn parts(scene: &StepScene<'_, Dd, AnyContact<Dd>>, step: Option<f64>
     }
     vec![
         parts + ".",
-        " A part in which the contact certainly keeps sliding, or keeps sticking, is one product with tables.".to_owned(),
-        format!(" Any other part is followed from event to event, for at most {MAX_EVENTS} events and, where the friction law bends, {MAX_STRETCHES} stretches."),
-        " The rest of the part then passes without creating energy, and `exceeded` counts the step.".to_owned(),
+        " A part in which the contact certainly keeps sliding, or keeps sticking, is a product of its state with tables.".to_owned(),
+        format!(" In any other part the stepper searches the events, at most {MAX_EVENTS} (a friction law over the speed adds up to {MAX_STRETCHES} changes of its line)."),
+        " Beyond them a rule that creates no energy ends the part, and `exceeded()` counts the step.".to_owned(),
     ]
 }
 
@@ -61,7 +61,7 @@ pub(super) fn operations(
     let (each, beside) = (Cost::INSTRUCTIONS, Cost::FIXED);
     let processor = match precision {
         Precision::F32 => format!(
-            "  A Cortex-M4F takes up to {each} instructions for each, and {beside} for a part."
+            "  A Cortex-M4F takes up to {each} instructions for each operation, and {beside} more for a part."
         ),
         // A Cortex-M4F has no registers for doubles, so no instruction count is given.
         Precision::F64 => String::new(),
@@ -69,8 +69,10 @@ pub(super) fn operations(
     vec![
         String::new(),
         format!(
-            " A {of} has at most {tables} floating-point operations by the tables, about {one_event} with one event, never"
+            " A {of} has at most {tables} floating-point operations if all parts are such products, about {one_event} with one event, never"
         ),
-        format!(" more than {most}.{processor}"),
+        format!(
+            " more than {most}.  `set_event_budget(n)` lowers this bound, and `cost().most` is then the bound.{processor}"
+        ),
     ]
 }

@@ -49,8 +49,9 @@ pub(super) fn emit(
     }
 }
 
-/// Bound on the rounding error of a double-double sum near zero, divided by the size of the summands. An acceleration
-/// below this bound is set to 0, because the input then does not act on the contact.
+/// Bound on the rounding error of a double-double sum near zero, divided by the size of the summands. A weight of a
+/// table that is smaller in relation to its row is 0 in exact arithmetic. An acceleration below this bound is 0 as well,
+/// because the input then does not act on the contact.
 const ROUNDING: f64 = 1e-26;
 
 fn table<const D: usize>(
@@ -82,6 +83,8 @@ fn table<const D: usize>(
             channel.acceleration = Dd::ZERO;
         }
     }
+    modes.iter_mut().for_each(without_noise_of_mode);
+    held.iter_mut().for_each(without_noise_of_held);
     let write = Writer(emission);
     let terms = match emission.precision {
         Precision::F64 => terms::<f64>(emission, step),
@@ -126,12 +129,12 @@ fn table<const D: usize>(
             (
                 "loads",
                 code!([#(#loads),*]),
-                "rate of u of each mode per unit of each input",
+                "rate of u of each mode divided by the input, for each input",
             ),
             (
                 "held_loads",
                 code!([#(#held_loads),*]),
-                "the same of each mode of the stuck chain",
+                "the same for each mode of the chain with its contact stuck",
             ),
             (
                 "channels",
@@ -142,17 +145,45 @@ fn table<const D: usize>(
     );
     let checksum = checksum::about(&numbers);
     let tables = code! {
-        /// Advance of each oscillator over a part of `STEP`, with the time s in parts: y′ = Ωu, u′ = −Ω(y + 2ζu) + drive.
+        /// Advance of each oscillator over a part of `STEP`, with the time s from 0 to 1: y′ = Ωu, u′ = −Ω(y + 2ζu) + drive.
+        /// σ = √λ is the frequency ratio of the mode's resonance.  The drive is a polynomial in s.
         ///
-        /// A `Row` has the weights of the state (y, u) and of the drive's coefficients.  The first of `moments`, with the
-        /// state weights [a, a′], and `turn` or the first of `turns`, with [−b, −c], are three shears: y gains a·u, u gains
-        /// −b·y − c·u and its drive, y gains a′·u and its drive.
+        /// A `Row` has the weights of y and u at the start of the part (`state`) and of the coefficients of the drive (`drive`).
+        /// In a `HeldRow` the first list of `drive` belongs to a drive of y, the second to a drive of u.
+        /// Three shears advance y and u: y gains a·u, then u gains −b·y − c·u and a drive, then y gains a′·u and a drive.  `turn`
+        /// or the first of `turns` has the state weights [−b, −c], the first of `moments` has [a, a′].
         ///
-        /// Computed in double-double and rounded once: each number is exact to half a unit of its last place.
+        /// Computed in double-double and rounded once: each number is exact to half a unit of its last place.  Weights below
+        /// 1e-26 of the largest in their row are 0.
         #[doc = #checksum]
         const STEP_TABLES: FixedTables<#scalar, #sizes> = FixedTables { #numbers };
     };
     Some((tables, sum))
+}
+
+fn without_noise_of_mode<const D: usize>(mode: &mut ModeStep<Dd, D>) {
+    for row in mode.moments.iter_mut().chain([&mut mode.turn]) {
+        without_noise(row.state.iter_mut().chain(&mut row.drive));
+    }
+}
+
+fn without_noise_of_held<const D: usize>(mode: &mut HeldStep<Dd, D>) {
+    for row in mode.moments.iter_mut().chain(&mut mode.turns) {
+        without_noise(row.state.iter_mut().chain(row.drive.as_flattened_mut()));
+    }
+}
+
+/// Sets the weights of a row to 0 that are 0 in exact arithmetic. Otherwise their rounding errors would change with
+/// every change of the scene.
+fn without_noise<'w>(row: impl Iterator<Item = &'w mut Dd>) {
+    let row: Vec<&mut Dd> = row.collect();
+    let largest = row.iter().map(|weight| weight.abs());
+    let largest = largest.fold(Dd::ZERO, |a, b| if a < b { b } else { a });
+    for weight in row {
+        if weight.abs() <= largest * Dd::from(ROUNDING) {
+            *weight = Dd::ZERO;
+        }
+    }
 }
 
 /// Returns the number of power series terms that the scene's scalar type needs.
@@ -217,7 +248,7 @@ impl Writer<'_> {
                 (
                     "drag",
                     drag,
-                    "m* times the damping force per unit of velocity of the contact, Σ 2ζc/σ over the receptance",
+                    "damping force per unit of velocity of the contact, (Σ 2ζ(φᵀw)²/σ)/receptance",
                 ),
             ],
         );
@@ -259,11 +290,11 @@ impl Writer<'_> {
                     contact,
                     "φᵀw, displacement of the contact per unit of the mode",
                 ),
-                ("turn", turn, "weights of the gain of u"),
+                ("turn", turn, "shear of u"),
                 (
                     "moments",
                     code!([#(#moments),*]),
-                    "weights of ∫ sʲy′ ds for j = 0, 1, …; the first is the gain of y",
+                    "the first row: both shears of y; row j > 0: weights of ∫ sʲy′ ds",
                 ),
             ],
         );
@@ -285,7 +316,11 @@ impl Writer<'_> {
                     "Ω, angle of the undamped mode in a part, rad",
                 ),
                 ("zeta", zeta, "ζ, the modal damping ratio"),
-                ("force", force, "−(contact force)/y"),
+                (
+                    "force",
+                    force,
+                    "contact force, with its damping force, divided by −y",
+                ),
                 (
                     "from_base",
                     from_base,
@@ -294,12 +329,12 @@ impl Writer<'_> {
                 (
                     "moments",
                     code!([#(#moments),*]),
-                    "weights of ∫ sʲy′ ds for j = 0, 1, …",
+                    "the first row: both shears of y; row j > 0: weights of ∫ sʲy′ ds",
                 ),
                 (
                     "turns",
                     code!([#(#turns),*]),
-                    "weights of ∫ sʲu′ ds for j = 0, 1, …",
+                    "the first row: shear of u; row j > 0: weights of ∫ sʲu′ ds",
                 ),
             ],
         );

@@ -79,10 +79,16 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
     let sample = code! {
         Sample { base: #base, forces: &[#(input.#fields),*], friction: input.friction }
     };
-    let when = match steps.input {
-        Input::Hold => " Takes a step, over which the input is constant.",
-        Input::Linear => {
+    let when = match (steps.input, steps.on_base) {
+        (Input::Hold, false) => " Takes a step, over which the input is constant.",
+        (Input::Hold, true) => {
+            " Takes a step.  Forces and friction are constant over it.  The base jumps to the displacement of the input and then moves with its velocity."
+        }
+        (Input::Linear, false) => {
             " Takes a step, over which the input changes linearly from the last input to this one."
+        }
+        (Input::Linear, true) => {
+            " Takes a step.  Forces and friction change linearly over it.  The base follows the cubic through the displacements and velocities of the last input and of this one."
         }
     };
     let loaded = steps.forces.iter().map(|mass| count(*mass));
@@ -260,7 +266,7 @@ fn step_scene(emission: &Emission<'_>) -> (TokenStream, Vec<Checked>) {
                 code!(Units { #units }),
                 "factors to the units of the scene",
             ),
-            ("on_base", code!(#on_base), "the base moves"),
+            ("on_base", code!(#on_base), "true if the base moves"),
             (
                 "forces",
                 code!(&[#(#forces),*]),
@@ -319,9 +325,9 @@ fn types(
     let scalar = code!(::core::primitive::#scalar);
     let base = steps.on_base.then(|| {
         code! {
-            /// Displacement of the base.
+            /// Absolute displacement of the base.
             pub displacement: #scalar,
-            /// Velocity of the base, in the unit of displacement per second.
+            /// Absolute velocity of the base, in the unit of displacement per second.
             pub velocity: #scalar,
         }
     });
@@ -376,7 +382,7 @@ fn methods(emission: &Emission<'_>) -> TokenStream {
     let scalar = &emission.scalar;
     let names = emission.description.mass_names.iter().enumerate();
     let methods = names.map(|(index, method)| {
-        let about = format!(" Displacement and velocity of mass `{method}` now.");
+        let about = format!(" Absolute displacement and velocity of mass `{method}` now.");
         let index = Literal::usize_unsuffixed(index);
         code! {
             #[doc = #about]

@@ -11,7 +11,7 @@ use frictiongen_kernel::emitted::check::Listed;
 use frictiongen_kernel::table::Factor;
 use frictiongen_model::scene::Side;
 use frictiongen_model::table::{
-    Evidence, FINEST_PROVEN, FRICTION_SHARES, Product, Report, Tables, Work,
+    Evidence, FINEST_PROVEN, MOST_SHARE, Product, Report, Tables, Work,
 };
 use proc_macro2::{Literal, TokenStream};
 
@@ -172,10 +172,9 @@ fn contact<S: Float>(emission: &Emission<'_>, tables: &Tables<S>) -> TokenStream
             None
         }),
     };
-    let most = FRICTION_SHARES.iter().copied().fold(0.0, f64::max);
     let accuracy = tables.request.accuracy;
     let about = format!(
-        " To {accuracy:e} up to β = {most}·β_lim, relative in the amplitude and in rad in the phase; nearer to β_lim the error grows at most as 1/(1 − (β/β_lim)²)."
+        " To {accuracy:e} up to β = {MOST_SHARE}·β_lim, relative in the amplitude and in rad in the phase; nearer to β_lim the error grows at most as 1/(1 − (β/β_lim)²)."
     );
     let proof = format!(" {}", tables.motion_proof.told());
     code! {

@@ -45,7 +45,7 @@ impl Form {
             Self::Number => "",
             Self::Zero => "(r - y)(r + y), with y = at + rest",
             Self::Pair => {
-                "((r - y)(r + y) + off)^2 + least, with y = at + rest, for the zeros x + iy: off = x^2, least = 4 x^2 y^2"
+                "((r - y)(r + y) + off)^2 + least, with y = at + rest: factor of the four zeros s = +-x +- iy at s = ir; off = x^2, least = 4 x^2 y^2"
             }
             Self::RootPair => {
                 "(s - x)^2 + y^2 at s = ir, with y = at + rest: off = x^2, rate = -2x"

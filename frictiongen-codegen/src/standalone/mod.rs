@@ -28,7 +28,7 @@ use crate::emit::about_table;
 use constants::{Constants, Form};
 use frictiongen_kernel::Float;
 use frictiongen_model::scene::{Excitation, Provide, Scene};
-use frictiongen_model::table::{Evidence, FINEST_PROVEN, Proof, Tables, Work};
+use frictiongen_model::table::{Evidence, FINEST_PROVEN, MOST_SHARE, Proof, Tables, Work};
 
 /// A scene with its tables and with their origin.
 #[derive(Clone, Copy, Debug)]
@@ -157,9 +157,12 @@ fn about<S: Float>(source: &Source<'_, S>) -> Vec<String> {
     }
     if tables.moves() {
         about.push(format!(
-            "Amplitude and phase of the contact: {}",
+            "Amplitude and phase of the contact, for beta up to {MOST_SHARE} beta_lim: {}",
             told(tables, &tables.motion_proof)
         ));
+        about.push(
+            "For a larger beta their error grows at most as 1/(1 - (beta/beta_lim)^2).".to_owned(),
+        );
     }
     if let Some(held) = &tables.held {
         about.push(format!("Stuck responses: {}", held.told()));
@@ -167,7 +170,7 @@ fn about<S: Float>(source: &Source<'_, S>) -> Vec<String> {
     let left_out = left_out(scene);
     if !left_out.is_empty() {
         about.push(format!(
-            "Left out of `provide`: {}.  The files have limits, the motion of the contact and stuck responses.",
+            "Left out of `provide`: {}.  Of `provide`, this format has limits, the motion of the contact and stuck responses.",
             left_out.join(", ")
         ));
     }
@@ -246,7 +249,7 @@ const STATUSES: [(&str, i32, &str); 5] = [
     (
         "Unbounded",
         3,
-        "an undamped resonance; for a stuck response one of the chain with its contact stuck",
+        "an undamped resonance of the chain; for a stuck response, of the chain with its contact stuck",
     ),
 ];
 

@@ -30,7 +30,7 @@ pub(super) fn factors<S: Float>(
             }
             Factor::Real { off } => {
                 let values = [off.to_f64()];
-                let about = "x^2 of the zeros x and -x of r^2 + x^2";
+                let about = "x^2 in the factor r^2 + x^2 of the zeros s = x and s = -x at s = ir";
                 let name = constants.add(name, Form::Number, &values, about);
                 format!("((r * r) + {name})")
             }

@@ -10,6 +10,11 @@ use std::f64::consts::PI;
 
 /// Ratios β/β_lim at which the amplitude and the phase of the contact are compared with the exact values.
 pub const FRICTION_SHARES: [f64; 7] = [0.05, 0.3, 0.6, 0.8, 0.9, 0.95, 0.98];
+/// The largest ratio in [`FRICTION_SHARES`].
+pub const MOST_SHARE: f64 = {
+    let [.., largest] = FRICTION_SHARES;
+    largest
+};
 /// Allowed error of r near a zero of β_lim, in rounding units. The allowance covers the rounding of r in the
 /// computation of an exact value.
 const ROUNDINGS: f64 = 4.0;

@@ -32,7 +32,7 @@ mod verified;
 mod worst;
 mod zeros;
 
-pub use errors::FRICTION_SHARES;
+pub use errors::{FRICTION_SHARES, MOST_SHARE};
 pub use evidence::{Evidence, Proof, Work};
 pub use fit::Fitted;
 pub use held::{Held, HeldForm};

@@ -1,7 +1,7 @@
 //! Responses of chains with Rayleigh damping, the sum of a mass-proportional and a stiffness-proportional term.
 //!
 //! Rayleigh damping means 2ζ_i√λ_i = a + bλ_i. Then s² + 2ζ_i√λ_i s + λ_i = (1 + bs)(λ_i + q), with q = (s² + as)/(1 +
-//! bs). Every receptance is therefore that of the undamped chain at −s² = q, divided by 1 + bs. The zeros and poles of
+//! bs). Every receptance is therefore that of the undamped chain at s² = q, divided by 1 + bs. The zeros and poles of
 //! the receptance follow from those of the undamped chain.
 //!
 //! The force of a spring contains the factor 1 + bs. A response may therefore have a zero at s = −1/b. The order of
@@ -71,7 +71,7 @@ impl Proportional {
     }
 
     /// Appends the zeros of the damped chain that follow from one zero of the undamped chain. Returns how many
-    /// different values of q = −s² belong to the undamped zero.
+    /// different values of q = s² belong to the undamped zero.
     fn moved(&self, zero: &Zero, into: &mut Vec<Zero>) -> isize {
         let half = Dd::from(0.5);
         if zero.x.is_zero() || zero.y.is_zero() {

@@ -159,7 +159,7 @@ fn factors(formulas: &Formulas) -> String {
         (
             "pair",
             format!(
-                "/* A pair of zeros x + iy beside the axis. */\n\
+                "/* The factor of four zeros s = +-x +- iy at s = ir; `rest` matters in the first difference alone. */\n\
                  static inline {real} pair({real} r, struct pair y)\n{{\n    \
                  const {real} beside = (((r - y.at) - y.rest) * (r + y.at)) + y.off;\n    \
                  return (beside * beside) + y.least;\n}}\n\n"

@@ -151,7 +151,7 @@ fn factors(formulas: &Formulas) -> String {
         (
             "pair",
             format!(
-                "\n/// A pair of zeros x + iy beside the axis.\nfn pair(r: {real}, y: Pair) -> {real} {{\n    \
+                "\n/// The factor of four zeros s = +-x +- iy at s = ir; `rest` matters in the first difference alone.\nfn pair(r: {real}, y: Pair) -> {real} {{\n    \
                  let beside = ((r - y.at) - y.rest) * (r + y.at) + y.off;\n    beside * beside + y.least\n}}\n"
             ),
         ),
