@@ -8,6 +8,7 @@ use crate::failure::Failure;
 use crate::frequency::Frequencies;
 use crate::friction::Frictions;
 use crate::grids::Grids;
+use crate::joined;
 use crate::measure;
 use crate::output::{self, Table, Visitor};
 use crate::summary::Summary;
@@ -21,7 +22,12 @@ use std::io::Write;
 pub fn run(arguments: &SensitivityArguments, out: &mut dyn Write) -> Result<(), Failure> {
     let frequencies = Frequencies::parse(&arguments.point.frequency, true)?;
     let frictions = Frictions::parse(&arguments.point.friction, Some(&frequencies))?;
-    let description = arguments.point.file.constant_level(&Limits::RUN_TIME)?;
+    let description = arguments.point.file.any(&Limits::RUN_TIME)?;
+    if description.scene.is_joined() {
+        let asked = joined::Asked::of(&arguments.point, frequencies, frictions, &[]);
+        let form = arguments.format.checked()?;
+        return asked.write_sensitivities(description.scene, &arguments.of, form, out);
+    }
     let system = System::try_from(description.scene).map_err(Failure::new)?;
     let part = asked::part(&system, &arguments.of)?;
     asked::without_rates(std::slice::from_ref(&part))?;

@@ -161,7 +161,8 @@ pub struct SensitivityArguments {
     /// The scene, the frequencies and the frictions.
     #[command(flatten)]
     pub point: PointArguments,
-    /// Motion whose derivatives are printed: a mass, `contact`, `roof-base`, `roof-first`
+    /// Motion whose derivatives are printed: a mass, `contact`, `roof-base`, `roof-first`. With several contacts: a mass,
+    /// or a contact for the energy that it dissipates
     #[arg(long, value_name = "NAME")]
     pub of: String,
     /// Arguments for the format of the output.

@@ -319,12 +319,14 @@ Parameters:
   m, k      each mass and spring
   zeta i    the damping ratio of mode i; a, b of Rayleigh damping
   mu        ratio of static to kinetic friction force
+  c, share, stiffness  each dashpot, and the numbers of each of several contacts
   F, P or Y, f  with a load: friction force, load and frequency in Hz. Each derivative keeps all other
             parameters constant. The first mass and the first spring therefore change r and beta
   beta, r   without a load: derivatives are taken at constant r and beta
 
 Answers:
-  exact       exact derivatives of the closed form, of the steady state with stops, or of the stuck response
+  exact       exact derivatives of the closed form, of the steady state with stops, or of the stuck response.
+              With several contacts, differences of steady states, with errors of about 1e-7 of the value
   These words mean that there is no derivative:
   bend        the answer has a corner here, because the friction equals a limit, or because a small change
               of a parameter adds or removes an event (a stop, a break-away or a reversal of the contact)

@@ -3,6 +3,7 @@
 
 mod optimum;
 mod report;
+mod sensitivity;
 mod time;
 
 use crate::args::PointArguments;
@@ -19,6 +20,7 @@ use frictiongen::study::columns::{JoinedTable, Setting};
 use frictiongen::study::joined::Joined;
 use frictiongen::study::scene::Scene;
 use report::JoinedReport;
+use sensitivity::SensitivityReport;
 use std::io::Write;
 
 pub use optimum::optimum;
@@ -137,6 +139,24 @@ impl<'a> Asked<'a> {
     ) -> Result<(), Failure> {
         self.question(scene, |question| {
             let report = JoinedReport { question, states };
+            output::write(&report, &question.summary(), form, out)
+        })
+    }
+    /// Writes the derivatives of the amplitude of a mass, or of the energy of a contact, with respect to every number.
+    pub fn write_sensitivities(
+        self,
+        scene: Scene,
+        of: &str,
+        form: Form,
+        out: &mut dyn Write,
+    ) -> Result<(), Failure> {
+        self.question(scene, |question| {
+            let of = sensitivity::number(question.system, question.joined, of)?;
+            let report = SensitivityReport {
+                question,
+                of: &of,
+                with_answers: matches!(form, Form::Table(_)),
+            };
             output::write(&report, &question.summary(), form, out)
         })
     }

@@ -172,7 +172,6 @@ fn the_rest_is_refused_by_name() {
     for line in [
         "limits --r 0.5",
         "features",
-        "sensitivity --r 0.5 --beta 0.3 --of lower",
         "compile --accuracy 1e-4 --r 0.2:2.5",
     ] {
         let told = failure(FRAME, &split(line));
@@ -199,4 +198,60 @@ fn the_rest_is_refused_by_name() {
             "{line}: {told}"
         );
     }
+}
+
+/// `sensitivity` has one line for each parameter, and its derivatives are differences of `orbit`.
+#[test]
+fn derivatives_are_differences_of_orbits() {
+    let point = "--hz 2.6 --friction 0.9 --base 2e-3";
+    let line = format!("sensitivity {point} --of upper --csv");
+    let csv = output(FRAME, &split(&line));
+    let parameters = texts(&csv, "parameter");
+    let expected = "m lower|m upper|k base - lower|k lower - upper|zeta 1|zeta 2|c lower - upper|share brace|\
+        stiffness brace|share pads|F|Y|f";
+    assert_eq!(parameters.join("|"), expected);
+    let units = texts(&csv, "unit");
+    assert_eq!(units.join("|"), "kg|kg|N/m|N/m|||N s/m||N/m||N|m|Hz");
+    let place = parameters.iter().position(|name| *name == "share pads");
+    let place = place.expect("the share");
+    let derivative = column(&csv, "amplitude_m.derivative")[place];
+    let amplitude = |share: &str| {
+        let scene = FRAME.replace("share: 0.6", &format!("share: {share}"));
+        let orbit = output(&scene, &split(&format!("orbit {point} --csv")));
+        column(&orbit, "upper.amplitude_m")[0]
+    };
+    let difference = (amplitude("0.6001") - amplitude("0.5999")) / 2e-4;
+    // The second step of the share is 1e-4, and the amplitude is about 5 mm.
+    assert!(
+        (derivative - difference).abs() < 1e-8,
+        "{derivative} {difference}"
+    );
+    // The energy of a contact has derivatives too, in every format.
+    let json = output(
+        FRAME,
+        &split(&format!("sensitivity {point} --of pads --json")),
+    );
+    let json: serde_json::Value = serde_json::from_str(&json).expect("JSON");
+    assert!(
+        json["points"][0]["energy_J"]
+            .as_f64()
+            .is_some_and(|energy| energy > 0.0),
+        "{json}"
+    );
+    let text = output(FRAME, &split(&format!("sensitivity {point} --of pads")));
+    assert!(
+        text.contains("energy pads") && text.contains("stiffness brace"),
+        "{text}"
+    );
+    // A contact that never slides keeps its place.
+    let stuck = output(
+        FRAME,
+        &split("sensitivity --hz 2.6 --friction 90 --base 2e-3 --of upper --csv"),
+    );
+    assert_eq!(texts(&stuck, "answer"), ["marginal"]);
+    let told = failure(FRAME, &split("sensitivity --r 0.6 --beta 0.3 --of roof"));
+    assert!(
+        told.contains("lower, upper") && told.contains("brace, pads"),
+        "{told}"
+    );
 }

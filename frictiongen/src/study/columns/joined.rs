@@ -274,7 +274,7 @@ fn limit(at: &JoinedAt<'_>) -> Option<(f64, String)> {
 }
 
 /// Returns a word for the reason why there is no steady state.
-fn reason(error: &JointError) -> &'static str {
+pub(super) fn reason(error: &JointError) -> &'static str {
     match error {
         JointError::NotSteady => "unsettled",
         JointError::Events | JointError::Stretches | JointError::Patterns => "too long",

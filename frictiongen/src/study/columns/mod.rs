@@ -47,6 +47,7 @@ mod features;
 #[cfg(feature = "desk")]
 mod history;
 mod joined;
+mod joined_sensitivity;
 mod limits;
 #[cfg(feature = "desk")]
 mod map;
@@ -71,6 +72,7 @@ pub use features::{
 #[cfg(feature = "desk")]
 pub use history::{EventRow, HistoryTable, SampleRow, SpectrumRow};
 pub use joined::{JoinedEventRow, JoinedRow, JoinedSample, JoinedTable};
+pub use joined_sensitivity::{JoinedNumber, JoinedSensitivityRow, JoinedSensitivityTable};
 pub use limits::{LimitsAsked, LimitsRow, LimitsTable};
 #[cfg(feature = "desk")]
 pub use map::{BoundaryRow, MapLimitsRow, MapRow, MapTable};

@@ -11,7 +11,7 @@ use crate::study::{
 };
 
 /// Symbol in the row with the values themselves instead of their derivatives.
-const ITSELF: &str = "the answer";
+pub(super) const ITSELF: &str = "the answer";
 
 /// A row: the derivatives of the answers with respect to one parameter at one operating point.
 #[derive(Clone, Debug)]

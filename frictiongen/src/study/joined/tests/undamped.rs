@@ -35,7 +35,7 @@ fn description(random: &mut Random) -> String {
             law += &format!(", stiction: {:.3}", random.between(1.0, 1.5));
         }
         // Rigid contacts must not form a loop. All contacts with the wall but the first are therefore elastic.
-        if contact > 0 && place % 2 == 0 || random.once_in(2) {
+        if contact > 0 && place.is_multiple_of(2) || random.once_in(2) {
             law += &format!(", stiffness: {:.1}", random.between(2e3, 2e4));
         }
         contacts.push(format!("c{contact}: {ends} {{ {law} }}"));

@@ -1,0 +1,76 @@
+//! Writes derivatives of steady states of several contacts.
+
+use super::Question;
+use crate::failure::Failure;
+use crate::output::{Table, Visitor};
+use frictiongen::System;
+use frictiongen::study::columns::{
+    Column, JoinedNumber, JoinedSensitivityRow, JoinedSensitivityTable,
+};
+use frictiongen::study::joined::Joined;
+
+/// Returns the number whose derivatives the user requests: the energy of a contact, or the amplitude of a mass.
+pub fn number(system: &System, joined: &Joined<'_>, name: &str) -> Result<JoinedNumber, Failure> {
+    let contacts = joined.contact_names();
+    if let Some(contact) = contacts.iter().position(|known| known == name) {
+        return Ok(JoinedNumber::Energy(contact, name.to_owned()));
+    }
+    let known = system.scene().masses.iter();
+    let Some(mass) = known.clone().position(|mass| mass.name == name) else {
+        let masses: Vec<&str> = known.map(|mass| mass.name.as_str()).collect();
+        return Err(Failure::new(format_args!(
+            "--of `{name}`: it is neither a mass nor a contact; give one of the masses {} or of the contacts {}",
+            masses.join(", "),
+            contacts.join(", ")
+        )));
+    };
+    Ok(JoinedNumber::Amplitude(mass, name.to_owned()))
+}
+
+/// Derivatives of a number, with the settings for their output.
+pub struct SensitivityReport<'q> {
+    /// Frequencies, frictions and units.
+    pub(super) question: &'q Question<'q>,
+    /// The number whose derivatives the user requests.
+    pub of: &'q JoinedNumber,
+    /// True if the output has a line with the value above the lines with its derivatives.
+    pub with_answers: bool,
+}
+
+impl SensitivityReport<'_> {
+    fn table(&self) -> JoinedSensitivityTable<'_> {
+        JoinedSensitivityTable {
+            setting: self.question.table().setting,
+            joined: self.question.joined,
+            of: self.of,
+        }
+    }
+}
+
+impl Table for SensitivityReport<'_> {
+    type Row = JoinedSensitivityRow;
+
+    fn len(&self) -> usize {
+        let frequencies = self.question.frequencies.len();
+        frequencies.saturating_mul(self.question.frictions.len())
+    }
+
+    fn each(&self, visit: Visitor<'_, JoinedSensitivityRow>) -> Result<(), Failure> {
+        let (question, table) = (self.question, self.table());
+        for frequency in question.frequencies.all(question.system) {
+            for friction in question.frictions.all() {
+                let rows = table.rows(frequency, friction).map_err(Failure::new)?;
+                let first = rows.first().filter(|_| self.with_answers);
+                if let Some(answers) = first.and_then(JoinedSensitivityRow::itself) {
+                    visit(&answers)?;
+                }
+                rows.iter().try_for_each(&mut *visit)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn columns(&self) -> Vec<Column<'_, JoinedSensitivityRow>> {
+        self.table().columns()
+    }
+}
