@@ -1,6 +1,8 @@
 //! Answers of the commands for a scene with several contacts, dashpots, or masses without a path of springs to a
 //! support.
 
+#[cfg(feature = "pictures")]
+mod draw;
 mod optimum;
 mod report;
 mod time;
@@ -21,6 +23,8 @@ use frictiongen::study::scene::Scene;
 use report::JoinedReport;
 use std::io::Write;
 
+#[cfg(feature = "pictures")]
+pub use draw::Picture;
 pub use optimum::optimum;
 pub use time::OfTime;
 
@@ -31,16 +35,6 @@ pub fn refused(options: &[(bool, &str)]) -> Result<(), Failure> {
         Some((_, option)) => Err(Failure::new(format_args!(
             "{option} has no answer for a scene with `contacts` or `dampers`; leave it out, or sample the motion by `frictiongen time`"
         ))),
-    }
-}
-
-/// Fails for a picture, because pictures are not available for several contacts.
-pub fn without_picture(form: Form) -> Result<Form, Failure> {
-    match form {
-        Form::Svg | Form::Png => Err(Failure::new(
-            "-o: there is no picture of a scene with `contacts` or `dampers`; write a file that ends in .csv or .json",
-        )),
-        form => Ok(form),
     }
 }
 
@@ -138,6 +132,20 @@ impl<'a> Asked<'a> {
         self.question(scene, |question| {
             let report = JoinedReport { question, states };
             output::write(&report, &question.summary(), form, out)
+        })
+    }
+
+    /// Draws steady states over frequency and friction.
+    #[cfg(feature = "pictures")]
+    pub fn draw(
+        self,
+        scene: Scene,
+        picture: Picture,
+        form: Form,
+        out: &mut dyn Write,
+    ) -> Result<(), Failure> {
+        self.question(scene, |question| {
+            draw::steady(question, picture, (form, out))
         })
     }
 }
