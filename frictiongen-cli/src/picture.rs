@@ -99,7 +99,7 @@ pub fn under_load(figure: Figure, measure: &Measure, more: &str) -> Figure {
 }
 
 /// Formats a number for a caption, with four digits.
-fn short(value: f64) -> String {
+pub fn short(value: f64) -> String {
     let rounded = format!("{value:.3e}").parse().unwrap_or(value);
     format!("{rounded}")
 }
@@ -126,7 +126,11 @@ pub fn write_with(
     form: Form,
     out: &mut dyn Write,
 ) -> Result<(), Failure> {
-    let figure = figure.with_sketch(sketch);
+    write_alone(&figure.with_sketch(sketch), form, out)
+}
+
+/// Writes a figure as it is.
+pub fn write_alone(figure: &Figure, form: Form, out: &mut dyn Write) -> Result<(), Failure> {
     let bytes = match form {
         #[cfg(feature = "png")]
         Form::Png => figure.png(SCALE).map_err(Failure::new)?,

@@ -161,6 +161,12 @@ Quantities:
   state           state of the contact at the sample: stuck, or the direction of sliding
   events          number of stops, break-aways and reversals since the previous sample
 
+With the field `contacts`, --friction or the channel `friction` is the common force F, and each contact has its
+share of F. --of may name contacts. Each contact has these columns, in place of force and state:
+  force, sticks   the force in N, and whether the contact sticks
+  slip, energy    distance that the slider has travelled, and energy that friction has dissipated since the start
+The first lines, and the JSON, contain the energy of each contact instead of the work.
+
 The lines below the table, and the JSON, contain the work of the load and the energy that friction and
 damping dissipated, in J. They also contain the number of steps with more events than the stepper can follow.
 

@@ -54,10 +54,17 @@ pub fn run(arguments: &CurveArguments, out: &mut dyn Write) -> Result<(), Failur
             (arguments.accuracy.is_some(), "--accuracy"),
             (!arguments.from.is_empty(), "--from"),
         ])?;
-        let form = joined::without_picture(destination.form)?;
         let frequencies = Frequencies::spread(&arguments.point.frequency)?;
         let asked = joined::Asked::of(&arguments.point, frequencies, frictions, &arguments.of);
-        return destination.write(out, |out| asked.write(description.scene, false, form, out));
+        return destination.write(out, |out| match destination.form {
+            #[cfg(feature = "pictures")]
+            form @ (Form::Svg | Form::Png) => {
+                let log = arguments.log.unwrap_or_default();
+                let picture = joined::Picture::Curve(log.frequency(), log.amplitude());
+                asked.draw(description.scene, picture, form, out)
+            }
+            form => asked.write(description.scene, false, form, out),
+        });
     }
     let system = System::try_from(description.scene).map_err(Failure::new)?;
     let band = Band::parse(&arguments.point.frequency, &system)?;

@@ -1,6 +1,8 @@
 //! Answers of the commands for a scene with several contacts, dashpots, or masses without a path of springs to a
 //! support.
 
+#[cfg(feature = "pictures")]
+mod draw;
 mod optimum;
 mod report;
 mod sensitivity;
@@ -23,6 +25,8 @@ use report::JoinedReport;
 use sensitivity::SensitivityReport;
 use std::io::Write;
 
+#[cfg(feature = "pictures")]
+pub use draw::Picture;
 pub use optimum::optimum;
 pub use time::OfTime;
 
@@ -33,16 +37,6 @@ pub fn refused(options: &[(bool, &str)]) -> Result<(), Failure> {
         Some((_, option)) => Err(Failure::new(format_args!(
             "{option} has no answer for a scene with `contacts` or `dampers`; leave it out, or sample the motion by `frictiongen time`"
         ))),
-    }
-}
-
-/// Fails for a picture, because pictures are not available for several contacts.
-pub fn without_picture(form: Form) -> Result<Form, Failure> {
-    match form {
-        Form::Svg | Form::Png => Err(Failure::new(
-            "-o: there is no picture of a scene with `contacts` or `dampers`; write a file that ends in .csv or .json",
-        )),
-        form => Ok(form),
     }
 }
 
@@ -142,6 +136,7 @@ impl<'a> Asked<'a> {
             output::write(&report, &question.summary(), form, out)
         })
     }
+
     /// Writes the derivatives of the amplitude of a mass, or of the energy of a contact, with respect to every number.
     pub fn write_sensitivities(
         self,
@@ -158,6 +153,20 @@ impl<'a> Asked<'a> {
                 with_answers: matches!(form, Form::Table(_)),
             };
             output::write(&report, &question.summary(), form, out)
+        })
+    }
+
+    /// Draws steady states over frequency and friction.
+    #[cfg(feature = "pictures")]
+    pub fn draw(
+        self,
+        scene: Scene,
+        picture: Picture,
+        form: Form,
+        out: &mut dyn Write,
+    ) -> Result<(), Failure> {
+        self.question(scene, |question| {
+            draw::steady(question, picture, (form, out))
         })
     }
 }

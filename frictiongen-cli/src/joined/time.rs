@@ -5,8 +5,10 @@ use crate::destination::Form;
 use crate::failure::Failure;
 use crate::layout::Layout;
 use crate::output::{self, Table, Visitor};
+#[cfg(feature = "pictures")]
+use crate::picture::short;
 use crate::time::asked::{Asked as Length, state};
-use frictiongen::study::columns::{Column, JoinedEventRow, JoinedSample};
+use frictiongen::study::columns::{Column, Frequency, JoinedEventRow, JoinedSample};
 use frictiongen::study::joined::JoinedHistory;
 use frictiongen::study::scene::Scene;
 use std::io::Write;
@@ -31,7 +33,14 @@ impl Asked<'_> {
         out: &mut dyn Write,
     ) -> Result<(), Failure> {
         self.question(scene, |question| {
-            let (history, omega) = history(question, time)?;
+            let (history, frequency) = history(question, time)?;
+            let omega = frequency.omega;
+            #[cfg(feature = "pictures")]
+            if matches!(form, Form::Svg | Form::Png) {
+                let caption = caption(question, time, frequency)?;
+                let motion = (&history, frequency);
+                return super::draw::motion(question, motion, &caption, (form, out));
+            }
             let (history, summary) = (&history, question.summary());
             if time.events {
                 let report = EventsReport {
@@ -51,8 +60,36 @@ impl Asked<'_> {
     }
 }
 
-/// Returns the motion and its angular frequency.
-fn history(question: &Question<'_>, time: &OfTime<'_>) -> Result<(JoinedHistory, f64), Failure> {
+/// Returns the caption of a picture: frequency, friction and kind of motion.
+#[cfg(feature = "pictures")]
+fn caption(
+    question: &Question<'_>,
+    time: &OfTime<'_>,
+    frequency: Frequency,
+) -> Result<String, Failure> {
+    let friction = question.frictions.only()?;
+    let friction = friction.at(&question.measure, frequency);
+    let frequency = match question.frequencies.are_physical() {
+        true => format!("{} Hz", short(frequency.hertz)),
+        false => format!("r = {}", short(frequency.r)),
+    };
+    let friction = match question.measure.scale() {
+        Some(_) => format!("F = {} N", short(question.measure.force(friction.beta))),
+        None => format!("β = {}", short(friction.beta)),
+    };
+    let kind = match (time.asked.steady, time.from) {
+        (true, _) => "steady state, one period",
+        (_, Some(_)) => "motion from a state",
+        (_, None) => "motion from rest",
+    };
+    Ok(format!("{frequency}; {friction}; {kind}"))
+}
+
+/// Returns the motion and its frequency.
+fn history(
+    question: &Question<'_>,
+    time: &OfTime<'_>,
+) -> Result<(JoinedHistory, Frequency), Failure> {
     let frequency = question.frequencies.only(question.system)?;
     let friction = question.frictions.only()?;
     let friction = friction.at(&question.measure, frequency).beta;
@@ -75,7 +112,7 @@ fn history(question: &Question<'_>, time: &OfTime<'_>) -> Result<(JoinedHistory,
         let mut run = run.map_err(Failure::new)?;
         run.history(asked.skip, asked.cycles, asked.samples)
     };
-    Ok((history.map_err(Failure::new)?, frequency.omega))
+    Ok((history.map_err(Failure::new)?, frequency))
 }
 
 /// The samples of a motion.

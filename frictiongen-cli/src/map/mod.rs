@@ -4,7 +4,7 @@
 mod draw;
 mod points;
 
-use crate::args::MapArguments;
+use crate::args::{MapArguments, Shade};
 use crate::asked;
 use crate::destination::Destination;
 #[cfg(feature = "pictures")]
@@ -46,10 +46,19 @@ pub fn run(arguments: &MapArguments, out: &mut dyn Write) -> Result<(), Failure>
     let frictions = Frictions::of_map(&arguments.point.friction, &frequencies)?;
     let description = arguments.point.file.any(&Limits::RUN_TIME)?;
     if description.scene.is_joined() {
-        joined::refused(&[(digits.is_some(), "--boundaries")])?;
-        let form = joined::without_picture(destination.form)?;
+        joined::refused(&[
+            (digits.is_some(), "--boundaries"),
+            (arguments.shade == Shade::Stuck, "--shade stuck"),
+        ])?;
         let asked = joined::Asked::of(&arguments.point, frequencies, frictions, &arguments.of);
-        return destination.write(out, |out| asked.write(description.scene, false, form, out));
+        return destination.write(out, |out| match destination.form {
+            #[cfg(feature = "pictures")]
+            form @ (Form::Svg | Form::Png) => {
+                let picture = joined::Picture::Map(arguments.shade);
+                asked.draw(description.scene, picture, form, out)
+            }
+            form => asked.write(description.scene, false, form, out),
+        });
     }
     let system = System::try_from(description.scene).map_err(Failure::new)?;
     frequencies.check(&system)?;

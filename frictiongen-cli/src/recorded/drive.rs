@@ -1,6 +1,7 @@
 //! `frictiongen drive`: computes the motion of a scene under a recorded input.
 
 use super::driven::DrivenReport;
+use super::joined;
 use super::read;
 use super::spectrum::SpectrumReport;
 use crate::args::DriveArguments;
@@ -9,10 +10,10 @@ use crate::destination::Destination;
 #[cfg(feature = "pictures")]
 use crate::destination::Form;
 use crate::failure::Failure;
+use crate::joined::refused;
 use crate::measure::Measure;
 use crate::output;
 use crate::summary::Summary;
-use frictiongen::measure::Inputs;
 use std::io::Write;
 
 /// Runs `frictiongen drive`.
@@ -26,7 +27,10 @@ pub fn run(arguments: &DriveArguments, out: &mut dyn Write) -> Result<(), Failur
         number_that("--friction", text, |force| 0.0 <= force, needed)
     });
     let friction = friction.transpose()?;
-    let system = read::scene(&files.scene)?;
+    let system = read::any_scene(&files.scene)?;
+    if system.scene().is_joined() {
+        refused(&[(arguments.spectrum.is_some(), "--spectrum")])?;
+    }
     if let Some(text) = &arguments.spectrum {
         let needed = "a damping ratio from 0 to below 1";
         let zeta = number_that(
@@ -45,6 +49,10 @@ pub fn run(arguments: &DriveArguments, out: &mut dyn Write) -> Result<(), Failur
             output::write(&spectrum, &summary, form, out)
         });
     }
+    if system.scene().is_joined() {
+        let driven = joined::Asked::of(&system, &arguments.of, friction)?;
+        return destination.write(out, |out| driven.write(files, form, out));
+    }
     let mut parts = parts(&system, &arguments.of)?;
     without_rates(&parts)?;
     if arguments.of.is_empty() {
@@ -53,12 +61,7 @@ pub fn run(arguments: &DriveArguments, out: &mut dyn Write) -> Result<(), Failur
         parts = all.collect();
     }
     let recording = files.inputs()?;
-    let path = files.recordings.first();
-    let inputs = Inputs::of(&recording, &system, friction);
-    let inputs = inputs.map_err(|error| match path {
-        Some(path) => read::told(path, &error),
-        None => Failure::new(error),
-    })?;
+    let inputs = read::drive(files, &recording, &system, friction)?;
     let driven = DrivenReport::of(&system, &inputs, parts)?;
     let summary = Summary::of(&system, true, Measure::groups(&system));
     destination.write(out, |out| {

@@ -7,6 +7,7 @@ mod drive;
 mod driven;
 mod fit;
 mod identify;
+mod joined;
 mod lines;
 mod read;
 mod spectrum;

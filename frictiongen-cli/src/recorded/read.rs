@@ -4,7 +4,7 @@ use crate::args::{FileArgument, RecordingArguments};
 use crate::asked::number_that;
 use crate::failure::{Failure, reason};
 use frictiongen::System;
-use frictiongen::measure::{Column, CsvRequest, MeasureError, Measured, Recording, Unit};
+use frictiongen::measure::{Column, CsvRequest, Inputs, MeasureError, Measured, Recording, Unit};
 use frictiongen_codegen::Limits;
 use std::fs;
 use std::path::Path;
@@ -15,6 +15,16 @@ pub fn scene(path: &Path) -> Result<System, Failure> {
         file: Some(path.to_owned()),
     };
     let description = file.description(&Limits::RUN_TIME)?;
+    System::try_from(description.scene).map_err(Failure::new)
+}
+
+/// Reads the scene to which the recordings belong. It may have several contacts and dashpots, but its kinetic friction
+/// must then be constant.
+pub fn any_scene(path: &Path) -> Result<System, Failure> {
+    let file = FileArgument {
+        file: Some(path.to_owned()),
+    };
+    let description = file.maybe_joined(&Limits::RUN_TIME, false)?;
     System::try_from(description.scene).map_err(Failure::new)
 }
 
@@ -38,6 +48,21 @@ pub fn text(path: &Path) -> Result<String, Failure> {
 /// Returns the failure for an error in a file. The message contains the file's name.
 pub fn told(path: &Path, error: &MeasureError) -> Failure {
     Failure::new(format_args!("{}: {error}", path.display()))
+}
+
+/// Collects the inputs of a scene from its recording. Messages contain the name of the file.
+pub fn drive<'r>(
+    files: &RecordingArguments,
+    recording: &'r Recording,
+    system: &System,
+    friction: Option<f64>,
+) -> Result<Inputs<'r>, Failure> {
+    let path = files.recordings.first();
+    let inputs = Inputs::of(recording, system, friction);
+    inputs.map_err(|error| match path {
+        Some(path) => told(path, &error),
+        None => Failure::new(error),
+    })
 }
 
 impl RecordingArguments {

@@ -46,7 +46,6 @@ pub fn run(arguments: &TimeArguments, out: &mut dyn Write) -> Result<(), Failure
     let description = file.maybe_joined(&Limits::RUN_TIME, arguments.steady)?;
     if description.scene.is_joined() {
         joined::refused(&[(arguments.spectrum, "--spectrum")])?;
-        let form = joined::without_picture(form)?;
         let point = joined::Asked::of(&arguments.point, frequencies, frictions, &arguments.of);
         let of_time = joined::OfTime {
             asked,

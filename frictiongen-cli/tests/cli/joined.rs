@@ -190,7 +190,7 @@ fn the_rest_is_refused_by_name() {
         "curve --r 0.5:1 --beta 0.3 --rates",
         "map --r 0.5 --beta 0.3 --boundaries 4",
         "time --r 0.5 --beta 0.3 --spectrum",
-        "curve --r 0.5:1 --beta 0.3 -o frame.svg",
+        "map --r 0.5:1 --beta 0.3,0.4 --shade stuck",
     ] {
         let told = failure(FRAME, &split(line));
         assert!(
@@ -254,4 +254,57 @@ fn derivatives_are_differences_of_orbits() {
         told.contains("lower, upper") && told.contains("brace, pads"),
         "{told}"
     );
+}
+
+/// Returns the visible text of a picture that a command writes.
+fn picture(line: &str, name: &str) -> String {
+    let path = std::env::temp_dir().join(format!("frictiongen-{}-{name}.svg", std::process::id()));
+    let shown = path.to_str().expect("a path");
+    let mut arguments = split(line);
+    arguments.extend(["-o", shown]);
+    output(FRAME, &arguments);
+    let drawn = std::fs::read_to_string(&path).expect("a picture");
+    std::fs::remove_file(path).expect("a file");
+    assert!(!drawn.contains("NaN"), "{name}");
+    let pieces = drawn.split('<').filter_map(|tag| tag.split_once('>'));
+    pieces.map(|(_, text)| text).collect()
+}
+
+/// Pictures show a loop of each contact, and say how many contacts slide.
+#[test]
+fn pictures_of_several_contacts() {
+    let motion = picture("time --r 0.6 --beta 0.3 --steady --samples 60", "motion");
+    for word in [
+        "brace: hysteresis loop, area = energy",
+        "pads: hysteresis loop",
+        "the contact sticks",
+        "r = 0.6; β = 0.3; steady state, one period",
+    ] {
+        assert!(motion.contains(word), "{word}: {motion}");
+    }
+    let curve = "curve --r 0.4:0.2:1.2 --beta 0,0.3,2 --of upper";
+    let curve = picture(curve, "curve");
+    for word in [
+        "upper",
+        "contact brace",
+        "stuck fraction of the period",
+        "all contacts slide",
+        "some contacts stick",
+        "all contacts are stuck",
+    ] {
+        assert!(curve.contains(word), "{word}: {curve}");
+    }
+    let map = "map --r 0.4:0.2:1.2 --beta 0.1:0.4:1.7 --of upper";
+    let regimes = picture(map, "map");
+    for word in [
+        "all contacts are stuck",
+        "some contacts stick",
+        "stuck state above",
+    ] {
+        assert!(regimes.contains(word), "{word}: {regimes}");
+    }
+    let sizes = picture(&format!("{map} --shade amplitude"), "sizes");
+    assert!(sizes.contains("amplitude of upper"), "{sizes}");
+    let told = failure(FRAME, &split("map --r 0.5 --beta 0.3,0.4 -o frame.svg"));
+    assert!(told.contains("needs two frequencies"), "{told}");
 }

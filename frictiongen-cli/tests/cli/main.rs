@@ -7,6 +7,7 @@ mod curve;
 mod curve_refused;
 mod diff;
 mod drive;
+mod drive_joined;
 mod elastic;
 mod expand;
 mod export;

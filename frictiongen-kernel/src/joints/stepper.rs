@@ -3,8 +3,10 @@
 use super::base::Curve;
 use super::model::Model;
 use super::now::{ContactState, MassState};
-use super::run::{Bounds, Count, Motion, Observe};
+use super::run::{Bounds, Motion, Observe};
+use super::series::Series;
 use super::size::{Size, at};
+use super::state::State;
 use super::wave::Wave;
 use crate::Float;
 use crate::errors::{Given, Halt, OutOfDomain};
@@ -33,6 +35,23 @@ pub struct Stepper<S: Float, Z: Size> {
     forces: Z::Loads<S>,
     /// Displacement and velocity of the base at the end of the last step.
     base: [S; 2],
+}
+
+/// Counts the events of a step, and passes the motion to another observer.
+struct Counted<'w, W> {
+    events: u32,
+    watch: &'w mut W,
+}
+
+impl<S: Float, Z: Size, W: Observe<S, Z>> Observe<S, Z> for Counted<'_, W> {
+    fn stretch(&mut self, series: &Series<S, Z>, end: S, state: &State<S, Z>) {
+        self.watch.stretch(series, end, state);
+    }
+
+    fn event(&mut self, time: S, before: &Z::Contacts<i8>, after: &Z::Contacts<i8>) {
+        self.events += 1;
+        self.watch.event(time, before, after);
+    }
 }
 
 impl<S: Float, Z: Size> Stepper<S, Z> {
@@ -65,6 +84,27 @@ impl<S: Float, Z: Size> Stepper<S, Z> {
         })
     }
 
+    /// Sets the input at the start of the first step. Without this call that input is 0. A linear input begins at this
+    /// value. The parameters are those of [`advance`](Self::advance).
+    ///
+    /// # Errors
+    ///
+    /// Same errors as [`advance`](Self::advance). The stepper is then unchanged. The caller must not call this method
+    /// after the first step.
+    pub fn begin(
+        &mut self,
+        base: [S; 2],
+        forces: &[S],
+        frictions: &[S],
+    ) -> Result<(), OutOfDomain> {
+        check(base, forces, frictions)?;
+        let mut motion = self.motion.clone();
+        let begun = start(&mut motion, base, (forces, frictions));
+        begun.map_err(OutOfDomain::Motion)?;
+        self.keep(motion, base, forces);
+        Ok(())
+    }
+
     /// Advances by one step. `base` contains displacement and velocity of the base at the end of the step, `forces` the
     /// force of each load, and `frictions` the kinetic friction force of each contact during the step. Over the step the
     /// displacement of the base is a cubic polynomial between the last sample and this one. With `holds`, it starts at the
@@ -80,38 +120,37 @@ impl<S: Float, Z: Size> Stepper<S, Z> {
         forces: &[S],
         frictions: &[S],
     ) -> Result<u32, OutOfDomain> {
-        let mut count = Count(0);
-        self.advance_with(base, forces, frictions, &mut count)?;
-        Ok(count.0)
+        self.advance_with(base, (forces, frictions), &mut ())
     }
 
-    /// Advances by one step, as [`advance`](Self::advance) does, and passes each stretch and each event to `watch`.
-    pub(super) fn advance_with(
+    /// Advances by one step, as [`advance`](Self::advance) does, and passes each stretch and each event to `watch`. A
+    /// stretch is the time interval of one power series. The pair of slices is `forces` and `frictions`.
+    ///
+    /// # Errors
+    ///
+    /// Same errors as [`advance`](Self::advance). After an error `watch` may have received a part of the step.
+    pub fn advance_with(
         &mut self,
         base: [S; 2],
-        forces: &[S],
-        frictions: &[S],
+        (forces, frictions): (&[S], &[S]),
         watch: &mut impl Observe<S, Z>,
-    ) -> Result<(), OutOfDomain> {
-        if let Some(number) = base.iter().find(|number| !number.is_finite()) {
-            return Err(OutOfDomain::BaseMotion(Given::of(*number)));
-        }
-        if let Some(force) = forces.iter().find(|force| !force.is_finite()) {
-            return Err(OutOfDomain::Force(Given::of(*force)));
-        }
-        let fits = |friction: &&S| **friction >= S::constant(0.0) && friction.is_finite();
-        if let Some(friction) = frictions.iter().find(|friction| !fits(friction)) {
-            return Err(OutOfDomain::Friction(Given::of(*friction)));
-        }
+    ) -> Result<u32, OutOfDomain> {
+        check(base, forces, frictions)?;
         let mut motion = self.motion.clone();
-        let followed = self.follow(&mut motion, base, (forces, frictions), watch);
+        let mut count = Counted { events: 0, watch };
+        let followed = self.follow(&mut motion, base, (forces, frictions), &mut count);
         followed.map_err(OutOfDomain::Motion)?;
+        self.keep(motion, base, forces);
+        Ok(count.events)
+    }
+
+    /// Sets the motion and the input at the end of a step.
+    fn keep(&mut self, motion: Motion<S, Z>, base: [S; 2], forces: &[S]) {
         self.motion = motion;
         self.base = base;
         for (load, force) in self.forces.as_mut().iter_mut().zip(forces) {
             *load = *force;
         }
-        Ok(())
     }
 
     /// Advances a copy of the motion by one step, so that an error leaves the stepper unchanged.
@@ -139,12 +178,7 @@ impl<S: Float, Z: Size> Stepper<S, Z> {
                 motion.lead_load(load, Wave::line((zero, before), (self.dt, *after)));
             }
         }
-        for (contact, friction) in frictions.iter().enumerate() {
-            let level = motion.model().contact(contact).map(|c| c.level.constant);
-            if level.is_some_and(|level| level != *friction) {
-                motion.set_level(contact, Wave::constant(*friction))?;
-            }
-        }
+        set_levels(motion, frictions)?;
         motion.run(self.dt, BOUNDS, watch)
     }
 
@@ -167,4 +201,45 @@ impl<S: Float, Z: Size> Stepper<S, Z> {
     pub fn dt(&self) -> S {
         self.dt
     }
+}
+
+/// Fails for a base motion or a force that is not finite, and for a friction force that is negative or not finite.
+fn check<S: Float>(base: [S; 2], forces: &[S], frictions: &[S]) -> Result<(), OutOfDomain> {
+    if let Some(number) = base.iter().find(|number| !number.is_finite()) {
+        return Err(OutOfDomain::BaseMotion(Given::of(*number)));
+    }
+    if let Some(force) = forces.iter().find(|force| !force.is_finite()) {
+        return Err(OutOfDomain::Force(Given::of(*force)));
+    }
+    let fits = |friction: &&S| **friction >= S::constant(0.0) && friction.is_finite();
+    if let Some(friction) = frictions.iter().find(|friction| !fits(friction)) {
+        return Err(OutOfDomain::Friction(Given::of(*friction)));
+    }
+    Ok(())
+}
+
+/// Sets the inputs of a motion at the start of its first step.
+fn start<S: Float, Z: Size>(
+    motion: &mut Motion<S, Z>,
+    base: [S; 2],
+    (forces, frictions): (&[S], &[S]),
+) -> Result<(), Halt> {
+    if base.iter().any(|number| !number.is_zero()) {
+        motion.jolt_base(Curve::straight(base))?;
+    }
+    for (load, force) in forces.iter().enumerate() {
+        motion.set_load(load, Wave::constant(*force))?;
+    }
+    set_levels(motion, frictions)
+}
+
+/// Sets the friction forces that differ from the present ones.
+fn set_levels<S: Float, Z: Size>(motion: &mut Motion<S, Z>, frictions: &[S]) -> Result<(), Halt> {
+    for (contact, friction) in frictions.iter().enumerate() {
+        let level = motion.model().contact(contact).map(|c| c.level.constant);
+        if level.is_some_and(|level| level != *friction) {
+            motion.set_level(contact, Wave::constant(*friction))?;
+        }
+    }
+    Ok(())
 }

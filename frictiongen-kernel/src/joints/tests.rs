@@ -186,7 +186,7 @@ fn ten_thousand_random_steps_keep_their_energy() {
             forces[1] = force;
         }
         let levels = account.levels;
-        let taken = stepper.advance_with(base, &force, &levels, &mut account);
+        let taken = stepper.advance_with(base, (&force, &levels), &mut account);
         taken.expect("a step");
         let stored = account.stored(&stepper, base[0]);
         let missing = account.load - account.friction - account.damping - stored;

@@ -46,7 +46,7 @@ const TURN: f64 = 0.6;
 const VANISHING: f64 = 1e-10;
 
 /// Returns the stroke in which a regime is drawn.
-fn stroke(regime: Regime) -> Stroke {
+pub(super) fn stroke(regime: Regime) -> Stroke {
     match regime {
         Regime::Stuck => Stroke::Dotted,
         Regime::StickSlip => Stroke::DashDot,

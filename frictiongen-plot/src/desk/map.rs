@@ -114,15 +114,15 @@ pub fn map_panel(
 }
 
 /// Assigns the sampled values of an axis to cells of equal width.
-struct AxisCells {
+pub(super) struct AxisCells {
     /// Lower and upper end of the range that the cells cover.
-    ends: (f64, f64),
+    pub ends: (f64, f64),
     /// For each cell, the index of the sampled value nearest to the middle of the cell.
-    places: Vec<usize>,
+    pub places: Vec<usize>,
 }
 
 impl AxisCells {
-    fn of(values: &[f64]) -> Self {
+    pub fn of(values: &[f64]) -> Self {
         let (Some(first), Some(last)) = (values.first(), values.last()) else {
             return Self {
                 ends: (0.0, 1.0),
@@ -170,7 +170,7 @@ fn values(places: &SampledPlaces<'_>, read: impl Fn(&MapPoint) -> f64) -> Vec<f6
 /// Returns the upper end of the colour scale, and the largest value. The end is at most twice the value that nine
 /// tenths of the cells do not exceed. Without this bound, the cells near a pole would leave all other cells in one
 /// colour.
-fn upper(cells: &[f64]) -> (f64, f64) {
+pub(super) fn upper(cells: &[f64]) -> (f64, f64) {
     let mut finite: Vec<f64> = cells
         .iter()
         .copied()

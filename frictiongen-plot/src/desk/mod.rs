@@ -2,6 +2,8 @@
 //! of the system.
 
 mod curves;
+mod joined;
+mod joined_map;
 mod map;
 mod motions;
 mod phases;
@@ -10,6 +12,10 @@ mod scales;
 mod sketch;
 
 pub use curves::{Drawn, Reading, curve_figure, keys, keys_of, lines, panel};
+pub use joined::{
+    ContactTrack, JoinedCurve, JoinedMotion, joined_curve_figure, joined_motion_figure,
+};
+pub use joined_map::{JoinedCells, JoinedClasses, joined_map_figure};
 pub use map::{Shade, map_figure, map_panel};
 pub use motions::{history_figure, spectrum_figure};
 pub use phases::{folded, phase_ends, principal};

@@ -145,6 +145,12 @@ impl Scales {
         Axis::log(label, least / LOG_ROOM, high * LOG_ROOM)
     }
 
+    /// Returns true if the figure shows forces in N and displacements in mm.
+    #[must_use]
+    pub fn in_newtons(&self) -> bool {
+        self.load.is_some()
+    }
+
     /// Returns true if the figure shows times in seconds.
     #[must_use]
     pub fn in_seconds(&self) -> bool {

@@ -148,10 +148,46 @@ impl<'r> Inputs<'r> {
         for (name, track) in &self.others {
             input = input.on(name, track.at(sample));
         }
-        input.friction(match self.friction {
+        input.friction(self.friction_at(sample))
+    }
+
+    fn friction_at(&self, sample: usize) -> f64 {
+        match self.friction {
             DriveFriction::Constant(force) => force,
             DriveFriction::Recorded(track) => track.at(sample),
-        })
+        }
+    }
+}
+
+/// Input at one sample, without the names that only a scene knows.
+#[doc(hidden)]
+#[derive(Clone, Debug)]
+pub struct DriveSample<'r> {
+    /// Displacement and velocity of the base.
+    pub base: [f64; 2],
+    /// Force on the excited mass.
+    pub force: f64,
+    /// Forces on masses, each with the name of its mass.
+    pub others: Vec<(&'r str, f64)>,
+    /// The kinetic friction force.
+    pub friction: f64,
+}
+
+impl<'r> Inputs<'r> {
+    /// Returns the input at a sample, for a scene with several contacts.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn sample(&self, sample: usize) -> DriveSample<'r> {
+        let base = self.base.as_ref().and_then(|base| base.get(sample));
+        let others = self.others.iter();
+        DriveSample {
+            base: base.copied().unwrap_or_default(),
+            force: self.force.map_or(0.0, |track| track.at(sample)),
+            others: others
+                .map(|(name, track)| (*name, track.at(sample)))
+                .collect(),
+            friction: self.friction_at(sample),
+        }
     }
 }
 

@@ -31,6 +31,8 @@ mod sweep;
 mod tone;
 
 pub use decay::FreeDecay;
+#[doc(hidden)]
+pub use drive::DriveSample;
 pub use drive::Inputs;
 pub use error::MeasureError;
 pub use identify::{

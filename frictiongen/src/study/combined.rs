@@ -344,6 +344,26 @@ impl SystemHeld<'_> {
     }
 }
 
+impl System {
+    /// Returns displacement and velocity of a motion of masses and base, in the scene's units, from those of the base and
+    /// of every mass. For a force, returns the force and its derivative in time. Returns `None` if the scene has no such
+    /// motion, and for the motion of a contact.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn combination_of(&self, of: Of, base: [f64; 2], masses: &[[f64; 2]]) -> Option<[f64; 2]> {
+        if of == Of::Contact || !self.has_motion(of) {
+            return None;
+        }
+        let sum = self.terms(of).sum(base, |mass| masses.get(mass).copied())?;
+        // The terms of a force are over k₁.
+        let unit = match of.is_force() {
+            true => self.scene.first_stiffness(),
+            false => 1.0,
+        };
+        Some(sum.map(|value| unit * value))
+    }
+}
+
 impl SystemStepper<'_> {
     /// Returns the present displacement and velocity of a motion, in the scene's units. For a force, returns the force
     /// and its derivative in time. Returns `None` if the scene has no such motion.

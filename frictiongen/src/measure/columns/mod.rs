@@ -2,6 +2,7 @@
 //! under keys. All values are in SI units.
 
 mod driven;
+mod joined;
 mod lines;
 mod once;
 mod residuals;
@@ -9,6 +10,7 @@ mod spectrum;
 mod transmissibility;
 
 pub use driven::{Driven, DrivenRow};
+pub use joined::{JoinedDriven, JoinedDrivenRow, JoinedPart};
 pub use lines::{QuantityLine, decay_lines, fit_lines, identify_lines, line_columns};
 pub use once::{Keyed, SingleValue, decay_values, fit_values, identify_values};
 pub use residuals::{

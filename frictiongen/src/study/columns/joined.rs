@@ -4,6 +4,7 @@ use super::builder::Columns;
 use super::column::{Column, Head, Row, Shown};
 use super::measure::Dimension;
 use super::setting::{AtFrequency, AtFriction, Frequency, Friction, Setting};
+use crate::Regime;
 use crate::answer::Event;
 use crate::study::joined::{Joined, JoinedAt, JoinedError, JoinedHistory, JoinedOrbit};
 use crate::study::joints::JointError;
@@ -29,6 +30,7 @@ pub struct JoinedRow {
 /// Numbers of a steady state.
 #[derive(Clone, Debug)]
 struct Steady {
+    regime: Regime,
     period: usize,
     multiplier: Option<f64>,
     marginal: String,
@@ -77,6 +79,32 @@ impl JoinedRow {
     #[must_use]
     pub fn is_known(&self) -> bool {
         self.steady.is_some()
+    }
+
+    /// Returns the regime: *stuck* if no contact slides, *continuous* if all contacts slide all the time, and otherwise
+    /// *stick-slip*. Returns `None` without a steady state.
+    #[must_use]
+    pub fn kind(&self) -> Option<Regime> {
+        Some(self.steady.as_ref()?.regime)
+    }
+
+    /// Returns the names of the contacts that never slide, separated by blanks.
+    #[must_use]
+    pub fn marginal(&self) -> &str {
+        self.steady.as_ref().map_or("", |steady| &steady.marginal)
+    }
+
+    /// Returns the amplitude of a contact or a mass in non-dimensional groups. The contacts come first, and the masses
+    /// of the table follow.
+    #[must_use]
+    pub fn amplitude(&self, index: usize) -> Option<f64> {
+        Some(self.part(index)?.amplitude)
+    }
+
+    /// Returns the fraction of the period in which a contact sticks.
+    #[must_use]
+    pub fn stuck_fraction(&self, index: usize) -> Option<f64> {
+        Some(self.contact(index)?.stuck_fraction)
     }
 
     fn part(&self, index: usize) -> Option<&Part> {
@@ -191,6 +219,7 @@ impl<'a> JoinedTable<'a> {
             },
             stuck: limit(at),
             steady: Some(Steady {
+                regime: orbit.regime(),
                 period: orbit.period(),
                 multiplier: multipliers.reduce(f64::max),
                 marginal: orbit.marginal_contacts().join(" "),
@@ -199,8 +228,9 @@ impl<'a> JoinedTable<'a> {
         })
     }
 
-    /// Returns the names of the contacts and masses in the table.
-    fn parts(&self) -> Vec<String> {
+    /// Returns the names of the contacts and masses in the table. The contacts come first.
+    #[must_use]
+    pub fn parts(&self) -> Vec<String> {
         let masses = self.joined.scene().masses.iter().enumerate();
         let masses = masses.filter(|(index, _)| self.masses.contains(index));
         let masses = masses.map(|(_, mass)| mass.name.clone());

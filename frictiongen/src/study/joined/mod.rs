@@ -41,6 +41,7 @@ mod parameter;
 mod scene;
 mod sensitivity;
 mod simulation;
+mod slides;
 mod states;
 mod stepper;
 mod units;

@@ -2,16 +2,13 @@
 
 use super::error::{JoinedError, UnknownContact};
 use super::scene::Joined;
+use super::slides::Slides;
 use super::units::Units;
 use crate::answer::Event;
 use crate::study::error::UnknownMass;
-use crate::study::joints::{Motion, Series, State, Transition};
+use crate::study::joints::{Motion, Transition};
 use crate::{Given, OutOfDomain};
-
-/// Number by which the solver marks a contact that sticks.
-const STUCK: i8 = 0;
-/// Number by which the solver marks a contact without force.
-const FREE: i8 = 2;
+use frictiongen_kernel::joints::STUCK;
 
 /// An event of one contact.
 #[derive(Clone, Debug, PartialEq)]
@@ -37,6 +34,8 @@ pub struct JoinedContactNow {
     pub force: f64,
     /// Distance that the slider has travelled since the start, added over both directions.
     pub slip: f64,
+    /// Energy that friction has dissipated in the contact since the start.
+    pub energy: f64,
     /// True if the contact sticks.
     pub is_sticking: bool,
 }
@@ -48,19 +47,19 @@ pub struct JoinedSimulation<'a> {
     motion: Motion,
     omega: f64,
     units: Units,
-    /// Distance that each slider has travelled.
-    slips: Vec<f64>,
+    /// Distance that each slider has travelled, and the energy that it has dissipated.
+    slides: Slides,
 }
 
 impl<'a> JoinedSimulation<'a> {
     pub(super) fn new(joined: Joined<'a>, motion: Motion, (omega, units): (f64, Units)) -> Self {
-        let slips = vec![0.0; motion.model().contacts.len()];
+        let slides = Slides::new(motion.model());
         Self {
             joined,
             motion,
             omega,
             units,
-            slips,
+            slides,
         }
     }
 
@@ -93,14 +92,16 @@ impl<'a> JoinedSimulation<'a> {
     /// Returns the state of every contact at the present instant, in the order of the description.
     #[must_use]
     pub fn contacts(&self) -> Vec<JoinedContactNow> {
-        let forces = self.motion.forces().into_iter().zip(&self.slips);
-        let contacts = forces.enumerate().map(|(index, (force, slip))| {
+        let forces = self.motion.forces().into_iter();
+        let forces = forces.zip(self.slides.contacts());
+        let contacts = forces.enumerate().map(|(index, (force, slide))| {
             let (velocity, displacement) = self.motion.relative(index);
             JoinedContactNow {
                 displacement: displacement / self.units.length,
                 velocity: velocity / self.units.speed,
                 force: force / self.units.force,
-                slip: slip / self.units.length,
+                slip: slide.slip / self.units.length,
+                energy: slide.energy / self.units.energy(),
                 is_sticking: self.motion.state().phase(index) == STUCK,
             }
         });
@@ -138,20 +139,10 @@ impl<'a> JoinedSimulation<'a> {
     /// # Errors
     /// [`JoinedError::Engine`], as [`advance`](Self::advance).
     pub fn advance_to(&mut self, time: f64) -> Result<Vec<JoinedEvent>, JoinedError> {
-        let contacts = self.motion.model().contacts.iter();
-        let ends: Vec<(usize, usize)> = contacts.map(|c| (c.plus, c.minus)).collect();
-        let mut slips = std::mem::take(&mut self.slips);
-        let mut watch = |series: &Series, end: f64, state: &State| {
-            for (index, (slip, ends)) in slips.iter_mut().zip(&ends).enumerate() {
-                if ![STUCK, FREE].contains(&state.phase(index)) {
-                    // A contact keeps its direction of sliding over a stretch.
-                    *slip += (series.place(*ends, end) - series.place(*ends, 0.0)).abs();
-                }
-            }
-        };
-        let events = self.motion.run(time, &mut watch);
-        self.slips = slips;
-        Ok(self.events(&events?))
+        let followed = self.motion.run_with(time, &mut self.slides);
+        let events = self.slides.take_events();
+        followed?;
+        Ok(self.events(&events))
     }
 
     fn events(&self, transitions: &[Transition]) -> Vec<JoinedEvent> {

@@ -1,8 +1,9 @@
 //! Motion of scenes with several contacts under sampled forces.
 
-use super::error::JoinedError;
+use super::error::{JoinedError, UnknownContact};
 use super::scene::Joined;
 use super::simulation::JoinedContactNow;
+use super::slides::Slides;
 use crate::OutOfDomain;
 use crate::study::joints::{Chain, Heap, Wave};
 use frictiongen_kernel::joints::Stepper;
@@ -13,8 +14,8 @@ use frictiongen_model::scene::{Excitation, StepInput};
 pub struct JoinedInput<'i> {
     /// Displacement and velocity of the base at the end of the step. Both are 0 for a base that does not move.
     pub base: [f64; 2],
-    /// Forces on masses at the end of the step, each with the name of its mass. Masses that are not listed have no
-    /// force.
+    /// Forces on masses at the end of the step, each with the name of its mass. Forces on the same mass are added.
+    /// Masses that are not listed have no force.
     pub forces: &'i [(&'i str, f64)],
     /// Kinetic friction forces of contacts during the step, each with the name of its contact. A contact with the
     /// friction force 0 has no effect. Contacts that are not listed keep their friction force.
@@ -28,6 +29,14 @@ pub struct JoinedStepper<'a> {
     stepper: Stepper<f64, Heap>,
     steps: u64,
     /// Friction force of each contact in the last step.
+    frictions: Vec<f64>,
+    /// Distance that each slider has travelled, and the energy that it has dissipated.
+    slides: Slides,
+}
+
+/// Input of a step, in the order of the description.
+struct Ordered {
+    forces: Vec<f64>,
     frictions: Vec<f64>,
 }
 
@@ -44,8 +53,10 @@ impl<'a> Joined<'a> {
         let masses = chain.masses.len();
         chain.loads = (0..masses).map(|mass| (mass, Wave::default())).collect();
         let holds = self.scene().stepping.input == StepInput::Hold;
+        let stepper = Stepper::new(chain.model()?, dt, holds)?;
         Ok(JoinedStepper {
-            stepper: Stepper::new(chain.model()?, dt, holds)?,
+            slides: Slides::new(stepper.motion().model()),
+            stepper,
             joined: self.clone(),
             steps: 0,
             frictions: vec![0.0; chain.contacts.len()],
@@ -62,6 +73,34 @@ impl JoinedStepper<'_> {
     /// [`JoinedError::UnknownMass`] and [`JoinedError::UnknownContact`] for a name that the scene does not have. After
     /// an error the stepper is unchanged.
     pub fn advance(&mut self, input: JoinedInput<'_>) -> Result<usize, JoinedError> {
+        let Ordered { forces, frictions } = self.ordered(&input)?;
+        let mut slides = self.relaxed(&frictions);
+        let inputs = (forces.as_slice(), frictions.as_slice());
+        let events = self.stepper.advance_with(input.base, inputs, &mut slides)?;
+        slides.take_events();
+        (self.slides, self.frictions) = (slides, frictions);
+        self.steps += 1;
+        Ok(events as usize)
+    }
+
+    /// Sets the input at the start of the first step. The default is no input. The methods then return the motion under
+    /// this input.
+    ///
+    /// # Errors
+    /// Same errors as [`advance`](Self::advance), and [`OutOfDomain::Begun`] after the first step.
+    pub fn begin(&mut self, input: JoinedInput<'_>) -> Result<(), JoinedError> {
+        if self.steps != 0 {
+            return Err(OutOfDomain::Begun.into());
+        }
+        let Ordered { forces, frictions } = self.ordered(&input)?;
+        self.stepper.begin(input.base, &forces, &frictions)?;
+        self.slides = self.relaxed(&frictions);
+        self.frictions = frictions;
+        Ok(())
+    }
+
+    /// Returns forces and friction forces in the order of the description.
+    fn ordered(&self, input: &JoinedInput<'_>) -> Result<Ordered, JoinedError> {
         let on_base = self.joined.scene().excitation == Excitation::Base;
         if !on_base && input.base != [0.0; 2] {
             return Err(OutOfDomain::BaseAtRest.into());
@@ -69,7 +108,7 @@ impl JoinedStepper<'_> {
         let mut forces = vec![0.0; self.joined.scene().masses.len()];
         for (name, force) in input.forces {
             if let Some(own) = forces.get_mut(self.joined.mass_index(name)?) {
-                *own = *force;
+                *own += *force;
             }
         }
         let mut frictions = self.frictions.clone();
@@ -78,10 +117,19 @@ impl JoinedStepper<'_> {
                 *own = *friction;
             }
         }
-        let events = self.stepper.advance(input.base, &forces, &frictions)?;
-        self.frictions = frictions;
-        self.steps += 1;
-        Ok(events as usize)
+        Ok(Ordered { forces, frictions })
+    }
+
+    /// Returns distances and energies after a change of the friction forces. An elastic contact whose friction force
+    /// falls below its present force loses a part of the energy in its spring.
+    fn relaxed(&self, frictions: &[f64]) -> Slides {
+        let mut slides = self.slides.clone();
+        let contacts = self.stepper.motion().model().contacts.iter();
+        for (index, (contact, friction)) in contacts.zip(frictions).enumerate() {
+            let force = self.stepper.contact(index).force();
+            slides.set_level(index, *friction, (force, contact.stiffness));
+        }
+        slides
     }
 
     /// Returns the time at the end of the last step.
@@ -99,20 +147,43 @@ impl JoinedStepper<'_> {
         Ok((mass.displacement(), mass.velocity()))
     }
 
-    /// Returns the state of the contact `name` at the end of the last step. The stepper does not compute the slip,
-    /// which is 0.
+    /// Returns the state of the contact `name` at the end of the last step. A jump of the base (`input: hold`) adds
+    /// nothing to the slip and to the energy.
     ///
     /// # Errors
     /// [`JoinedError::UnknownContact`] if no contact has this name.
     pub fn contact_named(&self, name: &str) -> Result<JoinedContactNow, JoinedError> {
         let index = self.joined.contact_index(name)?;
-        let now = self.stepper.contact(index);
-        Ok(JoinedContactNow {
-            displacement: now.displacement(),
-            velocity: now.velocity(),
-            force: now.force(),
-            slip: 0.0,
-            is_sticking: now.is_sticking(),
-        })
+        let now = self.contacts().get(index).copied();
+        Ok(now.ok_or_else(|| UnknownContact {
+            name: name.to_owned(),
+            known: self.joined.contact_names(),
+        })?)
+    }
+
+    /// Returns the state of every contact at the end of the last step, in the order of the description.
+    #[must_use]
+    pub fn contacts(&self) -> Vec<JoinedContactNow> {
+        let slides = self.slides.contacts().iter().enumerate();
+        let contacts = slides.map(|(index, slide)| {
+            let now = self.stepper.contact(index);
+            JoinedContactNow {
+                displacement: now.displacement(),
+                velocity: now.velocity(),
+                force: now.force(),
+                slip: slide.slip,
+                energy: slide.energy,
+                is_sticking: now.is_sticking(),
+            }
+        });
+        contacts.collect()
+    }
+
+    /// Returns displacement and velocity of each mass, in the order of the description.
+    #[must_use]
+    pub fn masses(&self) -> Vec<[f64; 2]> {
+        let masses = (0..self.joined.scene().masses.len()).map(|mass| self.stepper.mass(mass));
+        let masses = masses.map(|now| [now.displacement(), now.velocity()]);
+        masses.collect()
     }
 }

@@ -86,3 +86,75 @@ fn bad_inputs_change_nothing() {
         assert_eq!(stepper.time(), 0.0);
     }
 }
+
+/// Checks the energy of each contact against the work of a constant force, less the kinetic energy and the energy in the
+/// springs of the contacts. The static friction exceeds the kinetic friction, and the friction falls during the motion.
+#[test]
+fn energies_close_the_balance() {
+    let pair = system(
+        "struct Pair { masses: { a: 2.0, b: 1.0 },
+        contacts: { floor: a - wall { stiffness: 900.0, stiction: 1.3 }, joint: a - b { share: 0.5 } },
+        excitation: b, input: hold, provide: [stepper] }",
+    );
+    let joined = pair.joined().expect("answers");
+    let mut stepper = joined.stepper(0.01).expect("a stepper");
+    let (mut work, mut before, mut breaks) = (0.0, 0.0, 0);
+    for step in 0..600_u32 {
+        let force = 4.0 * (0.03 * f64::from(step)).sin();
+        let friction = if step % 200 < 100 { 2.0 } else { 1.2 };
+        let input = JoinedInput {
+            forces: &[("b", force)],
+            frictions: &[("floor", friction), ("joint", 0.5 * friction)],
+            ..JoinedInput::default()
+        };
+        let stuck = stepper
+            .contact_named("floor")
+            .expect("a contact")
+            .is_sticking;
+        stepper.advance(input).expect("a step");
+        let (x, v) = stepper.mass("b").expect("a mass");
+        let (_, va) = stepper.mass("a").expect("a mass");
+        work += force * (x - before);
+        before = x;
+        let floor = stepper.contact_named("floor").expect("a contact");
+        let joint = stepper.contact_named("joint").expect("a contact");
+        breaks += u32::from(stuck && !floor.is_sticking);
+        let stored = va * va + 0.5 * v * v + floor.force * floor.force / 1800.0;
+        let left = work - stored - floor.energy - joint.energy;
+        assert!(left.abs() < 1e-11 * (1.0 + work.abs()), "{step}: {left}");
+    }
+    let spent = |name: &str| stepper.contact_named(name).expect("a contact").energy;
+    println!(
+        "{breaks} break-aways, {} J, {} J",
+        spent("floor"),
+        spent("joint")
+    );
+    assert!(breaks > 4 && spent("floor") > 0.01 && spent("joint") > 1.0);
+}
+
+/// Checks that the first input acts from the start of the first step, and that a later call fails.
+#[test]
+fn the_first_input_acts_from_the_start() {
+    let block = system(
+        "struct Block { masses: { block: 2.0 }, contacts: { floor: block - wall },
+        excitation: block, provide: [stepper] }",
+    );
+    let joined = block.joined().expect("answers");
+    let mut stepper = joined.stepper(0.1).expect("a stepper");
+    let input = JoinedInput {
+        forces: &[("block", 3.0), ("block", 2.0)],
+        frictions: &[("floor", 1.0)],
+        ..JoinedInput::default()
+    };
+    stepper.begin(input).expect("an input");
+    stepper.advance(input).expect("a step");
+    // Both forces act all the time: x = (5 − 1)/2 · t²/2.
+    let (x, v) = stepper.mass("block").expect("a mass");
+    assert!(
+        (x - 0.01).abs() < 1e-15 && (v - 0.2).abs() < 1e-15,
+        "{x} {v}"
+    );
+    let floor = stepper.contact_named("floor").expect("a contact");
+    assert!((floor.slip - 0.01).abs() < 1e-15 && (floor.energy - 0.01).abs() < 1e-15);
+    assert!(stepper.begin(input).is_err());
+}

@@ -1,0 +1,235 @@
+//! Draws pictures of scenes with several contacts.
+
+use super::Question;
+use crate::args::Shade;
+use crate::destination::Form;
+use crate::failure::Failure;
+use crate::interrupt;
+use crate::picture;
+use crate::progress::Progress;
+use frictiongen::Regime;
+use frictiongen::study::columns::{Frequency, Friction, JoinedRow};
+use frictiongen::study::joined::JoinedHistory;
+use frictiongen_plot::Label;
+use frictiongen_plot::desk::{
+    ContactTrack, JoinedCells, JoinedClasses, JoinedCurve, JoinedMotion, Scales,
+    joined_curve_figure, joined_map_figure, joined_motion_figure,
+};
+use std::io::Write;
+
+/// Number of frequencies of the line that shows the limit of the stuck state.
+const LINE: usize = 400;
+
+/// The picture of steady states: responses over frequency, or a map.
+#[derive(Clone, Copy, Debug)]
+pub enum Picture {
+    /// Amplitudes over frequency, with a logarithmic frequency axis and logarithmic amplitude axes on request.
+    Curve(bool, bool),
+    /// A map of regimes, or of the amplitude of the first mass.
+    Map(Shade),
+}
+
+/// Draws a motion over time.
+pub fn motion(
+    question: &Question<'_>,
+    (history, frequency): (&JoinedHistory, Frequency),
+    caption: &str,
+    (form, out): (Form, &mut dyn Write),
+) -> Result<(), Failure> {
+    let mut scales = picture::scales(question.system, false, &question.measure);
+    let in_seconds = question.frequencies.are_physical() || question.measure.scale().is_some();
+    if in_seconds {
+        scales = scales.at(frequency.omega);
+    }
+    let taus = history.taus.iter();
+    let names = question.joined.contact_names().into_iter().enumerate();
+    let contacts = names.map(|(index, name)| {
+        let states = || history.contacts.iter().filter_map(|all| all.get(index));
+        ContactTrack {
+            name,
+            displacement: states()
+                .map(|now| scales.length(now.displacement))
+                .collect(),
+            force: states().map(|now| scales.friction(now.force)).collect(),
+            sticks: states().map(|now| now.is_sticking).collect(),
+        }
+    });
+    let masses = question.masses.iter().filter_map(|index| {
+        let name = question.system.scene().masses.get(*index)?.name.clone();
+        let states = history.states.iter();
+        let x = states.filter_map(|(x, _)| Some(scales.length(*x.get(*index)?)));
+        Some((name, x.collect()))
+    });
+    let motion = JoinedMotion {
+        times: taus.map(|tau| scales.time(*tau)).collect(),
+        time_label: scales.time_label(),
+        displacement_label: scales.displacement_label(),
+        force_label: scales.force_label(),
+        masses: masses.collect(),
+        springs: Vec::new(),
+        contacts: contacts.collect(),
+    };
+    let title = Label::verbatim(&question.system.scene().name);
+    let figure = joined_motion_figure(title, &motion);
+    let figure = picture::under_load(figure, &question.measure, caption);
+    picture::write_alone(&figure, form, out)
+}
+
+/// Computes steady states over frequency and friction, and draws them.
+pub fn steady(
+    question: &Question<'_>,
+    picture: Picture,
+    (form, out): (Form, &mut dyn Write),
+) -> Result<(), Failure> {
+    let frequencies: Vec<Frequency> = question.frequencies.all(question.system).collect();
+    let frictions: Vec<Friction> = question.frictions.all().collect();
+    if frequencies.len() < 2 || (matches!(picture, Picture::Map(_)) && frictions.len() < 2) {
+        return Err(Failure::new(match picture {
+            Picture::Map(_) => "a picture of a map needs two frequencies and two frictions",
+            Picture::Curve(..) => "a picture of a curve needs two frequencies",
+        }));
+    }
+    interrupt::watch();
+    let table = question.table();
+    let mut progress = Progress::new(frequencies.len() * frictions.len(), "points");
+    let mut rows = Vec::new();
+    for friction in &frictions {
+        let mut line = Vec::new();
+        for frequency in &frequencies {
+            if interrupt::pressed() {
+                return Err(Failure::new(
+                    "stopped: a picture needs all points, so that nothing is written",
+                ));
+            }
+            line.push(table.row(*frequency, *friction).map_err(Failure::new)?);
+            progress.step();
+        }
+        rows.push((*friction, line));
+    }
+    drop(progress);
+    let physical = question.frequencies.are_physical();
+    let scales = picture::scales(question.system, physical, &question.measure);
+    let title = Label::verbatim(&question.system.scene().name);
+    let figure = match picture {
+        Picture::Curve(frequency, amplitude) => {
+            let scales = scales.with_log(frequency, amplitude);
+            let (titles, curves) = curves(question, &rows, &scales);
+            joined_curve_figure(title, &titles, &curves, &scales)
+        }
+        Picture::Map(shade) => {
+            let axes = (
+                frequencies
+                    .iter()
+                    .map(|at| scales.frequency(at.r))
+                    .collect(),
+                frictions
+                    .iter()
+                    .map(|at| scales.friction(at.beta))
+                    .collect(),
+            );
+            let (across, up): (Vec<f64>, Vec<f64>) = axes;
+            let cells = cells(question, &rows, shade, &scales);
+            let limit = limit(question, (&frequencies, &up), &scales)?;
+            joined_map_figure(title, (&across, &up), &cells, limit, &scales)
+        }
+    };
+    let figure = picture::under_load(figure, &question.measure, "");
+    picture::write_alone(&figure, form, out)
+}
+
+/// Returns the panels and the curves: the amplitude of each mass, and the stuck fraction of each contact.
+fn curves(
+    question: &Question<'_>,
+    rows: &[(Friction, Vec<JoinedRow>)],
+    scales: &Scales,
+) -> (Vec<(Label, Label)>, Vec<JoinedCurve>) {
+    let names = question.table().parts();
+    let contacts = question.joined.contact_names().len();
+    let (held, masses) = names.split_at(contacts.min(names.len()));
+    let titles = masses
+        .iter()
+        .map(|name| (Label::verbatim(name), scales.length_label()));
+    let held = held.iter().map(|name| {
+        let label = "stuck fraction of the period".into();
+        (Label::verbatim(&format!("contact {name}")), label)
+    });
+    let titles: Vec<(Label, Label)> = titles.chain(held).collect();
+    let curves = rows.iter().map(|(friction, line)| {
+        let masses = (contacts..names.len()).map(|index| {
+            let sizes = line.iter().map(move |row| {
+                let size = row.amplitude(index);
+                size.map_or(f64::NAN, |size| scales.length_at(row.frequency.r, size))
+            });
+            sizes.collect()
+        });
+        let held = (0..contacts).map(|index| {
+            let fractions = line.iter();
+            let fractions = fractions.map(move |row| row.stuck_fraction(index).unwrap_or(f64::NAN));
+            fractions.collect()
+        });
+        let points = line.iter();
+        JoinedCurve {
+            name: scales.friction_name(friction.beta),
+            points: points
+                .map(|row| (scales.frequency(row.frequency.r), row.kind()))
+                .collect(),
+            values: masses.chain(held).collect(),
+        }
+    });
+    (titles, curves.collect())
+}
+
+/// Returns the cells of a map, row by row from the lowest friction.
+fn cells(
+    question: &Question<'_>,
+    rows: &[(Friction, Vec<JoinedRow>)],
+    shade: Shade,
+    scales: &Scales,
+) -> JoinedCells {
+    let all = rows.iter().flat_map(|(_, line)| line);
+    if shade == Shade::Amplitude {
+        let contacts = question.joined.contact_names().len();
+        let name = question.table().parts().get(contacts).cloned();
+        let sizes = all.map(|row| {
+            let size = row.amplitude(contacts);
+            size.map_or(f64::NAN, |size| scales.length_at(row.frequency.r, size))
+        });
+        let unit = if scales.in_newtons() { "mm" } else { "ratio" };
+        let label = Label::verbatim(&format!(
+            "amplitude of {} ({unit})",
+            name.unwrap_or_default()
+        ));
+        return JoinedCells::Values(label, sizes.collect());
+    }
+    let classes = all.map(|row| match row.kind() {
+        None => JoinedClasses::Unsettled,
+        Some(Regime::Stuck) => JoinedClasses::Stuck,
+        Some(Regime::Continuous) => JoinedClasses::Slide,
+        Some(_) if row.marginal().is_empty() => JoinedClasses::Stick,
+        Some(_) => JoinedClasses::Held(row.marginal().replace(' ', ", ")),
+    });
+    JoinedCells::Regimes(classes.collect())
+}
+
+/// Returns the friction above which no contact slides, over the frequency, up to somewhat above the map.
+fn limit(
+    question: &Question<'_>,
+    (frequencies, frictions): (&[Frequency], &[f64]),
+    scales: &Scales,
+) -> Result<Vec<(f64, f64)>, Failure> {
+    let ends = frequencies.iter().map(|at| at.r);
+    let (low, high) = ends.fold((f64::INFINITY, 0.0_f64), |(low, high), r| {
+        (low.min(r), high.max(r))
+    });
+    let top = 4.0 * frictions.iter().copied().fold(0.0, f64::max);
+    let mut points = Vec::new();
+    for place in 0..=LINE {
+        let r = low + (high - low) * place as f64 / LINE as f64;
+        let frequency = Frequency::at(question.system, r);
+        let at = question.table().at(frequency).map_err(Failure::new)?;
+        // On an undamped resonance no friction is enough.
+        let limit = at.stuck().map_or(f64::INFINITY, |stuck| stuck.limit());
+        points.push((scales.frequency(r), scales.friction(limit).min(top)));
+    }
+    Ok(points)
+}

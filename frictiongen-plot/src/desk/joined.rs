@@ -1,0 +1,277 @@
+//! Figures of scenes with several contacts: motions over time with a hysteresis loop of each contact, and responses over
+//! frequency.
+
+use super::curves::stroke;
+use super::scales::Scales;
+use crate::{Across, Axis, Colour, Figure, Guide, Key, Label, Line, Panel, Point, Stroke};
+use frictiongen::Regime;
+
+/// Motion of one contact over time, in the units of the axes.
+#[derive(Clone, Debug)]
+pub struct ContactTrack {
+    /// Name of the contact.
+    pub name: String,
+    /// Relative displacement at each sample.
+    pub displacement: Vec<f64>,
+    /// Force at each sample.
+    pub force: Vec<f64>,
+    /// True at each sample at which the contact sticks.
+    pub sticks: Vec<bool>,
+}
+
+/// A motion over time, in the units of the axes.
+#[derive(Clone, Debug)]
+pub struct JoinedMotion {
+    /// Time of each sample.
+    pub times: Vec<f64>,
+    /// Label of the time axis.
+    pub time_label: Label,
+    /// Label of the axis of displacements.
+    pub displacement_label: Label,
+    /// Label of the axis of forces.
+    pub force_label: Label,
+    /// Displacements of masses and of combinations, each with its name.
+    pub masses: Vec<(String, Vec<f64>)>,
+    /// Forces of springs, each with its name.
+    pub springs: Vec<(String, Vec<f64>)>,
+    /// The contacts.
+    pub contacts: Vec<ContactTrack>,
+}
+
+impl JoinedMotion {
+    fn time(&self) -> Axis {
+        let ends = (self.times.first(), self.times.last());
+        let (first, last) = (
+            ends.0.copied().unwrap_or(0.0),
+            ends.1.copied().unwrap_or(1.0),
+        );
+        let last = if first < last { last } else { first + 1.0 };
+        Axis::new(self.time_label.clone(), first, last)
+    }
+
+    fn over(&self, values: &[f64]) -> Vec<Point> {
+        let times = self.times.iter().copied();
+        times.zip(values.iter().copied()).collect()
+    }
+
+    /// Returns a panel with one line for each named quantity, or `None` without quantities.
+    fn panel(
+        &self,
+        (title, label): (&str, &Label),
+        tracks: &[(String, Vec<f64>)],
+        first: usize,
+    ) -> Option<Panel> {
+        if tracks.is_empty() {
+            return None;
+        }
+        let values = tracks.iter().flat_map(|(_, values)| values.iter().copied());
+        let panel = Panel::new(title, self.time(), Axis::fitted(label.clone(), values));
+        let lines = tracks.iter().enumerate().map(|(index, (name, values))| {
+            let colour = Colour::Series(first + index);
+            let pieces = vec![self.over(values)];
+            Line::new(Label::verbatim(name), colour, Stroke::Solid, pieces)
+        });
+        Some(lines.fold(panel, |panel, line| panel.with(line)))
+    }
+
+    /// Returns the panel with the forces of all contacts over time.
+    fn forces(&self, first: usize) -> Panel {
+        let values = self.contacts.iter().flat_map(|contact| &contact.force);
+        let axis = Axis::fitted(self.force_label.clone(), values.copied());
+        let mut panel = Panel::new("forces of the contacts", self.time(), axis)
+            .with(Guide::new(Across::Y(0.0)));
+        for (index, contact) in self.contacts.iter().enumerate() {
+            let path = self.over(&contact.force);
+            for line in contact.lines(&path, Colour::Series(first + index)) {
+                panel = panel.with(line);
+            }
+        }
+        panel
+    }
+
+    /// Returns the panel with the hysteresis loop of a contact.
+    fn hysteresis(&self, contact: &ContactTrack, colour: Colour) -> Panel {
+        let x = contact.displacement.iter().copied();
+        let f = contact.force.iter().copied();
+        let path: Vec<Point> = x.clone().zip(f.clone()).collect();
+        let title = Label::verbatim(&format!("{}: hysteresis loop, area = energy", contact.name));
+        let across = Axis::fitted(self.displacement_label.clone(), x);
+        let panel = Panel::new(title, across, Axis::fitted(self.force_label.clone(), f));
+        let lines = contact.lines(&path, colour).into_iter();
+        lines.fold(panel, |panel, line| panel.with(line))
+    }
+}
+
+impl ContactTrack {
+    /// Returns the path of the contact as a solid line where it slides, and as a dotted line where it sticks.
+    fn lines(&self, path: &[Point], colour: Colour) -> Vec<Line> {
+        let name = || Label::verbatim(&self.name);
+        let lines = [(false, Stroke::Solid), (true, Stroke::Dotted)];
+        let lines = lines.map(|(sticks, stroke)| {
+            let pieces = pieces(path, &self.sticks, sticks);
+            Line::new(name(), colour, stroke, pieces)
+        });
+        let lines = lines.into_iter().filter(|line| !line.pieces.is_empty());
+        lines.collect()
+    }
+}
+
+/// Returns the pieces of a path between samples at which the contact sticks, or the other pieces. An interval with an
+/// event belongs to the pieces in which the contact slides.
+fn pieces(path: &[Point], sticks: &[bool], wanted: bool) -> Vec<Vec<Point>> {
+    let mut pieces: Vec<Vec<Point>> = Vec::new();
+    let mut open = false;
+    for (points, states) in path.windows(2).zip(sticks.windows(2)) {
+        if states.iter().all(|sticks| *sticks) != wanted {
+            open = false;
+            continue;
+        }
+        if !open {
+            pieces.push(points.iter().take(1).copied().collect());
+            open = true;
+        }
+        if let Some(piece) = pieces.last_mut() {
+            piece.extend(points.iter().skip(1));
+        }
+    }
+    pieces
+}
+
+/// Returns a figure of a motion over time: displacements, the forces of the contacts, and a hysteresis loop of each
+/// contact. The area of the loop of one period is the energy that the contact dissipates in that period.
+#[must_use]
+pub fn joined_motion_figure(title: impl Into<Label>, motion: &JoinedMotion) -> Figure {
+    let first = motion.masses.len();
+    let titled = ("displacement", &motion.displacement_label);
+    let mut panels: Vec<Panel> = motion
+        .panel(titled, &motion.masses, 0)
+        .into_iter()
+        .collect();
+    panels.push(motion.forces(first));
+    let springs = first + motion.contacts.len();
+    panels.extend(motion.panel(
+        ("forces of springs", &motion.force_label),
+        &motion.springs,
+        springs,
+    ));
+    let contacts = motion.contacts.iter().enumerate();
+    panels.extend(
+        contacts.map(|(index, contact)| motion.hysteresis(contact, Colour::Series(first + index))),
+    );
+    let sticks = motion.contacts.iter().flat_map(|contact| &contact.sticks);
+    let keys = if sticks.clone().any(|sticks| *sticks) {
+        vec![
+            Key::stroke("the contact slides", Stroke::Solid),
+            Key::stroke("the contact sticks", Stroke::Dotted),
+        ]
+    } else {
+        Vec::new()
+    };
+    Figure::new("", title, 2, panels).with_keys(keys)
+}
+
+/// Steady states over frequency at one friction, in the units of the axes.
+#[derive(Clone, Debug)]
+pub struct JoinedCurve {
+    /// Name in the legend.
+    pub name: Label,
+    /// For each frequency: its value on the axis, and the regime. The regime is `None` without a steady state.
+    pub points: Vec<(f64, Option<Regime>)>,
+    /// For each panel, the value at each frequency. A value without a steady state is NaN.
+    pub values: Vec<Vec<f64>>,
+}
+
+/// Returns a figure with one panel for each title. The stroke of a line shows how many contacts slide.
+#[must_use]
+pub fn joined_curve_figure(
+    title: impl Into<Label>,
+    titles: &[(Label, Label)],
+    curves: &[JoinedCurve],
+    scales: &Scales,
+) -> Figure {
+    let all = || curves.iter().flat_map(|curve| &curve.points);
+    let ends = all().map(|point| point.0);
+    let (low, high) = ends.fold((f64::INFINITY, 0.0_f64), |(low, high), x| {
+        (low.min(x), high.max(x))
+    });
+    let panels = titles.iter().enumerate().map(|(index, (name, label))| {
+        let values = || {
+            let values = curves.iter().filter_map(|curve| curve.values.get(index));
+            values.flatten().copied().filter(|value| value.is_finite())
+        };
+        let most = values().fold(0.0, f64::max);
+        let most = if 0.0 < most { 1.06 * most } else { 1.0 };
+        let y = scales.amplitude_axis(label.clone(), most, values());
+        let mut panel = Panel::new(name.clone(), scales.frequency_axis(low, high), y);
+        for (place, curve) in curves.iter().enumerate() {
+            for line in curve.lines(index, Colour::Series(place)) {
+                panel = panel.with(line);
+            }
+        }
+        panel
+    });
+    let keys = [
+        ("all contacts slide", Regime::Continuous),
+        ("some contacts stick", Regime::StickSlip),
+        ("all contacts are stuck", Regime::Stuck),
+    ];
+    let keys = keys.into_iter().filter(|(_, regime)| {
+        let mut all = all();
+        all.any(|point| point.1 == Some(*regime))
+    });
+    let keys = keys.map(|(name, regime)| Key::stroke(name, stroke(regime)));
+    Figure::new("", title, 2, panels.collect()).with_keys(keys)
+}
+
+impl JoinedCurve {
+    /// Returns one line for each regime. A line reaches to the first point of the next regime.
+    fn lines(&self, index: usize, colour: Colour) -> Vec<Line> {
+        let values = self.values.get(index).map_or(&[][..], Vec::as_slice);
+        let points = self.points.iter().zip(values);
+        let points: Vec<(Option<Regime>, Point)> =
+            points.map(|((x, regime), y)| (*regime, (*x, *y))).collect();
+        let mut lines = Vec::new();
+        for regime in [Regime::Continuous, Regime::StickSlip, Regime::Stuck] {
+            let mut pieces: Vec<Vec<Point>> = Vec::new();
+            let mut open = false;
+            for pair in points.windows(2) {
+                let [(before, from), (after, to)] = pair else {
+                    continue;
+                };
+                if *before != Some(regime) || after.is_none() {
+                    open = false;
+                    continue;
+                }
+                if !open {
+                    pieces.push(vec![*from]);
+                    open = true;
+                }
+                if let Some(piece) = pieces.last_mut() {
+                    piece.push(*to);
+                }
+            }
+            if !pieces.is_empty() {
+                lines.push(Line::new(self.name.clone(), colour, stroke(regime), pieces));
+            }
+        }
+        lines
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::pieces;
+
+    #[test]
+    fn pieces_cover_a_path_once() {
+        let path: Vec<(f64, f64)> = (0..7).map(|i| (f64::from(i), 0.0)).collect();
+        let sticks = [false, false, true, true, true, false, true];
+        let starts = |wanted| -> Vec<(f64, f64)> {
+            let pieces = pieces(&path, &sticks, wanted).into_iter();
+            let ends = pieces.filter_map(|piece| Some((piece.first()?.0, piece.last()?.0)));
+            ends.collect()
+        };
+        assert_eq!(starts(true), [(2.0, 4.0)]);
+        assert_eq!(starts(false), [(0.0, 2.0), (4.0, 6.0)]);
+    }
+}

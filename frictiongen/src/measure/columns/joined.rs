@@ -1,0 +1,171 @@
+//! Rows and columns of the motion of a scene with several contacts that follows an input step by step.
+
+use crate::study::System;
+use crate::study::columns::{Column, Columns, Dimension, Head, Measure, Part, Row};
+use crate::study::joined::{Joined, JoinedContactNow, JoinedStepper};
+
+/// A motion in the table.
+#[derive(Clone, Debug)]
+pub enum JoinedPart {
+    /// A contact, by its index in the description.
+    Contact(usize),
+    /// A mass, or a combination of masses and base.
+    Mass(Part),
+}
+
+/// The motion of masses and of all contacts at every sample of an input.
+#[derive(Clone, Debug, Default)]
+pub struct JoinedDriven {
+    /// Times of the samples, s.
+    pub time: Vec<f64>,
+    /// Displacements in m and velocities in m/s of the requested masses and combinations. For forces of springs, the
+    /// forces in N and their derivatives.
+    pub motions: Vec<[Vec<f64>; 2]>,
+    /// States of all contacts, for each sample.
+    pub contacts: Vec<Vec<JoinedContactNow>>,
+    events: Vec<usize>,
+}
+
+/// Row of the table: the motion at one sample.
+#[derive(Clone, Copy, Debug)]
+pub struct JoinedDrivenRow<'d> {
+    driven: &'d JoinedDriven,
+    index: usize,
+}
+
+impl Row for JoinedDrivenRow<'_> {}
+
+impl JoinedPart {
+    /// Returns the mass or the combination. A contact returns `None`.
+    #[must_use]
+    pub fn mass(&self) -> Option<&Part> {
+        match self {
+            Self::Contact(_) => None,
+            Self::Mass(part) => Some(part),
+        }
+    }
+}
+
+impl JoinedDriven {
+    /// Adds the present state of a stepper to the table. `base` is the displacement and the velocity of the base.
+    /// `events` is the number of events since the previous sample.
+    pub fn push(
+        &mut self,
+        stepper: &JoinedStepper<'_>,
+        (system, parts): (&System, &[JoinedPart]),
+        base: [f64; 2],
+        events: usize,
+    ) {
+        let masses = stepper.masses();
+        let of_masses = || parts.iter().filter_map(JoinedPart::mass);
+        self.motions.resize(of_masses().count(), Default::default());
+        for (part, [displacement, velocity]) in of_masses().zip(&mut self.motions) {
+            let motion = system.combination_of(part.of, base, &masses);
+            let [x, v] = motion.unwrap_or_default();
+            displacement.push(x);
+            velocity.push(v);
+        }
+        self.contacts.push(stepper.contacts());
+        self.events.push(events);
+        self.time.push(stepper.time());
+    }
+
+    /// Returns the rows of the table, one for each sample.
+    pub fn rows(&self) -> impl Iterator<Item = JoinedDrivenRow<'_>> {
+        (0..self.time.len()).map(|index| JoinedDrivenRow {
+            driven: self,
+            index,
+        })
+    }
+
+    /// Returns displacement and force of a contact at every sample.
+    #[must_use]
+    pub fn contact(&self, index: usize) -> Vec<JoinedContactNow> {
+        let states = self.contacts.iter();
+        states.filter_map(|all| all.get(index).copied()).collect()
+    }
+
+    /// Returns the columns of the table, with their names and units.
+    #[must_use]
+    pub fn columns<'d>(
+        system: &System,
+        joined: &Joined<'_>,
+        parts: &[JoinedPart],
+    ) -> Vec<Column<'d, JoinedDrivenRow<'d>>> {
+        let names = joined.contact_names();
+        let mut columns = Columns::new(&Measure::si(system));
+        let head = Head::of("time", Dimension::Time);
+        columns.number(head, |row: &JoinedDrivenRow<'_>| {
+            row.driven.time.get(row.index).copied()
+        });
+        let mut masses = 0;
+        for part in parts {
+            match part {
+                JoinedPart::Contact(index) => {
+                    columns.begin_part(names.get(*index).map_or("", String::as_str));
+                    moves(&mut columns, *index);
+                }
+                JoinedPart::Mass(part) => {
+                    columns.begin_part(&part.name);
+                    of_mass(&mut columns, part, masses);
+                    masses += 1;
+                }
+            }
+        }
+        for (index, name) in names.iter().enumerate() {
+            columns.begin_part(name);
+            pulls(&mut columns, index);
+        }
+        columns.end_parts();
+        columns.count("events", |row| row.driven.events.get(row.index).copied());
+        columns.done()
+    }
+}
+
+/// Returns the state of a contact at a sample.
+fn now(row: &JoinedDrivenRow<'_>, contact: usize) -> Option<JoinedContactNow> {
+    let all = row.driven.contacts.get(row.index)?;
+    all.get(contact).copied()
+}
+
+/// Adds the columns with the relative displacement and velocity of a contact.
+fn moves<'d>(columns: &mut Columns<'d, JoinedDrivenRow<'d>>, index: usize) {
+    columns.converted(Head::of("displacement", Dimension::Length), move |row| {
+        Some(now(row, index)?.displacement)
+    });
+    columns.converted(Head::of("velocity", Dimension::Velocity), move |row| {
+        Some(now(row, index)?.velocity)
+    });
+}
+
+/// Adds the columns with force, slip, energy and state of a contact.
+fn pulls<'d>(columns: &mut Columns<'d, JoinedDrivenRow<'d>>, index: usize) {
+    columns.converted(Head::of("force", Dimension::Force), move |row| {
+        Some(now(row, index)?.force)
+    });
+    columns.converted(Head::of("slip", Dimension::Length), move |row| {
+        Some(now(row, index)?.slip)
+    });
+    columns.converted(Head::of("energy", Dimension::Energy), move |row| {
+        Some(now(row, index)?.energy)
+    });
+    columns.flag("sticks", move |row| Some(now(row, index)?.is_sticking));
+}
+
+/// Adds the columns of a mass or of a combination of masses and base.
+fn of_mass<'d>(columns: &mut Columns<'d, JoinedDrivenRow<'d>>, part: &Part, place: usize) {
+    let read = move |row: &JoinedDrivenRow<'_>, which: usize| {
+        let motion = row.driven.motions.get(place)?.get(which)?;
+        motion.get(row.index).copied()
+    };
+    if part.of.is_force() {
+        columns.converted(Head::of("force", Dimension::Force), move |row| read(row, 0));
+        return;
+    }
+    columns.converted(Head::of("displacement", Dimension::Length), move |row| {
+        read(row, 0)
+    });
+    columns.converted(Head::of("velocity", Dimension::Velocity), move |row| {
+        read(row, 1)
+    });
+}

@@ -1,0 +1,97 @@
+//! Distances that the sliders of the contacts travel, and the energy that friction dissipates in them.
+
+use crate::study::joints::{Heap, Model, Series, State, Transition};
+use frictiongen_kernel::joints::{FREE, Observe, STUCK};
+
+/// Distance and energy of each contact since the start of a motion, and the events of its present step.
+#[derive(Clone, Debug)]
+pub(super) struct Slides {
+    contacts: Vec<Slide>,
+    events: Vec<Transition>,
+}
+
+/// Distance and energy of one contact.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Slide {
+    /// The two nodes of the contact.
+    ends: (usize, usize),
+    /// Kinetic friction force.
+    level: f64,
+    /// Energy that an elastic contact dissipates at a break-away, over the square of the kinetic friction force.
+    drop: f64,
+    /// Distance that the slider has travelled, added over both directions.
+    pub slip: f64,
+    /// Energy that friction has dissipated.
+    pub energy: f64,
+}
+
+impl Slides {
+    /// Starts with the distances and energies 0. The friction forces of the contacts are those of the model.
+    pub fn new(model: &Model) -> Self {
+        let contacts = model.contacts.iter().map(|contact| Slide {
+            ends: (contact.plus, contact.minus),
+            level: contact.level.constant,
+            // The force falls from μF to F, and the spring of the contact loses the difference of energy.
+            drop: contact.stiffness.map_or(0.0, |stiffness| {
+                (contact.stiction * contact.stiction - 1.0) / (2.0 * stiffness)
+            }),
+            slip: 0.0,
+            energy: 0.0,
+        });
+        Self {
+            contacts: contacts.collect(),
+            events: Vec::new(),
+        }
+    }
+
+    /// Returns distance and energy of each contact.
+    pub fn contacts(&self) -> &[Slide] {
+        &self.contacts
+    }
+
+    /// Sets the friction force of a contact. An elastic contact with a larger `force` loses a part of the energy in its
+    /// spring.
+    pub fn set_level(&mut self, index: usize, level: f64, (force, stiffness): (f64, Option<f64>)) {
+        let Some(slide) = self.contacts.get_mut(index) else {
+            return;
+        };
+        if let Some(stiffness) = stiffness
+            && level != slide.level
+        {
+            slide.energy += (force * force - level * level).max(0.0) / (2.0 * stiffness);
+        }
+        slide.level = level;
+    }
+
+    /// Returns the events since the last call.
+    pub fn take_events(&mut self) -> Vec<Transition> {
+        std::mem::take(&mut self.events)
+    }
+}
+
+impl Observe<f64, Heap> for Slides {
+    fn stretch(&mut self, series: &Series, end: f64, state: &State) {
+        for (index, slide) in self.contacts.iter_mut().enumerate() {
+            if ![STUCK, FREE].contains(&state.phase(index)) {
+                // A contact keeps its direction of sliding over a stretch.
+                let travel = series.place(slide.ends, end) - series.place(slide.ends, 0.0);
+                slide.slip += travel.abs();
+                slide.energy += slide.level * travel.abs();
+            }
+        }
+    }
+
+    fn event(&mut self, time: f64, before: &Vec<i8>, after: &Vec<i8>) {
+        let phases = before.iter().zip(after);
+        for (slide, (before, after)) in self.contacts.iter_mut().zip(phases) {
+            if *before == STUCK && ![STUCK, FREE].contains(after) {
+                slide.energy += slide.drop * slide.level * slide.level;
+            }
+        }
+        self.events.push(Transition {
+            time,
+            before: before.clone(),
+            after: after.clone(),
+        });
+    }
+}
