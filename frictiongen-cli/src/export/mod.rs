@@ -9,6 +9,7 @@ mod names;
 mod orbit;
 mod room;
 mod rust;
+mod simulating;
 mod status;
 mod steady;
 mod stepping;
@@ -27,7 +28,7 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 /// Items of `provide` for which an export contains functions.
-const EXPORTED: &str = "limits, motion, stuck, orbit, stepper or self_check";
+const EXPORTED: &str = "limits, motion, stuck, orbit, simulation, stepper or self_check";
 
 /// A checked request.
 struct Asked<'a> {
@@ -94,11 +95,6 @@ fn write_c(asked: &Asked<'_>) -> Result<(), Failure> {
             source,
             &files::example(scene, (prefix, real(scene))),
         )?;
-    }
-    if scene.provides(&Provide::Simulation) {
-        progress::say(
-            "frictiongen: `export` leaves out `simulation` of `provide`; use `stepper` for a motion in time\n",
-        );
     }
     if !scene.provides(&Provide::Stepper) {
         progress::say(
@@ -168,6 +164,10 @@ fn face_of(description: &Description) -> Result<Face, Failure> {
     let scene = &description.scene;
     let mut face = Face::default();
     steady::add(&mut face, scene);
+    if scene.provides(&Provide::Simulation) {
+        let name = description.name.to_string();
+        simulating::add(&mut face, scene, (&name, steady::unit(scene)));
+    }
     if scene.provides(&Provide::Stepper) {
         stepping::add(&mut face, scene, &description.name.to_string());
     }
