@@ -27,9 +27,6 @@ use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-/// Items of `provide` for which an export contains functions.
-const EXPORTED: &str = "limits, motion, stuck, orbit, simulation, stepper or self_check";
-
 /// A checked request.
 struct Asked<'a> {
     arguments: &'a ExportArguments,
@@ -74,7 +71,7 @@ fn write_c(asked: &Asked<'_>) -> Result<(), Failure> {
     let (prefix, folder) = (asked.prefix, &asked.arguments.output);
     let scene = &asked.description.scene;
     names::check_header(prefix)?;
-    let face = face_of(asked.description)?;
+    let face = face_of(asked.description);
     let source = asked.arguments.file.path();
     let all = files(asked, &face);
     create(&folder.join("src"))?;
@@ -160,7 +157,7 @@ fn real(scene: &Scene) -> &'static str {
 }
 
 /// Collects the functions of the scene.
-fn face_of(description: &Description) -> Result<Face, Failure> {
+fn face_of(description: &Description) -> Face {
     let scene = &description.scene;
     let mut face = Face::default();
     steady::add(&mut face, scene);
@@ -171,12 +168,7 @@ fn face_of(description: &Description) -> Result<Face, Failure> {
     if scene.provides(&Provide::Stepper) {
         stepping::add(&mut face, scene, &description.name.to_string());
     }
-    if face.functions.is_empty() {
-        return Err(Failure::new(format_args!(
-            "the description provides nothing that `export` writes; add {EXPORTED} to its `provide`, for example `provide: [stepper]`"
-        )));
-    }
-    Ok(face)
+    face
 }
 
 /// Fails for a description that gives the crate `frictiongen` another path.
