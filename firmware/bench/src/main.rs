@@ -29,8 +29,15 @@ fn ticks<S: Copy>(timer: &mut SYST, call: &Call<S>, input: &Input<S>, times: u64
     })
 }
 
+/// Ticks of a call beyond which a single measurement is exact enough.
+const LONG: u64 = 10_000_000;
+
 /// Returns the instructions of a call, including those of the loop around it.
 fn instructions<S: Copy>(timer: &mut SYST, call: &Call<S>, input: &Input<S>) -> u64 {
+    let once = ticks(timer, call, input, 1);
+    if LONG < once {
+        return once * timer::INSTRUCTIONS / timer::TICKS;
+    }
     let few = ticks(timer, call, input, FEW);
     let many = ticks(timer, call, input, MANY);
     let denominator = timer::TICKS * (MANY - FEW);

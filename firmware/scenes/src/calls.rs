@@ -1,6 +1,6 @@
 //! The calls that are measured and compared: one list for each scalar.
 
-use crate::{Five, Pair, PairDouble, Sdof, least, stopping, tabled};
+use crate::{Five, Pair, PairDouble, Sdof, joined, least, stopping, tabled};
 use frictiongen::kernel::Scalar;
 use frictiongen::watch::{Watch, friction_ratio, transmissibility};
 use frictiongen::{Complex, Error};
@@ -104,7 +104,7 @@ const NOTHING: Complex<f32> = Complex { re: 0.0, im: 0.0 };
 /// Factor on the friction of the continuous motions that makes the contact stop.
 const STOPPING: f32 = 10.0;
 
-calls! { f32 SINGLE 38:
+calls! { f32 SINGLE 40:
     sdof_without_search "SDOF f32" "limits without search" |at| {
         let limits = Sdof::limits_without_search(at.r)?;
         [limits.continuous, limits.sliding]
@@ -288,6 +288,14 @@ calls! { f32 SINGLE 38:
     elastic_stuck "SDOF f32, elastic contact, [stuck]" "stuck response" |at| {
         let stuck = stopping::SdofElastic::at(at.r)?.stuck()?.mass_1();
         [stuck.re, stuck.im]
+    };
+    joined_stuck "2DOF damped f32, two contacts" "friction from which no contact slides" |at| {
+        let (limit, _) = joined::stuck_from(at.r).unwrap_or((-1.0, ""));
+        [limit, 0.0]
+    };
+    joined_orbit "2DOF damped f32, two contacts" "steady state: amplitude of a mass, energy in a contact" |at| {
+        let (amplitude, energy) = joined::settle(at.r, at.beta * STOPPING).unwrap_or((-1.0, -1.0));
+        [amplitude, energy]
     };
 }
 

@@ -9,6 +9,7 @@ mod names;
 mod orbit;
 mod room;
 mod rust;
+mod simulating;
 mod status;
 mod steady;
 mod stepping;
@@ -25,9 +26,6 @@ use frictiongen_codegen::{Description, Limits};
 use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
-
-/// Items of `provide` for which an export contains functions.
-const EXPORTED: &str = "limits, motion, stuck, orbit, stepper or self_check";
 
 /// A checked request.
 struct Asked<'a> {
@@ -73,7 +71,7 @@ fn write_c(asked: &Asked<'_>) -> Result<(), Failure> {
     let (prefix, folder) = (asked.prefix, &asked.arguments.output);
     let scene = &asked.description.scene;
     names::check_header(prefix)?;
-    let face = face_of(asked.description)?;
+    let face = face_of(asked.description);
     let source = asked.arguments.file.path();
     let all = files(asked, &face);
     create(&folder.join("src"))?;
@@ -94,11 +92,6 @@ fn write_c(asked: &Asked<'_>) -> Result<(), Failure> {
             source,
             &files::example(scene, (prefix, real(scene))),
         )?;
-    }
-    if scene.provides(&Provide::Simulation) {
-        progress::say(
-            "frictiongen: `export` leaves out `simulation` of `provide`; use `stepper` for a motion in time\n",
-        );
     }
     if !scene.provides(&Provide::Stepper) {
         progress::say(
@@ -164,19 +157,18 @@ fn real(scene: &Scene) -> &'static str {
 }
 
 /// Collects the functions of the scene.
-fn face_of(description: &Description) -> Result<Face, Failure> {
+fn face_of(description: &Description) -> Face {
     let scene = &description.scene;
     let mut face = Face::default();
     steady::add(&mut face, scene);
+    if scene.provides(&Provide::Simulation) {
+        let name = description.name.to_string();
+        simulating::add(&mut face, scene, (&name, steady::unit(scene)));
+    }
     if scene.provides(&Provide::Stepper) {
         stepping::add(&mut face, scene, &description.name.to_string());
     }
-    if face.functions.is_empty() {
-        return Err(Failure::new(format_args!(
-            "the description provides nothing that `export` writes; add {EXPORTED} to its `provide`, for example `provide: [stepper]`"
-        )));
-    }
-    Ok(face)
+    face
 }
 
 /// Fails for a description that gives the crate `frictiongen` another path.

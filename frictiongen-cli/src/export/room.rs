@@ -1,6 +1,7 @@
-//! Sizes of a stepper and of its saved state in bytes, so that C can allocate them.
+//! Sizes of a stepper, of its saved state and of a simulation in bytes, so that C can allocate them.
 
 use frictiongen::kernel::motion::ElasticChain;
+use frictiongen::kernel::simulation::{FixedLinesSimulation, FixedSimulation};
 use frictiongen::kernel::stepper::{FixedStepper, FixedStore, Saved};
 use frictiongen::study::scene::Precision;
 use frictiongen_codegen::standalone::StepperShape;
@@ -44,6 +45,40 @@ pub fn words(shape: &StepperShape, precision: Precision) -> [usize; 2] {
         // The mark before the contents is one more word.
         usize::try_from((sum + PADDING + 7) / 8).unwrap_or(0) + 1
     })
+}
+
+/// Returns the size of a simulation in words of 64 bits, including the mark in front.  `parts` is the number of its
+/// oscillators, in which the size is linear.  The flags are true for a friction law over the speed and for an elastic
+/// contact.
+pub fn simulation_words(parts: usize, of: (bool, bool), precision: Precision) -> usize {
+    let [one, two] = match precision {
+        Precision::F64 => simulations::<f64>(of),
+        Precision::F32 => simulations::<f32>(of),
+    };
+    let size = one + (two - one) * parts.saturating_sub(1);
+    size.div_ceil(8) + 1
+}
+
+/// Returns the sizes of simulations with one and with two oscillators.
+fn simulations<S: frictiongen::scalar::Float + 'static>(
+    (law, elastic): (bool, bool),
+) -> [usize; 2] {
+    if law {
+        [
+            size_of::<FixedLinesSimulation<S, 1>>(),
+            size_of::<FixedLinesSimulation<S, 2>>(),
+        ]
+    } else if elastic {
+        [
+            size_of::<FixedSimulation<S, 1, ElasticChain<S>>>(),
+            size_of::<FixedSimulation<S, 2, ElasticChain<S>>>(),
+        ]
+    } else {
+        [
+            size_of::<FixedSimulation<S, 1>>(),
+            size_of::<FixedSimulation<S, 2>>(),
+        ]
+    }
 }
 
 fn corners<S: frictiongen::scalar::Float>(shape: &StepperShape) -> [Corner; 8] {

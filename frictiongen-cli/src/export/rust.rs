@@ -48,11 +48,15 @@ fn helpers(face: &Face, prefix: &str, scalar: &str) -> String {
     if has("mass_now") {
         text.push_str(&format!(
             "    fn mass_now(mass: &Moved<{scalar}>) -> MassNow {{\n        \
-             MassNow {{ displacement: mass.displacement(), velocity: mass.velocity() }}\n    }}\n\n    \
-             fn sliding(contact: frictiongen::answer::Contact) -> i32 {{\n        use frictiongen::answer::Contact;\n        \
-             match contact {{\n            Contact::Stuck => 0,\n            Contact::Forward => 1,\n            \
-             Contact::Backward => -1,\n        }}\n    }}\n\n"
+             MassNow {{ displacement: mass.displacement(), velocity: mass.velocity() }}\n    }}\n\n"
         ));
+    }
+    if has("mass_now") || has("segment") {
+        text.push_str(
+            "    fn sliding(contact: frictiongen::answer::Contact) -> i32 {\n        use frictiongen::answer::Contact;\n        \
+             match contact {\n            Contact::Stuck => 0,\n            Contact::Forward => 1,\n            \
+             Contact::Backward => -1,\n        }\n    }\n\n",
+        );
     }
     text
 }

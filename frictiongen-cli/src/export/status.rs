@@ -28,7 +28,7 @@ const fn status(
 }
 
 /// All causes in the order of their numbers.
-pub const STATUSES: [Status; 33] = [
+pub const STATUSES: [Status; 35] = [
     status("OK", 0, "success", None),
     status("NULL_POINTER", 1, "a pointer is null", None),
     status(
@@ -84,6 +84,18 @@ pub const STATUSES: [Status; 33] = [
         15,
         "a number of the initial state of a steady state is not finite",
         Some("Start | StuckStart"),
+    ),
+    status(
+        "DURATION",
+        16,
+        "the reach of an advance is negative or not finite",
+        Some("Duration(_)"),
+    ),
+    status(
+        "LOAD_AMPLITUDE",
+        17,
+        "the amplitude of the load is not positive and finite, or too small or too large for the friction law",
+        Some("LoadAmplitude(_)"),
     ),
     status(
         "STEP",

@@ -33,6 +33,8 @@ pub fn add(face: &mut Face, scene: &Scene) {
                 Field::new("im", Kind::Real, "imaginary component"),
             ],
         });
+    }
+    if scene.needs_frequency() || scene.provides(&Provide::Simulation) {
         face.records.push(Record {
             name: "instant",
             about: format!(
@@ -90,7 +92,8 @@ pub fn add(face: &mut Face, scene: &Scene) {
     }
 }
 
-fn unit(scene: &Scene) -> &'static str {
+/// Returns the unit of displacements.
+pub fn unit(scene: &Scene) -> &'static str {
     match scene.excitation {
         Excitation::Base => "the amplitude Y of the base",
         Excitation::Force(_) => "P/k1",

@@ -1,5 +1,6 @@
 //! Scenes with a stepper: chains of equal masses. The last mass rubs.
 
+pub use super::two_contacts;
 use super::{Machine, Outcome};
 use frictiongen::kernel::simulation::Contact;
 use frictiongen::kernel::stepper::Cost;
@@ -87,26 +88,29 @@ macro_rules! machine {
                     advance(self, load, friction)
                 }
 
-                const DECLARED: usize = core::mem::size_of::<ChainDeclaredStepper>();
+                const DECLARED: Option<usize> = Some(core::mem::size_of::<ChainDeclaredStepper>());
 
-                fn cost(&self) -> Cost {
-                    self.0.cost()
+                fn cost(&self) -> Option<Cost> {
+                    Some(self.0.cost())
                 }
 
-                fn set_budget(&mut self, events: u8) {
+                fn set_budget(&mut self, events: u8) -> Option<()> {
                     self.0.set_event_budget(events);
+                    Some(())
                 }
 
-                fn start_declared() {
+                fn start_declared() -> Option<()> {
                     start_declared();
+                    Some(())
                 }
 
                 fn read_each(&self) {
                     each(self);
                 }
 
-                fn read_all(&self) {
+                fn read_all(&self) -> Option<()> {
                     all(self);
+                    Some(())
                 }
 
                 fn bits(&self) -> [u64; 3] {
@@ -286,6 +290,7 @@ pub fn visit(visitor: &mut impl Visitor) {
     visitor.visit::<one_elastic::Run>();
     visitor.visit::<two_elastic::Run>();
     visitor.visit::<five_elastic::Run>();
+    visitor.visit::<two_contacts::Run>();
     visitor.visit::<one_force_double::Run>();
     visitor.visit::<one_base_double::Run>();
     visitor.visit::<two_force_double::Run>();

@@ -1,0 +1,191 @@
+//! Functions of the motion in time under a harmonic load, from event to event.
+
+use super::face::{Face, Field, Function, Kind, Opaque, Passed, Record};
+use super::names::{field, mass};
+use super::room;
+use frictiongen::study::scene::{FrictionLaw, Scene};
+use frictiongen_codegen::standalone::StepperShape;
+
+const STATE: &str = "simulation";
+const CHANGED: (&str, Passed) = ("simulation", Passed::Changed(STATE));
+const READ: (&str, Passed) = ("simulation", Passed::Read(STATE));
+
+/// Adds the simulation with its structs.  `name` is the scene's type in Rust, `unit` the unit of displacements.
+pub fn add(face: &mut Face, scene: &Scene, (name, unit): (&str, &str)) {
+    let shape = StepperShape::of(scene);
+    let parts = shape.modes + shape.held;
+    let has_law = scene.friction != FrictionLaw::Coulomb;
+    face.opaque.push(Opaque {
+        name: STATE,
+        about: "A motion in time under a harmonic load. A static variable or any other memory of this type will do. An assignment copies it.",
+        contents: format!("super::{name}Simulation"),
+        words: room::simulation_words(parts, (has_law, shape.elastic), scene.precision),
+    });
+    records(face, scene, unit);
+    starts(face, scene, has_law);
+    face.functions.push(function(
+        "simulation_advance",
+        "Advances to the next event, or by at most reach in tau = omega t.  After an error the motion keeps its state.",
+        vec![
+            CHANGED,
+            ("reach", Passed::Value(Kind::Real)),
+            ("segment", Passed::Output(Kind::Record("segment"))),
+        ],
+        "use frictiongen::answer::Event;\nlet found = simulation.change()?.advance(reach).map_err(domain)?;\nlet event = match found.event {\n    None => 0,\n    Some(Event::Stop) => 1,\n    Some(Event::Slip) => 2,\n    Some(Event::Reversal) => 3,\n};\nsegment.write(Segment {\n    start: found.start,\n    length: found.length,\n    sliding: sliding(found.contact),\n    event,\n});\nOk(())",
+    ));
+    read_outs(face, scene);
+}
+
+fn function(
+    name: &'static str,
+    about: &str,
+    parameters: Vec<(&'static str, Passed)>,
+    body: impl Into<String>,
+) -> Function {
+    Function {
+        name,
+        about: about.to_owned(),
+        parameters,
+        body: body.into(),
+    }
+}
+
+fn records(face: &mut Face, scene: &Scene, unit: &str) {
+    let sliding = |about: &str| Field::new("sliding", Kind::Int, about);
+    let masses = (0..scene.masses.len()).map(|index| {
+        let about = format!("mass {}", mass(scene, index));
+        Field::new(field(scene, index, "mass"), Kind::Record("instant"), about)
+    });
+    face.records.push(Record {
+        name: "simulation_masses",
+        about: format!("Motions of all masses at the present instant, over {unit}."),
+        fields: masses.collect(),
+    });
+    face.records.push(Record {
+        name: "segment",
+        about: "A segment of the motion, in which the contact sticks or slides in one direction."
+            .to_owned(),
+        fields: vec![
+            Field::new(
+                "start",
+                Kind::Real,
+                "tau at the start within the excitation's cycle, from 0 to 2 pi",
+            ),
+            Field::new("length", Kind::Real, "length in tau"),
+            sliding("0 if the contact sticks, otherwise the sign of its velocity"),
+            Field::new(
+                "event",
+                Kind::Int,
+                "event at the end: 0 none, 1 stop, 2 break-away, 3 reversal without a stop",
+            ),
+        ],
+    });
+    face.records.push(Record {
+        name: "simulation_contact",
+        about: format!("The contact at the present instant. The displacement is over {unit}."),
+        fields: vec![
+            Field::new("displacement", Kind::Real, "relative displacement"),
+            Field::new("velocity", Kind::Real, "its derivative with respect to tau"),
+            Field::new(
+                "force",
+                Kind::Real,
+                "force in the contact over the amplitude of the load",
+            ),
+            sliding("0 while the contact sticks, otherwise the sign of its velocity"),
+        ],
+    });
+    face.records.push(Record {
+        name: "simulation_progress",
+        about: "Time since the start, at a maximum of the excitation.".to_owned(),
+        fields: vec![
+            Field::new("cycles", Kind::Long, "completed cycles of the excitation"),
+            Field::new("phase", Kind::Real, "tau within the cycle, from 0 to 2 pi"),
+        ],
+    });
+}
+
+/// Adds the functions that start a motion.  A friction law over the speed needs the amplitude of the load.
+fn starts(face: &mut Face, scene: &Scene, has_law: bool) {
+    let (given, call) = if has_law {
+        ("r, beta, amplitude", "simulation_under")
+    } else {
+        ("r, beta", "simulation")
+    };
+    let about = if has_law {
+        " The amplitude is that of the force, N, or of the base, m."
+    } else {
+        ""
+    };
+    let value = |name| (name, Passed::Value(Kind::Real));
+    let mut parameters = vec![
+        ("simulation", Passed::Fresh(STATE)),
+        value("r"),
+        value("beta"),
+    ];
+    if has_law {
+        parameters.push(value("amplitude"));
+    }
+    face.functions.push(function(
+        "simulation_start",
+        &format!("Starts the motion from rest, at a maximum of the excitation.{about}"),
+        parameters.clone(),
+        format!(
+            "simulation.write(SimulationMemory::new(Scene::{call}({given}).map_err(domain)?));\nOk(())"
+        ),
+    ));
+    let list = |of: &str| {
+        let values = (0..scene.masses.len())
+            .map(|index| format!("start.{}.{of}", field(scene, index, "mass")));
+        values.collect::<Vec<_>>().join(", ")
+    };
+    parameters.push(("start", Passed::Input("simulation_masses")));
+    face.functions.push(function(
+        "simulation_start_from",
+        &format!(
+            "Starts the motion from a state of all masses, at a maximum of the excitation.{about}"
+        ),
+        parameters,
+        format!(
+            "let state = (&[{}], &[{}]);\nsimulation.write(SimulationMemory::new(Scene::{call}_from({given}, state).map_err(domain)?));\nOk(())",
+            list("displacement"),
+            list("velocity")
+        ),
+    ));
+}
+
+fn read_outs(face: &mut Face, scene: &Scene) {
+    let masses = (0..scene.masses.len()).map(|index| {
+        format!(
+            "{}: moment!(found.{}()), ",
+            field(scene, index, "mass"),
+            mass(scene, index)
+        )
+    });
+    let masses: String = masses.collect();
+    let found = "let found = simulation.read()?;\n";
+    let output = |name, record| (name, Passed::Output(Kind::Record(record)));
+    face.functions.push(function(
+        "simulation_masses",
+        "Returns the motions of all masses.",
+        vec![READ, output("masses", "simulation_masses")],
+        format!(
+            "macro_rules! moment {{\n    ($of:expr) => {{{{ let of = $of; Instant {{ displacement: of.displacement(), velocity: of.velocity() }} }}}};\n}}\n{found}masses.write(SimulationMasses {{ {masses}}});\nOk(())"
+        ),
+    ));
+    face.functions.push(function(
+        "simulation_contact",
+        "Returns motion, force and state of the contact.",
+        vec![READ, output("contact", "simulation_contact")],
+        format!(
+            "{found}let (displacement, velocity) = found.relative();\ncontact.write(SimulationContact {{\n    displacement,\n    velocity,\n    force: found.friction(),\n    sliding: sliding(found.contact()),\n}});\nOk(())"
+        ),
+    ));
+    face.functions.push(function(
+        "simulation_progress",
+        "Returns the time since the start.",
+        vec![READ, output("progress", "simulation_progress")],
+        format!(
+            "{found}progress.write(SimulationProgress {{ cycles: found.cycles(), phase: found.phase() }});\nOk(())"
+        ),
+    ));
+}
