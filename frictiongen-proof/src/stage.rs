@@ -307,7 +307,7 @@ impl<const N: usize> ChainStage<N> {
     }
 }
 
-/// Returns 1 + g and u/x² of a mode whose cosine is not a factor of κ.
+/// Returns 1 + g and u/x² of a mode whose cos(πx/2) is not a factor of κ.
 fn functions<const N: usize>(
     mode: &Oscillator,
     x: &IntervalSeries<N>,

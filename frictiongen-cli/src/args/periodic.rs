@@ -68,7 +68,8 @@ Quantities:
   stuck       fraction of the period in which the contact sticks, with an error of about one step
   multiplier  largest Floquet multiplier of a period; JSON has all multipliers
   load, friction, damping  work of the load, and energies that friction and damping dissipate, in a period, in J
-  least, largest  smallest and largest value of the motion in a period, in m or N
+  least, largest  smallest and largest value of each motion in a period: displacements in m,
+                  forces in N
 
 Exit status:
   0 without errors. Otherwise 2, with one line on standard error for each error.";

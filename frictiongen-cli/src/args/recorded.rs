@@ -200,8 +200,8 @@ Exit status:
 /// Text below the options of `identify`.
 pub const IDENTIFICATIONS: &str = "\
 Answers:
-  not explained   the description does not fit the rig, because noise causes such large residuals in fewer
-                  than one of 1000 recordings. The force may be far from the force in the rig
+  not explained   the residuals are too large for noise alone (probability below 1/1000), so that the
+                  description does not fit the rig. The friction force in the answer may be wrong
   determined      the measurement determines the force. The 95 % interval contains one solution, and its
                   width is smaller than the force
   several levels  several friction forces give this response; each has its own interval

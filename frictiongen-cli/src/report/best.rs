@@ -36,7 +36,8 @@ pub struct Best {
     pub found: Result<Optimum, String>,
 }
 
-/// Searches for the best frictions. Returns the reason if the command makes no search.
+/// Searches for the friction with the smallest peak of each motion. Returns an error with the reason if the page has no
+/// search.
 pub fn search(asked: &Asked) -> Result<Vec<Best>, String> {
     let masses = asked.system.scene().masses.len();
     if MOST_MASSES < masses {

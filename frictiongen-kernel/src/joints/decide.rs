@@ -1,11 +1,11 @@
 //! Decides which rigid contacts stick and which slide, at an instant at which their relative velocities are 0. A
 //! *pattern* gives each of these contacts a phase: it sticks, or it starts to slide in one of two directions. A pattern
 //! *fits* under two conditions. No sticking contact needs a force above its static friction force. Each sliding contact
-//! accelerates in its direction of sliding. A contact that has just broken away slides in the direction of the force
-//! that held it. If several patterns fit, the solver takes the one with the most sticking contacts. Among equal
-//! numbers, contacts that come first in the description stick. A contact that slides tries the positive direction
-//! first. If no pattern fits in which every contact that broke away slides, the solver also tries patterns in which
-//! such a contact sticks.
+//! accelerates in its direction of sliding. A contact that has just broken away slides against the friction force that
+//! held it. If several patterns fit, the solver takes the one with the most sticking contacts. If several of these have
+//! equally many, the contacts that come first in the description stick. The solver tries the positive direction of a
+//! sliding contact first. In the first tries every contact that broke away slides. If none of these patterns fits, the
+//! solver tries patterns in which such a contact sticks.
 
 use super::model::{Contact, Model};
 use super::size::{Size, add, at, set, sign};

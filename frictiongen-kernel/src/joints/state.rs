@@ -20,7 +20,8 @@ pub struct State<S: Float, Z: Size> {
     pub forces: Z::Contacts<S>,
     /// Relative displacement of each rigid contact while it sticks.
     pub places: Z::Contacts<S>,
-    /// Phase of each contact: −1 or 1 while it slides with this sign of ż, 0 while it sticks, and 2 if it has no force.
+    /// Phase of each contact: −1 or 1 while it slides with this sign of ż, 0 while it sticks, and 2 if its friction
+    /// force is 0.
     pub phases: Z::Contacts<i8>,
     /// For each contact, the polynomial whose root is its next event may begin with coefficients that are exactly 0.
     /// The first number counts these coefficients. The second is the direction of sliding for which they are 0.
@@ -41,7 +42,8 @@ impl<S: Float, Z: Size> State<S, Z> {
         }
     }
 
-    /// Returns the phase of a contact: −1 or 1 while it slides, 0 while it sticks, 2 without force.
+    /// Returns the phase of a contact: −1 or 1 while it slides, 0 while it sticks, 2 if its friction
+    /// force is 0.
     pub fn phase(&self, contact: usize) -> i8 {
         self.phases.as_ref().get(contact).copied().unwrap_or(FREE)
     }

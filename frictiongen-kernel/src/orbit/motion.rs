@@ -105,19 +105,19 @@ where
         wrapped(-fundamental.im.atan2(fundamental.re))
     }
 
-    /// Returns x̄ at the phase τ, in units of P/k₁ (of Y for base motion). At τ = 0 the contact's relative motion
-    /// leaves its maximum.
+    /// Returns x̄ at the phase τ, in units of P/k₁ (of Y for base motion). At τ = 0 the contact's relative
+    /// displacement begins to decrease from its maximum.
     pub fn displacement(&self, tau: S) -> S {
         self.evaluate(tau, |sum, tau| sum.local(tau).value)
     }
 
-    /// Returns dx̄/dτ at the phase τ. At τ = 0 the contact's relative motion leaves its maximum.
+    /// Returns dx̄/dτ at the phase τ. At τ = 0 the contact's relative displacement begins to decrease from its maximum.
     pub fn velocity(&self, tau: S) -> S {
         self.evaluate(tau, |sum, tau| sum.local(tau).slope)
     }
 
-    /// Returns d²x̄/dτ² at the phase τ. At τ = 0 the contact's relative motion leaves its maximum. The acceleration
-    /// jumps when the contact reverses, stops or breaks away. At a jump the result is the value just after the jump.
+    /// Returns d²x̄/dτ² at the phase τ. At τ = 0 the contact's relative displacement begins to decrease from its
+    /// maximum. The acceleration jumps when the contact reverses, stops or breaks away. At a jump the result is the value just after the jump.
     pub fn acceleration(&self, tau: S) -> S {
         self.evaluate(tau, |sum, tau| sum.local(tau).curve)
     }

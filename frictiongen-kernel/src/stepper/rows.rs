@@ -20,8 +20,8 @@ pub struct Row<S, const D: usize> {
 }
 
 /// One row of the table of a mode of the chain with its contact stuck. It has the weights of the mode's state, and of
-/// the coefficients of the drives of y′ and u′. The first moment and the first of `turns` are stored as three shears,
-/// as in [`Row`].
+/// the coefficients of the drives of y′ and u′. The first row of `moments` and the first of `turns` are stored as three
+/// shears, as in [`Row`].
 #[derive(Clone, Copy, Debug)]
 pub struct HeldRow<S, const D: usize> {
     /// Weights of y and u at the start of the sub-interval.
@@ -44,8 +44,8 @@ pub struct ModeStep<S, const D: usize> {
     pub contact: S,
     /// Weights that give the increase of u over the sub-interval.
     pub turn: Row<S, D>,
-    /// Weights that give the moments ∫ sʲ y′ ds over the sub-interval, for j = 0, 1, …. The first moment is the
-    /// increase of y.  All moments together give the work of the drive.
+    /// Weights that give the moments ∫ sʲ y′ ds over the sub-interval, for j = 0, 1, …. The moment with
+    /// j = 0 is the increase of y. The moments together give the work of the drive.
     pub moments: [Row<S, D>; D],
 }
 

@@ -1,4 +1,4 @@
-//! Rows and columns of scenes with several contacts: steady states, samples and events of a motion in time.
+//! Tables for scenes with several contacts: steady states, and samples and events of a motion in time.
 
 use super::builder::Columns;
 use super::column::{Column, Head, Row, Shown};

@@ -14,7 +14,7 @@ use frictiongen_model::scene::{FrictionLaw, Scene};
 #[derive(Clone, Debug)]
 pub struct Joined<'a> {
     scene: &'a Scene,
-    /// The chain without loads. The friction force of each contact in it is the contact's share of the common friction.
+    /// The chain without loads. Each contact has its friction force under a common friction force of 1: its share.
     chain: Chain,
     /// Reference angular frequency √(k₁/m₁), in rad per unit of time.
     reference: f64,
@@ -76,8 +76,8 @@ impl<'a> Joined<'a> {
         self.scene
     }
 
-    /// Returns the chain without loads. The friction force of each contact in it is the contact's share of the common
-    /// friction.
+    /// Returns the chain without loads. Each contact has its friction force under a common friction force of 1: its
+    /// share.
     #[must_use]
     pub fn chain(&self) -> &Chain {
         &self.chain

@@ -66,7 +66,7 @@ pub struct Chain {
     pub springs: Vec<(Node, Node, f64)>,
     /// The dashpots, each with its two nodes and its coefficient.
     pub dashpots: Vec<(Node, Node, f64)>,
-    /// The matrix of modal or Rayleigh damping by rows, or no rows.
+    /// Rows of the matrix of modal or Rayleigh damping. The list is empty if the scene has no such damping.
     pub damping: Vec<Vec<f64>>,
     /// True if the damping matrix acts on velocities relative to the base. False if it acts on absolute velocities.
     pub damping_from_base: bool,

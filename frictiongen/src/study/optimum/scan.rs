@@ -35,7 +35,7 @@ const NEARLY: f64 = 1.2;
 /// Largest number of intervals that one round halves.
 const MOST_CLOSER: usize = 8;
 /// The search rejects a friction ratio as soon as an amplitude exceeds this multiple of the best amplitude so far. The
-/// factor exceeds every excess for which the result has a tolerance.
+/// multiple is larger than those for which the answer gives a range of friction ratios (its tolerances).
 const MARGIN: f64 = 1.2;
 
 /// The largest amplitude over the band at one friction ratio, with its slope and its peaks.

@@ -47,7 +47,7 @@ impl<'a, R: Row + 'a> Sheet<'a, R> {
         self.columns.number("beta", move |row| Some(beta(row)));
     }
 
-    /// Adds a column of the second friction, with which the feature compares the requested friction.
+    /// Adds a column of the friction to which the feature compares the requested friction.
     pub(super) fn other_friction(&mut self, beta: impl Fn(&R) -> f64 + 'a) {
         let head = Head::of("other_beta", Dimension::Force).under_load("other_friction");
         self.columns.number(head, move |row| Some(beta(row)));
