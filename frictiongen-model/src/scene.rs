@@ -201,7 +201,7 @@ pub struct Declared {
 }
 
 impl Declared {
-    /// Returns true if the scene declares an accuracy or a size for tables, instead of the exact formulas.
+    /// Returns true if the scene declares an accuracy or a size for tables. The tables then replace the exact formulas.
     #[must_use]
     pub fn is_tabled(&self) -> bool {
         self.accuracy != Accuracy::Exact || self.budget.is_some()

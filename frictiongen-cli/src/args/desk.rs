@@ -51,9 +51,9 @@ pub struct CurveArguments {
     /// The scene, the frequencies and the frictions.
     #[command(flatten)]
     pub point: PointArguments,
-    /// Print only this motion: a mass, `contact`, `roof-base`, `roof-first`, `spring(a-b)`, `shear`, `vel(roof)`,
-    /// `accel(roof)`, `force(contact)`, `energy(contact)`, `zeta_eq`; may be given more than once [default: contact and
-    /// every mass]
+    /// Print only this quantity: a mass, `contact`, a difference such as `roof-first`, `spring(a-b)`, `shear`,
+    /// `vel(roof)`, `accel(roof)`, `force(contact)`, `energy(contact)`, `zeta_eq`; may be given more than once
+    /// [default: contact and every mass]
     #[arg(long, value_name = "NAME")]
     pub of: Vec<String>,
     /// Largest deviation between the curve and straight lines through its points, relative to the curve [default: 5e-4]
@@ -98,8 +98,8 @@ pub struct MapArguments {
     /// The scene, the frequencies and the frictions.
     #[command(flatten)]
     pub point: PointArguments,
-    /// Print only the amplitude of this motion: a mass, `contact`, `roof-base`, `roof-first`, `spring(a-b)`, `shear`; may
-    /// be given more than once [default: contact and every mass]
+    /// Print only the amplitude of this quantity: a mass, `contact`, a difference such as `roof-first`, `spring(a-b)`,
+    /// `shear`; may be given more than once [default: contact and every mass]
     #[arg(long, value_name = "NAME")]
     pub of: Vec<String>,
     /// Print the boundaries between the regions instead of the points, to this many significant digits
@@ -137,8 +137,8 @@ pub struct TimeArguments {
     /// Print one period of the steady state instead of a run
     #[arg(long, conflicts_with_all = ["cycles", "skip", "from"])]
     pub steady: bool,
-    /// Print only this motion: a mass, `contact`, `roof-base`, `roof-first`, `spring(a-b)`, `shear`; may be given more
-    /// than once [default: contact and every mass]
+    /// Print only this quantity: a mass, `contact`, a difference such as `roof-first`, `spring(a-b)`, `shear`; may be
+    /// given more than once [default: contact and every mass]
     #[arg(long, value_name = "NAME")]
     pub of: Vec<String>,
     /// Print the events of the contact instead of samples
@@ -233,8 +233,8 @@ pub struct FeaturesArguments {
     /// The load.
     #[command(flatten)]
     pub load: LoadArguments,
-    /// Print only this motion: a mass, `contact`, `roof-base`, `roof-first`, `spring(a-b)`, `shear`, `vel(roof)`,
-    /// `accel(roof)`; may be given more than once [default: contact and every mass]
+    /// Print only this quantity: a mass, `contact`, a difference such as `roof-first`, `spring(a-b)`, `shear`,
+    /// `vel(roof)`, `accel(roof)`; may be given more than once [default: contact and every mass]
     #[arg(long, value_name = "NAME")]
     pub of: Vec<String>,
     /// Write to this file; the file extension sets the format: .csv, .json, .svg; .png with the feature png

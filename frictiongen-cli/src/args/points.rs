@@ -28,7 +28,8 @@ pub struct ResponseArguments {
     /// The scene, the frequencies and the frictions.
     #[command(flatten)]
     pub point: PointArguments,
-    /// Print the contact and only this motion, named as for `curve`; may be given more than once [default: every mass]
+    /// Print this motion instead of every mass; the contact is always printed. Names are those of `curve`; may be given
+    /// more than once
     #[arg(long, visible_alias = "mass", value_name = "NAME")]
     pub of: Vec<String>,
     /// Print also the harmonics X_1, X_3, ... up to order N
@@ -45,7 +46,8 @@ pub struct OrbitArguments {
     /// The scene, the frequencies and the frictions.
     #[command(flatten)]
     pub point: PointArguments,
-    /// Print the contact and only this motion, named as for `curve`; may be given more than once [default: every mass]
+    /// Print this motion instead of every mass; the contact is always printed. Names are those of `curve`; may be given
+    /// more than once
     #[arg(long, visible_alias = "mass", value_name = "NAME")]
     pub of: Vec<String>,
     /// Print also the harmonics X_0, X_1, ... up to order N

@@ -122,8 +122,8 @@ pub struct DriveArguments {
     /// Kinetic friction force F in N [default: the channel friction]
     #[arg(long, value_name = "F", allow_hyphen_values = true)]
     pub friction: Option<String>,
-    /// Print only this motion: a mass, `contact`, `roof-base`, `roof-first`, `spring(a-b)`, `shear`; may be given more
-    /// than once [default: the contact and every mass, relative to the base if the base moves]
+    /// Print only this quantity: a mass, `contact`, a difference such as `roof-first`, `spring(a-b)`, `shear`; may be
+    /// given more than once [default: the contact and every mass, relative to the base if the base moves]
     #[arg(long, value_name = "NAME")]
     pub of: Vec<String>,
     /// Print the response spectrum of the recorded base motion for this damping ratio, instead of the motion

@@ -25,8 +25,8 @@ pub struct FormatArguments {
     /// In CSV, print comment lines (#) first: the scene, its natural frequencies, the load
     #[arg(long, conflicts_with = "json")]
     pub comments: bool,
-    /// Print the columns r and beta in addition to Hz and N. Without this option, a table that must fit a width leaves
-    /// them out
+    /// Print the columns r and beta in addition to Hz and N. Without this option, a table with a limited
+    /// width (--width) omits r and beta
     #[arg(long)]
     pub groups: bool,
     /// Largest width of a printed table in characters; 0 for any width [default: 100 on a terminal, otherwise 0]

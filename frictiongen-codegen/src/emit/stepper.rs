@@ -205,7 +205,7 @@ fn calls(
     }
 }
 
-/// Emits the stepper's data of the scene as constants.
+/// Emits, as constants, the numbers of the scene that the stepper needs.
 fn step_scene(emission: &Emission<'_>) -> (TokenStream, Vec<Checked>) {
     let Emission {
         scene,

@@ -14,7 +14,8 @@
 pub trait AddLimitsToProvide {
     /// Result type of a method that requires this trait. No type implements the trait, so the type is never used.
     type Answer;
-    /// Body of a method that requires this trait. No type implements the trait, so the body is never called.
+    /// Stands for the body of a method that requires this trait. It is never called, because no type implements the
+    /// trait.
     fn answer() -> Self::Answer;
 }
 
@@ -27,7 +28,8 @@ pub trait AddLimitsToProvide {
 pub trait AddMotionToProvide {
     /// Result type of a method that requires this trait. No type implements the trait, so the type is never used.
     type Answer;
-    /// Body of a method that requires this trait. No type implements the trait, so the body is never called.
+    /// Stands for the body of a method that requires this trait. It is never called, because no type implements the
+    /// trait.
     fn answer() -> Self::Answer;
 }
 
@@ -40,7 +42,8 @@ pub trait AddMotionToProvide {
 pub trait AddOrbitToProvide {
     /// Result type of a method that requires this trait. No type implements the trait, so the type is never used.
     type Answer;
-    /// Body of a method that requires this trait. No type implements the trait, so the body is never called.
+    /// Stands for the body of a method that requires this trait. It is never called, because no type implements the
+    /// trait.
     fn answer() -> Self::Answer;
 }
 
@@ -53,7 +56,8 @@ pub trait AddOrbitToProvide {
 pub trait AddSelfCheckToProvide {
     /// Result type of a method that requires this trait. No type implements the trait, so the type is never used.
     type Answer;
-    /// Body of a method that requires this trait. No type implements the trait, so the body is never called.
+    /// Stands for the body of a method that requires this trait. It is never called, because no type implements the
+    /// trait.
     fn answer() -> Self::Answer;
 }
 
@@ -66,7 +70,8 @@ pub trait AddSelfCheckToProvide {
 pub trait AddSimulationToProvide {
     /// Result type of a method that requires this trait. No type implements the trait, so the type is never used.
     type Answer;
-    /// Body of a method that requires this trait. No type implements the trait, so the body is never called.
+    /// Stands for the body of a method that requires this trait. It is never called, because no type implements the
+    /// trait.
     fn answer() -> Self::Answer;
 }
 
@@ -79,7 +84,8 @@ pub trait AddSimulationToProvide {
 pub trait AddStepperToProvide {
     /// Result type of a method that requires this trait. No type implements the trait, so the type is never used.
     type Answer;
-    /// Body of a method that requires this trait. No type implements the trait, so the body is never called.
+    /// Stands for the body of a method that requires this trait. It is never called, because no type implements the
+    /// trait.
     fn answer() -> Self::Answer;
 }
 
@@ -92,7 +98,8 @@ pub trait AddStepperToProvide {
 pub trait AddStuckToProvide {
     /// Result type of a method that requires this trait. No type implements the trait, so the type is never used.
     type Answer;
-    /// Body of a method that requires this trait. No type implements the trait, so the body is never called.
+    /// Stands for the body of a method that requires this trait. It is never called, because no type implements the
+    /// trait.
     fn answer() -> Self::Answer;
 }
 
@@ -105,7 +112,8 @@ pub trait AddStuckToProvide {
 pub trait AddMassToMotion {
     /// Result type of a method that requires this trait. No type implements the trait, so the type is never used.
     type Answer;
-    /// Body of a method that requires this trait. No type implements the trait, so the body is never called.
+    /// Stands for the body of a method that requires this trait. It is never called, because no type implements the
+    /// trait.
     fn answer() -> Self::Answer;
 }
 

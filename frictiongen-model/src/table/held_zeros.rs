@@ -9,8 +9,8 @@ use frictiongen_kernel::number::complex;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::{Complex, Float};
 
-/// Bound on |s² + 2ζσs + σ²|/σ² of a mode below which s is close to the resonance σ. The sums over the modes then lose
-/// half of their 30 digits.
+/// If |s² + 2ζσs + σ²|/σ² of a mode is below this value, s is close to the resonance σ. The sums over the modes lose half
+/// of their 30 digits there.
 const ON_RESONANCE: f64 = 1e-12;
 
 /// Upper bound on the number of corrections of a zero, and the relative correction at which the iteration ends. These

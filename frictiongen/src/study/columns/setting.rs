@@ -17,11 +17,11 @@ pub const CONTACT: &str = "contact";
 /// A moving part: the contact, a mass, or a combination of masses and base.
 #[derive(Clone, Debug)]
 pub struct Part {
-    /// Selects the contact, the mass or the combination.
+    /// Selects the contact, a mass, or a combination such as the difference of two masses.
     pub of: Of,
     /// The requested quantity of the motion: displacement, velocity or acceleration.
     pub size: Size,
-    /// Name of the contact, mass or combination.
+    /// Name of the contact, of the mass or of the combination, such as `roof-base`.
     pub name: String,
 }
 

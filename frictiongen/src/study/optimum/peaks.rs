@@ -41,7 +41,7 @@ pub(in crate::study) struct AmplitudeBand<'s> {
     pub amplitude: Amplitude<'s>,
     from: f64,
     to: f64,
-    /// Frequencies for every evaluation of the band, in ascending order.
+    /// Frequencies at which every evaluation of the band computes the amplitude, in ascending order.
     pub(super) places: Vec<BandPlace>,
     /// Amplitude at each of `places` with the contact stuck.
     held: Vec<f64>,
