@@ -1,16 +1,36 @@
-//! Finds the friction that minimises the largest amplitude over a frequency range.
+//! Finds the friction that minimises the largest amplitude over a frequency range, or the largest of several quotients.
 
-use crate::asked::{Band, FrequencyArguments, LoadArguments, measure, part, setting};
+use crate::asked::{
+    Band, FrequencyArguments, LoadArguments, Measure, Part, measure, one, quantity, setting,
+};
 use crate::columns::Columns;
-use crate::errors::domain;
+use crate::errors::{defect, domain, wrong_type};
 use crate::system::NativeSystem;
 use crate::work::without_lock;
-use frictiongen::study::columns::{Column, OptimumTable};
-use frictiongen::study::optimum::{FrequencyBand, OptimumRequest, Tuning};
+use frictiongen::System;
+use frictiongen::study::columns::{Cell, Column, Further, OptimumLine, OptimumTable};
+use frictiongen::study::optimum::{FrequencyBand, Optimum, OptimumRequest, Tuning, Weighted};
+use frictiongen::study::response::Size;
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{PyDict, PyString};
 
-/// Finds the optimal friction. Returns it with the peaks, the tolerances and the sensitivities.
+/// Name of the library's list with the lines about several quantities.
+const WEIGHTED: &str = "weighted";
+
+/// A quantity, and the value that divides it, in the unit in which an optimum gives amplitudes.
+struct Valued {
+    part: Part,
+    value: f64,
+}
+
+/// The columns of the answer, its peaks, tolerances and sensitivities, and the name, the unit and the numbers of each of
+/// several quantities.
+type Answer<'py> = ([Bound<'py, PyDict>; 4], Vec<Quotient<'py>>);
+
+/// Name, unit and numbers of one of several quantities. The numbers have the keys of the library.
+type Quotient<'py> = (String, &'static str, Bound<'py, PyDict>);
+
+/// Finds the optimal friction for a quantity, or for several quantities with values.
 #[pyfunction]
 pub fn optimum<'py>(
     py: Python<'py>,
@@ -19,17 +39,26 @@ pub fn optimum<'py>(
     frequency: FrequencyArguments<'py>,
     load: LoadArguments<'py>,
     vary: Option<(String, f64, f64)>,
-) -> PyResult<[Bound<'py, PyDict>; 4]> {
+) -> PyResult<Answer<'py>> {
     let system = &system.system;
-    let part = part(system, "of", &of)?;
-    let band = Band::of(system, &frequency)?;
     let measure = measure::of(system, &load)?;
-    let request = OptimumRequest {
-        of: part.of,
-        size: part.size,
-        band: FrequencyBand::Ratio(band.from, band.to),
-        load: measure.load(),
+    let band = Band::of(system, &frequency)?;
+    if let Ok(quantities) = of.cast::<PyDict>() {
+        if vary.is_some() {
+            return Err(domain(
+                "vary needs a single quantity: give its name as of, without a value",
+            ));
+        }
+        let all = valued(system, &measure, quantities)?;
+        return weighted(py, system, (&band, measure), &all);
+    }
+    let Ok(name) = of.cast::<PyString>() else {
+        return Err(wrong_type(
+            "of: the name of a mass is needed, or `contact`; for several quantities a dict {name: value}",
+        ));
     };
+    let part = quantity(system, "of", name.to_str()?)?;
+    let request = request(&part, &band, &measure);
     let tuning = vary.map(|(name, from, to)| {
         let of = system.tunable_named(&name);
         let of = of.map_err(|error| domain(format_args!("vary: {error}")))?;
@@ -54,18 +83,135 @@ pub fn optimum<'py>(
     let table = OptimumTable {
         setting: setting(system, measure, band.unit(&measure), &parts),
     };
-    let mut once = Columns::new(py, &[]);
-    once.table(&table.columns(), std::slice::from_ref(&optimum))?;
-    let once = once.done();
+    let answer = answer(py, &table, &optimum)?;
+    let [once, ..] = &answer;
     once.set_item("value", value)?;
+    Ok((answer, Vec::new()))
+}
+
+fn request(part: &Part, band: &Band, measure: &Measure) -> OptimumRequest {
+    OptimumRequest {
+        of: part.of,
+        size: part.size,
+        band: FrequencyBand::Ratio(band.from, band.to),
+        load: measure.load(),
+    }
+}
+
+/// Reads the quantities with their values, in SI units.
+fn valued(system: &System, measure: &Measure, given: &Bound<'_, PyDict>) -> PyResult<Vec<Valued>> {
+    if given.is_empty() {
+        return Err(domain(
+            "of: the dict is empty; give at least one quantity with the value that divides it",
+        ));
+    }
+    // The groups of an optimum refer to the load at r = 1.
+    let reference = system.angular_frequency(1.0);
+    let read = |(name, value): (Bound<'_, PyAny>, Bound<'_, PyAny>)| {
+        let name: String = name.extract().map_err(|_| {
+            wrong_type("of: the names of quantities are needed, as in {\"accel(roof)\": 5.0}")
+        })?;
+        let part = quantity(system, "of", &name)?;
+        if part.size == Size::Damping {
+            return Err(domain(format_args!(
+                "of: `{name}`: an equivalent damping ratio has no upper bound; leave it out"
+            )));
+        }
+        let place = format!("of[{name:?}]");
+        let value = one(&place, &value)?;
+        let over = value / measure.convert(part.dimension(), 1.0, reference);
+        if !(0.0 < value && value.is_finite()) {
+            return Err(domain(format_args!(
+                "{place} is {value:?}: the value that divides a quantity must be above 0 and finite"
+            )));
+        }
+        if !(0.0 < over && over.is_finite()) {
+            return Err(domain(format_args!(
+                "{place} is {value:?}: with this load it is too small or too large to compute with"
+            )));
+        }
+        Ok(Valued { part, value: over })
+    };
+    given.iter().map(read).collect()
+}
+
+/// Finds the friction for which the largest quotient of a quantity and its value is smallest.
+fn weighted<'py>(
+    py: Python<'py>,
+    system: &System,
+    (band, measure): (&Band, Measure),
+    all: &[Valued],
+) -> PyResult<Answer<'py>> {
+    let missing = || defect("a quantity is missing: please report this with the description");
+    let first = all.first().ok_or_else(missing)?;
+    let request = request(&first.part, band, &measure);
+    let of: Vec<Weighted> = all
+        .iter()
+        .map(|valued| Weighted {
+            of: valued.part.of,
+            size: valued.part.size,
+            over: valued.value,
+        })
+        .collect();
+    let found = without_lock(py, |stop| {
+        system.weighted_optimum(&request, &of, &|| stop.goes_on())
+    })?
+    .map_err(domain)?;
+    let parts = [all.get(found.decisive).ok_or_else(missing)?.part.clone()];
+    let table = OptimumTable {
+        setting: setting(system, measure, band.unit(&measure), &parts),
+    };
+    let values = all.iter().zip(&found.largest);
+    let values: Vec<(Part, f64, f64)> = values
+        .map(|(valued, largest)| (valued.part.clone(), valued.value, *largest))
+        .collect();
+    let lines = table.lines_with(&found.optimum, None, Further::Weighted(&values));
+    let answer = answer(py, &table, &found.optimum)?;
+    let ([once, ..], [decisive]) = (&answer, &parts);
+    once.set_item("decisive", &decisive.name)?;
+    once.set_item("quotient", found.ratio)?;
+    Ok((answer, quotients(py, &values, &lines)?))
+}
+
+/// Returns the lines about each quantity.
+fn quotients<'py>(
+    py: Python<'py>,
+    values: &[(Part, f64, f64)],
+    lines: &[OptimumLine],
+) -> PyResult<Vec<Quotient<'py>>> {
+    let each = (1..).zip(values).map(|(row, (part, ..))| {
+        let (numbers, mut unit) = (PyDict::new(py), "");
+        let of_row = |line: &&OptimumLine| line.list == Some(WEIGHTED) && line.row == Some(row);
+        for line in lines.iter().filter(of_row) {
+            if let Cell::Number(value) = line.value {
+                numbers.set_item(&line.key, value)?;
+            }
+            // The quotient has no unit.
+            if unit.is_empty() {
+                unit = line.unit;
+            }
+        }
+        Ok((part.name.clone(), unit, numbers))
+    });
+    each.collect()
+}
+
+/// Returns the answer about the best friction of one quantity.
+fn answer<'py>(
+    py: Python<'py>,
+    table: &OptimumTable<'_>,
+    optimum: &Optimum,
+) -> PyResult<[Bound<'py, PyDict>; 4]> {
+    let mut once = Columns::new(py, &[]);
+    once.table(&table.columns(), std::slice::from_ref(optimum))?;
     Ok([
-        once,
-        list(py, &table.peak_columns(), &table.peaks(&optimum))?,
+        once.done(),
+        list(py, &table.peak_columns(), &table.peaks(optimum))?,
         list(py, &table.tolerance_columns(), &optimum.tolerances)?,
         list(
             py,
             &table.sensitivity_columns(),
-            &table.sensitivities(&optimum),
+            &table.sensitivities(optimum),
         )?,
     ])
 }

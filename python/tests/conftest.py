@@ -1,6 +1,7 @@
 """Scenes, comparisons and calls of the command that the tests have in common."""
 
 import io
+import json
 import os
 import subprocess
 from pathlib import Path
@@ -68,18 +69,32 @@ def hold(ours, theirs, but=()):
 
 
 @pytest.fixture(scope="session")
-def command():
-    """Runs the command `frictiongen` and reads its CSV without losing a bit."""
-    import pandas
-
+def output():
+    """Runs the command `frictiongen` and returns what it prints."""
     program = os.environ.get("FRICTIONGEN")
     if program is None:
         pytest.skip("FRICTIONGEN does not say where the command is; scripts/python sets it")
 
     def run(what, scene, *options):
-        arguments = [program, what, str(SCENES / scene), "--csv", *map(str, options)]
-        done = subprocess.run(arguments, capture_output=True, text=True, check=True)
-        texts = pandas.read_csv(io.StringIO(done.stdout), dtype=str)
+        arguments = [program, what, str(SCENES / scene), *map(str, options)]
+        return subprocess.run(arguments, capture_output=True, text=True, check=True).stdout
+
+    return run
+
+
+@pytest.fixture(scope="session")
+def command(output):
+    """Runs the command `frictiongen` and reads its CSV without losing a bit."""
+    import pandas
+
+    def run(what, scene, *options):
+        texts = pandas.read_csv(io.StringIO(output(what, scene, "--csv", *options)), dtype=str)
         return texts.apply(numbers)
 
     return run
+
+
+@pytest.fixture(scope="session")
+def command_json(output):
+    """Runs the command `frictiongen` and reads the points of its JSON, whose numbers Python reads to the last bit."""
+    return lambda what, scene, *options: json.loads(output(what, scene, "--json", *options))["points"]

@@ -50,7 +50,9 @@ def test_no_source_names_a_column():
     """Checks that no source names a column.  All columns come from the library, where a new column is one line."""
     columns = {part for name in ASKED for answer in answers(name) for key in answer.keys() for part in key.split(".")}
     frame = frictiongen.System(frictiongen.FRAME)
-    columns |= set(frame.optimum("lower", hz=(4, 6), base=0.001).keys())
+    isolator = frictiongen.System.of({"block": 2.0}, {"base - block": 800.0}, "block - base", "base", damping=0.02)
+    best = isolator.optimum({"block-base": 2.0, "force(contact)": 0.5}, r=(0.5, 3.0))
+    columns |= {*frame.optimum("lower", hz=(4, 6), base=0.001).keys(), *best.weighted.keys()}
     # Some arguments, attributes and names of masses are also names of columns.
     columns -= {"r", "beta", "start", "contact", "lower", "upper", "of", "friction", "kind"}
     named = []

@@ -132,6 +132,11 @@ pub fn part(system: &System, argument: &str, given: &Bound<'_, PyAny>) -> PyResu
     })
 }
 
+/// Returns the quantity with this name: a motion, or a velocity, an acceleration or a force such as `accel(roof)`.
+pub fn quantity(system: &System, argument: &str, name: &str) -> PyResult<Part> {
+    Part::named(system, name).map_err(|error| domain(format_args!("{argument}: {error}")))
+}
+
 /// Reads the highest order of a harmonic. The default is 0.
 pub fn harmonics(given: Option<&Bound<'_, PyAny>>) -> PyResult<u32> {
     given.map_or(Ok(0), |given| whole("harmonics", given, 1..=MOST_HARMONICS))

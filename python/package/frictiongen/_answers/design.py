@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from .. import _plot
 from .table import Floats, Table, Words, item
 
@@ -16,6 +18,8 @@ class Optimum(Table):
 
     * `friction_N` and `beta`: the best friction.  `amplitude` (`amplitude_m`): the largest amplitude at this friction.
     * `value`: the optimised number of the description, if `vary` was given.
+    * `decisive`: the quantity with the largest quotient, if several quantities were given.  `quotient`: its quotient.
+      `amplitude` and `peaks` belong to this quantity.
     * `kind`: the reason that limits the amplitude.  `end`: the way the search ended.
     * `bracket_from`, `bracket_to`: the frictions between which the least amplitude lies.
     * `beyond_jump`: the largest amplitude beyond the jump at which the search ended.  NaN without a jump.
@@ -27,19 +31,28 @@ class Optimum(Table):
     * `peaks`: the frequencies with the largest amplitude.
     * `tolerances`: the frictions between which the amplitude stays within a given ratio of the best.
     * `sensitivities`: change of the amplitude in per cent for one per cent of each parameter, while friction stays the
-      best one.  Empty without a load.
+      best one.  Empty without a load, and for several quantities, as is `tolerances`.
+    * `weighted`: each of several quantities with its `largest` value over the band, the value `over` which it is
+      divided, the `unit` of both, and their `ratio`.
     """
 
     friction_N: float
     beta: float
     amplitude: float
     amplitude_m: float
+    amplitude_m_s: float
+    amplitude_m_s2: float
+    amplitude_N: float
+    amplitude_J: float
     kind: str
     end: str
     evaluations: int
+    decisive: str
+    quotient: float
     peaks: Table
     tolerances: Table
     sensitivities: Table
+    weighted: Table
 
     def __init__(
         self,
@@ -47,11 +60,28 @@ class Optimum(Table):
         peaks: dict[str, Any],
         tolerances: dict[str, Any],
         sensitivities: dict[str, Any],
+        *,
+        weighted: list[tuple[str, str, dict[str, float]]],
     ) -> None:
         super().__init__({name: value for name, value in columns.items() if value is not None})
         self.peaks = Table(peaks)
         self.tolerances = Table(tolerances)
         self.sensitivities = Table(sensitivities)
+        keys = dict.fromkeys(key for _, _, numbers in weighted for key in numbers)
+        self.weighted = Table(
+            {
+                "quantity": np.array([name for name, _, _ in weighted], str),
+                **{key: np.array([numbers.get(key, np.nan) for _, _, numbers in weighted], float) for key in keys},
+                "unit": np.array([unit for _, unit, _ in weighted], str),
+            }
+        )
+
+    @property
+    def largest(self) -> dict[str, float]:
+        """Largest value of each of several quantities over the band, in m, m/s, m/s2, N or J.  Empty for a single one."""
+        if not len(self.weighted.quantity):
+            return {}
+        return dict(zip(self.weighted.quantity.tolist(), self.weighted.largest.tolist(), strict=True))
 
     def __repr__(self) -> str:
         return f"Optimum: {', '.join(f'{name} = {value}' for name, value in self._columns.items())}"

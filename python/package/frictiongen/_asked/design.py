@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING
 
 from .. import _native
@@ -21,7 +21,7 @@ class Design(Base):
 
     def optimum(
         self,
-        of: str,
+        of: str | Mapping[str, float],
         *,
         r: tuple[float, float] | None = None,
         hz: tuple[float, float] | None = None,
@@ -32,18 +32,31 @@ class Design(Base):
     ) -> Optimum:
         """Finds the friction that minimises the largest value of a quantity over a frequency band.
 
-        :param of: quantity whose largest value is minimised: the name of a mass, `contact`, `roof-base`, `accel(roof)`, `shear`.
+        With several quantities, each quantity is divided by its value, and the largest of these quotients is minimised.
+
+        :param of: quantity whose largest value is minimised: the name of a mass, `contact`, `roof-base`, `accel(roof)`,
+            `shear`.  For several quantities, a dict of names and values above 0, in m, m/s, m/s2, N or J.  Without a
+            load, the values are non-dimensional.
         :param base: amplitude of the base motion in m, or text such as `"0.2g"`, `"2 m/s2"`, `"0.1 m/s"`.
         :param force: amplitude of the force in N, or an unbalance such as `"0.02 kg m"`.
         :param vary: a second variable of the optimisation: the name of a number in the description, and its interval.
+            It needs a single quantity.
 
         >>> import frictiongen
         >>> frame = frictiongen.System(frictiongen.FRAME)
         >>> best = frame.optimum("lower", hz=(1, 7), base=0.001)
         >>> round(float(best.friction_N), 2), round(1e3 * float(best.amplitude_m), 2)  # N, mm
         (1.54, 2.26)
+        >>> isolator = frictiongen.System.of({"block": 2.0}, {"base - block": 800.0}, "block - base", "base", damping=0.02)
+        >>> both = isolator.optimum({"block-base": 0.001, "accel(block)": 1.0}, hz=(1, 9), base=0.001)  # m, m/s2
+        >>> round(float(both.friction_N), 3), round(both.quotient, 3)  # both quotients are equal here
+        (1.328, 1.081)
+        >>> {name: round(value, 5) for name, value in both.largest.items()}  # m, m/s2
+        {'block-base': 0.00108, 'accel(block)': 1.08109}
         """
-        return Optimum(*_native.optimum(self._native, of, (r, hz, omega), (force, base), vary))
+        asked = dict(of) if isinstance(of, Mapping) else of
+        columns, quotients = _native.optimum(self._native, asked, (r, hz, omega), (force, base), vary)
+        return Optimum(*columns, weighted=quotients)
 
     def sensitivities(
         self,
