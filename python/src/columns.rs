@@ -110,25 +110,35 @@ impl<'py> Columns<'py> {
                 self.words(name, words.collect())
             }
             Kind::Flag => self.flags(name, cells.map(|cell| cell == Cell::Flag(true)).collect()),
-            Kind::Complex | Kind::Intervals => self.list(column, cells.last()),
+            Kind::Complex | Kind::Intervals => self.lists(column, cells),
         }
     }
 
-    /// Adds a list that is the only cell of its column.
-    fn list<R>(&mut self, column: &Column<'_, R>, cell: Option<Cell<'_>>) -> PyResult<()> {
-        let pairs = match cell {
-            Some(Cell::Pairs(pairs)) => pairs,
-            _ => Vec::new(),
-        };
+    /// Adds a list for each row. The list is the last dimension of the array, and NaN extends the shorter lists.
+    fn lists<'c, R>(
+        &mut self,
+        column: &Column<'_, R>,
+        cells: impl Iterator<Item = Cell<'c>>,
+    ) -> PyResult<()> {
+        let lists: Vec<Vec<[f64; 2]>> = cells
+            .map(|cell| match cell {
+                Cell::Pairs(pairs) => pairs,
+                _ => Vec::new(),
+            })
+            .collect();
+        let longest = lists.iter().map(Vec::len).max().unwrap_or(0);
+        let missing = std::iter::repeat([f64::NAN; 2]);
+        let lists = lists.into_iter();
+        let pairs = lists.flat_map(|list| list.into_iter().chain(missing.clone()).take(longest));
         let name = column.attribute();
-        let shape = std::mem::take(&mut self.shape);
+        let shape = self.shape.clone();
+        self.shape.push(longest);
         if column.kind == Kind::Complex {
-            self.shape = vec![pairs.len()];
-            let values = pairs.iter().map(|[re, im]| Complex64::new(*re, *im));
+            let values = pairs.map(|[re, im]| Complex64::new(re, im));
             self.complex(name, values.collect())?;
         } else {
-            self.shape = vec![pairs.len(), 2];
-            self.numbers(name, pairs.into_iter().flatten().collect())?;
+            self.shape.push(2);
+            self.numbers(name, pairs.flatten().collect())?;
         }
         self.shape = shape;
         Ok(())

@@ -18,6 +18,7 @@ mod map;
 mod measure;
 mod optimum;
 mod orbit;
+mod periodic;
 mod response;
 mod sensitivities;
 mod simulate;
@@ -58,6 +59,8 @@ mod _native {
     use crate::optimum::optimum;
     #[pymodule_export]
     use crate::orbit::{orbit, states};
+    #[pymodule_export]
+    use crate::periodic::periodic;
     #[pymodule_export]
     use crate::response::response;
     #[pymodule_export]

@@ -34,6 +34,15 @@ def answers(name):
             yield ASKED[name](frame, at, load)
 
 
+def test_annotations_of_periodic():
+    """Checks that the classes of periodic loads name every column that belongs to no contact or mass, and no other."""
+    frame = frictiongen.System(frictiongen.FRAME)
+    states = frame.periodic({1: 0.001}, period=0.8, friction=[0.2, 0.4], motion=True)
+    for answer, but in [(states, {"histories"}), (states.histories[0], set())]:
+        known = set(type(answer).__annotations__) - but
+        assert known == {key for key in answer.keys() if "." not in key}
+
+
 @pytest.mark.parametrize("name", ASKED)
 def test_annotations(name):
     """Checks that a class names every column that belongs to no contact or mass, and no other column."""
@@ -53,8 +62,10 @@ def test_no_source_names_a_column():
     isolator = frictiongen.System.of({"block": 2.0}, {"base - block": 800.0}, "block - base", "base", damping=0.02)
     best = isolator.optimum({"block-base": 2.0, "force(contact)": 0.5}, r=(0.5, 3.0))
     columns |= {*frame.optimum("lower", hz=(4, 6), base=0.001).keys(), *best.weighted.keys()}
+    states = frame.periodic({1: 0.001}, period=0.8, friction=0.4, motion=True)
+    columns |= {part for answer in (states, *states.histories) for key in answer.keys() for part in key.split(".")}
     # Some arguments, attributes and names of masses are also names of columns.
-    columns -= {"r", "beta", "start", "contact", "lower", "upper", "of", "friction", "kind"}
+    columns -= {"r", "beta", "start", "contact", "lower", "upper", "of", "friction", "kind", "period"}
     named = []
     for path in sorted((ROOT / "python" / "src").rglob("*.rs")):
         text = path.read_text(encoding="utf-8")

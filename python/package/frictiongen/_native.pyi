@@ -30,6 +30,7 @@ __all__ = [
     "map",
     "optimum",
     "orbit",
+    "periodic",
     "states",
     "response",
     "sensitivities",
@@ -109,6 +110,9 @@ def orbit(
 def states(
     system: System, frequency: _Frequency, friction: _Friction, load: _Load, of: Any | None, highest: Any | None
 ) -> list[_Columns]: ...
+def periodic(
+    system: System, load: tuple[Any, Any, bool], friction: Any, of: Any | None, motion: bool
+) -> tuple[_Columns, list[_Columns]]: ...
 def curve(
     system: System,
     frequency: _Frequency,

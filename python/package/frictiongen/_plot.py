@@ -185,20 +185,21 @@ def map(answer: answers.Map, ax: Axes | None, shade: str) -> Axes:
     return ax
 
 
-def history(answer: answers.History | answers.Steps, ax: Axes | None) -> Axes:
+def history(answer: answers.History | answers.Steps | answers.Cycle, ax: Axes | None) -> Axes:
     ax = _axes(ax)
     unit = ""
     for motion in answer.motions:
         inner = answer[motion]
-        unit = "m" if "displacement_m" in inner else ""
-        if f"displacement{'_m' if unit else ''}" in inner:
+        if "displacement_m" in inner or "displacement" in inner:
+            unit = "m" if "displacement_m" in inner else ""
             values, _ = _column(answer, motion, "displacement", "m")
             ax.plot(answer.time_s, values, label=motion)
-    low, high = ax.get_ylim()
-    ax.fill_between(
-        answer.time_s, low, high, where=answer["contact"].state == "stuck", color="0.9", zorder=0, label="stuck"
-    )
-    ax.set_ylim(low, high)
+    if "state" in answer["contact"]:
+        low, high = ax.get_ylim()
+        ax.fill_between(
+            answer.time_s, low, high, where=answer["contact"].state == "stuck", color="0.9", zorder=0, label="stuck"
+        )
+        ax.set_ylim(low, high)
     ax.set_xlabel("time (s)")
     ax.set_ylabel("displacement (m)" if unit else "displacement")
     ax.legend()

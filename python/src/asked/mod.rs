@@ -4,6 +4,7 @@ mod frequency;
 mod friction;
 pub mod measure;
 mod numbers;
+pub mod periodic;
 
 pub use frequency::{Band, Frequencies, FrequencyArguments};
 pub use friction::{FrictionArguments, Frictions};

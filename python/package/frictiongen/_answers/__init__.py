@@ -4,13 +4,14 @@ from .design import Optimum, Sensitivities
 from .features import Features, FeatureTable
 from .in_time import Events, History, Steps, Work
 from .measuring import Estimate, Fit, FreeDecay, Identification, Transmissibilities
-from .steady import ByContact, Curve, Limits, Map, Orbit, Response
+from .steady import ByContact, Curve, Cycle, Limits, Map, Orbit, Periodic, Response
 from .table import Columns, Motion, Table
 
 __all__ = [
     "ByContact",
     "Columns",
     "Curve",
+    "Cycle",
     "Estimate",
     "Events",
     "FeatureTable",
@@ -24,6 +25,7 @@ __all__ = [
     "Motion",
     "Optimum",
     "Orbit",
+    "Periodic",
     "Response",
     "Sensitivities",
     "Steps",

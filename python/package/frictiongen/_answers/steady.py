@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -229,3 +229,61 @@ class Orbit(Table):
 
     def __repr__(self) -> str:
         return f"Orbit: {self.regime}, {self.state}, {self.stops} stops in {self.period} cycles"
+
+
+class Cycle(Table):
+    """Motion over one period of a steady state.  The last sample repeats the first one.
+
+    * `time_s`: time after the start of a period of the load.
+    * `cycle[name].displacement_m`, `.velocity_m_s`: motion of the contact or of a mass.  `cycle[name].force_N`: force of
+      a spring.
+    * `cycle["contact"].friction_N`: friction force.
+    """
+
+    time_s: Floats
+
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Draws all displacements over time.
+
+        :raises ImportError: if matplotlib is not installed.
+        """
+        return _plot.history(self, ax)
+
+
+class Periodic(Table):
+    """Steady states under a periodic load.  The arrays have the shape of the frictions.
+
+    * `state`: stable, or marginal if the position of the contact depends on the earlier motion.
+    * `period`: number of periods of the load after which the motion repeats.
+    * `events`: number of stops, break-aways and reversals in a period of the motion.
+    * `stuck_fraction`: fraction of the period in which the contact sticks, with an error of about one step.
+    * `multipliers`: Floquet multipliers, in the last dimension.  `largest_multiplier`: the largest modulus.
+    * `load_work_J`: work of the load in a period of the motion.  `friction_work_J`, `damping_work_J`: the energies that
+      friction and damping dissipate.
+    * `answer[name].least_m`, `.largest_m` (`least_N`, `largest_N` of a spring): smallest and largest value.
+    * `histories`: the motion of each state, in the order of the frictions, if `motion=True` was given.
+    """
+
+    friction_N: Floats
+    state: Words
+    period: Counts
+    events: Counts
+    stuck_fraction: Floats
+    largest_multiplier: Floats
+    load_work_J: Floats
+    friction_work_J: Floats
+    damping_work_J: Floats
+    multipliers: NDArray[np.complex128]
+    #: Motion over a period of each state.
+    histories: list[Cycle]
+
+    def __init__(self, columns: dict[str, Any], histories: list[dict[str, Any]]) -> None:
+        super().__init__(columns)
+        self.histories = [Cycle(history) for history in histories]
+
+    def to_frame(self) -> DataFrame:
+        """Returns a pandas frame with one line for each friction, without the list of all multipliers.
+
+        :raises ImportError: if pandas is not installed.
+        """
+        return frame({name: value for name, value in self._columns.items() if name != "multipliers"})

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING
 
 from .. import _native
-from .._answers.steady import ByContact, Curve, Limits, Map, Orbit, Response
+from .._answers.steady import ByContact, Curve, Limits, Map, Orbit, Periodic, Response
 from .base import Base, names
 
 if TYPE_CHECKING:
@@ -199,6 +199,51 @@ class Steady(Base):
         """
         found = _native.states(self._native, (r, hz, omega), (beta, friction), (force, base), names(of), harmonics)
         return [Orbit(state) for state in found]
+
+    def periodic(
+        self,
+        load: ArrayLike | tuple[ArrayLike, str] | Mapping[int, float | tuple[float, float]],
+        *,
+        period: float,
+        friction: ArrayLike,
+        of: str | Iterable[str] | None = None,
+        hold: bool = False,
+        motion: bool = False,
+    ) -> Periodic:
+        """Computes the steady states that motion from rest reaches under a periodic load that is no cosine.
+
+        The arrays of the answer have the shape of the frictions.
+
+        :param load: samples of one period, evenly spaced, or harmonics.  The last sample repeats the first one, one
+            period later.  Samples are forces in N on the excited mass, or displacements in m of the base.  A tuple
+            `(samples, unit)` gives another unit, such as `"kN"`, `"mm"`, `"m/s"`, `"m/s2"` or `"g"`.  Harmonics are a
+            dict `{order: amplitude}` or `{order: (amplitude, lag in degrees)}`, in N or m.  Order 0 is a constant.
+        :param period: period of the load, s.
+        :param friction: kinetic friction force, N: a number, or a list or an array.
+        :param of: names of the motions to return: masses, `contact`, `roof-base`, `roof-first`, `spring(a-b)` or
+            `shear`.  The default is the contact and all masses, relative to the base if the base moves.
+        :param hold: whether a force stays constant until the next sample, as in a square wave.  Otherwise it changes
+            linearly.
+        :param motion: whether to return also the motion over a period of each state.
+        :raises DomainError: also if the motion from rest repeats neither after one period of the load nor after up to
+            64.
+
+        >>> import frictiongen, numpy
+        >>> frame = frictiongen.System(frictiongen.FRAME)
+        >>> states = frame.periodic({1: 0.001, 3: (0.0002, 45)}, period=1 / 1.2, friction=[0.2, 0.4])
+        >>> states.state.tolist(), states.period.tolist()
+        (['stable', 'stable'], [1, 1])
+        >>> bool(abs(states.load_work_J - states.friction_work_J - states.damping_work_J).max() < 1e-12)
+        True
+        >>> square = [0.5, 0.5, -0.5, -0.5, 0.5]  # m/s2
+        >>> state = frame.periodic((square, "m/s2"), period=0.8, friction=0.4, of="upper-base", motion=True)
+        >>> bool(state["upper-base"].largest_m >= state.histories[0]["upper-base"].displacement_m.max())
+        True
+        """
+        asked = dict(load) if isinstance(load, Mapping) else load
+        return Periodic(
+            *_native.periodic(self._native, (asked, period, bool(hold)), friction, names(of), bool(motion))
+        )
 
     def curve(
         self,
