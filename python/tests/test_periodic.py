@@ -3,6 +3,7 @@
 import math
 import re
 
+import matplotlib.pyplot
 import numpy as np
 import pytest
 from conftest import SCENES, hold
@@ -99,6 +100,7 @@ def test_the_energy_balance_and_the_loop(pushed):
         assert abs(cycle["contact"].friction_N).max() == friction
     ax = states.histories[0].plot()
     assert [text.get_text() for text in ax.get_legend().get_texts()] == ["contact", "m"]
+    matplotlib.pyplot.close(ax.figure)
     assert "Periodic of 2 lines" in repr(states) and "multipliers" not in states.to_frame()
 
 
