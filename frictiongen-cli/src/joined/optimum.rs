@@ -5,18 +5,23 @@ use crate::args::OptimumArguments;
 use crate::asked;
 use crate::failure::Failure;
 use crate::frequency::Band;
+use crate::interrupt;
 use crate::layout::Layout;
 use crate::measure;
 use crate::number::computed;
 use crate::output::{self, Table, Visitor};
+use crate::progress::Progress;
 use crate::summary::Summary;
 use frictiongen::System;
 use frictiongen::study::columns::{
     Column, Frequency, Friction, JoinedRow, JoinedTable, Measure, Setting,
 };
-use frictiongen::study::joined::JoinedOptimum;
+use frictiongen::study::joined::{
+    Joined, JoinedDistribution, JoinedError, JoinedOptimum, ShareRange,
+};
 use frictiongen::study::scene::Scene;
 use std::io::Write;
+use std::sync::Mutex;
 
 /// Finds the common friction with which the largest amplitude of a mass over a band is smallest. Writes the steady state
 /// at the frequency of this amplitude.
@@ -26,7 +31,6 @@ pub fn optimum(
     out: &mut dyn Write,
 ) -> Result<(), Failure> {
     refused(&[
-        (arguments.vary.is_some(), "--vary"),
         (!arguments.keep.is_empty(), "--keep"),
         (1 < arguments.of.len(), "a second --of"),
     ])?;
@@ -60,8 +64,34 @@ pub fn optimum(
         .at(Frequency::at(&system, band.from))
         .map_err(Failure::new)?;
     let name = masses.first().map_or("", |mass| mass.name.as_str());
-    let found = joined.optimum(name, (band.from, band.to));
+    let ranges = arguments.vary.as_deref().map(|text| ranges(&joined, text));
+    let ranges = ranges.transpose()?;
+    interrupt::watch();
+    let progress = Mutex::new(Progress::search());
+    let watch = || {
+        if let Ok(mut progress) = progress.lock() {
+            progress.step();
+        }
+        !interrupt::pressed()
+    };
+    let band_of = (band.from, band.to);
+    let (found, shares) = match &ranges {
+        None => (joined.optimum_watched(name, band_of, &watch), None),
+        Some(ranges) => match joined.best_shares(name, band_of, ranges, &watch) {
+            Ok(best) => (Ok(best.optimum), Some(best)),
+            Err(error) => (Err(error), None),
+        },
+    };
+    drop(progress);
     let found = found.map_err(Failure::new)?;
+    let tuned = match &shares {
+        Some(best) => joined.with_shares(&best.shares),
+        None => joined.clone(),
+    };
+    let table = JoinedTable {
+        joined: &tuned,
+        ..table
+    };
     let friction = Friction::of_ratio(found.friction, measure.scale());
     let row = table.row(Frequency::at(&system, found.r), friction);
     let report = OptimumReport {
@@ -70,9 +100,62 @@ pub fn optimum(
         found,
         measure,
         name,
+        shares: shares.map(|best| (joined.contact_names(), best)),
     };
     let summary = Summary::of(&system, band.is_physical(), measure);
-    output::write(&report, &summary, arguments.format.checked()?, out)
+    output::write(&report, &summary, arguments.format.checked()?, out)?;
+    if !found.is_complete {
+        return Err(Failure::new(
+            "stopped: the search did not end, and the friction is the best so far",
+        ));
+    }
+    Ok(())
+}
+
+/// Reads the shares that `--vary` names: `share pads=a:b` is the share of one contact. `share=a:b` are the shares of all
+/// contacts but the first, because a common factor on all shares has the effect of the common friction.
+fn ranges(joined: &Joined<'_>, text: &str) -> Result<Vec<ShareRange>, Failure> {
+    let wrong =
+        |problem: &dyn std::fmt::Display| Failure::new(format_args!("--vary `{text}`: {problem}"));
+    let contacts = joined.contact_names();
+    let (name, interval) = text.rsplit_once('=').ok_or_else(|| {
+        wrong(&"a number of the description and an interval are needed, NAME=a:b")
+    })?;
+    let mut words = name.split_whitespace();
+    let (first, contact, rest) = (words.next(), words.next(), words.next());
+    if first != Some("share") || rest.is_some() {
+        let only = "with several contacts only shares can vary; write `share=0.2:2` or";
+        let example = contacts.last().map_or("pads", String::as_str);
+        return Err(wrong(&format_args!("{only} `share {example}=0.2:2`")));
+    }
+    let indices: Vec<usize> = match contact {
+        None => (1..contacts.len()).collect(),
+        Some(name) => {
+            let found = contacts.iter().position(|contact| contact == name);
+            let known = contacts.join(", ");
+            let missing = || {
+                wrong(&format_args!(
+                    "there is no contact `{name}`; the contacts are {known}"
+                ))
+            };
+            vec![found.ok_or_else(missing)?]
+        }
+    };
+    let (from, to) = interval
+        .split_once(':')
+        .ok_or_else(|| wrong(&"an interval a:b is needed"))?;
+    let [from, to] = [from, to].map(|end| {
+        let number = end.trim().parse::<f64>();
+        number.map_err(|_| wrong(&format_args!("`{}` is not a number", end.trim())))
+    });
+    let (from, to) = (from?, to?);
+    if !(0.0 < from && from < to && to.is_finite()) {
+        return Err(wrong(&JoinedError::Shares));
+    }
+    let ranges = indices.into_iter();
+    Ok(ranges
+        .map(|contact| ShareRange { contact, from, to })
+        .collect())
 }
 
 struct OptimumReport<'a> {
@@ -81,6 +164,19 @@ struct OptimumReport<'a> {
     found: JoinedOptimum,
     measure: Measure,
     name: &'a str,
+    /// The names of the contacts, and the best shares.
+    shares: Option<(Vec<String>, JoinedDistribution)>,
+}
+
+impl OptimumReport<'_> {
+    /// Returns the share of each contact with the name of the contact, if `--vary` is given.
+    fn shares(&self) -> Vec<(&str, f64)> {
+        let Some((names, best)) = &self.shares else {
+            return Vec::new();
+        };
+        let names = names.iter().map(String::as_str);
+        names.zip(best.shares.iter().copied()).collect()
+    }
 }
 
 impl Table for OptimumReport<'_> {
@@ -103,7 +199,7 @@ impl Table for OptimumReport<'_> {
     }
 
     fn head(&self) -> Vec<(String, serde_json::Value)> {
-        vec![
+        let mut head = vec![
             ("of".to_owned(), self.name.into()),
             (
                 "best_friction".to_owned(),
@@ -114,7 +210,18 @@ impl Table for OptimumReport<'_> {
                 self.measure.length(self.found.amplitude).into(),
             ),
             ("steady_states".to_owned(), self.found.evaluations.into()),
-        ]
+        ];
+        if let Some((_, best)) = &self.shares {
+            let shares = self.shares().into_iter();
+            let shares = shares.map(|(name, share)| (name.to_owned(), share.into()));
+            head.push((
+                "shares".to_owned(),
+                serde_json::Value::Object(shares.collect()),
+            ));
+            let before = self.measure.length(best.before.amplitude);
+            head.push(("largest_amplitude_before".to_owned(), before.into()));
+        }
+        head
     }
 
     fn preamble(&self) -> Vec<(&'static str, String)> {
@@ -126,6 +233,17 @@ impl Table for OptimumReport<'_> {
             "{friction}, with the largest amplitude {amplitude} of {} in the band; {} steady states",
             self.name, self.found.evaluations
         );
-        vec![("best common friction", text)]
+        let mut lines = vec![("best common friction", text)];
+        if let Some((_, best)) = &self.shares {
+            let shares = self.shares().into_iter();
+            let shares = shares.map(|(name, share)| format!("{name} {}", computed(share)));
+            let before = computed(self.measure.length(best.before.amplitude));
+            let text = format!(
+                "{}; with the shares of the description, the largest amplitude is {before}",
+                shares.collect::<Vec<_>>().join(", ")
+            );
+            lines.push(("best shares", text));
+        }
+        lines
     }
 }

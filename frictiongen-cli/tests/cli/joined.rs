@@ -308,3 +308,58 @@ fn pictures_of_several_contacts() {
     let told = failure(FRAME, &split("map --r 0.5 --beta 0.3,0.4 -o frame.svg"));
     assert!(told.contains("needs two frequencies"), "{told}");
 }
+
+/// The best share of one contact. A description with this share has the same largest amplitude.
+#[test]
+fn the_best_share_of_a_contact() {
+    let block = |share: f64| {
+        format!(
+            "struct Block {{ masses: {{ block: 1.0 }}, springs: {{ base - block: 1.0 }}, contacts: {{
+            brace: base - block {{ stiffness: 2.0 }}, pads: block - wall {{ share: {share:?}, stiffness: 1.0 }} }},
+            damping: modal(0.02), excitation: block }}"
+        )
+    };
+    let mut line = split("optimum --r 0.8:2.3 --of block --json --vary");
+    line.push("share pads=0.2:0.3");
+    let best = crate::common::json(&output(&block(0.2), &line));
+    let number = |name: &str| best[name].as_f64().expect("a number");
+    let share = best["shares"]["pads"].as_f64().expect("a share");
+    assert_eq!(best["shares"]["brace"].as_f64(), Some(1.0));
+    let (amplitude, before) = (
+        number("largest_amplitude"),
+        number("largest_amplitude_before"),
+    );
+    assert!(
+        (0.2..=0.3).contains(&share) && amplitude <= before,
+        "{best}"
+    );
+    let (r, friction) = (&best["points"][0]["r"], number("best_friction"));
+    let line = format!("orbit --r {r} --beta {friction:?} --csv");
+    let again = output(&block(share), &split(&line));
+    let again = column(&again, "block.amplitude")[0];
+    assert!(
+        (again - amplitude).abs() < 1e-9 * amplitude,
+        "{again} {amplitude}"
+    );
+    for (text, told) in [
+        (
+            "k base - block=1:2",
+            "only shares can vary; write `share=0.2:2` or `share pads=0.2:2`",
+        ),
+        (
+            "share clutch=1:2",
+            "there is no contact `clutch`; the contacts are brace, pads",
+        ),
+        ("share pads", "an interval are needed, NAME=a:b"),
+        ("share pads=2", "an interval a:b is needed"),
+        ("share pads=0:1", "must begin above 0"),
+    ] {
+        let mut line = split("optimum --r 0.8:1.4 --of block --vary");
+        line.push(text);
+        let lines = failure(&block(0.2), &line);
+        assert!(
+            lines.contains(told) && lines.lines().count() == 1,
+            "{lines}"
+        );
+    }
+}

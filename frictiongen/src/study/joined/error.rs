@@ -44,6 +44,10 @@ pub enum JoinedError {
     Amplitude(Given),
     /// The frequency is an undamped resonance of the linear chain.
     Resonance,
+    /// The interval of a share does not begin above 0, or does not end above its begin.
+    Shares,
+    /// The search stopped before it had an answer.
+    Stopped,
     /// The scene has no contact with the requested name.
     UnknownContact(UnknownContact),
     /// The scene has no mass with the requested name.
@@ -79,6 +83,11 @@ impl fmt::Display for JoinedError {
                 f,
                 "this frequency is an undamped resonance of the linear chain, so that its response is unbounded; choose another frequency, or add damping"
             ),
+            Self::Shares => write!(
+                f,
+                "the interval of a share must begin above 0, and must end above its begin"
+            ),
+            Self::Stopped => write!(f, "the search stopped before it had compared two frictions"),
             Self::UnknownContact(error) => error.fmt(f),
             Self::UnknownMass(error) => error.fmt(f),
             Self::NoDerivative(error) => error.fmt(f),

@@ -27,6 +27,22 @@ pub struct JoinedOptimum {
     pub r: f64,
     /// Number of steady states that the search computed.
     pub evaluations: usize,
+    /// False if the watching function stopped the search. The numbers are then the best so far.
+    pub is_complete: bool,
+}
+
+/// Reason why a search ends early.
+pub(super) enum Early {
+    /// The watching function stopped the search.
+    Stopped,
+    /// A steady state has no answer.
+    Failed(JoinedError),
+}
+
+impl From<JoinedError> for Early {
+    fn from(error: JoinedError) -> Self {
+        Self::Failed(error)
+    }
 }
 
 impl Joined<'_> {
@@ -47,54 +63,32 @@ impl Joined<'_> {
         mass: &str,
         (from, to): (f64, f64),
     ) -> Result<JoinedOptimum, JoinedError> {
-        let index = self.mass_index(mass)?;
-        for end in [from, to] {
-            if !(end > 0.0 && end.is_finite()) {
-                return Err(OutOfDomain::FrequencyRatioInTime(Given::of(end)).into());
-            }
+        self.optimum_watched(mass, (from, to), &|| true)
+    }
+
+    /// Finds the best common friction, as [`optimum`](Self::optimum) does. The search calls `watch` before each steady
+    /// state, and stops if it returns false.
+    ///
+    /// # Errors
+    /// Same errors as [`optimum`](Self::optimum). [`JoinedError::Stopped`] if the search stops before it has compared two
+    /// frictions.
+    pub fn optimum_watched(
+        &self,
+        mass: &str,
+        band: (f64, f64),
+        watch: &dyn Fn() -> bool,
+    ) -> Result<JoinedOptimum, JoinedError> {
+        let mut search = Search::new(self, mass, band, watch)?;
+        match search.run() {
+            Ok(()) => search.found(true),
+            Err(Early::Stopped) => search.found(false),
+            Err(Early::Failed(error)) => Err(error),
         }
-        if !(from < to) {
-            return Err(OutOfDomain::Range.into());
-        }
-        let place = |part: usize| from + (to - from) * part as f64 / (FREQUENCIES - 1) as f64;
-        let grid: Vec<f64> = (0..FREQUENCIES).map(place).collect();
-        let mut search = Search {
-            joined: self,
-            mass: index,
-            grid,
-            evaluations: 0,
-        };
-        let most = search.most()?;
-        let ratio = LEAST.powf(1.0 / (FRICTIONS - 1) as f64);
-        let tried = (0..FRICTIONS).map(|part| most * ratio.powi(part as i32));
-        let tried: Vec<f64> = tried.collect();
-        let mut best = (f64::INFINITY, 0);
-        for (place, friction) in tried.iter().enumerate() {
-            let (amplitude, _) = search.peak(*friction, Closely::Roughly)?;
-            if amplitude < best.0 {
-                best = (amplitude, place);
-            }
-        }
-        // The frictions in `tried` are in descending order.
-        let high = tried.get(best.1.saturating_sub(1)).copied();
-        let low = tried.get(best.1 + 1).copied();
-        let ends = (low.unwrap_or(LEAST * most), high.unwrap_or(most));
-        let (friction, _) = smallest(ends, (STEPS, 0.0), |friction| {
-            let peak = search.peak(friction, Closely::OnGrid);
-            peak.map(|(amplitude, _)| amplitude)
-        })?;
-        let (amplitude, r) = search.peak(friction, Closely::Refined)?;
-        Ok(JoinedOptimum {
-            friction,
-            amplitude,
-            r,
-            evaluations: search.evaluations,
-        })
     }
 }
 
 /// Accuracy with which the search computes the largest amplitude over the band.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Closely {
     /// Evaluates every second frequency of the grid.
     Roughly,
@@ -105,31 +99,125 @@ enum Closely {
 }
 
 /// A search for the best common friction.
-struct Search<'j, 'a> {
-    joined: &'j Joined<'a>,
+pub(super) struct Search<'j, 'a> {
+    joined: Joined<'a>,
     mass: usize,
     /// Frequency ratios of the first grid.
     grid: Vec<f64>,
     evaluations: usize,
+    watch: &'j dyn Fn() -> bool,
+    /// The smallest peak so far, of those with the highest accuracy.
+    best: Option<Peak>,
 }
 
-impl Search<'_, '_> {
+/// The largest amplitude over the band with one friction.
+#[derive(Clone, Copy, Debug)]
+struct Peak {
+    closely: Closely,
+    friction: f64,
+    amplitude: f64,
+    r: f64,
+}
+
+impl<'j, 'a> Search<'j, 'a> {
+    /// Prepares a search.
+    pub(super) fn new(
+        joined: &Joined<'a>,
+        mass: &str,
+        (from, to): (f64, f64),
+        watch: &'j dyn Fn() -> bool,
+    ) -> Result<Self, JoinedError> {
+        let index = joined.mass_index(mass)?;
+        for end in [from, to] {
+            if !(end > 0.0 && end.is_finite()) {
+                return Err(OutOfDomain::FrequencyRatioInTime(Given::of(end)).into());
+            }
+        }
+        if !(from < to) {
+            return Err(OutOfDomain::Range.into());
+        }
+        let place = |part: usize| from + (to - from) * part as f64 / (FREQUENCIES - 1) as f64;
+        Ok(Self {
+            joined: joined.clone(),
+            mass: index,
+            grid: (0..FREQUENCIES).map(place).collect(),
+            evaluations: 0,
+            watch,
+            best: None,
+        })
+    }
+
+    /// Replaces the shares of the contacts. Peaks of other shares are forgotten.
+    pub(super) fn set_shares(&mut self, shares: &[f64]) {
+        self.joined = self.joined.with_shares(shares);
+        self.best = None;
+    }
+
+    /// Returns the best friction so far.
+    pub(super) fn found(&self, is_complete: bool) -> Result<JoinedOptimum, JoinedError> {
+        let best = self.best.ok_or(JoinedError::Stopped)?;
+        Ok(JoinedOptimum {
+            friction: best.friction,
+            amplitude: best.amplitude,
+            r: best.r,
+            evaluations: self.evaluations,
+            is_complete,
+        })
+    }
+
+    /// Searches over all frictions, from coarse to fine.
+    fn run(&mut self) -> Result<(), Early> {
+        let most = self.most()?;
+        let ratio = LEAST.powf(1.0 / (FRICTIONS - 1) as f64);
+        let tried = (0..FRICTIONS).map(|part| most * ratio.powi(part as i32));
+        let tried: Vec<f64> = tried.collect();
+        let mut best = (f64::INFINITY, 0);
+        for (place, friction) in tried.iter().enumerate() {
+            let (amplitude, _) = self.peak(*friction, Closely::Roughly)?;
+            if amplitude < best.0 {
+                best = (amplitude, place);
+            }
+        }
+        // The frictions in `tried` are in descending order.
+        let high = tried.get(best.1.saturating_sub(1)).copied();
+        let low = tried.get(best.1 + 1).copied();
+        let ends = (low.unwrap_or(LEAST * most), high.unwrap_or(most));
+        let (friction, _) = smallest(ends, (STEPS, 0.0), |friction| {
+            let peak = self.peak(friction, Closely::OnGrid);
+            peak.map(|(amplitude, _)| amplitude)
+        })?;
+        self.refine(friction)
+    }
+
+    /// Computes the largest peak with one friction with the highest accuracy.
+    pub(super) fn refine(&mut self, friction: f64) -> Result<(), Early> {
+        self.peak(friction, Closely::Refined).map(|_| ())
+    }
+
+    /// Returns the largest amplitude on the grid with one friction.
+    pub(super) fn on_grid(&mut self, friction: f64) -> Result<f64, Early> {
+        Ok(self.peak(friction, Closely::OnGrid)?.0)
+    }
+
     /// Returns the largest limit of the stuck state over the frequencies of the grid.
-    fn most(&self) -> Result<f64, JoinedError> {
+    fn most(&self) -> Result<f64, Early> {
         let mut most = 0.0_f64;
         for r in &self.grid {
             match self.joined.at_any(*r)?.stuck() {
                 Ok(stuck) => most = most.max(stuck.limit()),
                 // On an undamped resonance of the stuck chain, no friction keeps all contacts stuck.
                 Err(JoinedError::Resonance) => {}
-                Err(error) => return Err(error),
+                Err(error) => return Err(error.into()),
             }
         }
         Ok(most)
     }
 
     /// Returns the amplitude of the mass at one frequency.
-    fn amplitude(&mut self, r: f64, friction: f64) -> Result<f64, JoinedError> {
+    fn amplitude(&mut self, r: f64, friction: f64) -> Result<f64, Early> {
+        if !(self.watch)() {
+            return Err(Early::Stopped);
+        }
         self.evaluations += 1;
         let at = self.joined.at_any(r)?;
         let amplitudes = match at.orbit(friction) {
@@ -137,13 +225,30 @@ impl Search<'_, '_> {
             // With a friction just below the limit of the stuck state, the contacts move less in each cycle, but never
             // stop moving.
             Err(JoinedError::Engine(JointError::NotSteady)) => at.last_cycles(friction)?,
-            Err(error) => return Err(error),
+            Err(error) => return Err(error.into()),
         };
         Ok(amplitudes.get(self.mass).copied().unwrap_or_default())
     }
 
+    /// Returns the largest amplitude over the band, and its frequency. Keeps them if they are the best so far.
+    fn peak(&mut self, friction: f64, closely: Closely) -> Result<(f64, f64), Early> {
+        let (amplitude, r) = self.largest(friction, closely)?;
+        let is_better = self.best.is_none_or(|best| {
+            best.closely < closely || (best.closely == closely && amplitude < best.amplitude)
+        });
+        if is_better {
+            self.best = Some(Peak {
+                closely,
+                friction,
+                amplitude,
+                r,
+            });
+        }
+        Ok((amplitude, r))
+    }
+
     /// Returns the largest amplitude over the band, and its frequency.
-    fn peak(&mut self, friction: f64, closely: Closely) -> Result<(f64, f64), JoinedError> {
+    fn largest(&mut self, friction: f64, closely: Closely) -> Result<(f64, f64), Early> {
         let mut best = (0.0, 0);
         let grid = self.grid.clone();
         let stride = if closely == Closely::Roughly { 2 } else { 1 };

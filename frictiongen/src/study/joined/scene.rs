@@ -83,6 +83,13 @@ impl<'a> Joined<'a> {
         &self.chain
     }
 
+    /// Replaces the shares of the contacts, in the order of the description.
+    pub(super) fn set_shares(&mut self, shares: &[f64]) {
+        for (contact, share) in self.chain.contacts.iter_mut().zip(shares) {
+            contact.level = Wave::constant(*share);
+        }
+    }
+
     /// Returns the names of the contacts, in the order of the description.
     #[must_use]
     pub fn contact_names(&self) -> Vec<String> {

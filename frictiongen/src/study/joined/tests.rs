@@ -5,6 +5,7 @@ mod free;
 mod reference;
 mod refused;
 mod sensitivity;
+mod shares;
 mod single;
 mod stepper;
 mod undamped;

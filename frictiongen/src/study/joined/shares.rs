@@ -1,0 +1,226 @@
+//! Finds the best common friction together with the best shares of the contacts.
+
+use super::error::JoinedError;
+use super::optimum::{Early, JoinedOptimum, Search};
+use super::scene::Joined;
+use frictiongen_model::scene::Scene;
+
+/// First step of the search, as a factor on a share or on the friction.
+const FIRST: f64 = 1.6;
+/// The search ends when its step is below this factor.
+const LAST: f64 = 1.02;
+/// Largest number of distributions that the search compares.
+const MOST: usize = 400;
+
+/// Interval of the share of one contact.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ShareRange {
+    /// Index of the contact in the description.
+    pub contact: usize,
+    /// Smallest share, above 0.
+    pub from: f64,
+    /// Largest share.
+    pub to: f64,
+}
+
+/// The best common friction and the best shares.
+#[derive(Clone, Debug, PartialEq)]
+pub struct JoinedDistribution {
+    /// The share of each contact, in the order of the description.
+    pub shares: Vec<f64>,
+    /// The best common friction with these shares.
+    pub optimum: JoinedOptimum,
+    /// The best common friction with the shares of the description.
+    pub before: JoinedOptimum,
+}
+
+impl<'a> Joined<'a> {
+    /// Returns the same scene with other shares. A contact without a number in the list keeps its share.
+    #[must_use]
+    pub fn with_shares(&self, shares: &[f64]) -> Self {
+        let mut joined = self.clone();
+        joined.set_shares(shares);
+        joined
+    }
+
+    /// Finds the common friction and the shares with which the largest amplitude of a mass over a band of frequency
+    /// ratios is smallest. The search calls `watch` before each steady state, and stops if it returns false.
+    ///
+    /// The search begins at the best common friction with the shares of the description. It changes one number at a
+    /// time, the friction or a share, by a factor that it reduces from 1.6 to 1.02. It compares the largest amplitudes
+    /// at 25 equally spaced frequencies of the band. Its result is a local minimum of them. Another distribution far
+    /// from the description may be better.
+    ///
+    /// # Errors
+    /// Same errors as [`optimum_watched`](Self::optimum_watched). [`JoinedError::Shares`] for an interval that does not
+    /// begin above 0 or does not end above its begin, and for a contact that does not exist.
+    pub fn best_shares(
+        &self,
+        mass: &str,
+        band: (f64, f64),
+        ranges: &[ShareRange],
+        watch: &dyn Fn() -> bool,
+    ) -> Result<JoinedDistribution, JoinedError> {
+        let given: Vec<f64> = shares(self.scene());
+        for range in ranges {
+            let sound = 0.0 < range.from && range.from < range.to && range.to.is_finite();
+            if !sound || given.len() <= range.contact {
+                return Err(JoinedError::Shares);
+            }
+        }
+        let before = self.optimum_watched(mass, band, watch)?;
+        let mut descent = Descent {
+            search: Search::new(self, mass, band, watch)?,
+            ranges,
+            compared: 0,
+            best: Distribution {
+                shares: given,
+                friction: before.friction,
+                peak: before.amplitude,
+            },
+        };
+        let followed = if before.is_complete {
+            descent.run()
+        } else {
+            Err(Early::Stopped)
+        };
+        let optimum = descent.found(&before, followed)?;
+        Ok(JoinedDistribution {
+            shares: descent.best.shares,
+            optimum,
+            before,
+        })
+    }
+}
+
+/// Returns the shares of the description.
+fn shares(scene: &Scene) -> Vec<f64> {
+    let contacts = scene.named_contacts().into_iter();
+    contacts.map(|contact| contact.law.share).collect()
+}
+
+/// A common friction and the shares of all contacts.
+#[derive(Clone, Debug)]
+struct Distribution {
+    shares: Vec<f64>,
+    friction: f64,
+    /// Largest amplitude on the grid.
+    peak: f64,
+}
+
+/// A search along one number after the other.
+struct Descent<'j, 'a> {
+    search: Search<'j, 'a>,
+    ranges: &'j [ShareRange],
+    compared: usize,
+    best: Distribution,
+}
+
+impl Descent<'_, '_> {
+    fn run(&mut self) -> Result<(), Early> {
+        let mut start = self.best.clone();
+        for range in self.ranges {
+            if let Some(share) = start.shares.get_mut(range.contact) {
+                *share = share.clamp(range.from, range.to);
+            }
+        }
+        start.peak = self.peak(&start)?;
+        // The shares of the description may be outside the intervals.
+        self.best = start;
+        let mut factor = FIRST;
+        while LAST < factor && self.compared < MOST {
+            let before = self.best.clone();
+            for number in 0..=self.ranges.len() {
+                if !self.better(number, factor)? {
+                    self.better(number, 1.0 / factor)?;
+                }
+            }
+            if self.best.peak < before.peak {
+                self.leap(&before)?;
+            } else {
+                factor = factor.sqrt();
+            }
+        }
+        Ok(())
+    }
+
+    /// Tries the best distribution with one number multiplied by a factor: the friction, or a share. Returns true if
+    /// this is better.
+    fn better(&mut self, number: usize, factor: f64) -> Result<bool, Early> {
+        let mut tried = self.best.clone();
+        match number
+            .checked_sub(1)
+            .and_then(|index| self.ranges.get(index))
+        {
+            None => tried.friction *= factor,
+            Some(range) => {
+                let Some(share) = tried.shares.get_mut(range.contact) else {
+                    return Ok(false);
+                };
+                let moved = (*share * factor).clamp(range.from, range.to);
+                if moved == *share {
+                    return Ok(false);
+                }
+                *share = moved;
+            }
+        }
+        self.keep(tried)
+    }
+
+    /// Repeats the change from an earlier distribution to the best one.
+    fn leap(&mut self, before: &Distribution) -> Result<(), Early> {
+        let mut tried = self.best.clone();
+        tried.friction *= tried.friction / before.friction;
+        for range in self.ranges {
+            let earlier = before.shares.get(range.contact).copied();
+            if let (Some(share), Some(earlier)) = (tried.shares.get_mut(range.contact), earlier) {
+                *share = (*share * *share / earlier).clamp(range.from, range.to);
+            }
+        }
+        self.keep(tried).map(|_| ())
+    }
+
+    /// Keeps a distribution if it is better than the best one.
+    fn keep(&mut self, mut tried: Distribution) -> Result<bool, Early> {
+        tried.peak = self.peak(&tried)?;
+        let better = tried.peak < self.best.peak;
+        if better {
+            self.best = tried;
+        }
+        Ok(better)
+    }
+
+    fn peak(&mut self, tried: &Distribution) -> Result<f64, Early> {
+        self.compared += 1;
+        self.search.set_shares(&tried.shares);
+        self.search.on_grid(tried.friction)
+    }
+
+    /// Returns the best friction. A complete search also refines the peak.
+    fn found(
+        &mut self,
+        before: &JoinedOptimum,
+        followed: Result<(), Early>,
+    ) -> Result<JoinedOptimum, JoinedError> {
+        let refined = followed.and_then(|()| {
+            self.search.set_shares(&self.best.shares);
+            self.search.refine(self.best.friction)
+        });
+        match refined {
+            Ok(()) => {
+                let found = self.search.found(true)?;
+                Ok(JoinedOptimum {
+                    evaluations: before.evaluations + found.evaluations,
+                    ..found
+                })
+            }
+            Err(Early::Stopped) => Ok(JoinedOptimum {
+                friction: self.best.friction,
+                amplitude: self.best.peak,
+                is_complete: false,
+                ..*before
+            }),
+            Err(Early::Failed(error)) => Err(error),
+        }
+    }
+}
