@@ -208,6 +208,7 @@ impl<S: Float> Status<S> {
             contact,
             unknown: unknown == 1,
             wedged: wedged == 1,
+            grazed: false,
             budget,
             spent: 0,
             stuck_at,

@@ -20,6 +20,7 @@ mod dot;
 mod drive;
 mod elastic;
 mod events;
+mod graze;
 mod image;
 mod input;
 mod interval;

@@ -147,6 +147,12 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
                 _ => {}
             }
         }
+        if halts {
+            self.note_crossing(&velocity, -(sign * line.low), tau);
+        } else if rises {
+            let high = line.high.unwrap_or(zero);
+            self.note_crossing(&velocity, -(sign * high), tau);
+        }
         if zero < tau {
             self.move_modes(&velocity, kinetic, tau);
         }
@@ -166,7 +172,9 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
             self.start_sticking(None);
             return None;
         }
-        let Some(slide) = self.law().leave_rest(self.holding()) else {
+        let holding = self.holding();
+        self.note_choice(holding);
+        let Some(slide) = self.law().leave_rest(holding) else {
             self.start_sticking(None);
             return None;
         };

@@ -129,6 +129,8 @@ pub struct Status<S> {
     /// True if the contact has just failed to start sliding. A contact force that exceeds μF only by rounding must then
     /// not start sliding again.
     pub wedged: bool,
+    /// True if a stepper with derivatives has met an event whose derivative is unreliable.
+    pub grazed: bool,
     /// Number of events that the stepper follows in a step, or 0 without this bound.
     pub budget: u8,
     /// Number of events in the earlier sub-intervals of the present step. It is 0 between steps.
@@ -175,6 +177,7 @@ impl<S: Float> Status<S> {
             contact: Contact::Stuck,
             unknown: true,
             wedged: false,
+            grazed: false,
             budget: 0,
             spent: 0,
             stuck_at: zero,

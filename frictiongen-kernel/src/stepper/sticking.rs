@@ -88,6 +88,9 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
                 Walk::NoStart => (left, None),
             }
         };
+        if let Some(contact) = breaks.filter(|_| zero < tau) {
+            self.note_crossing(&force, -(contact.sign::<S>() * grip), tau);
+        }
         if zero < tau {
             self.move_held(tau);
         }

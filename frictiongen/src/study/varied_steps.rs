@@ -21,8 +21,8 @@ impl Varied {
     ///
     /// The derivatives stay correct after stops, break-aways and reversals. They include the change of the instants of
     /// these events with the quantity. At some values of the quantity an event appears or vanishes. At such a value the
-    /// motion has no derivative, and the stepper returns the derivative of one side. Steppers without derivatives show
-    /// such a value: just below and just above it they count different numbers of events.
+    /// motion has no derivative, and the stepper returns the derivative of one side.
+    /// [`check_derivatives`](SystemStepper::check_derivatives) detects such a motion.
     ///
     /// ```
     /// use frictiongen::study::{System, SystemInput, sensitivity::Sensitive};
@@ -110,5 +110,21 @@ impl Varied {
             springs.filter(|(_, spring)| spring.from == Node::Base || spring.to == Node::Base);
         let stiffnesses = on_base.filter_map(|(index, _)| self.spring(index));
         stiffnesses.fold(Sensitive::constant(0.0), |sum, stiffness| sum + stiffness)
+    }
+}
+
+impl SystemStepper<'_, Sensitive> {
+    /// Fails if the derivatives are unreliable, because the motion since the start has grazed an event: the contact's
+    /// velocity or force crossed its level so slowly that a rounding error of the input in `f64` changes the derivative
+    /// of the event's instant by more than a millionth of it. It also fails if such an error may decide whether the
+    /// contact stops or slides on.
+    ///
+    /// # Errors
+    /// [`NoDerivative::Graze`] from the first such event on.
+    pub fn check_derivatives(&self) -> Result<(), NoDerivative> {
+        if self.grazed() {
+            return Err(NoDerivative::Graze);
+        }
+        Ok(())
     }
 }

@@ -83,6 +83,7 @@ macro_rules! run {
             all.extend([now.displacement(), now.velocity()]);
         }
         all.extend([stepper.contact().force(), stepper.work().friction]);
+        assert!(!stepper.grazed(), "a random motion grazes an event");
         (all, events, steps)
     }};
 }
@@ -214,3 +215,51 @@ fn steps_carry_derivatives() {
 /// Number of compared derivatives. The four scenes have 7, 7, 8 and 4 quantities, each plus friction and load, and 6,
 /// 6, 6 and 4 results.
 const COMPARED: u32 = 9 * 6 + 9 * 6 + 10 * 6 + 6 * 4;
+
+/// The upper mass sticks while the lower one oscillates under a constant force. The force in the contact is
+/// P(1 − cos ωt)/2, with its maximum P at ωt = π, and reaches μF slowly if μF is just below P.
+const SLOW: &str = "struct Slow {
+    masses: { lower: 1.0, upper: 0.5 },
+    springs: { base - lower: 700.0, lower - upper: 700.0 },
+    contact: upper - wall, excitation: lower, stiction: 1.25,
+    input: hold, provide: [stepper],
+}";
+
+/// Returns the derivative of the upper mass's displacement with respect to P at ωt = 3π/2, and whether the stepper
+/// reports a graze. P is 1.25 N, and μF is the fraction `share` of P.
+fn slowly(share: f64) -> (f64, bool) {
+    let system: System = SLOW.parse().unwrap();
+    let unvaried = system.unvaried();
+    let dt = 1.5 * std::f64::consts::PI / 1400.0_f64.sqrt() / 64.0;
+    let mut stepper = unvaried.stepper(dt).unwrap();
+    let mut events = 0;
+    for _ in 0..64 {
+        let input = SystemInput::force(Sensitive::variable(1.25.into()));
+        let input = input.friction(Sensitive::fixed(share.into()));
+        events += stepper.advance(input).unwrap().events;
+    }
+    assert_eq!(events > 0, share < 1.0, "{share}");
+    let grazes = stepper.check_derivatives().is_err();
+    assert_eq!(grazes, stepper.grazed());
+    (stepper.mass_at(1).displacement().slope.to_f64(), grazes)
+}
+
+/// The derivative of the instant of the break-away is −tan(ωt/2)/(ωP). Its relative error is δ/(2(1 − share)), where δ is
+/// the rounding error of the input relative to μF. The stepper permits 1e-6, but adds the terms of its series to the
+/// size of the force, so that the test leaves a factor of 30 on both sides of 1 − share = 1e-10.
+#[test]
+fn a_slow_break_away_is_a_graze() {
+    for (gap, expected) in [
+        (0.2, false),
+        (1e-2, false),
+        (1e-5, false),
+        (3e-9, false),
+        (3e-12, true),
+        (1e-15, true),
+    ] {
+        let (slope, grazes) = slowly(1.0 - gap);
+        assert_eq!(grazes, expected, "{gap:e}: derivative {slope:e}");
+    }
+    // Above the maximum there is no event, and the mass is at rest whatever the force.
+    assert_eq!(slowly(1.0 + 1e-9), (0.0, false));
+}

@@ -1,0 +1,64 @@
+//! Detects grazes while a stepper carries derivatives.
+//!
+//! At an event a function g of the motion crosses zero. The derivative of the instant is −ġ/g′, where ġ is the derivative
+//! of g with respect to the variable. An error δ of g changes the slope g′ at the crossing by g″δ/g′, and the
+//! derivative by the fraction g″δ/g′². Near a graze g′ vanishes, and this fraction becomes large.
+
+use super::Store;
+use super::interval::StepInterval;
+use super::law::StepContact;
+use super::table::Tables;
+use super::types::Stepper;
+use crate::motion::{Law, Power};
+use crate::number::scalar::Float;
+
+/// Error δ of a function of the motion, relative to the sum of the absolute values of its terms: the rounding error of
+/// an input in `f64`.
+const ROUNDED: f64 = f64::EPSILON;
+/// Largest permitted relative error of the derivative of an event's instant.
+const BOUND: f64 = 1e-6;
+/// Distance of a force from μF, relative to μF, within which rounding may decide whether the contact slides.
+const MARGINAL: f64 = 1e-12;
+
+impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> {
+    /// Notes a graze, if `sum` crosses its level at the instant `tau` so slowly that the derivative of this instant has
+    /// a relative error of more than [`BOUND`]. Numbers without derivatives need no check.
+    #[inline]
+    pub(super) fn note_crossing(&mut self, sum: &Power<S>, level: S, tau: S) {
+        if !S::CARRIES {
+            return;
+        }
+        let zero = S::constant(0.0);
+        let (mut value, mut slope, mut half) = (zero, zero, zero);
+        for term in sum.used().iter().rev() {
+            half = half * tau + slope;
+            slope = slope * tau + value;
+            value = value * tau + *term;
+        }
+        let curve = (half + half).abs();
+        let size = sum.size + level.abs();
+        let error = curve * size * S::constant(ROUNDED);
+        let is_steep = error < slope * slope * S::constant(BOUND);
+        self.status.grazed |= !is_steep;
+    }
+
+    /// Notes a graze, if rounding may decide whether the contact at zero velocity sticks under `force` or slides.
+    #[inline]
+    pub(super) fn note_choice(&mut self, force: S) {
+        if S::CARRIES {
+            self.status.grazed |= self.law().is_marginal(force, S::constant(MARGINAL));
+        }
+    }
+}
+
+impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepContact<S>>
+    Stepper<'_, S, D, T, V, K>
+{
+    /// Returns true if a stepper with derivatives has met a graze: an event whose derivative is unreliable. A stepper
+    /// without derivatives returns false.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn grazed(&self) -> bool {
+        self.status.grazed
+    }
+}
