@@ -35,12 +35,12 @@ pub struct Bowed;
 /// Stepper: motion of [`Bowed`] in time, by steps of one length, under any input.  `advance` takes a step.
 ///
 /// A step of dt, in s, has ⌈73.54·dt⌉ parts, at most 1024: `STEP` has 1.
-/// A part in which the contact certainly keeps sliding, or keeps sticking, is one product with tables.
-/// Any other part is followed from event to event, for at most 8 events and, where the friction law bends, 64 stretches.
-/// The rest of the part then passes without creating energy, and `exceeded` counts the step.
+/// A part in which the contact certainly keeps sliding, or keeps sticking, is a product of its state with tables.
+/// In any other part the stepper searches the events, at most 8 (a friction law over the speed adds up to 64 changes of its line).
+/// Beyond them a rule that creates no energy ends the part, and `exceeded()` counts the step.
 ///
-/// A step of `STEP` has at most 260 floating-point operations by the tables, about 20148 with one event, never
-/// more than 3732728.
+/// A step of `STEP` has at most 260 floating-point operations if all parts are such products, about 20148 with one event, never
+/// more than 3732728.  `set_event_budget(n)` lowers this bound, and `cost().most` is then the bound.
 #[allow(
     deprecated,
     non_camel_case_types,
@@ -134,7 +134,7 @@ const _: () = {
         pub const MODE_SHAPES: [[f64; 2]; 2] = [[0.0, 0.5], [1.0, 0.0]];
         /// Constants of the chain.
         const CHAIN: Chain<f64> = Chain {
-            /// a mode is damped
+            /// true if a mode is damped
             damped: true,
             /// relative motion for r → 0, over Y, if the contact rubs on a moving base
             on_moving_base: None,
@@ -164,9 +164,9 @@ const _: () = {
             /// all modes, those that the contact drives first
             modes: &[
                 Mode {
-                    /// kind of damping: `Light` for ζ < 1/2, `Heavy` for ζ < 1, `Over` for ζ > 1
+                    /// kind of damping: `Undamped` for ζ = 0, `Light` for ζ < 1/2, `Heavy` for ζ < 1, `Critical` for ζ = 1, `Over` for ζ > 1
                     kind: Kind::Light,
-                    /// the contact drives the mode: φᵀw is not 0
+                    /// true if the contact drives the mode: φᵀw is not 0
                     in_contact: true,
                     /// √λ, the frequency ratio r of the undamped resonance
                     resonance: 0.13693063937629152,
@@ -201,10 +201,10 @@ const _: () = {
                     static_residue: 0.0,
                 },
             ],
-            /// modes of the chain with its contact stuck, of states y and u
+            /// modes of the chain with its contact stuck; the state of a mode is y and u = y′/Ω
             held: &[
                 HeldMode {
-                    /// kind of damping
+                    /// kind of damping, as in `MODES`
                     kind: Kind::Light,
                     /// frequency ratio r of the undamped resonance
                     frequency: 0.51478150704935,
@@ -212,9 +212,9 @@ const _: () = {
                     zeta: 0.01294340626805284,
                     /// √|1 − ζ²|
                     q: 0.9999162306084346,
-                    /// −(contact force)/y
+                    /// contact force, with its damping force, divided by −y
                     force: 0.49263264583729127,
-                    /// [m₁₁, m₁₂, m₂₂], which turns the products of a motion with both states into y and u
+                    /// symmetric matrix [m₁₁, m₁₂, m₂₂]: times the products of the chain's motion with the `participations` of y and u it gives y and u
                     inverse: [
                         0.050959169256267554,
                         1.5514832799238536,
@@ -249,7 +249,7 @@ const _: () = {
                 /// sum of the springs to the base, over k₁
                 support: 1.0,
             },
-            /// the base moves
+            /// true if the base moves
             on_base: false,
             /// indices of the loaded masses
             forces: &[1, 0],
@@ -344,12 +344,12 @@ const _: () = {
                     friction: input.friction,
                 })
         }
-        /// Displacement and velocity of mass `string` now.
+        /// Absolute displacement and velocity of mass `string` now.
         #[must_use]
         pub fn string(&self) -> MassNow<f64> {
             self.mass(0)
         }
-        /// Displacement and velocity of mass `bow` now.
+        /// Absolute displacement and velocity of mass `bow` now.
         #[must_use]
         pub fn bow(&self) -> MassNow<f64> {
             self.mass(1)
@@ -395,12 +395,12 @@ const _: () = {
                     friction: input.friction,
                 })
         }
-        /// Displacement and velocity of mass `string` now.
+        /// Absolute displacement and velocity of mass `string` now.
         #[must_use]
         pub fn string(&self) -> MassNow<f64> {
             self.mass(0)
         }
-        /// Displacement and velocity of mass `bow` now.
+        /// Absolute displacement and velocity of mass `bow` now.
         #[must_use]
         pub fn bow(&self) -> MassNow<f64> {
             self.mass(1)
@@ -414,14 +414,17 @@ const _: () = {
     ::frictiongen::emitted_stepper!(declared BowedDeclaredStepper, f64, false, [1, 0]);
     /// Tables: numbers alone, apart from the code that reads them.
     impl Bowed {
-        /// Advance of each oscillator over a part of `STEP`, with the time s in parts: y′ = Ωu, u′ = −Ω(y + 2ζu) + drive.
+        /// Advance of each oscillator over a part of `STEP`, with the time s from 0 to 1: y′ = Ωu, u′ = −Ω(y + 2ζu) + drive.
+        /// σ = √λ is the frequency ratio of the mode's resonance.  The drive is a polynomial in s.
         ///
-        /// A `Row` has the weights of the state (y, u) and of the drive's coefficients.  The first of `moments`, with the
-        /// state weights [a, a′], and `turn` or the first of `turns`, with [−b, −c], are three shears: y gains a·u, u gains
-        /// −b·y − c·u and its drive, y gains a′·u and its drive.
+        /// A `Row` has the weights of y and u at the start of the part (`state`) and of the coefficients of the drive (`drive`).
+        /// In a `HeldRow` the first list of `drive` belongs to a drive of y, the second to a drive of u.
+        /// Three shears advance y and u: y gains a·u, then u gains −b·y − c·u and a drive, then y gains a′·u and a drive.  `turn`
+        /// or the first of `turns` has the state weights [−b, −c], the first of `moments` has [a, a′].
         ///
-        /// Computed in double-double and rounded once: each number is exact to half a unit of its last place.
-        /// 86 numbers; CRC-32 of their text, joined by commas: 7e96b2ba.
+        /// Computed in double-double and rounded once: each number is exact to half a unit of its last place.  Weights below
+        /// 1e-26 of the largest in their row are 0.
+        /// 86 numbers; CRC-32 of their text, joined by commas: fa89fe50.
         const STEP_TABLES: FixedTables<f64, 2, 2, 1, 2> = FixedTables {
             /// how the step is divided into parts
             pace: Pace {
@@ -437,7 +440,7 @@ const _: () = {
                 terms: 9,
                 /// wᵀK̄⁻¹w, displacement of the contact per unit of steady force
                 receptance: 14.133333333333333,
-                /// m* times the damping force per unit of velocity of the contact, Σ 2ζc/σ over the receptance
+                /// damping force per unit of velocity of the contact, (Σ 2ζ(φᵀw)²/σ)/receptance
                 drag: 0.007698591649105102,
             },
             /// the modes of the chain
@@ -451,16 +454,16 @@ const _: () = {
                     per_force: 0.2309401076758503,
                     /// φᵀw, displacement of the contact per unit of the mode
                     contact: 0.5,
-                    /// weights of the gain of u
+                    /// shear of u
                     turn: Row {
                         state: [-0.004329738510109456, -0.00017319008162287563],
                         drive: [0.9999102777329534, 0.4999703525411097],
                     },
-                    /// weights of ∫ sʲy′ ds for j = 0, 1, …; the first is the gain of y
+                    /// the first row: both shears of y; row j > 0: weights of ∫ sʲy′ ds
                     moments: [
                         Row {
                             state: [0.0021650043922424836, 0.0021651293925158592],
-                            drive: [3.611118645726067e-35, -0.00036084459464672376],
+                            drive: [0.0, -0.00036084459464672376],
                         },
                         Row {
                             state: [-6.249582351444837e-6, 0.0021648033779111423],
@@ -480,7 +483,7 @@ const _: () = {
                     moments: [
                         Row {
                             state: [0.017675343909472015, 0.017683678457965455],
-                            drive: [9.62964972193618e-34, -0.002946646488076851],
+                            drive: [0.0, -0.002946646488076851],
                         },
                         Row {
                             state: [-0.00041639372877589725, 0.017655491974936353],
@@ -496,17 +499,17 @@ const _: () = {
                     angle: 0.016278820596099707,
                     /// ζ, the modal damping ratio
                     zeta: 0.01294340626805284,
-                    /// −(contact force)/y
+                    /// contact force, with its damping force, divided by −y
                     force: 0.49263264583729127,
                     /// rates of y and u per unit velocity and acceleration of a base to which the contact sticks
                     from_base: [[0.0, 0.0], [0.0, 0.0]],
-                    /// weights of ∫ sʲy′ ds for j = 0, 1, …
+                    /// the first row: both shears of y; row j > 0: weights of ∫ sʲy′ ds
                     moments: [
                         HeldRow {
                             state: [0.008139018363340432, 0.008140161732906465],
                             drive: [
                                 [1.000022083918492, 0.5000110421143524],
-                                [-1.925929944387236e-34, -0.0013566043290191491],
+                                [0.0, -0.0013566043290191491],
                             ],
                         },
                         HeldRow {
@@ -517,7 +520,7 @@ const _: () = {
                             ],
                         },
                     ],
-                    /// weights of ∫ sʲu′ ds for j = 0, 1, …
+                    /// the first row: shear of u; row j > 0: weights of ∫ sʲu′ ds
                     turns: [
                         HeldRow {
                             state: [-0.01627467225495078, -0.0004213179977154246],
@@ -536,9 +539,9 @@ const _: () = {
                     ],
                 },
             ],
-            /// rate of u of each mode per unit of each input
+            /// rate of u of each mode divided by the input, for each input
             loads: [[0.11547005383792515, 0.0], [0.0, 0.0282842712474619]],
-            /// the same of each mode of the stuck chain
+            /// the same for each mode of the chain with its contact stuck
             held_loads: [
                 [
                     HeldLoad {

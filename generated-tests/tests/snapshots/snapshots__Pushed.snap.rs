@@ -32,12 +32,12 @@ pub struct Pushed;
 /// Stepper: motion of [`Pushed`] in time, by steps of one length, under any input.  `advance` takes a step.
 ///
 /// A step of dt, in s, has ⌈20.00·dt⌉ parts, at most 1024.
-/// A part in which the contact certainly keeps sliding, or keeps sticking, is one product with tables.
-/// Any other part is followed from event to event, for at most 8 events and, where the friction law bends, 64 stretches.
-/// The rest of the part then passes without creating energy, and `exceeded` counts the step.
+/// A part in which the contact certainly keeps sliding, or keeps sticking, is a product of its state with tables.
+/// In any other part the stepper searches the events, at most 8 (a friction law over the speed adds up to 64 changes of its line).
+/// Beyond them a rule that creates no energy ends the part, and `exceeded()` counts the step.
 ///
-/// A part has at most 132 floating-point operations by the tables, about 7896 with one event, never
-/// more than 1559192.  A Cortex-M4F takes up to 4 instructions for each, and 400 for a part.
+/// A part has at most 132 floating-point operations if all parts are such products, about 7896 with one event, never
+/// more than 1559192.  `set_event_budget(n)` lowers this bound, and `cost().most` is then the bound.  A Cortex-M4F takes up to 4 instructions for each operation, and 400 more for a part.
 #[allow(
     deprecated,
     non_camel_case_types,
@@ -121,7 +121,7 @@ const _: () = {
         pub const MODE_SHAPES: [[f32; 1]; 1] = [[1.0]];
         /// Constants of the chain.
         const CHAIN: Chain<f32> = Chain {
-            /// a mode is damped
+            /// true if a mode is damped
             damped: false,
             /// relative motion for r → 0, over Y, if the contact rubs on a moving base
             on_moving_base: None,
@@ -151,9 +151,9 @@ const _: () = {
             /// all modes, those that the contact drives first
             modes: &[
                 Mode {
-                    /// kind of damping: `Light` for ζ < 1/2, `Heavy` for ζ < 1, `Over` for ζ > 1
+                    /// kind of damping: `Undamped` for ζ = 0, `Light` for ζ < 1/2, `Heavy` for ζ < 1, `Critical` for ζ = 1, `Over` for ζ > 1
                     kind: Kind::Undamped,
-                    /// the contact drives the mode: φᵀw is not 0
+                    /// true if the contact drives the mode: φᵀw is not 0
                     in_contact: true,
                     /// √λ, the frequency ratio r of the undamped resonance
                     resonance: 1.0,
@@ -175,7 +175,7 @@ const _: () = {
                     static_residue: 1.0,
                 },
             ],
-            /// modes of the chain with its contact stuck, of states y and u
+            /// modes of the chain with its contact stuck; the state of a mode is y and u = y′/Ω
             held: &[],
             /// factors in y and u: for each mode of `held` in turn, one pair for each mode that the contact drives
             participations: &[],
@@ -199,7 +199,7 @@ const _: () = {
                 /// sum of the springs to the base, over k₁
                 support: 1.0,
             },
-            /// the base moves
+            /// true if the base moves
             on_base: false,
             /// indices of the loaded masses
             forces: &[0],
@@ -273,7 +273,7 @@ const _: () = {
                     friction: input.friction,
                 })
         }
-        /// Displacement and velocity of mass `block` now.
+        /// Absolute displacement and velocity of mass `block` now.
         #[must_use]
         pub fn block(&self) -> MassNow<f32> {
             self.mass(0)

@@ -96,7 +96,7 @@ const _: () = {
         pub const MODE_SHAPES: [[f64; 1]; 1] = [[1.0]];
         /// Constants of the chain.
         const CHAIN: Chain<f64> = Chain {
-            /// a mode is damped
+            /// true if a mode is damped
             damped: false,
             /// relative motion for r → 0, over Y, if the contact rubs on a moving base
             on_moving_base: None,
@@ -126,9 +126,9 @@ const _: () = {
             /// all modes, those that the contact drives first
             modes: &[
                 Mode {
-                    /// kind of damping: `Light` for ζ < 1/2, `Heavy` for ζ < 1, `Over` for ζ > 1
+                    /// kind of damping: `Undamped` for ζ = 0, `Light` for ζ < 1/2, `Heavy` for ζ < 1, `Critical` for ζ = 1, `Over` for ζ > 1
                     kind: Kind::Undamped,
-                    /// the contact drives the mode: φᵀw is not 0
+                    /// true if the contact drives the mode: φᵀw is not 0
                     in_contact: true,
                     /// √λ, the frequency ratio r of the undamped resonance
                     resonance: 1.0,
@@ -150,7 +150,7 @@ const _: () = {
                     static_residue: 1.0,
                 },
             ],
-            /// modes of the chain with its contact stuck, of states y and u
+            /// modes of the chain with its contact stuck; the state of a mode is y and u = y′/Ω
             held: &[],
             /// factors in y and u: for each mode of `held` in turn, one pair for each mode that the contact drives
             participations: &[],

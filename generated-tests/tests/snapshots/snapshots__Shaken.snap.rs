@@ -34,12 +34,12 @@ pub struct Shaken;
 /// Stepper: motion of [`Shaken`] in time, by steps of one length, under any input.  `advance` takes a step.
 ///
 /// A step of dt, in s, has ⌈32.90·dt⌉ parts, at most 1024: `STEP` has 1.
-/// A part in which the contact certainly keeps sliding, or keeps sticking, is one product with tables.
-/// Any other part is followed from event to event, for at most 8 events and, where the friction law bends, 64 stretches.
-/// The rest of the part then passes without creating energy, and `exceeded` counts the step.
+/// A part in which the contact certainly keeps sliding, or keeps sticking, is a product of its state with tables.
+/// In any other part the stepper searches the events, at most 8 (a friction law over the speed adds up to 64 changes of its line).
+/// Beyond them a rule that creates no energy ends the part, and `exceeded()` counts the step.
 ///
-/// A step of `STEP` has at most 386 floating-point operations by the tables, about 10634 with one event, never
-/// more than 1638804.
+/// A step of `STEP` has at most 386 floating-point operations if all parts are such products, about 10634 with one event, never
+/// more than 1638804.  `set_event_budget(n)` lowers this bound, and `cost().most` is then the bound.
 #[allow(
     deprecated,
     non_camel_case_types,
@@ -63,9 +63,9 @@ pub struct ShakenStepper(
     ::core::default::Default
 )]
 pub struct ShakenInput {
-    /// Displacement of the base.
+    /// Absolute displacement of the base.
     pub displacement: ::core::primitive::f64,
-    /// Velocity of the base, in the unit of displacement per second.
+    /// Absolute velocity of the base, in the unit of displacement per second.
     pub velocity: ::core::primitive::f64,
     /// Kinetic friction force F, not negative.  A stuck contact holds up to μF.
     pub friction: ::core::primitive::f64,
@@ -139,7 +139,7 @@ const _: () = {
         ];
         /// Constants of the chain.
         const CHAIN: Chain<f64> = Chain {
-            /// a mode is damped
+            /// true if a mode is damped
             damped: true,
             /// relative motion for r → 0, over Y, if the contact rubs on a moving base
             on_moving_base: None,
@@ -169,9 +169,9 @@ const _: () = {
             /// all modes, those that the contact drives first
             modes: &[
                 Mode {
-                    /// kind of damping: `Light` for ζ < 1/2, `Heavy` for ζ < 1, `Over` for ζ > 1
+                    /// kind of damping: `Undamped` for ζ = 0, `Light` for ζ < 1/2, `Heavy` for ζ < 1, `Critical` for ζ = 1, `Over` for ζ > 1
                     kind: Kind::Light,
-                    /// the contact drives the mode: φᵀw is not 0
+                    /// true if the contact drives the mode: φᵀw is not 0
                     in_contact: true,
                     /// √λ, the frequency ratio r of the undamped resonance
                     resonance: 0.6280451371556012,
@@ -206,10 +206,10 @@ const _: () = {
                     static_residue: -0.16155738934351133,
                 },
             ],
-            /// modes of the chain with its contact stuck, of states y and u
+            /// modes of the chain with its contact stuck; the state of a mode is y and u = y′/Ω
             held: &[
                 HeldMode {
-                    /// kind of damping
+                    /// kind of damping, as in `MODES`
                     kind: Kind::Light,
                     /// frequency ratio r of the undamped resonance
                     frequency: 1.4531912144939334,
@@ -217,9 +217,9 @@ const _: () = {
                     zeta: 0.01106334956690814,
                     /// √|1 − ζ²|
                     q: 0.9999387992754158,
-                    /// −(contact force)/y
+                    /// contact force, with its damping force, divided by −y
                     force: 1.3259697517355205,
-                    /// [m₁₁, m₁₂, m₂₂], which turns the products of a motion with both states into y and u
+                    /// symmetric matrix [m₁₁, m₁₂, m₂₂]: times the products of the chain's motion with the `participations` of y and u it gives y and u
                     inverse: [
                         0.01603861671693582,
                         0.4832786094746962,
@@ -259,7 +259,7 @@ const _: () = {
                 /// sum of the springs to the base, over k₁
                 support: 1.0,
             },
-            /// the base moves
+            /// true if the base moves
             on_base: true,
             /// indices of the loaded masses
             forces: &[],
@@ -337,7 +337,7 @@ const _: () = {
                     friction: input.friction,
                 })
         }
-        /// Takes a step, over which the input changes linearly from the last input to this one.
+        /// Takes a step.  Forces and friction change linearly over it.  The base follows the cubic through the displacements and velocities of the last input and of this one.
         /// [`ShakenStepper`] has the number of operations.
         ///
         /// # Errors
@@ -354,12 +354,12 @@ const _: () = {
                     friction: input.friction,
                 })
         }
-        /// Displacement and velocity of mass `lower` now.
+        /// Absolute displacement and velocity of mass `lower` now.
         #[must_use]
         pub fn lower(&self) -> MassNow<f64> {
             self.mass(0)
         }
-        /// Displacement and velocity of mass `upper` now.
+        /// Absolute displacement and velocity of mass `upper` now.
         #[must_use]
         pub fn upper(&self) -> MassNow<f64> {
             self.mass(1)
@@ -388,7 +388,7 @@ const _: () = {
                     friction: input.friction,
                 })
         }
-        /// Takes a step, over which the input changes linearly from the last input to this one.
+        /// Takes a step.  Forces and friction change linearly over it.  The base follows the cubic through the displacements and velocities of the last input and of this one.
         /// [`ShakenStepper`] has the number of operations.
         ///
         /// # Errors
@@ -405,12 +405,12 @@ const _: () = {
                     friction: input.friction,
                 })
         }
-        /// Displacement and velocity of mass `lower` now.
+        /// Absolute displacement and velocity of mass `lower` now.
         #[must_use]
         pub fn lower(&self) -> MassNow<f64> {
             self.mass(0)
         }
-        /// Displacement and velocity of mass `upper` now.
+        /// Absolute displacement and velocity of mass `upper` now.
         #[must_use]
         pub fn upper(&self) -> MassNow<f64> {
             self.mass(1)
@@ -424,14 +424,17 @@ const _: () = {
     ::frictiongen::emitted_stepper!(declared ShakenDeclaredStepper, f64, true, []);
     /// Tables: numbers alone, apart from the code that reads them.
     impl Shaken {
-        /// Advance of each oscillator over a part of `STEP`, with the time s in parts: y′ = Ωu, u′ = −Ω(y + 2ζu) + drive.
+        /// Advance of each oscillator over a part of `STEP`, with the time s from 0 to 1: y′ = Ωu, u′ = −Ω(y + 2ζu) + drive.
+        /// σ = √λ is the frequency ratio of the mode's resonance.  The drive is a polynomial in s.
         ///
-        /// A `Row` has the weights of the state (y, u) and of the drive's coefficients.  The first of `moments`, with the
-        /// state weights [a, a′], and `turn` or the first of `turns`, with [−b, −c], are three shears: y gains a·u, u gains
-        /// −b·y − c·u and its drive, y gains a′·u and its drive.
+        /// A `Row` has the weights of y and u at the start of the part (`state`) and of the coefficients of the drive (`drive`).
+        /// In a `HeldRow` the first list of `drive` belongs to a drive of y, the second to a drive of u.
+        /// Three shears advance y and u: y gains a·u, then u gains −b·y − c·u and a drive, then y gains a′·u and a drive.  `turn`
+        /// or the first of `turns` has the state weights [−b, −c], the first of `moments` has [a, a′].
         ///
-        /// Computed in double-double and rounded once: each number is exact to half a unit of its last place.
-        /// 170 numbers; CRC-32 of their text, joined by commas: b70f2bc5.
+        /// Computed in double-double and rounded once: each number is exact to half a unit of its last place.  Weights below
+        /// 1e-26 of the largest in their row are 0.
+        /// 170 numbers; CRC-32 of their text, joined by commas: 4a7b746e.
         const STEP_TABLES: FixedTables<f64, 4, 2, 1, 1> = FixedTables {
             /// how the step is divided into parts
             pace: Pace {
@@ -447,7 +450,7 @@ const _: () = {
                 terms: 9,
                 /// wᵀK̄⁻¹w, displacement of the contact per unit of steady force
                 receptance: 1.8994708994708995,
-                /// m* times the damping force per unit of velocity of the contact, Σ 2ζc/σ over the receptance
+                /// damping force per unit of velocity of the contact, (Σ 2ζ(φᵀw)²/σ)/receptance
                 drag: 0.01410413805963866,
             },
             /// the modes of the chain
@@ -461,7 +464,7 @@ const _: () = {
                     per_force: 0.030374472681901233,
                     /// φᵀw, displacement of the contact per unit of the mode
                     contact: 0.8412612267718186,
-                    /// weights of the gain of u
+                    /// shear of u
                     turn: Row {
                         state: [-0.011979206189447332, -0.00023958985564112174],
                         drive: [
@@ -471,12 +474,12 @@ const _: () = {
                             0.2499868234466716,
                         ],
                     },
-                    /// weights of ∫ sʲy′ ds for j = 0, 1, …; the first is the gain of y
+                    /// the first row: both shears of y; row j > 0: weights of ∫ sʲy′ ds
                     moments: [
                         Row {
                             state: [0.0059902964634389174, 0.0059907749469114],
                             drive: [
-                                1.4444474582904269e-34,
+                                0.0,
                                 -0.0009984250051855111,
                                 -0.0009984329799264024,
                                 -0.0008985943644501107,
@@ -529,7 +532,7 @@ const _: () = {
                         Row {
                             state: [0.01606197437202761, 0.01606610301234305],
                             drive: [
-                                2.6481536735324493e-34,
+                                0.0,
                                 -0.0026773858084770613,
                                 -0.002677454620163203,
                                 -0.0024097484725885197,
@@ -572,11 +575,11 @@ const _: () = {
                     angle: 0.02772186012972412,
                     /// ζ, the modal damping ratio
                     zeta: 0.01106334956690814,
-                    /// −(contact force)/y
+                    /// contact force, with its damping force, divided by −y
                     force: 1.3259697517355205,
                     /// rates of y and u per unit velocity and acceleration of a base to which the contact sticks
                     from_base: [[0.0, 0.0], [0.0, 0.0]],
-                    /// weights of ∫ sʲy′ ds for j = 0, 1, …
+                    /// the first row: both shears of y; row j > 0: weights of ∫ sʲy′ ds
                     moments: [
                         HeldRow {
                             state: [0.013860400651348838, 0.01386323497246942],
@@ -588,7 +591,7 @@ const _: () = {
                                     0.2500128098868072,
                                 ],
                                 [
-                                    2.6481536735324493e-34,
+                                    0.0,
                                     -0.0023103325458940114,
                                     -0.0023103797850978452,
                                     -0.0020793688825103923,
@@ -647,7 +650,7 @@ const _: () = {
                             ],
                         },
                     ],
-                    /// weights of ∫ sʲu′ ds for j = 0, 1, …
+                    /// the first row: shear of u; row j > 0: weights of ∫ sʲu′ ds
                     turns: [
                         HeldRow {
                             state: [-0.027709810176664487, -0.0006132051713344467],
@@ -720,9 +723,9 @@ const _: () = {
                     ],
                 },
             ],
-            /// rate of u of each mode per unit of each input
+            /// rate of u of each mode divided by the input, for each input
             loads: [[0.016542466377463476], [0.009500588362789723]],
-            /// the same of each mode of the stuck chain
+            /// the same for each mode of the chain with its contact stuck
             held_loads: [
                 [
                     HeldLoad {

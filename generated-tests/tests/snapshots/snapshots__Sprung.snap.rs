@@ -90,12 +90,12 @@ pub struct SprungOrbit(
 /// Stepper: motion of [`Sprung`] in time, by steps of one length, under any input.  `advance` takes a step.
 ///
 /// A step of dt, in s, has ⌈46.07·dt⌉ parts, at most 1024: `STEP` has 1.
-/// A part in which the contact certainly keeps sliding, or keeps sticking, is one product with tables.
-/// Any other part is followed from event to event, for at most 8 events and, where the friction law bends, 64 stretches.
-/// The rest of the part then passes without creating energy, and `exceeded` counts the step.
+/// A part in which the contact certainly keeps sliding, or keeps sticking, is a product of its state with tables.
+/// In any other part the stepper searches the events, at most 8 (a friction law over the speed adds up to 64 changes of its line).
+/// Beyond them a rule that creates no energy ends the part, and `exceeded()` counts the step.
 ///
-/// A step of `STEP` has at most 640 floating-point operations by the tables, about 10888 with one event, never
-/// more than 1639058.
+/// A step of `STEP` has at most 640 floating-point operations if all parts are such products, about 10888 with one event, never
+/// more than 1639058.  `set_event_budget(n)` lowers this bound, and `cost().most` is then the bound.
 #[allow(
     deprecated,
     non_camel_case_types,
@@ -126,9 +126,9 @@ pub struct SprungStepper(
     ::core::default::Default
 )]
 pub struct SprungInput {
-    /// Displacement of the base.
+    /// Absolute displacement of the base.
     pub displacement: ::core::primitive::f64,
-    /// Velocity of the base, in the unit of displacement per second.
+    /// Absolute velocity of the base, in the unit of displacement per second.
     pub velocity: ::core::primitive::f64,
     /// Kinetic friction force F, not negative.  A stuck contact holds up to μF.
     pub friction: ::core::primitive::f64,
@@ -213,7 +213,7 @@ const _: () = {
         ];
         /// Constants of the chain.
         const CHAIN: Chain<f64> = Chain {
-            /// a mode is damped
+            /// true if a mode is damped
             damped: true,
             /// relative motion for r → 0, over Y, if the contact rubs on a moving base
             on_moving_base: None,
@@ -243,9 +243,9 @@ const _: () = {
         /// Modes that the load or the contact drives.
         const MODES: [Mode<f64>; 2] = [
             Mode {
-                /// kind of damping: `Light` for ζ < 1/2, `Heavy` for ζ < 1, `Over` for ζ > 1
+                /// kind of damping: `Undamped` for ζ = 0, `Light` for ζ < 1/2, `Heavy` for ζ < 1, `Critical` for ζ = 1, `Over` for ζ > 1
                 kind: Kind::Light,
-                /// the contact drives the mode: φᵀw is not 0
+                /// true if the contact drives the mode: φᵀw is not 0
                 in_contact: true,
                 /// √λ, the frequency ratio r of the undamped resonance
                 resonance: 0.6280451371556012,
@@ -286,7 +286,7 @@ const _: () = {
             modes: &Self::MODES,
             /// constants of the chain
             chain: Self::CHAIN,
-            /// limits of β for r → 0 and for r → ∞, whatever `range` says
+            /// limits of β for r → 0 and for r → ∞, whatever `range` says; β_lim for r → 0 is 0
             ends: Ends {
                 /// β*_lim for r → 0
                 sliding_at_rest: 0.4678426266516825,
@@ -297,7 +297,7 @@ const _: () = {
             },
             /// index of the mass that rubs on a support
             rubbing: Some(1),
-            /// V and H may have common zeros, at which the holding force decides the limits
+            /// true if V and H may have common zeros; there the force that a stuck contact needs decides the limits
             absorbs: false,
             /// undamped resonances that the load drives
             unbounded: &[],
@@ -386,9 +386,12 @@ const _: () = {
         }
         /// Sums V, H, U, G and H_c of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), and the functions of the modes.
         ///
+        /// V is the response of the contact to the load, and H to a force in the contact.  U is the slope and G the value, at a
+        /// reversal, of its response to a square wave of friction.  H_c decides whether the contact breaks away there (5.63).
+        ///
         /// Sums over the modes, with x = √λ/r = 1/R:
         /// r²V of residue/(x² − 1 + 2iζx),
-        /// r²H of (φᵀw)²/(x² − 1 + 2iζx), r²U of (φᵀw)²uR², r²G of (φᵀw)²gR² and r²H_c of (φᵀw)²(g + 2ζRu).
+        /// r²H is the sum of (φᵀw)²/(x² − 1 + 2iζx), r²U of (φᵀw)²uR², r²G of (φᵀw)²gR², r²H_c of (φᵀw)²(g + 2ζRu).
         /// Each is returned times E as `v`, `h`, `u`, `g` or `reversal`.  E, the `scale`, is the smallest |x² − 1| + 2ζx of the
         /// modes in contact, so that the sums stay finite on a resonance.
         ///
@@ -450,10 +453,10 @@ const _: () = {
             chain: Self::CONTACT,
             /// all modes, those that the contact drives first
             modes: &Self::MODES,
-            /// modes of the chain with its contact stuck, of states y and u
+            /// modes of the chain with its contact stuck; the state of a mode is y and u = y′/Ω
             held: &[
                 HeldMode {
-                    /// kind of damping
+                    /// kind of damping, as in `MODES`
                     kind: Kind::Light,
                     /// frequency ratio r of the undamped resonance
                     frequency: 1.3283910228049443,
@@ -461,9 +464,9 @@ const _: () = {
                     zeta: 0.009007498923082695,
                     /// √|1 − ζ²|
                     q: 0.9999594316586802,
-                    /// −(contact force)/y
+                    /// contact force, with its damping force, divided by −y
                     force: 1.6289215511039128,
-                    /// [m₁₁, m₁₂, m₂₂], which turns the products of a motion with both states into y and u
+                    /// symmetric matrix [m₁₁, m₁₂, m₂₂]: times the products of the chain's motion with the `participations` of y and u it gives y and u
                     inverse: [
                         0.013243220276520692,
                         0.445099339002115,
@@ -538,7 +541,7 @@ const _: () = {
                 /// sum of the springs to the base, over k₁
                 support: 1.0,
             },
-            /// the base moves
+            /// true if the base moves
             on_base: true,
             /// indices of the loaded masses
             forces: &[],
@@ -738,7 +741,7 @@ const _: () = {
                     friction: input.friction,
                 })
         }
-        /// Takes a step, over which the input changes linearly from the last input to this one.
+        /// Takes a step.  Forces and friction change linearly over it.  The base follows the cubic through the displacements and velocities of the last input and of this one.
         /// [`SprungStepper`] has the number of operations.
         ///
         /// # Errors
@@ -755,12 +758,12 @@ const _: () = {
                     friction: input.friction,
                 })
         }
-        /// Displacement and velocity of mass `lower` now.
+        /// Absolute displacement and velocity of mass `lower` now.
         #[must_use]
         pub fn lower(&self) -> MassNow<f64> {
             self.mass(0)
         }
-        /// Displacement and velocity of mass `upper` now.
+        /// Absolute displacement and velocity of mass `upper` now.
         #[must_use]
         pub fn upper(&self) -> MassNow<f64> {
             self.mass(1)
@@ -789,7 +792,7 @@ const _: () = {
                     friction: input.friction,
                 })
         }
-        /// Takes a step, over which the input changes linearly from the last input to this one.
+        /// Takes a step.  Forces and friction change linearly over it.  The base follows the cubic through the displacements and velocities of the last input and of this one.
         /// [`SprungStepper`] has the number of operations.
         ///
         /// # Errors
@@ -806,12 +809,12 @@ const _: () = {
                     friction: input.friction,
                 })
         }
-        /// Displacement and velocity of mass `lower` now.
+        /// Absolute displacement and velocity of mass `lower` now.
         #[must_use]
         pub fn lower(&self) -> MassNow<f64> {
             self.mass(0)
         }
-        /// Displacement and velocity of mass `upper` now.
+        /// Absolute displacement and velocity of mass `upper` now.
         #[must_use]
         pub fn upper(&self) -> MassNow<f64> {
             self.mass(1)
@@ -825,14 +828,17 @@ const _: () = {
     ::frictiongen::emitted_stepper!(declared SprungDeclaredStepper, f64, true, []);
     /// Tables: numbers alone, apart from the code that reads them.
     impl Sprung {
-        /// Advance of each oscillator over a part of `STEP`, with the time s in parts: y′ = Ωu, u′ = −Ω(y + 2ζu) + drive.
+        /// Advance of each oscillator over a part of `STEP`, with the time s from 0 to 1: y′ = Ωu, u′ = −Ω(y + 2ζu) + drive.
+        /// σ = √λ is the frequency ratio of the mode's resonance.  The drive is a polynomial in s.
         ///
-        /// A `Row` has the weights of the state (y, u) and of the drive's coefficients.  The first of `moments`, with the
-        /// state weights [a, a′], and `turn` or the first of `turns`, with [−b, −c], are three shears: y gains a·u, u gains
-        /// −b·y − c·u and its drive, y gains a′·u and its drive.
+        /// A `Row` has the weights of y and u at the start of the part (`state`) and of the coefficients of the drive (`drive`).
+        /// In a `HeldRow` the first list of `drive` belongs to a drive of y, the second to a drive of u.
+        /// Three shears advance y and u: y gains a·u, then u gains −b·y − c·u and a drive, then y gains a′·u and a drive.  `turn`
+        /// or the first of `turns` has the state weights [−b, −c], the first of `moments` has [a, a′].
         ///
-        /// Computed in double-double and rounded once: each number is exact to half a unit of its last place.
-        /// 261 numbers; CRC-32 of their text, joined by commas: 7246d699.
+        /// Computed in double-double and rounded once: each number is exact to half a unit of its last place.  Weights below
+        /// 1e-26 of the largest in their row are 0.
+        /// 261 numbers; CRC-32 of their text, joined by commas: cd708864.
         const STEP_TABLES: FixedTables<f64, 4, 2, 2, 1> = FixedTables {
             /// how the step is divided into parts
             pace: Pace {
@@ -848,7 +854,7 @@ const _: () = {
                 terms: 9,
                 /// wᵀK̄⁻¹w, displacement of the contact per unit of steady force
                 receptance: 2.1374708994708995,
-                /// m* times the damping force per unit of velocity of the contact, Σ 2ζc/σ over the receptance
+                /// damping force per unit of velocity of the contact, (Σ 2ζ(φᵀw)²/σ)/receptance
                 drag: 0.012533691014476583,
             },
             /// the modes of the chain
@@ -862,7 +868,7 @@ const _: () = {
                     per_force: 0.030374472681901233,
                     /// φᵀw, displacement of the contact per unit of the mode
                     contact: 0.8412612267718186,
-                    /// weights of the gain of u
+                    /// shear of u
                     turn: Row {
                         state: [-0.011979206189447332, -0.00023958985564112174],
                         drive: [
@@ -872,12 +878,12 @@ const _: () = {
                             0.2499868234466716,
                         ],
                     },
-                    /// weights of ∫ sʲy′ ds for j = 0, 1, …; the first is the gain of y
+                    /// the first row: both shears of y; row j > 0: weights of ∫ sʲy′ ds
                     moments: [
                         Row {
                             state: [0.0059902964634389174, 0.0059907749469114],
                             drive: [
-                                1.4444474582904269e-34,
+                                0.0,
                                 -0.0009984250051855111,
                                 -0.0009984329799264024,
                                 -0.0008985943644501107,
@@ -930,7 +936,7 @@ const _: () = {
                         Row {
                             state: [0.01606197437202761, 0.01606610301234305],
                             drive: [
-                                2.6481536735324493e-34,
+                                0.0,
                                 -0.0026773858084770613,
                                 -0.002677454620163203,
                                 -0.0024097484725885197,
@@ -973,11 +979,11 @@ const _: () = {
                     angle: 0.02534110429824207,
                     /// ζ, the modal damping ratio
                     zeta: 0.009007498923082695,
-                    /// −(contact force)/y
+                    /// contact force, with its damping force, divided by −y
                     force: 1.6289215511039128,
                     /// rates of y and u per unit velocity and acceleration of a base to which the contact sticks
                     from_base: [[0.0, 0.0], [0.0, 0.0]],
-                    /// weights of ∫ sʲy′ ds for j = 0, 1, …
+                    /// the first row: both shears of y; row j > 0: weights of ∫ sʲy′ ds
                     moments: [
                         HeldRow {
                             state: [0.012670266116179696, 0.012672194380537112],
@@ -989,7 +995,7 @@ const _: () = {
                                     0.25001070388352953,
                                 ],
                                 [
-                                    -2.8888949165808538e-34,
+                                    0.0,
                                     -0.002111894304135467,
                                     -0.0021119264421695385,
                                     -0.0019007521123673159,
@@ -1048,7 +1054,7 @@ const _: () = {
                             ],
                         },
                     ],
-                    /// weights of ∫ sʲu′ ds for j = 0, 1, …
+                    /// the first row: shear of u; row j > 0: weights of ∫ sʲu′ ds
                     turns: [
                         HeldRow {
                             state: [-0.02533260930196329, -0.00045641574998021535],
@@ -1136,7 +1142,7 @@ const _: () = {
                                     0.2500345383980365,
                                 ],
                                 [
-                                    -1.3481509610710651e-33,
+                                    0.0,
                                     -0.003793872004925973,
                                     -0.0037939420830151414,
                                     -0.0034145843078808445,
@@ -1267,9 +1273,9 @@ const _: () = {
                     ],
                 },
             ],
-            /// rate of u of each mode per unit of each input
+            /// rate of u of each mode divided by the input, for each input
             loads: [[0.016542466377463476], [0.009500588362789723]],
-            /// the same of each mode of the stuck chain
+            /// the same for each mode of the chain with its contact stuck
             held_loads: [
                 [
                     HeldLoad {

@@ -129,7 +129,7 @@ const _: () = {
         ];
         /// Constants of the chain.
         const CHAIN: Chain<f64> = Chain {
-            /// a mode is damped
+            /// true if a mode is damped
             damped: false,
             /// relative motion for r → 0, over Y, if the contact rubs on a moving base
             on_moving_base: None,
@@ -153,9 +153,9 @@ const _: () = {
         /// Modes that the load or the contact drives.
         const MODES: [Mode<f64>; 2] = [
             Mode {
-                /// kind of damping: `Light` for ζ < 1/2, `Heavy` for ζ < 1, `Over` for ζ > 1
+                /// kind of damping: `Undamped` for ζ = 0, `Light` for ζ < 1/2, `Heavy` for ζ < 1, `Critical` for ζ = 1, `Over` for ζ > 1
                 kind: Kind::Undamped,
-                /// the contact drives the mode: φᵀw is not 0
+                /// true if the contact drives the mode: φᵀw is not 0
                 in_contact: true,
                 /// √λ, the frequency ratio r of the undamped resonance
                 resonance: 0.7653668647301796,
@@ -196,7 +196,7 @@ const _: () = {
             modes: &Self::MODES,
             /// constants of the chain
             chain: Self::CHAIN,
-            /// limits of β for r → 0 and for r → ∞, whatever `range` says
+            /// limits of β for r → 0 and for r → ∞, whatever `range` says; β_lim for r → 0 is 0
             ends: Ends {
                 /// β*_lim for r → 0
                 sliding_at_rest: 1.0,
@@ -207,7 +207,7 @@ const _: () = {
             },
             /// index of the mass that rubs on a support
             rubbing: Some(1),
-            /// V and H may have common zeros, at which the holding force decides the limits
+            /// true if V and H may have common zeros; there the force that a stuck contact needs decides the limits
             absorbs: true,
             /// undamped resonances that the load drives
             unbounded: &[0.7653668647301796, 1.8477590650225735],
@@ -248,9 +248,12 @@ const _: () = {
         }
         /// Sums V, H, U, G and H_c of the contact (3.11, 5.20, 5.34, 5.37, 7.11, 7.12), and the functions of the modes.
         ///
+        /// V is the response of the contact to the load, and H to a force in the contact.  U is the slope and G the value, at a
+        /// reversal, of its response to a square wave of friction.  H_c decides whether the contact breaks away there (5.63).
+        ///
         /// Sums over the modes, with x = √λ/r = 1/R:
         /// r²V = r²H, as the load acts on the mass that rubs,
-        /// r²H of (φᵀw)²/(x² − 1 + 2iζx), r²U of (φᵀw)²uR², r²G of (φᵀw)²gR² and r²H_c of (φᵀw)²(g + 2ζRu).
+        /// r²H is the sum of (φᵀw)²/(x² − 1 + 2iζx), r²U of (φᵀw)²uR², r²G of (φᵀw)²gR², r²H_c of (φᵀw)²(g + 2ζRu).
         /// Each is returned times E as `v`, `h`, `u`, `g` or `reversal`.  E, the `scale`, is the smallest |x² − 1| + 2ζx of the
         /// modes in contact, so that the sums stay finite on a resonance.
         /// Without damping r²G, r²H_c and the imaginary parts are 0.
