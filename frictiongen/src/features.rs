@@ -74,8 +74,7 @@ pub fn limits_at_rest<F: FrictionSystem>(system: &F) -> Result<Limits<F::Scalar>
     Ok(system.at(F::Scalar::constant(0.0))?.limits())
 }
 
-/// Returns β_∞ and β*_∞ (6.28), the values of β_lim and β*_lim for r → ∞. β_∞ and β*_∞ are infinite for a contact with
-/// a moving base.
+/// Returns the values of β_lim and β*_lim for r → ∞ (6.28). Both are infinite for a contact with a moving base.
 ///
 /// # Errors
 /// No errors, because ∞ is in the domain.

@@ -322,9 +322,9 @@ impl<S: Float> System<S> {
             .map(rounded)
     }
 
-    /// Returns β_∞ and β*_∞, the values of β_lim and β*_lim for r → ∞ (6.28). For a rigid contact on a moving base both
-    /// are infinite. For an elastic contact of stiffness k, β_∞ is 0, and β*_∞ is k/(μk₁) on a moving base and otherwise
-    /// 0. For a scene with `contacts` or `dampers`, which has no such closed form, both are NaN.
+    /// Returns the values of β_lim and β*_lim for r → ∞ (6.28). For a rigid contact on a moving base both are infinite.
+    /// For an elastic contact of stiffness k the first is 0, and the second is k/(μk₁) on a moving base and otherwise 0.
+    /// For a scene with `contacts` or `dampers`, which has no such closed form, both are NaN.
     #[must_use]
     pub fn high_frequency_limits(&self) -> (S, S) {
         if self.scene.is_joined() {
