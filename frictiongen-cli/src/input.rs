@@ -74,7 +74,7 @@ impl FileArgument {
             return Ok(description);
         }
         Err(Failure::new(format_args!(
-            "{}: this command needs a single `contact` without dashpots, but this scene has `contacts` or `dampers`; use `frictiongen orbit`, `response`, `curve`, `map`, `time`, `drive` or `optimum`",
+            "{}: this command needs a single `contact` without dashpots, but this scene has `contacts` or `dampers`; use `frictiongen orbit`, `response`, `curve`, `map`, `time`, `drive`, `optimum` or `sensitivity`",
             self.name()
         )))
     }

@@ -48,6 +48,7 @@ mod features;
 mod history;
 mod joined;
 mod joined_sensitivity;
+mod joined_time;
 mod limits;
 #[cfg(feature = "desk")]
 mod map;
@@ -71,8 +72,9 @@ pub use features::{
 };
 #[cfg(feature = "desk")]
 pub use history::{EventRow, HistoryTable, SampleRow, SpectrumRow};
-pub use joined::{JoinedEventRow, JoinedRow, JoinedSample, JoinedTable};
+pub use joined::{JoinedRow, JoinedTable};
 pub use joined_sensitivity::{JoinedNumber, JoinedSensitivityRow, JoinedSensitivityTable};
+pub use joined_time::{JoinedEventRow, JoinedSample};
 pub use limits::{LimitsAsked, LimitsRow, LimitsTable};
 #[cfg(feature = "desk")]
 pub use map::{BoundaryRow, MapLimitsRow, MapRow, MapTable};

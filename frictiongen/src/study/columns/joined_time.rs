@@ -1,0 +1,120 @@
+//! Tables of motions in time of scenes with several contacts: samples and events.
+
+use super::builder::Columns;
+use super::column::{Column, Head, Row};
+use super::joined::JoinedTable;
+use super::measure::Dimension;
+use crate::answer::Event;
+use crate::study::joined::JoinedHistory;
+
+/// Row of the table of samples, with the motion at one instant.
+#[derive(Clone, Copy, Debug)]
+pub struct JoinedSample<'h> {
+    /// The motion over time to which the row belongs.
+    pub history: &'h JoinedHistory,
+    /// Index of the sample, counted from 0.
+    pub index: usize,
+    /// Angular frequency ω of the excitation, rad/s.
+    pub omega: f64,
+}
+
+impl Row for JoinedSample<'_> {
+    fn omega(&self) -> f64 {
+        self.omega
+    }
+}
+
+/// Row of the table of events.
+#[derive(Clone, Copy, Debug)]
+pub struct JoinedEventRow<'h> {
+    /// The motion over time to which the row belongs.
+    pub history: &'h JoinedHistory,
+    /// Index of the event, counted from 0.
+    pub index: usize,
+    /// Angular frequency ω of the excitation, rad/s.
+    pub omega: f64,
+}
+
+impl Row for JoinedEventRow<'_> {
+    fn omega(&self) -> f64 {
+        self.omega
+    }
+}
+
+impl<'a> JoinedTable<'a> {
+    /// Returns the columns of the table of samples.
+    #[must_use]
+    pub fn sample_columns<'h>(&self) -> Vec<Column<'a, JoinedSample<'h>>>
+    where
+        'h: 'a,
+    {
+        let mut columns = Columns::new(&self.setting.measure);
+        let tau = |row: &JoinedSample<'h>| row.history.taus.get(row.index).copied();
+        if self.setting.frequency.has_hertz() {
+            columns.number(Head::of("time", Dimension::Time), move |row| {
+                Some(tau(row)? / row.omega)
+            });
+        }
+        columns.number("tau", tau);
+        for (index, name) in self.joined.contact_names().iter().enumerate() {
+            columns.begin_part(name);
+            let now = move |row: &JoinedSample<'h>| {
+                row.history.contacts.get(row.index)?.get(index).copied()
+            };
+            columns.number(Head::of("displacement", Dimension::Length), move |row| {
+                Some(now(row)?.displacement)
+            });
+            columns.number(Head::of("velocity", Dimension::Velocity), move |row| {
+                Some(now(row)?.velocity)
+            });
+            columns.number(Head::of("force", Dimension::Force), move |row| {
+                Some(now(row)?.force)
+            });
+            columns.number(Head::of("slip", Dimension::Length), move |row| {
+                Some(now(row)?.slip)
+            });
+            columns.flag("sticks", move |row| Some(now(row)?.is_sticking));
+        }
+        let masses = self.joined.scene().masses.iter().enumerate();
+        for (index, mass) in masses.filter(|(index, _)| self.masses.contains(index)) {
+            columns.begin_part(&mass.name);
+            columns.number(Head::of("displacement", Dimension::Length), move |row| {
+                let (x, _) = row.history.states.get(row.index)?;
+                x.get(index).copied()
+            });
+            columns.number(Head::of("velocity", Dimension::Velocity), move |row| {
+                let (_, v) = row.history.states.get(row.index)?;
+                v.get(index).copied()
+            });
+        }
+        columns.end_parts();
+        columns.done()
+    }
+
+    /// Returns the columns of the table of events.
+    #[must_use]
+    pub fn event_columns<'h>(&self) -> Vec<Column<'a, JoinedEventRow<'h>>>
+    where
+        'h: 'a,
+    {
+        let mut columns = Columns::new(&self.setting.measure);
+        let tau = |row: &JoinedEventRow<'h>| Some(row.history.events.get(row.index)?.tau);
+        if self.setting.frequency.has_hertz() {
+            columns.number(Head::of("time", Dimension::Time), move |row| {
+                Some(tau(row)? / row.omega)
+            });
+        }
+        columns.number("tau", tau);
+        columns.word("contact", "contact", |row: &JoinedEventRow<'h>| {
+            Some(row.history.events.get(row.index)?.name.as_str())
+        });
+        columns.word("event", "reversal", |row: &JoinedEventRow<'h>| {
+            Some(match row.history.events.get(row.index)?.event {
+                Event::Stop => "stop",
+                Event::Slip => "slip",
+                Event::Reversal => "reversal",
+            })
+        });
+        columns.done()
+    }
+}
