@@ -1,6 +1,10 @@
 //! Tests the commands on scenes with several contacts, dashpots, and masses that no spring holds.
 
-#![allow(clippy::indexing_slicing, reason = "a test may fail")]
+#![allow(
+    clippy::expect_used,
+    clippy::indexing_slicing,
+    reason = "a test may fail"
+)]
 
 use crate::common::{column, output, texts};
 
