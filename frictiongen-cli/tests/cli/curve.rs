@@ -454,7 +454,14 @@ fn an_interrupted_search_is_kept() {
     let arguments = [
         "optimum", scene, "--of", "f", "--r", "0.1:2", "--vary", "k2=1:2",
     ];
-    let told = interrupted(&arguments, 5000);
+    // On a busy machine the first friction takes longer.
+    let early = "frictiongen: the search was stopped before it found a valid friction\n";
+    let mut told = interrupted(&arguments, 5000);
+    for delay in [15_000, 45_000] {
+        if told == early {
+            told = interrupted(&arguments, delay);
+        }
+    }
     assert_eq!(
         told,
         "frictiongen: stopped: the search did not end, and the friction is the best so far\n"
