@@ -186,12 +186,12 @@ impl<'j, 'a> Search<'j, 'a> {
             let peak = self.peak(friction, Closely::OnGrid);
             peak.map(|(amplitude, _)| amplitude)
         })?;
-        self.refine(friction)
+        self.refine(friction).map(|_| ())
     }
 
-    /// Computes the largest peak with one friction with the highest accuracy.
-    pub(super) fn refine(&mut self, friction: f64) -> Result<(), Early> {
-        self.peak(friction, Closely::Refined).map(|_| ())
+    /// Returns the largest amplitude over the band with one friction, with the highest accuracy.
+    pub(super) fn refine(&mut self, friction: f64) -> Result<f64, Early> {
+        Ok(self.peak(friction, Closely::Refined)?.0)
     }
 
     /// Returns the largest amplitude on the grid with one friction.

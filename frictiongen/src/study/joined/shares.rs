@@ -5,8 +5,10 @@ use super::optimum::{Early, JoinedOptimum, Search};
 use super::scene::Joined;
 use frictiongen_model::scene::Scene;
 
-/// First step of the search, as a factor on a share or on the friction.
+/// First step of the search on the grid of frequencies, as a factor on a share or on the friction.
 const FIRST: f64 = 1.6;
+/// First step of the search with refined peaks.
+const REFINED: f64 = 1.25;
 /// The search ends when its step is below this factor.
 const LAST: f64 = 1.02;
 /// Largest number of distributions that the search compares.
@@ -47,9 +49,10 @@ impl<'a> Joined<'a> {
     /// ratios is smallest. The search calls `watch` before each steady state, and stops if it returns false.
     ///
     /// The search begins at the best common friction with the shares of the description. It changes one number at a
-    /// time, the friction or a share, by a factor that it reduces from 1.6 to 1.02. It compares the largest amplitudes
-    /// at 25 equally spaced frequencies of the band. Its result is a local minimum of them. Another distribution far
-    /// from the description may be better.
+    /// time, the friction or a share, by a factor that it reduces from 1.6 to 1.02. It first compares the largest
+    /// amplitudes at 25 equally spaced frequencies of the band. It then repeats the search from a factor of 1.25 with
+    /// the peaks between these frequencies. Its result is a local minimum. Another distribution far from the
+    /// description may be better.
     ///
     /// # Errors
     /// Same errors as [`optimum_watched`](Self::optimum_watched). [`JoinedError::Shares`] for an interval that does not
@@ -73,6 +76,7 @@ impl<'a> Joined<'a> {
             search: Search::new(self, mass, band, watch)?,
             ranges,
             compared: 0,
+            is_refined: false,
             best: Distribution {
                 shares: given,
                 friction: before.friction,
@@ -104,7 +108,7 @@ fn shares(scene: &Scene) -> Vec<f64> {
 struct Distribution {
     shares: Vec<f64>,
     friction: f64,
-    /// Largest amplitude on the grid.
+    /// Largest amplitude over the band.
     peak: f64,
 }
 
@@ -113,6 +117,8 @@ struct Descent<'j, 'a> {
     search: Search<'j, 'a>,
     ranges: &'j [ShareRange],
     compared: usize,
+    /// True if the search also looks for the peak between the frequencies of the grid.
+    is_refined: bool,
     best: Distribution,
 }
 
@@ -127,7 +133,15 @@ impl Descent<'_, '_> {
         start.peak = self.peak(&start)?;
         // The shares of the description may be outside the intervals.
         self.best = start;
-        let mut factor = FIRST;
+        self.descend(FIRST)?;
+        self.is_refined = true;
+        let grid = self.best.clone();
+        self.best.peak = self.peak(&grid)?;
+        self.descend(REFINED)
+    }
+
+    /// Changes one number after the other, with ever smaller steps.
+    fn descend(&mut self, mut factor: f64) -> Result<(), Early> {
         while LAST < factor && self.compared < MOST {
             let before = self.best.clone();
             for number in 0..=self.ranges.len() {
@@ -193,7 +207,11 @@ impl Descent<'_, '_> {
     fn peak(&mut self, tried: &Distribution) -> Result<f64, Early> {
         self.compared += 1;
         self.search.set_shares(&tried.shares);
-        self.search.on_grid(tried.friction)
+        if self.is_refined {
+            self.search.refine(tried.friction)
+        } else {
+            self.search.on_grid(tried.friction)
+        }
     }
 
     /// Returns the best friction. A complete search also refines the peak.
@@ -204,7 +222,7 @@ impl Descent<'_, '_> {
     ) -> Result<JoinedOptimum, JoinedError> {
         let refined = followed.and_then(|()| {
             self.search.set_shares(&self.best.shares);
-            self.search.refine(self.best.friction)
+            self.search.refine(self.best.friction).map(|_| ())
         });
         match refined {
             Ok(()) => {
