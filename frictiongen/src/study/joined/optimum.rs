@@ -89,7 +89,7 @@ impl Joined<'_> {
 
 /// Accuracy with which the search computes the largest amplitude over the band.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-enum Closely {
+pub(super) enum Closely {
     /// Evaluates every second frequency of the grid.
     Roughly,
     /// Evaluates every frequency of the grid.
@@ -147,14 +147,18 @@ impl<'j, 'a> Search<'j, 'a> {
         })
     }
 
-    /// Replaces the shares of the contacts. Peaks of other shares are forgotten.
+    /// Replaces the shares of the contacts.
     pub(super) fn set_shares(&mut self, shares: &[f64]) {
-        self.joined = self.joined.with_shares(shares);
-        self.best = None;
+        self.joined.set_shares(shares);
+    }
+
+    /// Returns the number of steady states so far.
+    pub(super) fn evaluations(&self) -> usize {
+        self.evaluations
     }
 
     /// Returns the best friction so far.
-    pub(super) fn found(&self, is_complete: bool) -> Result<JoinedOptimum, JoinedError> {
+    fn found(&self, is_complete: bool) -> Result<JoinedOptimum, JoinedError> {
         let best = self.best.ok_or(JoinedError::Stopped)?;
         Ok(JoinedOptimum {
             friction: best.friction,
@@ -186,17 +190,7 @@ impl<'j, 'a> Search<'j, 'a> {
             let peak = self.peak(friction, Closely::OnGrid);
             peak.map(|(amplitude, _)| amplitude)
         })?;
-        self.refine(friction).map(|_| ())
-    }
-
-    /// Returns the largest amplitude over the band with one friction, with the highest accuracy.
-    pub(super) fn refine(&mut self, friction: f64) -> Result<f64, Early> {
-        Ok(self.peak(friction, Closely::Refined)?.0)
-    }
-
-    /// Returns the largest amplitude on the grid with one friction.
-    pub(super) fn on_grid(&mut self, friction: f64) -> Result<f64, Early> {
-        Ok(self.peak(friction, Closely::OnGrid)?.0)
+        self.peak(friction, Closely::Refined).map(|_| ())
     }
 
     /// Returns the largest limit of the stuck state over the frequencies of the grid.
@@ -248,7 +242,7 @@ impl<'j, 'a> Search<'j, 'a> {
     }
 
     /// Returns the largest amplitude over the band, and its frequency.
-    fn largest(&mut self, friction: f64, closely: Closely) -> Result<(f64, f64), Early> {
+    pub(super) fn largest(&mut self, friction: f64, closely: Closely) -> Result<(f64, f64), Early> {
         let mut best = (0.0, 0);
         let grid = self.grid.clone();
         let stride = if closely == Closely::Roughly { 2 } else { 1 };

@@ -1,7 +1,7 @@
 //! Finds the best common friction together with the best shares of the contacts.
 
 use super::error::JoinedError;
-use super::optimum::{Early, JoinedOptimum, Search};
+use super::optimum::{Closely, Early, JoinedOptimum, Search};
 use super::scene::Joined;
 use frictiongen_model::scene::Scene;
 
@@ -76,22 +76,36 @@ impl<'a> Joined<'a> {
             search: Search::new(self, mass, band, watch)?,
             ranges,
             compared: 0,
-            is_refined: false,
+            closely: Closely::OnGrid,
             best: Distribution {
                 shares: given,
                 friction: before.friction,
-                peak: before.amplitude,
+                peak: (before.amplitude, before.r),
             },
         };
-        let followed = if before.is_complete {
-            descent.run()
-        } else {
-            Err(Early::Stopped)
+        let followed = match before.is_complete {
+            true => descent.run(),
+            false => Err(Early::Stopped),
         };
-        let optimum = descent.found(&before, followed)?;
+        let is_complete = match followed {
+            Ok(()) => true,
+            Err(Early::Stopped) => false,
+            Err(Early::Failed(error)) => return Err(error),
+        };
+        let Distribution {
+            shares,
+            friction,
+            peak: (amplitude, r),
+        } = descent.best;
         Ok(JoinedDistribution {
-            shares: descent.best.shares,
-            optimum,
+            shares,
+            optimum: JoinedOptimum {
+                friction,
+                amplitude,
+                r,
+                evaluations: before.evaluations + descent.search.evaluations(),
+                is_complete,
+            },
             before,
         })
     }
@@ -108,8 +122,8 @@ fn shares(scene: &Scene) -> Vec<f64> {
 struct Distribution {
     shares: Vec<f64>,
     friction: f64,
-    /// Largest amplitude over the band.
-    peak: f64,
+    /// Largest amplitude over the band, and the frequency ratio at which it occurs.
+    peak: (f64, f64),
 }
 
 /// A search along one number after the other.
@@ -117,8 +131,8 @@ struct Descent<'j, 'a> {
     search: Search<'j, 'a>,
     ranges: &'j [ShareRange],
     compared: usize,
-    /// True if the search also looks for the peak between the frequencies of the grid.
-    is_refined: bool,
+    /// Accuracy of the peaks that the search compares.
+    closely: Closely,
     best: Distribution,
 }
 
@@ -134,7 +148,7 @@ impl Descent<'_, '_> {
         // The shares of the description may be outside the intervals.
         self.best = start;
         self.descend(FIRST)?;
-        self.is_refined = true;
+        self.closely = Closely::Refined;
         let grid = self.best.clone();
         self.best.peak = self.peak(&grid)?;
         self.descend(REFINED)
@@ -149,7 +163,7 @@ impl Descent<'_, '_> {
                     self.better(number, 1.0 / factor)?;
                 }
             }
-            if self.best.peak < before.peak {
+            if self.best.peak.0 < before.peak.0 {
                 self.leap(&before)?;
             } else {
                 factor = factor.sqrt();
@@ -197,48 +211,17 @@ impl Descent<'_, '_> {
     /// Keeps a distribution if it is better than the best one.
     fn keep(&mut self, mut tried: Distribution) -> Result<bool, Early> {
         tried.peak = self.peak(&tried)?;
-        let better = tried.peak < self.best.peak;
+        let better = tried.peak.0 < self.best.peak.0;
         if better {
             self.best = tried;
         }
         Ok(better)
     }
 
-    fn peak(&mut self, tried: &Distribution) -> Result<f64, Early> {
+    /// Returns the largest amplitude over the band, and its frequency ratio.
+    fn peak(&mut self, tried: &Distribution) -> Result<(f64, f64), Early> {
         self.compared += 1;
         self.search.set_shares(&tried.shares);
-        if self.is_refined {
-            self.search.refine(tried.friction)
-        } else {
-            self.search.on_grid(tried.friction)
-        }
-    }
-
-    /// Returns the best friction. A complete search also refines the peak.
-    fn found(
-        &mut self,
-        before: &JoinedOptimum,
-        followed: Result<(), Early>,
-    ) -> Result<JoinedOptimum, JoinedError> {
-        let refined = followed.and_then(|()| {
-            self.search.set_shares(&self.best.shares);
-            self.search.refine(self.best.friction).map(|_| ())
-        });
-        match refined {
-            Ok(()) => {
-                let found = self.search.found(true)?;
-                Ok(JoinedOptimum {
-                    evaluations: before.evaluations + found.evaluations,
-                    ..found
-                })
-            }
-            Err(Early::Stopped) => Ok(JoinedOptimum {
-                friction: self.best.friction,
-                amplitude: self.best.peak,
-                is_complete: false,
-                ..*before
-            }),
-            Err(Early::Failed(error)) => Err(error),
-        }
+        self.search.largest(tried.friction, self.closely)
     }
 }

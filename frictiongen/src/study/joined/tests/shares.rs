@@ -40,15 +40,18 @@ fn a_stopped_search_keeps_its_best_distribution() {
     assert!(found.optimum.amplitude < before, "{found:?}");
     assert_eq!(found.shares.first(), Some(&1.0));
     let tuned = joined.with_shares(&found.shares);
-    let peak = (0..25).map(|place| {
-        let r = 0.6 + 1.8 * f64::from(place) / 24.0;
+    let amplitude = |r: f64| {
         let at = tuned.at(r).expect("r");
         let orbit = at.orbit(found.optimum.friction).expect("an orbit");
         orbit.amplitude("block").expect("a mass")
-    });
+    };
+    let peak = (0..25).map(|place| amplitude(0.6 + 1.8 * f64::from(place) / 24.0));
     let peak = peak.fold(0.0, f64::max);
     println!("{:.5} for {:.5}, shares {:?}", peak, before, found.shares);
     assert!((peak - found.optimum.amplitude).abs() < 1e-9 * peak);
+    // The frequency and the count are those of this distribution, not those of the description.
+    assert!((amplitude(found.optimum.r) - peak).abs() < 1e-9 * peak);
+    assert_eq!(found.optimum.evaluations, allowed);
 }
 
 /// A search that stops at once has no answer, and an interval must begin above 0.

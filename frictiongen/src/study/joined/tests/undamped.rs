@@ -60,7 +60,7 @@ fn check(text: &str, system: &System, (r, factor): (f64, f64)) -> bool {
     let orbit = match at.orbit(factor * stuck.limit()) {
         Ok(orbit) => orbit,
         Err(JoinedError::Engine(JointError::NotSteady)) => return false,
-        Err(error) => panic!("{text}: {error}"),
+        Err(error) => panic!("{text}: {r:?} {factor:?} {} {error}", stuck.limit()),
     };
     assert_eq!(orbit.period(), 1, "{text}");
     assert!(orbit.is_marginal(), "{text}");
