@@ -81,6 +81,23 @@ pub struct Function {
     pub body: String,
 }
 
+impl Function {
+    /// Returns a function.
+    pub fn new(
+        name: &'static str,
+        about: impl Into<String>,
+        parameters: Vec<(&'static str, Passed)>,
+        body: impl Into<String>,
+    ) -> Self {
+        Self {
+            name,
+            about: about.into(),
+            parameters,
+            body: body.into(),
+        }
+    }
+}
+
 /// An opaque struct, which C allocates.
 #[derive(Clone, Debug)]
 pub struct Opaque {

@@ -1,5 +1,6 @@
 //! Names of a scene in C.
 
+use super::face::{Field, Kind};
 use crate::failure::Failure;
 use frictiongen::study::scene::Scene;
 use frictiongen_codegen::standalone::c_name;
@@ -51,4 +52,26 @@ pub fn field(scene: &Scene, index: usize, start: &str) -> String {
 /// Returns the name of a mass in the description.
 pub fn mass(scene: &Scene, index: usize) -> &str {
     scene.masses.get(index).map_or("", |mass| &mass.name)
+}
+
+/// Returns a text for each mass. `text` creates it from the name of the mass as a struct field, and from the name in the
+/// description.
+pub fn of_masses(scene: &Scene, text: impl Fn(&str, &str) -> String) -> Vec<String> {
+    (0..scene.masses.len())
+        .map(|index| text(&field(scene, index, "mass"), mass(scene, index)))
+        .collect()
+}
+
+/// Returns a struct field for a mass, which contains the struct `record`.
+pub fn mass_field(scene: &Scene, index: usize, record: &'static str) -> Field {
+    let about = format!("mass {}", mass(scene, index));
+    Field::new(field(scene, index, "mass"), Kind::Record(record), about)
+}
+
+/// Returns such a field for each mass.
+pub fn mass_fields(scene: &Scene, record: &'static str) -> Vec<Field> {
+    let masses = 0..scene.masses.len();
+    masses
+        .map(|index| mass_field(scene, index, record))
+        .collect()
 }

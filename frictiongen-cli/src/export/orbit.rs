@@ -1,7 +1,7 @@
 //! Exported functions of steady states, with or without stops.
 
 use super::face::{Face, Field, Function, Kind, Passed, Record};
-use super::names::{field, mass};
+use super::names::{mass_fields, of_masses};
 use frictiongen::study::scene::Scene;
 
 const R: (&str, Passed) = ("r", Passed::Value(Kind::Real));
@@ -34,11 +34,7 @@ pub fn add(face: &mut Face, scene: &Scene, unit: &str) {
             "let found = Scene::at(r).map_err(domain)?.orbit(beta).map_err(no_orbit)?;\n{WRITTEN}"
         ),
     });
-    let list = |of: &str| {
-        let values = (0..scene.masses.len())
-            .map(|index| format!("start.{}.{of}", field(scene, index, "mass")));
-        values.collect::<Vec<_>>().join(", ")
-    };
+    let list = |of: &str| of_masses(scene, |field, _| format!("start.{field}.{of}")).join(", ");
     face.functions.push(Function {
         name: "orbit_from",
         about: "Returns the steady state that motion from another state reaches. With mu > 1 several states may exist."
@@ -95,13 +91,9 @@ fn records(face: &mut Face, scene: &Scene, unit: &str) {
             ),
         ],
     });
-    let masses = (0..scene.masses.len()).map(|index| {
-        let about = format!("mass {}", mass(scene, index));
-        Field::new(field(scene, index, "mass"), Kind::Record("instant"), about)
-    });
     face.records.push(Record {
         name: "orbit_start",
         about: format!("State of all masses at a maximum of the excitation, over {unit}."),
-        fields: masses.collect(),
+        fields: mass_fields(scene, "instant"),
     });
 }

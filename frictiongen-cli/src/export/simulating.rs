@@ -1,7 +1,7 @@
 //! Functions of the motion in time under a harmonic load, from event to event.
 
 use super::face::{Face, Field, Function, Kind, Opaque, Passed, Record};
-use super::names::{field, mass};
+use super::names::{mass_fields, of_masses};
 use super::room;
 use frictiongen::study::scene::{FrictionLaw, Scene};
 use frictiongen_codegen::standalone::StepperShape;
@@ -23,7 +23,7 @@ pub fn add(face: &mut Face, scene: &Scene, (name, unit): (&str, &str)) {
     });
     records(face, scene, unit);
     starts(face, scene, has_law);
-    face.functions.push(function(
+    face.functions.push(Function::new(
         "simulation_advance",
         "Advances to the next event, or by at most reach in tau = omega t.  After an error the motion keeps its state.",
         vec![
@@ -36,30 +36,12 @@ pub fn add(face: &mut Face, scene: &Scene, (name, unit): (&str, &str)) {
     read_outs(face, scene);
 }
 
-fn function(
-    name: &'static str,
-    about: &str,
-    parameters: Vec<(&'static str, Passed)>,
-    body: impl Into<String>,
-) -> Function {
-    Function {
-        name,
-        about: about.to_owned(),
-        parameters,
-        body: body.into(),
-    }
-}
-
 fn records(face: &mut Face, scene: &Scene, unit: &str) {
     let sliding = |about: &str| Field::new("sliding", Kind::Int, about);
-    let masses = (0..scene.masses.len()).map(|index| {
-        let about = format!("mass {}", mass(scene, index));
-        Field::new(field(scene, index, "mass"), Kind::Record("instant"), about)
-    });
     face.records.push(Record {
         name: "simulation_masses",
         about: format!("Motions of all masses at the present instant, over {unit}."),
-        fields: masses.collect(),
+        fields: mass_fields(scene, "instant"),
     });
     face.records.push(Record {
         name: "segment",
@@ -125,23 +107,19 @@ fn starts(face: &mut Face, scene: &Scene, has_law: bool) {
     if has_law {
         parameters.push(value("amplitude"));
     }
-    face.functions.push(function(
+    face.functions.push(Function::new(
         "simulation_start",
-        &format!("Starts the motion from rest, at a maximum of the excitation.{about}"),
+        format!("Starts the motion from rest, at a maximum of the excitation.{about}"),
         parameters.clone(),
         format!(
             "simulation.write(SimulationMemory::new(Scene::{call}({given}).map_err(domain)?));\nOk(())"
         ),
     ));
-    let list = |of: &str| {
-        let values = (0..scene.masses.len())
-            .map(|index| format!("start.{}.{of}", field(scene, index, "mass")));
-        values.collect::<Vec<_>>().join(", ")
-    };
+    let list = |of: &str| of_masses(scene, |field, _| format!("start.{field}.{of}")).join(", ");
     parameters.push(("start", Passed::Input("simulation_masses")));
-    face.functions.push(function(
+    face.functions.push(Function::new(
         "simulation_start_from",
-        &format!(
+        format!(
             "Starts the motion from a state of all masses, at a maximum of the excitation.{about}"
         ),
         parameters,
@@ -154,17 +132,13 @@ fn starts(face: &mut Face, scene: &Scene, has_law: bool) {
 }
 
 fn read_outs(face: &mut Face, scene: &Scene) {
-    let masses = (0..scene.masses.len()).map(|index| {
-        format!(
-            "{}: moment!(found.{}()), ",
-            field(scene, index, "mass"),
-            mass(scene, index)
-        )
+    let masses = of_masses(scene, |field, name| {
+        format!("{field}: moment!(found.{name}()), ")
     });
-    let masses: String = masses.collect();
+    let masses = masses.concat();
     let found = "let found = simulation.read()?;\n";
     let output = |name, record| (name, Passed::Output(Kind::Record(record)));
-    face.functions.push(function(
+    face.functions.push(Function::new(
         "simulation_masses",
         "Returns the motions of all masses.",
         vec![READ, output("masses", "simulation_masses")],
@@ -172,7 +146,7 @@ fn read_outs(face: &mut Face, scene: &Scene) {
             "macro_rules! moment {{\n    ($of:expr) => {{{{ let of = $of; Instant {{ displacement: of.displacement(), velocity: of.velocity() }} }}}};\n}}\n{found}masses.write(SimulationMasses {{ {masses}}});\nOk(())"
         ),
     ));
-    face.functions.push(function(
+    face.functions.push(Function::new(
         "simulation_contact",
         "Returns motion, force and state of the contact.",
         vec![READ, output("contact", "simulation_contact")],
@@ -180,7 +154,7 @@ fn read_outs(face: &mut Face, scene: &Scene) {
             "{found}let (displacement, velocity) = found.relative();\ncontact.write(SimulationContact {{\n    displacement,\n    velocity,\n    force: found.friction(),\n    sliding: sliding(found.contact()),\n}});\nOk(())"
         ),
     ));
-    face.functions.push(function(
+    face.functions.push(Function::new(
         "simulation_progress",
         "Returns the time since the start.",
         vec![READ, output("progress", "simulation_progress")],

@@ -1,7 +1,7 @@
 //! Functions that take a frequency ratio: limits, regimes, continuous motions, stuck responses and steady states.
 
 use super::face::{Face, Field, Function, Kind, Passed, Record};
-use super::names::{field, mass};
+use super::names::{field, mass, mass_field, mass_fields, of_masses};
 use frictiongen::study::scene::{Excitation, Provide, Scene};
 
 const R: (&str, Passed) = ("r", Passed::Value(Kind::Real));
@@ -167,10 +167,8 @@ impl Motions {
             Kind::Record(record),
             "relative motion in the contact",
         );
-        let masses = self.masses.iter().map(|index| {
-            let about = format!("mass {}", mass(scene, *index));
-            Field::new(field(scene, *index, "mass"), Kind::Record(record), about)
-        });
+        let masses = self.masses.iter();
+        let masses = masses.map(|index| mass_field(scene, *index, record));
         std::iter::once(contact).chain(masses).collect()
     }
 
@@ -256,24 +254,15 @@ impl Motions {
 }
 
 fn stuck(face: &mut Face, scene: &Scene) {
-    let masses = 0..scene.masses.len();
-    let fields = masses.clone().map(|index| {
-        let about = format!("mass {}", mass(scene, index));
-        Field::new(field(scene, index, "mass"), Kind::Record("complex"), about)
-    });
     face.records.push(Record {
         name: "stuck",
         about: "Complex amplitudes while the contact is stuck.".to_owned(),
-        fields: fields.collect(),
+        fields: mass_fields(scene, "complex"),
     });
-    let written = masses.map(|index| {
-        format!(
-            "{}: complex(found.{}()), ",
-            field(scene, index, "mass"),
-            mass(scene, index)
-        )
+    let written = of_masses(scene, |field, name| {
+        format!("{field}: complex(found.{name}()), ")
     });
-    let written: String = written.collect();
+    let written = written.concat();
     face.functions.push(Function {
         name: "stuck",
         about: "Returns the response while the contact is stuck.".to_owned(),

@@ -1,7 +1,7 @@
 //! Functions of the stepper.
 
 use super::face::{Face, Field, Function, Kind, Opaque, Passed, Record};
-use super::names::{field, mass};
+use super::names::{field, mass, mass_fields, of_masses};
 use super::room;
 use frictiongen::kernel::stepper::image_bytes;
 use frictiongen::study::scene::{Precision, Scene};
@@ -118,17 +118,10 @@ fn records(face: &mut Face, scene: &Scene, shape: &StepperShape) {
             Field::new("velocity", Kind::Real, "m/s"),
         ],
     });
-    let masses = (0..scene.masses.len()).map(|index| {
-        Field::new(
-            field(scene, index, "mass"),
-            Kind::Record("mass_now"),
-            format!("mass {}", mass(scene, index)),
-        )
-    });
     face.records.push(Record {
         name: "masses",
         about: "Motions of all masses.".to_owned(),
-        fields: masses.collect(),
+        fields: mass_fields(scene, "mass_now"),
     });
     face.records.push(Record {
         name: "contact",
@@ -184,24 +177,10 @@ fn records(face: &mut Face, scene: &Scene, shape: &StepperShape) {
     });
 }
 
-fn function(
-    name: &'static str,
-    about: &str,
-    parameters: Vec<(&'static str, Passed)>,
-    body: String,
-) -> Function {
-    Function {
-        name,
-        about: about.to_owned(),
-        parameters,
-        body,
-    }
-}
-
 fn control(face: &mut Face, scene: &Scene, shape: &StepperShape, name: &str) {
     let dt = ("dt", Passed::Value(Kind::Real));
     let fresh = ("stepper", Passed::Fresh(STATE));
-    face.functions.push(function(
+    face.functions.push(Function::new(
         "stepper_start",
         "Starts a stepper with the step dt, s, from rest without load.",
         vec![fresh.clone(), dt.clone()],
@@ -209,11 +188,10 @@ fn control(face: &mut Face, scene: &Scene, shape: &StepperShape, name: &str) {
             .to_owned(),
     ));
     let list = |of: &str| {
-        let values = (0..scene.masses.len())
-            .map(|index| format!("masses.{}.{of}", field(scene, index, "mass")));
-        format!("[{}]", values.collect::<Vec<_>>().join(", "))
+        let values = of_masses(scene, |field, _| format!("masses.{field}.{of}"));
+        format!("[{}]", values.join(", "))
     };
-    face.functions.push(function(
+    face.functions.push(Function::new(
         "stepper_start_from",
         "Starts a stepper from the displacement and velocity of every mass.",
         vec![fresh, dt, ("masses", Passed::Input("masses"))],
@@ -228,13 +206,13 @@ fn control(face: &mut Face, scene: &Scene, shape: &StepperShape, name: &str) {
         .map(|(field, inner)| format!("{inner}: input.{}, ", field.name))
         .collect();
     let input = format!("let input = super::{name}Input {{ {fields}}};\n");
-    face.functions.push(function(
+    face.functions.push(Function::new(
         "stepper_begin",
         "Sets the input at the start of the first step.  Without this call that input is 0.",
         vec![CHANGED, ("input", Passed::Input("input"))],
         format!("{input}stepper.change()?.begin(input).map_err(domain)"),
     ));
-    face.functions.push(function(
+    face.functions.push(Function::new(
         "stepper_advance",
         "Takes a step.  After an error the stepper keeps its state.",
         vec![CHANGED, ("input", Passed::Input("input")), ("stepped", Passed::Output(Kind::Record("stepped")))],
@@ -242,7 +220,7 @@ fn control(face: &mut Face, scene: &Scene, shape: &StepperShape, name: &str) {
             "{input}let found = stepper.change()?.advance(input).map_err(domain)?;\nstepped.write(Stepped {{\n    force: found.force,\n    sliding: sliding(found.contact),\n    events: found.events,\n    exceeded: i32::from(found.exceeded),\n}});\nOk(())"
         ),
     ));
-    face.functions.push(function(
+    face.functions.push(Function::new(
         "stepper_set_stiction",
         "Sets mu, the ratio of static to kinetic friction force, from the next step on.",
         vec![CHANGED, ("mu", Passed::Value(Kind::Real))],
@@ -251,23 +229,19 @@ fn control(face: &mut Face, scene: &Scene, shape: &StepperShape, name: &str) {
 }
 
 fn read_outs(face: &mut Face, scene: &Scene) {
-    let masses = (0..scene.masses.len()).map(|index| {
-        format!(
-            "{}: mass_now(&found.{}()), ",
-            field(scene, index, "mass"),
-            mass(scene, index)
-        )
+    let masses = of_masses(scene, |field, name| {
+        format!("{field}: mass_now(&found.{name}()), ")
     });
-    let masses: String = masses.collect();
+    let masses = masses.concat();
     let found = "let found = stepper.read()?;\n";
     let output = |name, record| (name, Passed::Output(Kind::Record(record)));
-    face.functions.push(function(
+    face.functions.push(Function::new(
         "stepper_masses",
         "Returns the motions of all masses.",
         vec![READ, output("masses", "masses")],
         format!("{found}masses.write(Masses {{ {masses}}});\nOk(())"),
     ));
-    face.functions.push(function(
+    face.functions.push(Function::new(
         "stepper_contact",
         "Returns motion, force and state of the contact.",
         vec![READ, output("contact", "contact")],
@@ -275,7 +249,7 @@ fn read_outs(face: &mut Face, scene: &Scene) {
             "{found}let now = found.contact();\ncontact.write(Contact {{\n    displacement: now.displacement(),\n    velocity: now.velocity(),\n    force: now.force(),\n    sliding: sliding(now.contact()),\n}});\nOk(())"
         ),
     ));
-    face.functions.push(function(
+    face.functions.push(Function::new(
         "stepper_work",
         "Returns the energy balance.",
         vec![READ, output("work", "work")],
@@ -283,7 +257,7 @@ fn read_outs(face: &mut Face, scene: &Scene) {
             "{found}let now = found.work();\nwork.write(Work {{ load: now.load, friction: now.friction, damping: now.damping, stored: now.stored }});\nOk(())"
         ),
     ));
-    face.functions.push(function(
+    face.functions.push(Function::new(
         "stepper_progress",
         "Returns the numbers of steps, and the time.",
         vec![READ, output("progress", "progress")],
@@ -308,7 +282,7 @@ fn storage(face: &mut Face, shape: &StepperShape, precision: Precision) {
             "version, hash of the scene, step, state and checksum",
         )],
     });
-    face.functions.push(function(
+    face.functions.push(Function::new(
         "stepper_image",
         "Writes the state as bytes, which a later run of the program reads.",
         vec![
@@ -318,7 +292,7 @@ fn storage(face: &mut Face, shape: &StepperShape, precision: Precision) {
         "let bytes = stepper.read()?.image();\nimage.write(StepperImage { bytes });\nOk(())"
             .to_owned(),
     ));
-    face.functions.push(function(
+    face.functions.push(Function::new(
         "stepper_start_from_image",
         "Starts a stepper with the step and the state of an image.  A changed bit gives a status.",
         vec![
@@ -328,13 +302,13 @@ fn storage(face: &mut Face, shape: &StepperShape, precision: Precision) {
         "let found = Scene::stepper_from_image(&image.bytes).map_err(domain)?;\nstepper.write(StepperMemory::new(found));\nOk(())"
             .to_owned(),
     ));
-    face.functions.push(function(
+    face.functions.push(Function::new(
         "stepper_save",
         "Saves the state of a stepper.",
         vec![READ, ("saved", Passed::Fresh(SAVED))],
         "saved.write(StepperSavedMemory::new(stepper.read()?.save()));\nOk(())".to_owned(),
     ));
-    face.functions.push(function(
+    face.functions.push(Function::new(
         "stepper_restore",
         "Restores a saved state, with which the stepper continues to the last bit.",
         vec![CHANGED, ("saved", Passed::Read(SAVED))],
