@@ -1,5 +1,6 @@
 //! Handles Ctrl-C during a long computation, so that the program can print the finished results.
 
+use crate::failure::Failure;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 static PRESSED: AtomicBool = AtomicBool::new(false);
@@ -17,4 +18,9 @@ pub fn watch() {
 /// Returns true if the user has pressed Ctrl-C.
 pub fn pressed() -> bool {
     PRESSED.load(Ordering::Relaxed)
+}
+
+/// Returns the failure of a search that Ctrl-C stopped, after it has printed the best result so far.
+pub fn search_stopped() -> Failure {
+    Failure::new("stopped: the search did not end, and the friction is the best so far")
 }

@@ -52,6 +52,7 @@ mod shell;
 mod summary;
 mod table;
 mod time;
+mod vary;
 
 use args::{Arguments, Command};
 use clap::Parser;

@@ -79,15 +79,11 @@ impl Table for SensitivityReport {
         let (table, grids) = (self.table(), &self.grids);
         for frequency in grids.frequencies.all(&grids.system) {
             for friction in grids.frictions.all() {
-                let point = table.point(frequency, friction);
+                let point = table.setting.point(frequency, friction);
                 let known = grids.system.response_sensitivities(point, self.of);
                 let rows = table.rows(frequency, friction, known);
                 let rows = rows.map_err(Failure::new)?;
-                let first = rows.first().filter(|_| self.with_answers);
-                if let Some(answers) = first.and_then(SensitivityRow::itself) {
-                    visit(&answers)?;
-                }
-                rows.iter().try_for_each(&mut *visit)?;
+                each_row(&rows, self.with_answers, visit)?;
             }
         }
         Ok(())
@@ -96,4 +92,17 @@ impl Table for SensitivityReport {
     fn columns(&self) -> Vec<Column<'_, SensitivityRow>> {
         self.table().columns()
     }
+}
+
+/// Visits the rows of an operating point. If `with_answers` is true, a row with the values themselves comes first.
+pub fn each_row<D: Clone>(
+    rows: &[SensitivityRow<D>],
+    with_answers: bool,
+    visit: Visitor<'_, SensitivityRow<D>>,
+) -> Result<(), Failure> {
+    let first = rows.first().filter(|_| with_answers);
+    if let Some(answers) = first.and_then(SensitivityRow::itself) {
+        visit(&answers)?;
+    }
+    rows.iter().try_for_each(visit)
 }

@@ -12,6 +12,7 @@ use crate::number::computed;
 use crate::output::{self, Table, Visitor};
 use crate::progress::Progress;
 use crate::summary::Summary;
+use crate::vary::Vary;
 use frictiongen::System;
 use frictiongen::study::columns::{
     Column, Frequency, Friction, JoinedRow, JoinedTable, Measure, Setting,
@@ -105,9 +106,7 @@ pub fn optimum(
     let summary = Summary::of(&system, band.is_physical(), measure);
     output::write(&report, &summary, arguments.format.checked()?, out)?;
     if !found.is_complete {
-        return Err(Failure::new(
-            "stopped: the search did not end, and the friction is the best so far",
-        ));
+        return Err(interrupt::search_stopped());
     }
     Ok(())
 }
@@ -115,18 +114,14 @@ pub fn optimum(
 /// Reads the shares that `--vary` names: `share pads=a:b` is the share of one contact. `share=a:b` are the shares of all
 /// contacts but the first, because a common factor on all shares has the effect of the common friction.
 fn ranges(joined: &Joined<'_>, text: &str) -> Result<Vec<ShareRange>, Failure> {
-    let wrong =
-        |problem: &dyn std::fmt::Display| Failure::new(format_args!("--vary `{text}`: {problem}"));
+    let vary = Vary::parsed(text)?;
     let contacts = joined.contact_names();
-    let (name, interval) = text.rsplit_once('=').ok_or_else(|| {
-        wrong(&"a number of the description and an interval are needed, NAME=a:b")
-    })?;
-    let mut words = name.split_whitespace();
+    let mut words = vary.name.split_whitespace();
     let (first, contact, rest) = (words.next(), words.next(), words.next());
     if first != Some("share") || rest.is_some() {
         let only = "with several contacts only shares can vary; write `share=0.2:2` or";
         let example = contacts.last().map_or("pads", String::as_str);
-        return Err(wrong(&format_args!("{only} `share {example}=0.2:2`")));
+        return Err(vary.wrong(&format_args!("{only} `share {example}=0.2:2`")));
     }
     let indices: Vec<usize> = match contact {
         None => (1..contacts.len()).collect(),
@@ -134,23 +129,16 @@ fn ranges(joined: &Joined<'_>, text: &str) -> Result<Vec<ShareRange>, Failure> {
             let found = contacts.iter().position(|contact| contact == name);
             let known = contacts.join(", ");
             let missing = || {
-                wrong(&format_args!(
+                vary.wrong(&format_args!(
                     "there is no contact `{name}`; the contacts are {known}"
                 ))
             };
             vec![found.ok_or_else(missing)?]
         }
     };
-    let (from, to) = interval
-        .split_once(':')
-        .ok_or_else(|| wrong(&"an interval a:b is needed"))?;
-    let [from, to] = [from, to].map(|end| {
-        let number = end.trim().parse::<f64>();
-        number.map_err(|_| wrong(&format_args!("`{}` is not a number", end.trim())))
-    });
-    let (from, to) = (from?, to?);
+    let (from, to) = vary.ends()?;
     if !(0.0 < from && from < to && to.is_finite()) {
-        return Err(wrong(&JoinedError::Shares));
+        return Err(vary.wrong(&JoinedError::Shares));
     }
     let ranges = indices.into_iter();
     Ok(ranges

@@ -3,6 +3,7 @@
 use super::Question;
 use crate::failure::Failure;
 use crate::output::{Table, Visitor};
+use crate::sensitivity::each_row;
 use frictiongen::System;
 use frictiongen::study::columns::{
     Column, JoinedNumber, JoinedSensitivityRow, JoinedSensitivityTable,
@@ -60,11 +61,7 @@ impl Table for SensitivityReport<'_> {
         for frequency in question.frequencies.all(question.system) {
             for friction in question.frictions.all() {
                 let rows = table.rows(frequency, friction).map_err(Failure::new)?;
-                let first = rows.first().filter(|_| self.with_answers);
-                if let Some(answers) = first.and_then(JoinedSensitivityRow::itself) {
-                    visit(&answers)?;
-                }
-                rows.iter().try_for_each(&mut *visit)?;
+                each_row(&rows, self.with_answers, visit)?;
             }
         }
         Ok(())

@@ -14,6 +14,7 @@ use crate::measure::{self, Measure};
 use crate::output::{self, Table, Visitor};
 use crate::progress::Progress;
 use crate::summary::Summary;
+use crate::vary::Vary;
 use frictiongen::System;
 use frictiongen::study::columns::{Column, OptimumLine, OptimumTable, Setting, Tuned};
 use frictiongen::study::optimum::{
@@ -89,9 +90,7 @@ pub fn run(arguments: &OptimumArguments, out: &mut dyn Write) -> Result<(), Fail
     let report = OptimumReport { table, lines };
     output::write(&report, &summary, arguments.format.checked()?, out)?;
     if interrupt::pressed() {
-        return Err(Failure::new(
-            "stopped: the search did not end, and the friction is the best so far",
-        ));
+        return Err(interrupt::search_stopped());
     }
     Ok(())
 }
@@ -130,23 +129,13 @@ fn tuned(
     text: &str,
     watch: &(dyn Fn() -> bool + Sync),
 ) -> Result<(Tunable, TunedOptimum), Failure> {
-    let wrong =
-        |problem: &dyn std::fmt::Display| Failure::new(format_args!("--vary `{text}`: {problem}"));
-    let (name, interval) = text.rsplit_once('=').ok_or_else(|| {
-        wrong(&"a number of the description and an interval are needed, NAME=a:b")
-    })?;
-    let of = system.tunable_named(name).map_err(|error| wrong(&error))?;
-    let (from, to) = interval
-        .split_once(':')
-        .ok_or_else(|| wrong(&"an interval a:b is needed"))?;
-    let [from, to] = [from, to].map(|end| {
-        let number = end.trim().parse::<f64>();
-        number.map_err(|_| wrong(&format_args!("`{}` is not a number", end.trim())))
-    });
-    let (from, to) = (from?, to?);
+    let vary = Vary::parsed(text)?;
+    let of = system.tunable_named(vary.name);
+    let of = of.map_err(|error| vary.wrong(&error))?;
+    let (from, to) = vary.ends()?;
     let found = system.tuned_optimum_watched(request, &Tuning { of, from, to }, watch);
     let found = found.map_err(|error| match error {
-        OptimumError::Interval | OptimumError::Scene(_) => wrong(&error),
+        OptimumError::Interval | OptimumError::Scene(_) => vary.wrong(&error),
         _ => Failure::new(error),
     })?;
     Ok((of, found))

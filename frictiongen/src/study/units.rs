@@ -39,6 +39,17 @@ impl<S: Copy> Load<S> {
         }
     }
 
+    /// Returns the number that describes the load, for changes.
+    pub(super) fn amplitude_mut(&mut self) -> &mut S {
+        match self {
+            Self::Force(amplitude)
+            | Self::Base(amplitude)
+            | Self::BaseVelocity(amplitude)
+            | Self::BaseAcceleration(amplitude)
+            | Self::Unbalance(amplitude) => amplitude,
+        }
+    }
+
     /// Returns true for a motion of the base.
     #[doc(hidden)]
     #[must_use]

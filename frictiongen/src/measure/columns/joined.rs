@@ -78,7 +78,7 @@ impl JoinedDriven {
         })
     }
 
-    /// Returns displacement and force of a contact at every sample.
+    /// Returns the state of a contact at every sample.
     #[must_use]
     pub fn contact(&self, index: usize) -> Vec<JoinedContactNow> {
         let states = self.contacts.iter();

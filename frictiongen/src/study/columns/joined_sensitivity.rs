@@ -1,40 +1,18 @@
 //! Rows and columns of the derivatives of steady states with several contacts.
 
 use super::builder::Columns;
-use super::column::{Column, Head, Row, Shown};
+use super::column::{Column, Head, Shown};
 use super::joined::reason;
 use super::measure::Dimension;
-use super::sensitivity::ITSELF;
-use super::setting::{AtFrequency, AtFriction, Frequency, Friction, Setting};
+use super::sensitivity::{FoundSlope, SensitivityRow, of_parameter, widest};
+use super::setting::{Frequency, Friction, Setting};
 use crate::study::StudyError;
 use crate::study::joined::{Joined, JoinedError, JoinedSensitivity};
 use crate::study::parameter::Slope;
-use crate::study::sensitivity::OperatingPoint;
 use crate::study::words;
 
-/// A row: the derivatives of one number with respect to one parameter at one operating point.
-#[derive(Clone, Debug)]
-pub struct JoinedSensitivityRow {
-    /// Frequency of the excitation, as ratio r, in Hz and in rad/s.
-    pub frequency: Frequency,
-    /// The common friction, as ratio β and, under a load, as force in N.
-    pub friction: Friction,
-    /// Regime: continuous, stick-slip or stuck.
-    pub regime: &'static str,
-    /// The word `exact`, or the reason why there are no derivatives.
-    pub answer: &'static str,
-    found: Option<FoundSlope>,
-}
-
-#[derive(Clone, Debug)]
-struct FoundSlope {
-    symbol: String,
-    unit: &'static str,
-    value: f64,
-    slope: Slope,
-    /// True for the row with the value itself instead of its derivatives.
-    itself: bool,
-}
+/// A row: one number and its derivative with respect to one parameter at one operating point.
+pub type JoinedSensitivityRow = SensitivityRow<Slope>;
 
 /// Number whose derivatives the table contains.
 #[derive(Clone, Debug, PartialEq)]
@@ -56,20 +34,6 @@ pub struct JoinedSensitivityTable<'a> {
     pub of: &'a JoinedNumber,
 }
 
-impl Row for JoinedSensitivityRow {}
-
-impl AtFrequency for JoinedSensitivityRow {
-    fn frequency(&self) -> Frequency {
-        self.frequency
-    }
-}
-
-impl AtFriction for JoinedSensitivityRow {
-    fn friction(&self) -> Friction {
-        self.friction
-    }
-}
-
 impl JoinedNumber {
     /// Returns the number with its derivative.
     fn read(&self, of: &JoinedSensitivity) -> Option<Slope> {
@@ -88,39 +52,7 @@ impl JoinedNumber {
     }
 }
 
-impl JoinedSensitivityRow {
-    /// Returns the row with the value itself instead of its derivatives. Returns `None` if there is no value.
-    #[must_use]
-    pub fn itself(&self) -> Option<Self> {
-        let mut row = self.clone();
-        let found = row.found.as_mut()?;
-        ITSELF.clone_into(&mut found.symbol);
-        found.itself = true;
-        Some(row)
-    }
-
-    /// Returns the parameter of the row. Returns `None` for the row with the value itself.
-    fn parameter(&self) -> Option<&FoundSlope> {
-        self.found.as_ref().filter(|found| !found.itself)
-    }
-}
-
 impl<'a> JoinedSensitivityTable<'a> {
-    /// Returns the operating point at a frequency and a friction.
-    fn point(&self, frequency: Frequency, friction: Friction) -> OperatingPoint {
-        match self.setting.measure.load() {
-            Some(load) => OperatingPoint::Physical {
-                hertz: frequency.hertz,
-                friction: friction.force(),
-                load,
-            },
-            None => OperatingPoint::Groups {
-                r: frequency.r,
-                beta: friction.beta,
-            },
-        }
-    }
-
     /// Computes the rows at an operating point, one for each parameter. If no derivatives exist, a single row contains
     /// the reason.
     ///
@@ -132,7 +64,7 @@ impl<'a> JoinedSensitivityTable<'a> {
         friction: Friction,
     ) -> Result<Vec<JoinedSensitivityRow>, JoinedError> {
         let friction = friction.at(&self.setting.measure, frequency);
-        let point = self.point(frequency, friction);
+        let point = self.setting.point(frequency, friction);
         let row = |regime, answer, found| JoinedSensitivityRow {
             frequency,
             friction,
@@ -157,7 +89,7 @@ impl<'a> JoinedSensitivityTable<'a> {
                 symbol: of.parameter.symbol(scene, &point),
                 unit: of.parameter.unit(&point),
                 value: of.value,
-                slope: self.of.read(of)?,
+                answers: self.of.read(of)?,
                 itself: false,
             };
             Some(row(regime, "exact", Some(found)))
@@ -176,16 +108,9 @@ impl<'a> JoinedSensitivityTable<'a> {
             Some(row.regime)
         });
         columns.word("answer", "unsettled", |row| Some(row.answer));
-        let head = Head::new("parameter").titled(&["parameter", "p"]);
-        columns.word(head, &self.widest(), |row: &JoinedSensitivityRow| {
-            Some(&row.found.as_ref()?.symbol)
-        });
-        columns.number("value", |row| Some(row.parameter()?.value));
-        columns.word("unit", "N s/m", |row: &JoinedSensitivityRow| {
-            Some(row.parameter()?.unit)
-        });
+        of_parameter(&mut columns, &self.widest(), "N s/m");
         let (name, dimension, of) = self.of.told();
-        let value = |row: &JoinedSensitivityRow| Some(row.found.as_ref()?.slope.value);
+        let value = |row: &JoinedSensitivityRow| Some(row.found.as_ref()?.answers.value);
         columns.show(Shown::Files);
         columns.converted(Head::of(name, dimension), value);
         columns.show(Shown::Everywhere);
@@ -195,30 +120,25 @@ impl<'a> JoinedSensitivityTable<'a> {
         let head = Head::new(format!("{own}.derivative"));
         let head = head.titled(&[&title, &format!("X {unit}, d/dp")]);
         columns.number(head, move |row| match row.parameter() {
-            Some(found) => Some(found.slope.derivative),
+            Some(found) => Some(found.answers.derivative),
             None => value(row),
         });
         let head = Head::new(format!("{own}.relative")).titled(&["", "(p/X) d/dp"]);
         columns.number(head, |row| {
             let found = row.parameter()?;
-            found.slope.relative(found.value)
+            found.answers.relative(found.value)
         });
         columns.done()
     }
 
-    /// Returns a word that is as long as the longest symbol of a parameter. The table uses it to set the width of the
-    /// column.
+    /// Returns a word that is as long as the longest symbol of a parameter.
     fn widest(&self) -> String {
         let scene = self.joined.scene();
-        let masses = scene.masses.iter().map(|mass| mass.name.len() + 2);
         let contacts = self.joined.contact_names().into_iter();
         let contacts = contacts.map(|name| name.len() + "stiffness ".len());
-        let springs = scene.springs.iter().map(|spring| (spring.from, spring.to));
-        let dampers = scene.joints.dampers.iter();
-        let links = springs.chain(dampers.map(|damper| (damper.from, damper.to)));
-        let links =
-            links.map(|(from, to)| scene.node_name(from).len() + scene.node_name(to).len() + 5);
-        let widest = masses.chain(contacts).chain(links).max().unwrap_or(0);
-        "-".repeat(widest.max(ITSELF.len()))
+        let dampers = scene.joints.dampers.iter().map(|damper| {
+            scene.node_name(damper.from).len() + scene.node_name(damper.to).len() + 5
+        });
+        widest(scene, contacts.chain(dampers))
     }
 }

@@ -6,34 +6,39 @@ use super::measure::Dimension;
 use super::setting::{AtFrequency, AtFriction, Frequency, Friction, Setting};
 use crate::study::{
     StudyError,
-    sensitivity::{OperatingPoint, ParameterSensitivity, ResponseSensitivities, Slope},
+    sensitivity::{ParameterSensitivity, ResponseSensitivities, Slope},
     words,
 };
+use frictiongen_model::scene::Scene;
 
 /// Symbol in the row with the values themselves instead of their derivatives.
-pub(super) const ITSELF: &str = "the answer";
+const ITSELF: &str = "the answer";
 
-/// A row: the derivatives of the answers with respect to one parameter at one operating point.
+/// A row: the derivatives of the answers with respect to one parameter at one operating point. `D` contains the answers
+/// with their derivatives.
 #[derive(Clone, Debug)]
-pub struct SensitivityRow {
+pub struct SensitivityRow<D = ParameterSensitivity> {
     /// Frequency of the excitation, as ratio r, in Hz and in rad/s.
     pub frequency: Frequency,
-    /// Friction in the contact, as ratio β and, under a load, as force in N.
+    /// Friction, as ratio β and, under a load, as force in N.
     pub friction: Friction,
-    /// Regime of the contact: continuous, stick-slip, stuck or unbounded.
+    /// Regime: continuous, stick-slip, stuck or unbounded.
     pub regime: &'static str,
     /// The word `exact`, or the reason why there are no derivatives.
     pub answer: &'static str,
-    found: Option<FoundSlope>,
+    pub(super) found: Option<FoundSlope<D>>,
 }
 
+/// A parameter, with the answers and their derivatives with respect to it.
 #[derive(Clone, Debug)]
-struct FoundSlope {
-    symbol: String,
-    unit: &'static str,
-    sensitivity: ParameterSensitivity,
+pub(super) struct FoundSlope<D> {
+    pub symbol: String,
+    pub unit: &'static str,
+    /// Value of the parameter.
+    pub value: f64,
+    pub answers: D,
     /// True for the row with the values themselves instead of their derivatives.
-    itself: bool,
+    pub itself: bool,
 }
 
 /// The table of derivatives with respect to the parameters, at points of frequency and friction.
@@ -80,21 +85,21 @@ const ANSWERS: [SlopedAnswer; 4] = [
     },
 ];
 
-impl Row for SensitivityRow {}
+impl<D> Row for SensitivityRow<D> {}
 
-impl AtFrequency for SensitivityRow {
+impl<D> AtFrequency for SensitivityRow<D> {
     fn frequency(&self) -> Frequency {
         self.frequency
     }
 }
 
-impl AtFriction for SensitivityRow {
+impl<D> AtFriction for SensitivityRow<D> {
     fn friction(&self) -> Friction {
         self.friction
     }
 }
 
-impl SensitivityRow {
+impl<D: Clone> SensitivityRow<D> {
     /// Returns the row with the values themselves instead of their derivatives. Returns `None` if there are no values.
     #[must_use]
     pub fn itself(&self) -> Option<Self> {
@@ -106,33 +111,48 @@ impl SensitivityRow {
     }
 
     /// Returns the parameter of the row. Returns `None` for the row with the values themselves.
-    fn parameter(&self) -> Option<&FoundSlope> {
+    pub(super) fn parameter(&self) -> Option<&FoundSlope<D>> {
         self.found.as_ref().filter(|found| !found.itself)
-    }
-
-    fn slope(&self, of: SlopedAnswer) -> Option<(f64, Slope)> {
-        let sensitivity = &self.found.as_ref()?.sensitivity;
-        Some((sensitivity.value, (of.read)(sensitivity)?))
     }
 }
 
-impl<'a> SensitivityTable<'a> {
-    /// Returns the operating point at a frequency and a friction.
-    #[must_use]
-    pub fn point(&self, frequency: Frequency, friction: Friction) -> OperatingPoint {
-        match self.setting.measure.load() {
-            Some(load) => OperatingPoint::Physical {
-                hertz: frequency.hertz,
-                friction: friction.force(),
-                load,
-            },
-            None => OperatingPoint::Groups {
-                r: frequency.r,
-                beta: friction.beta,
-            },
-        }
+impl SensitivityRow {
+    fn slope(&self, of: SlopedAnswer) -> Option<(f64, Slope)> {
+        let found = self.found.as_ref()?;
+        Some((found.value, (of.read)(&found.answers)?))
     }
+}
 
+/// Adds the columns with symbol, value and unit of the parameter. The symbols are at most as wide as `widest`, and the
+/// units as `unit`.
+pub(super) fn of_parameter<'a, D: Clone + 'a>(
+    columns: &mut Columns<'a, SensitivityRow<D>>,
+    widest: &str,
+    unit: &str,
+) {
+    let head = Head::new("parameter").titled(&["parameter", "p"]);
+    columns.word(head, widest, |row: &SensitivityRow<D>| {
+        Some(&row.found.as_ref()?.symbol)
+    });
+    columns.number("value", |row| Some(row.parameter()?.value));
+    columns.word("unit", unit, |row: &SensitivityRow<D>| {
+        Some(row.parameter()?.unit)
+    });
+}
+
+/// Returns a word that is as long as the longest symbol of a parameter. Tables use it to set the width of the column.
+/// `others` are the lengths of symbols that are neither masses nor springs.
+pub(super) fn widest(scene: &Scene, others: impl Iterator<Item = usize>) -> String {
+    let masses = scene.masses.iter().map(|mass| mass.name.len() + 2);
+    let springs = scene
+        .springs
+        .iter()
+        .map(|spring| scene.node_name(spring.from).len() + scene.node_name(spring.to).len() + 5);
+    let widest = masses.chain(springs).chain(others).max().unwrap_or(0);
+    "-".repeat(widest.max(ITSELF.len()))
+}
+
+impl<'a> SensitivityTable<'a> {
     /// Returns the rows at an operating point, one for each parameter. If no derivatives exist, a single row contains
     /// the reason.
     ///
@@ -160,12 +180,16 @@ impl<'a> SensitivityTable<'a> {
                 };
             }
         };
-        let (point, regime) = (self.point(frequency, friction), words::regime(known.regime));
+        let (point, regime) = (
+            self.setting.point(frequency, friction),
+            words::regime(known.regime),
+        );
         let scene = self.setting.system.scene();
         let found = known.parameters.into_iter().map(|sensitivity| FoundSlope {
             symbol: sensitivity.parameter.symbol(scene, &point),
             unit: sensitivity.parameter.unit(&point),
-            sensitivity,
+            value: sensitivity.value,
+            answers: sensitivity,
             itself: false,
         });
         Ok(found
@@ -196,12 +220,8 @@ impl<'a> SensitivityTable<'a> {
     }
 
     fn add(&self, columns: &mut Columns<'a, SensitivityRow>) {
-        let head = Head::new("parameter").titled(&["parameter", "p"]);
-        columns.word(head, &self.widest(), |row| {
-            Some(&row.found.as_ref()?.symbol)
-        });
-        columns.number("value", |row| Some(row.parameter()?.sensitivity.value));
-        columns.word("unit", "N/m", |row| Some(row.parameter()?.unit));
+        let scene = self.setting.system.scene();
+        of_parameter(columns, &widest(scene, std::iter::empty()), "N/m");
         for (place, answer) in ANSWERS.into_iter().enumerate() {
             let title = match self.setting.parts.first() {
                 Some(part) if place == 0 => format!("{} {}", answer.title, part.name),
@@ -245,17 +265,5 @@ impl<'a> SensitivityTable<'a> {
                 false => slope.relative(parameter),
             }
         });
-    }
-
-    /// Returns a word that is as long as the longest symbol of a parameter. The table uses it to set the width of the
-    /// column.
-    fn widest(&self) -> String {
-        let scene = self.setting.system.scene();
-        let masses = scene.masses.iter().map(|mass| mass.name.len() + 2);
-        let springs = scene.springs.iter().map(|spring| {
-            scene.node_name(spring.from).len() + scene.node_name(spring.to).len() + 5
-        });
-        let widest = masses.chain(springs).max().unwrap_or(0);
-        "-".repeat(widest.max(ITSELF.len()))
     }
 }

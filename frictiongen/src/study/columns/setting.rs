@@ -4,6 +4,7 @@ use super::builder::Columns;
 use super::column::{Axis, Column, Head, Row};
 use super::measure::{Dimension, Measure};
 use crate::Of;
+use crate::study::sensitivity::OperatingPoint;
 use crate::study::{
     System, UnknownMotion,
     response::Size,
@@ -272,6 +273,22 @@ impl AtFriction for Friction {
 }
 
 impl<'a> Setting<'a> {
+    /// Returns the operating point at a frequency and a friction.
+    #[must_use]
+    pub fn point(&self, frequency: Frequency, friction: Friction) -> OperatingPoint {
+        match self.measure.load() {
+            Some(load) => OperatingPoint::Physical {
+                hertz: frequency.hertz,
+                friction: friction.force(),
+                load,
+            },
+            None => OperatingPoint::Groups {
+                r: frequency.r,
+                beta: friction.beta,
+            },
+        }
+    }
+
     /// Returns the columns of the frequency alone.
     #[must_use]
     pub fn frequency_columns(&self) -> Vec<Column<'a, Frequency>> {

@@ -2,7 +2,6 @@
 
 use crate::study::parameter::{Parameter, symbol};
 use crate::study::sensitivity::{OperatingPoint, Quantity};
-use crate::study::units::Load;
 use frictiongen_model::scene::{Damping, Scene};
 
 /// A number on which a steady state of several contacts depends. Every index is that of the description.
@@ -73,11 +72,16 @@ impl Setting {
             JoinedParameter::Frequency,
         ];
         let all = quantities.chain(dashpots).chain(contacts).chain(point);
-        all.filter(|parameter| self.clone().number(*parameter).is_some())
+        all.filter(|parameter| self.value(*parameter).is_some())
             .collect()
     }
 
-    /// Returns the number of a parameter. Returns `None` if this setting has no such parameter.
+    /// Returns the value of a parameter. Returns `None` if this setting has no such parameter.
+    pub(super) fn value(&self, parameter: JoinedParameter) -> Option<f64> {
+        self.clone().number(parameter).copied()
+    }
+
+    /// Returns the number of a parameter, for changes. Returns `None` if this setting has no such parameter.
     pub(super) fn number(&mut self, parameter: JoinedParameter) -> Option<&mut f64> {
         let Self { scene, point } = self;
         let contacts = &mut scene.joints.contacts;
@@ -111,13 +115,7 @@ impl Setting {
             }),
             JoinedParameter::Load => match point {
                 OperatingPoint::Groups { .. } => None,
-                OperatingPoint::Physical { load, .. } => Some(match load {
-                    Load::Force(amplitude)
-                    | Load::Base(amplitude)
-                    | Load::BaseVelocity(amplitude)
-                    | Load::BaseAcceleration(amplitude)
-                    | Load::Unbalance(amplitude) => amplitude,
-                }),
+                OperatingPoint::Physical { load, .. } => Some(load.amplitude_mut()),
             },
             JoinedParameter::Frequency => Some(match point {
                 OperatingPoint::Groups { r, .. } => r,

@@ -13,7 +13,7 @@ use crate::study::joints::{Chain, JointError, Steady, steady_state, steady_state
 use crate::study::parameter::Slope;
 use crate::study::sensitivity::{NoDerivative, OperatingPoint};
 use crate::study::system::System;
-use crate::study::units::{Load, angular_frequency};
+use crate::study::units::angular_frequency;
 use crate::{Given, OutOfDomain, Regime};
 use frictiongen_model::scene::{Excitation, Scene};
 
@@ -139,7 +139,7 @@ fn prepare(setting: &Setting) -> Result<Prepared, JoinedError> {
             if load.is_base_motion() != (setting.scene.excitation == Excitation::Base) {
                 return Err(JoinedError::Amplitude(Given::of(load.amplitude())));
             }
-            (joined.under(omega, amplitude(load, omega))?, friction)
+            (joined.under(omega, load.at(omega).amplitude())?, friction)
         }
     };
     Ok(Prepared {
@@ -147,16 +147,6 @@ fn prepare(setting: &Setting) -> Result<Prepared, JoinedError> {
         omega: at.omega(),
         units: at.units(),
     })
-}
-
-/// Returns the amplitude of the force in N, or of the base motion in m.
-fn amplitude(load: Load, omega: f64) -> f64 {
-    match load {
-        Load::Force(amplitude) | Load::Base(amplitude) => amplitude,
-        Load::BaseVelocity(amplitude) => amplitude / omega,
-        Load::BaseAcceleration(amplitude) => amplitude / (omega * omega),
-        Load::Unbalance(amplitude) => amplitude * omega * omega,
-    }
 }
 
 /// Returns the system of a scene whose numbers differ slightly from those of a valid scene.
@@ -194,7 +184,7 @@ impl Search {
         &self,
         parameter: JoinedParameter,
     ) -> Result<Option<JoinedSensitivity>, JoinedError> {
-        let value = self.setting.clone().number(parameter).copied();
+        let value = self.setting.value(parameter);
         let Some(value) = value.filter(|value| *value != 0.0) else {
             return Ok(None);
         };

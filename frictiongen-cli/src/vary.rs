@@ -1,0 +1,51 @@
+//! The option `--vary NAME=a:b` of `frictiongen optimum`.
+
+use crate::failure::Failure;
+use std::fmt::Display;
+
+/// The text of the option, divided into its name and its interval.
+pub struct Vary<'t> {
+    text: &'t str,
+    /// Name of the number that varies.
+    pub name: &'t str,
+    interval: &'t str,
+}
+
+impl<'t> Vary<'t> {
+    /// Divides the text.
+    pub fn parsed(text: &'t str) -> Result<Self, Failure> {
+        let (name, interval) = text.rsplit_once('=').ok_or_else(|| {
+            wrong(
+                text,
+                &"a number of the description and an interval are needed, NAME=a:b",
+            )
+        })?;
+        Ok(Self {
+            text,
+            name,
+            interval,
+        })
+    }
+
+    /// Returns the ends of the interval.
+    pub fn ends(&self) -> Result<(f64, f64), Failure> {
+        let (from, to) = self
+            .interval
+            .split_once(':')
+            .ok_or_else(|| self.wrong(&"an interval a:b is needed"))?;
+        let end = |end: &str| {
+            let number = end.trim().parse::<f64>();
+            number.map_err(|_| self.wrong(&format_args!("`{}` is not a number", end.trim())))
+        };
+        Ok((end(from)?, end(to)?))
+    }
+
+    /// Returns the failure for a problem with the option.
+    pub fn wrong(&self, problem: &dyn Display) -> Failure {
+        wrong(self.text, problem)
+    }
+}
+
+fn wrong(text: &str, problem: &dyn Display) -> Failure {
+    Failure::new(format_args!("--vary `{text}`: {problem}"))
+}
