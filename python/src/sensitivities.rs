@@ -33,7 +33,7 @@ pub fn sensitivities<'py>(
     let table = SensitivityTable {
         setting: setting(system, measure, frequencies.unit(&measure), &parts),
     };
-    let point = table.point(frequency, friction);
+    let point = table.setting.point(frequency, friction);
     let [part] = &parts;
     let known = without_lock(py, |_| system.response_sensitivities(point, part.of))?;
     let known = known.map_err(|error| match words::no_derivative(&error) {
