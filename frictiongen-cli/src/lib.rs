@@ -115,5 +115,6 @@ pub fn run(
         Command::New(arguments) => new::run(arguments, out),
         Command::Completions(arguments) => shell::completions(arguments, out),
         Command::Man(arguments) => shell::man(arguments, out),
+        Command::Setup(arguments) => shell::setup(arguments, out),
     }?)
 }

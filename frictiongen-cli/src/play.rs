@@ -4,9 +4,9 @@ use crate::args::PlayArguments;
 use crate::failure::{Failure, reason};
 use crate::file;
 use frictiongen_codegen::{Limits, parse_text};
-use serde_json::json;
+use serde_json::{Value as Json, json};
 use std::io::Write;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// The element of the page for the description, as `scripts/playground` writes it. The command replaces `null` by the
 /// description.
@@ -27,12 +27,7 @@ pub fn run(arguments: &PlayArguments, out: &mut dyn Write) -> Result<(), Failure
         let lines = diagnostics.list.into_iter();
         Failure::Lines(lines.map(|line| format!("{name}:{line}")).collect())
     })?;
-    let page = page(arguments)?;
-    let given = json!({ "text": text }).to_string();
-    // "</script>" in a comment of the description would end the element.
-    let given = given.replace('<', "\\u003c");
-    let element = GIVEN.replace("null", &given);
-    let html = page.replacen(GIVEN, &element, 1);
+    let html = with(&page(arguments.page.as_deref())?, &json!({ "text": text }));
     match arguments.output.as_deref() {
         Some(path) => file::write_file(path, description, &html),
         None => {
@@ -42,11 +37,20 @@ pub fn run(arguments: &PlayArguments, out: &mut dyn Write) -> Result<(), Failure
     }
 }
 
-/// Reads the page of the playground, without a description.
-fn page(arguments: &PlayArguments) -> Result<String, Failure> {
+/// Returns the page with the given start: an object with the key `text` for the description, and optionally `r`, `beta`,
+/// `from` and `to` for the point and the range of frequency ratios.
+pub fn with(page: &str, start: &Json) -> String {
+    // "</script>" in a comment of the description would end the element.
+    let start = start.to_string().replace('<', "\\u003c");
+    page.replacen(GIVEN, &GIVEN.replace("null", &start), 1)
+}
+
+/// Reads the page of the playground, without a description. The default path is the file [`PAGE`] in the folder of the
+/// program.
+pub fn page(path: Option<&Path>) -> Result<String, Failure> {
     let beside = || Some(std::env::current_exe().ok()?.parent()?.join(PAGE));
-    let path: PathBuf = match &arguments.page {
-        Some(path) => path.clone(),
+    let path: PathBuf = match path {
+        Some(path) => path.to_owned(),
         None => beside().unwrap_or_else(|| PAGE.into()),
     };
     let page = std::fs::read_to_string(&path).map_err(|error| {

@@ -1,10 +1,22 @@
-//! Prints completion scripts for shells and the manual page. The crates `clap_complete` and `clap_mangen` generate them
+//! Prints or installs completion scripts for shells and the manual pages. The crates `clap_complete` and `clap_mangen` generate them
 //! from the definition of the arguments.
 
-use crate::args::{Arguments, CompletionsArguments, ManArguments};
-use crate::failure::Failure;
+use crate::args::{Arguments, CompletionsArguments, ManArguments, SetupArguments};
+use crate::failure::{Failure, reason};
 use clap::CommandFactory;
+use clap_complete::Shell;
 use std::io::Write;
+use std::path::{Path, PathBuf};
+
+/// For each shell, the folder in which the shell looks for the completions of a program, below the folder of shared
+/// data.
+const FOLDERS: [(Shell, &str); 3] = [
+    (Shell::Bash, "bash-completion/completions"),
+    (Shell::Zsh, "zsh/site-functions"),
+    (Shell::Fish, "fish/vendor_completions.d"),
+];
+/// Folder of the manual pages, below the folder of shared data.
+const PAGES: &str = "man/man1";
 
 /// Prints the completion script of a shell.
 pub fn completions(arguments: &CompletionsArguments, out: &mut dyn Write) -> Result<(), Failure> {
@@ -31,4 +43,57 @@ pub fn man(arguments: &ManArguments, out: &mut dyn Write) -> Result<(), Failure>
     clap_mangen::Man::new(command).render(&mut page)?;
     out.write_all(&page)?;
     Ok(out.flush()?)
+}
+
+/// Writes the completion scripts and the manual pages into the folders in which shells and `man` look for them. Prints
+/// the path of each completion script, and the folder of the pages.
+pub fn setup(arguments: &SetupArguments, out: &mut dyn Write) -> Result<(), Failure> {
+    let share = match &arguments.share {
+        Some(share) => share.clone(),
+        None => shared_data()?,
+    };
+    let mut command = Arguments::command();
+    for (shell, folder) in FOLDERS {
+        let folder = create(share.join(folder))?;
+        let path = clap_complete::generate_to(shell, &mut command, "frictiongen", &folder)
+            .map_err(|error| cannot_write(&folder, &error))?;
+        writeln!(out, "{}", path.display())?;
+    }
+    let folder = create(share.join(PAGES))?;
+    clap_mangen::generate_to(command, &folder).map_err(|error| cannot_write(&folder, &error))?;
+    writeln!(out, "{}", folder.display())?;
+    let zsh = share.join("zsh/site-functions");
+    writeln!(
+        out,
+        "Open a new shell. If zsh completes nothing, write `fpath+=({})` into .zshrc, before compinit.",
+        zsh.display()
+    )?;
+    Ok(out.flush()?)
+}
+
+/// Returns the folder for shared data of this user.
+fn shared_data() -> Result<PathBuf, Failure> {
+    let set = |name| std::env::var_os(name).filter(|value| !value.is_empty());
+    let home = || set("HOME").map(|home| Path::new(&home).join(".local/share"));
+    // The standard tells programs to ignore a relative path here.
+    let given = set("XDG_DATA_HOME").map(PathBuf::from);
+    let given = given.filter(|path| path.is_absolute());
+    given.or_else(home).ok_or_else(|| {
+        Failure::new(
+            "HOME is not set; give the folder by --share, such as --share /usr/local/share",
+        )
+    })
+}
+
+fn create(folder: PathBuf) -> Result<PathBuf, Failure> {
+    std::fs::create_dir_all(&folder).map_err(|error| cannot_write(&folder, &error))?;
+    Ok(folder)
+}
+
+fn cannot_write(folder: &Path, error: &std::io::Error) -> Failure {
+    Failure::new(format_args!(
+        "cannot write into the folder {}: {}; give another folder by --share",
+        folder.display(),
+        reason(error)
+    ))
 }

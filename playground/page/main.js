@@ -249,8 +249,10 @@ async function joined(valid) {
   pictures.map = mapKey();
 }
 
-// The link holds the description and the point.
+// The link holds the description and the point.  A page within a report has no address of its own.
+const framed = self !== parent;
 function link() {
+  if (framed) return;
   const { r, beta, of, from, to, sweep } = state;
   const held = JSON.stringify({ text: editor.text, r, beta, of, from, to, sweep });
   const bytes = new TextEncoder().encode(held);
@@ -395,6 +397,7 @@ async function searched() {
 async function begin() {
   at("scenes").replaceChildren(new Option("Your own", -1, false, false), ...examples.map((example, index) => new Option(example.title, index)));
   listen();
+  at("link").hidden = framed;
   playing();
   const packed = Uint8Array.from(atob(at("wasm").textContent), (char) => char.charCodeAt(0));
   const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));

@@ -151,6 +151,14 @@ pub struct PlayArguments {
     pub output: Option<PathBuf>,
 }
 
+/// Arguments of `frictiongen setup`.
+#[derive(Debug, Args)]
+pub struct SetupArguments {
+    /// Folder below which the command writes the files [default: XDG_DATA_HOME, else .local/share in HOME]
+    #[arg(long, value_name = "FOLDER")]
+    pub share: Option<PathBuf>,
+}
+
 /// Arguments of `frictiongen completions`.
 #[derive(Debug, Args)]
 pub struct CompletionsArguments {

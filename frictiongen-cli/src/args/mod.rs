@@ -13,7 +13,8 @@ mod shared;
 use clap::{Parser, Subcommand};
 pub use code::{
     CheckArguments, CompileArguments, CompletionsArguments, DiffArguments, ExpandArguments,
-    ExportArguments, ExportTarget, ManArguments, NewArguments, PlayArguments, TableFormat,
+    ExportArguments, ExportTarget, ManArguments, NewArguments, PlayArguments, SetupArguments,
+    TableFormat,
 };
 pub use desk::{
     CurveArguments, FeaturesArguments, MapArguments, OptimumArguments, SensitivityArguments,
@@ -119,4 +120,6 @@ pub enum Command {
     Completions(CompletionsArguments),
     /// Print the manual page, in roff
     Man(ManArguments),
+    /// Place completion scripts and manual pages where the shells and `man` of this user look for them
+    Setup(SetupArguments),
 }

@@ -51,6 +51,13 @@ pub struct ReportArguments {
     /// Show only this mass, or `contact`; may be given more than once [default: `motions` below]
     #[arg(long, value_name = "NAME")]
     pub of: Vec<String>,
+    /// Add the playground with this scene to the page; the page then has about 2 MB
+    #[arg(long)]
+    pub live: bool,
+    /// File with the playground for --live, which scripts/playground creates [default: playground.html in the folder of
+    /// this program]
+    #[arg(long, value_name = "PAGE", requires = "live")]
+    pub page: Option<PathBuf>,
     /// Write to this file instead of standard output
     #[arg(short, long, value_name = "OUT")]
     pub output: Option<PathBuf>,

@@ -128,7 +128,7 @@ impl Cost {
                     Err(reason) => p { (reason) },
                     Ok(tables) => p {
                         "Tables can replace the formulas. For a declared accuracy of " (digits(DECLARED)) " over this range they have "
-                        (tables.bytes) " bytes in " (tables.pieces) " pieces. A lookup takes " (tables.comparisons) " comparisons, and then "
+                        (tables.bytes) " bytes in " (tables.pieces) " pieces. A lookup takes " (tables.comparisons) @if tables.comparisons == 1 { " comparison" } @else { " comparisons" } ", and then "
                         (tables.operations) " additions and multiplications. The largest error at " (tables.points)
                         " points that the fit did not use is " (digits(tables.error)) "."
                     },

@@ -5,6 +5,7 @@ mod best;
 mod cost;
 mod features;
 mod found;
+mod live;
 mod map;
 mod modes;
 mod page;
@@ -18,6 +19,7 @@ use crate::args::ReportArguments;
 use crate::failure::Failure;
 use crate::file;
 use crate::interrupt;
+use crate::play;
 use asked::Asked;
 use frictiongen::System;
 use frictiongen_codegen::{Limits, parse_text};
@@ -32,6 +34,10 @@ pub fn run(arguments: &ReportArguments, out: &mut dyn Write) -> Result<(), Failu
         // waiting.
         file::check(path, arguments.file.path())?;
     }
+    let playground = match arguments.live {
+        true => Some(play::page(arguments.page.as_deref())?),
+        false => None,
+    };
     let name = arguments.file.name();
     let text = arguments.file.text()?;
     let description = parse_text(&text, &Limits::RUN_TIME).map_err(|diagnostics| {
@@ -47,6 +53,7 @@ pub fn run(arguments: &ReportArguments, out: &mut dyn Write) -> Result<(), Failu
     let levels = asked.levels(best_beta);
     let responses = response::Responses::of(&asked, &levels, best_beta)?;
     let features = features::Features::of(&asked, &levels, best_beta);
+    let live = playground.map(|page| live::start(&page, &text, &asked, best_beta));
     let page = Page {
         file: &name,
         documentation: &documentation,
@@ -56,6 +63,7 @@ pub fn run(arguments: &ReportArguments, out: &mut dyn Write) -> Result<(), Failu
         features,
         cost: cost::Cost::of(&text, &asked),
         best,
+        live,
         asked,
     };
     let html = page.html();

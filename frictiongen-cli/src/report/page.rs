@@ -7,7 +7,7 @@ use super::features::Features;
 use super::map::Regimes;
 use super::modes::Modes;
 use super::response::Responses;
-use super::{scene, summary};
+use super::{live, scene, summary};
 use crate::measure;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use serde_json::{Value as Json, json};
@@ -42,6 +42,8 @@ pub struct Page<'a> {
     pub best: Result<Vec<Best>, String>,
     /// Cost of the emitted code.
     pub cost: Cost,
+    /// The page of the playground with the description, if the user asks for it.
+    pub live: Option<String>,
 }
 
 impl Page<'_> {
@@ -71,10 +73,13 @@ impl Page<'_> {
             "plots": plots,
         });
         let name = &asked.system.scene().name;
-        let policy = format!(
-            "default-src 'none'; style-src 'unsafe-inline'; script-src 'sha256-{}'",
-            SCRIPT_HASH.trim()
-        );
+        let policy = match self.live {
+            Some(_) => live::POLICY.to_owned(),
+            None => format!(
+                "default-src 'none'; style-src 'unsafe-inline'; script-src 'sha256-{}'",
+                SCRIPT_HASH.trim()
+            ),
+        };
         let page = html! {
             (DOCTYPE)
             html lang="en" {
@@ -103,6 +108,7 @@ impl Page<'_> {
                         (self.features.html(asked))
                         (best::html(&self.best, asked))
                         (self.cost.html())
+                        @if let Some(page) = &self.live { (live::html(page)) }
                         (limits_of_the_page())
                     }
                     script #data type="application/json" { (PreEscaped(within_script(&data))) }

@@ -1,4 +1,4 @@
-//! Tests `frictiongen new`, `check`, `completions` and `man`, the first commands that a user types.
+//! Tests `frictiongen new`, `check`, `completions`, `man` and `setup`, the first commands that a user types.
 #![allow(clippy::unwrap_used, reason = "a test fails by it")]
 
 use crate::common::{failure, json, output, run_with};
@@ -156,5 +156,42 @@ fn the_manual_has_a_page_for_each_command() {
     assert_eq!(
         lines,
         ["frictiongen: there is no command nothing: see frictiongen --help"]
+    );
+}
+
+#[test]
+fn setup_places_completions_and_pages() {
+    let share = std::path::PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("setup");
+    let _ = std::fs::remove_dir_all(&share);
+    let told = output("", &["setup", "--share", share.to_str().unwrap()]);
+    // bash-completion loads the file with the program's name, zsh one with an underscore before it.
+    for (file, words) in [
+        (
+            "bash-completion/completions/frictiongen.bash",
+            "complete -F",
+        ),
+        ("zsh/site-functions/_frictiongen", "#compdef frictiongen"),
+        (
+            "fish/vendor_completions.d/frictiongen.fish",
+            "complete -c frictiongen",
+        ),
+        ("man/man1/frictiongen.1", ".TH frictiongen 1"),
+        ("man/man1/frictiongen-curve.1", ".TH frictiongen-curve 1"),
+    ] {
+        let text = std::fs::read_to_string(share.join(file)).unwrap();
+        assert!(text.contains(words), "{file}");
+        assert!(file.starts_with("man") || told.contains(file), "{told}");
+    }
+    // A second run replaces the files.
+    assert_eq!(
+        output("", &["setup", "--share", share.to_str().unwrap()]),
+        told
+    );
+    let file = share.join("man/man1/frictiongen.1");
+    let lines = failure("", &["setup", "--share", file.to_str().unwrap()]);
+    assert_eq!(lines.len(), 1);
+    assert!(
+        lines[0].contains("give another folder by --share"),
+        "{lines:?}"
     );
 }

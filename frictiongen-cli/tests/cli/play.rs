@@ -1,4 +1,4 @@
-//! Tests `frictiongen play`, which puts a description into the playground.
+//! Tests `frictiongen play` and `frictiongen report --live`, which put a description into the playground.
 #![allow(
     clippy::unwrap_used,
     clippy::indexing_slicing,
@@ -63,6 +63,44 @@ fn what_is_missing_is_named() {
         (vec!["play", "-", "--page", &page], "<stdin>:1:"),
     ] {
         let said = failure("struct A {", &arguments).join("\n");
+        assert!(said.contains(words), "{arguments:?}: {said}");
+    }
+}
+
+#[test]
+#[cfg(feature = "report")]
+fn a_live_report_contains_the_playground() {
+    let page = file("live.html", PAGE);
+    let asked = ["report", FRAME, "--r", "0.5:2", "--live", "--page", &page];
+    let report = output("", &asked);
+    let (_, rest) = report.split_once("srcdoc=\"").unwrap();
+    let (frame, _) = rest.split_once('"').unwrap();
+    let frame = frame
+        .replace("&lt;", "<")
+        .replace("&gt;", ">")
+        .replace("&quot;", "\"")
+        .replace("&amp;", "&");
+    assert_eq!(given(&frame), fs::read_to_string(FRAME).unwrap());
+    assert!(frame.contains("\"from\":0.5,"), "{frame}");
+    assert!(frame.contains("\"to\":2.0}"), "{frame}");
+    assert!(report.contains("'wasm-unsafe-eval'"));
+    // Without --live the page permits no script but its own.
+    let report = output("", &["report", FRAME, "--r", "0.5:2"]);
+    assert!(!report.contains("unsafe-eval") && !report.contains("<iframe"));
+}
+
+#[test]
+#[cfg(feature = "report")]
+fn a_live_report_without_playground_says_what_is_missing() {
+    for (arguments, words) in [
+        (vec!["report", FRAME, "--live"], "scripts/playground"),
+        (
+            vec!["report", FRAME, "--live", "--page", "none.html"],
+            "cannot read the page none.html",
+        ),
+        (vec!["report", FRAME, "--page", "a.html"], "--live"),
+    ] {
+        let said = failure("", &arguments).join("\n");
         assert!(said.contains(words), "{arguments:?}: {said}");
     }
 }
