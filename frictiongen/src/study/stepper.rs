@@ -9,7 +9,7 @@ use frictiongen_kernel::stepper::{
     Stepped, Stepper, Store, StoreMut, StoreRef, Tables, View, Work, fill, image_step,
 };
 use frictiongen_kernel::{Float, Plain};
-use frictiongen_model::stepping::Steps as Settings;
+use frictiongen_model::stepping::StepperSettings as Settings;
 use std::ops::{Deref, DerefMut};
 
 /// Number of polynomial coefficients of the input over one step. It is large enough for each kind of input.
