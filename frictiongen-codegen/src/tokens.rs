@@ -2,12 +2,12 @@
 
 use crate::diagnostics::Errors;
 use frictiongen_syntax::{
-    DEEPEST, Delimiter, Kind, Name, Place, Problem, Problems, Syntax, TOO_DEEP, Token,
+    DEEPEST, Delimiter, Name, Problem, Problems, Syntax, TOO_DEEP, Token, TokenKind, TokenPosition,
     parse_faulty, parse_tokens,
 };
 use proc_macro2::{Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
 
-/// The compiler's tokens. A [`Place`] is an index in this list. The list is empty for a text.
+/// The compiler's tokens. A [`TokenPosition`] is an index in this list. The list is empty for a text.
 #[derive(Default)]
 pub(crate) struct Sources {
     list: Vec<Source>,
@@ -39,12 +39,12 @@ pub(crate) fn parse(stream: TokenStream, problems: &mut Problems) -> (Syntax, So
 impl Sources {
     /// Returns the span of a position. If the description is a string or a file, every
     /// position has the span of the macro call.
-    pub(crate) fn span(&self, place: Place) -> Span {
+    pub(crate) fn span(&self, place: TokenPosition) -> Span {
         self.source(place)
             .map_or_else(Span::call_site, |source| source.span)
     }
 
-    fn source(&self, place: Place) -> Option<&Source> {
+    fn source(&self, place: TokenPosition) -> Option<&Source> {
         self.list.get(place.token?)
     }
 
@@ -54,7 +54,7 @@ impl Sources {
         self.word(&name.text, name.place)
     }
 
-    fn word(&self, text: &str, place: Place) -> Ident {
+    fn word(&self, text: &str, place: TokenPosition) -> Ident {
         if let Some(TokenTree::Ident(ident)) = self.source(place).and_then(|one| one.tree.as_ref())
         {
             return ident.clone();
@@ -88,10 +88,10 @@ impl Sources {
     }
 
     /// Stores a token and returns its position.
-    fn place(&mut self, span: Span, tree: Option<TokenTree>) -> Place {
+    fn place(&mut self, span: Span, tree: Option<TokenTree>) -> TokenPosition {
         let start = span.start();
         self.list.push(Source { span, tree });
-        Place {
+        TokenPosition {
             line: start.line,
             column: start.column + 1,
             token: Some(self.list.len() - 1),
@@ -111,12 +111,12 @@ impl Sources {
         for tree in stream {
             match tree {
                 TokenTree::Ident(ident) => {
-                    let kind = Kind::Word(ident.to_string());
+                    let kind = TokenKind::Word(ident.to_string());
                     let place = self.place(ident.span(), Some(ident.into()));
                     out.push(Token { kind, place });
                 }
                 TokenTree::Punct(punct) => out.push(Token {
-                    kind: Kind::Punct(punct.as_char()),
+                    kind: TokenKind::Punct(punct.as_char()),
                     place: self.place(punct.span(), None),
                 }),
                 TokenTree::Literal(literal) => self.read_literal(literal, out),
@@ -136,15 +136,15 @@ impl Sources {
         };
         if sign {
             out.push(Token {
-                kind: Kind::Punct('-'),
+                kind: TokenKind::Punct('-'),
                 place,
             });
         }
         let is_number = text.starts_with(|first: char| first.is_ascii_digit());
         let kind = if is_number {
-            Kind::Number(text)
+            TokenKind::Number(text)
         } else {
-            Kind::Quoted {
+            TokenKind::Quoted {
                 text,
                 value: String::new(),
             }
@@ -187,7 +187,7 @@ impl Sources {
             proc_macro2::Delimiter::Brace => Delimiter::Brace,
         };
         let close = self.place(group.span_close(), None);
-        let kind = Kind::Group {
+        let kind = TokenKind::Group {
             bracket,
             tokens,
             close,
@@ -200,13 +200,13 @@ impl Sources {
     pub(crate) fn stream(&self, tokens: &[Token]) -> TokenStream {
         let trees = tokens.iter().filter_map(|token| {
             let mut tree = match &token.kind {
-                Kind::Word(text) => self.word(text, token.place).into(),
-                Kind::Punct(sign) => Punct::new(*sign, Spacing::Joint).into(),
-                Kind::Quoted { value, .. } => self.literal(value, token.place).into(),
-                Kind::Group {
+                TokenKind::Word(text) => self.word(text, token.place).into(),
+                TokenKind::Punct(sign) => Punct::new(*sign, Spacing::Joint).into(),
+                TokenKind::Quoted { value, .. } => self.literal(value, token.place).into(),
+                TokenKind::Group {
                     bracket, tokens, ..
                 } => Group::new(delimiter(*bracket), self.stream(tokens)).into(),
-                Kind::Number(_) | Kind::Doc(_) | Kind::InnerDoc => return None,
+                TokenKind::Number(_) | TokenKind::Doc(_) | TokenKind::InnerDoc => return None,
             };
             TokenTree::set_span(&mut tree, self.span(token.place));
             Some(tree)
@@ -214,7 +214,7 @@ impl Sources {
         trees.collect()
     }
 
-    fn literal(&self, value: &str, place: Place) -> Literal {
+    fn literal(&self, value: &str, place: TokenPosition) -> Literal {
         match self.source(place).and_then(|one| one.tree.as_ref()) {
             Some(TokenTree::Literal(literal)) => literal.clone(),
             _ => Literal::string(value),

@@ -7,7 +7,7 @@
 use frictiongen_kernel::number::dd::Dd;
 
 /// A matrix, stored as a list of columns.
-pub type Columns = Vec<Vec<Dd>>;
+pub type ColumnMatrix = Vec<Vec<Dd>>;
 
 /// Two columns count as orthogonal if the |cosine| of the angle between them is at most this value.
 const ORTHOGONAL: f64 = 1e-30;
@@ -23,10 +23,10 @@ pub fn dot(a: &[Dd], b: &[Dd]) -> Dd {
 }
 
 /// Returns the singular values of a matrix in ascending order, and its right singular vectors as columns.
-pub fn singular(mut g: Columns) -> (Vec<Dd>, Columns) {
+pub fn singular(mut g: ColumnMatrix) -> (Vec<Dd>, ColumnMatrix) {
     let n = g.len();
     let (zero, one) = (Dd::from(0.0), Dd::from(1.0));
-    let mut v: Columns = (0..n)
+    let mut v: ColumnMatrix = (0..n)
         .map(|i| (0..n).map(|j| if i == j { one } else { zero }).collect())
         .collect();
     // With the large columns first, the rotations among the columns with small singular values stay small.
@@ -49,7 +49,7 @@ pub fn singular(mut g: Columns) -> (Vec<Dd>, Columns) {
 }
 
 /// Rotates two columns to make them orthogonal. Returns false if the columns are orthogonal already.
-fn rotate(g: &mut Columns, v: &mut Columns, left: usize, right: usize) -> bool {
+fn rotate(g: &mut ColumnMatrix, v: &mut ColumnMatrix, left: usize, right: usize) -> bool {
     let (Some(a), Some(b)) = (g.get(left), g.get(right)) else {
         return false;
     };
@@ -73,7 +73,7 @@ fn rotate(g: &mut Columns, v: &mut Columns, left: usize, right: usize) -> bool {
     true
 }
 
-fn turn(columns: &mut Columns, left: usize, right: usize, c: Dd, s: Dd) {
+fn turn(columns: &mut ColumnMatrix, left: usize, right: usize, c: Dd, s: Dd) {
     let (head, tail) = columns.split_at_mut(right);
     if let (Some(a), Some(b)) = (head.get_mut(left), tail.first_mut()) {
         for (a, b) in a.iter_mut().zip(b) {
@@ -83,7 +83,12 @@ fn turn(columns: &mut Columns, left: usize, right: usize, c: Dd, s: Dd) {
 }
 
 /// Sorts the columns of `g` and `v` by the norms of the columns of `g`. The sort is a stable insertion sort.
-fn sort(g: &mut Columns, v: &mut Columns, norms: &mut [Dd], before: impl Fn(Dd, Dd) -> bool) {
+fn sort(
+    g: &mut ColumnMatrix,
+    v: &mut ColumnMatrix,
+    norms: &mut [Dd],
+    before: impl Fn(Dd, Dd) -> bool,
+) {
     for end in 1..norms.len() {
         let mut at = end;
         while let (Some(here), Some(previous)) = (

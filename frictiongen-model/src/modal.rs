@@ -1,7 +1,7 @@
 //! Modal data of a scene: resonances, damping ratios, mode shapes and modal loads. The module does all linear algebra
 //! of a scene, in double-double.
 
-use crate::jacobi::{self, Columns, dot};
+use crate::jacobi::{self, ColumnMatrix, dot};
 use crate::modal_sums::{cleaned, inertial_drag, projected, static_sums};
 use crate::scene::{Contact, Damping, Excitation, Node, Scene};
 use frictiongen_kernel::Float;
@@ -80,7 +80,7 @@ struct Assembled {
     reference: Dd,
     /// G = diag(√κ)·E·diag(1/√γ), stored by columns. E is the incidence matrix of the springs. The singular values of G
     /// are the √λ.
-    g: Columns,
+    g: ColumnMatrix,
     /// Load vector p, with each entry divided by √γ of its mass.
     p_scaled: Vec<Dd>,
     /// Contact direction w, with each entry divided by √γ of its mass.
@@ -104,7 +104,7 @@ impl Assembled {
             .iter()
             .map(|spring| dd(spring.stiffness) / k1)
             .collect();
-        let mut g: Columns = vec![vec![dd(0.0); kappa.len()]; n];
+        let mut g: ColumnMatrix = vec![vec![dd(0.0); kappa.len()]; n];
         let (mut p, mut walls) = (vec![dd(0.0); n], vec![dd(0.0); n]);
         for (row, (spring, kappa)) in scene.springs.iter().zip(&kappa).enumerate() {
             let root = kappa.sqrt();
@@ -188,7 +188,7 @@ impl Modal {
         let g: Vec<Vec<f64>> = assembled.g.iter().map(plain).collect();
         let (resonances, vectors) = solver(&g);
         let exact = |column: Vec<f64>| column.into_iter().map(dd).collect::<Vec<_>>();
-        let vectors: Columns = vectors.into_iter().map(exact).collect();
+        let vectors: ColumnMatrix = vectors.into_iter().map(exact).collect();
         Self::assembled(scene, &assembled, exact(resonances), &vectors, noise)
     }
 

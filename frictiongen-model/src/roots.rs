@@ -14,7 +14,7 @@ use frictiongen_kernel::number::dd::Dd;
 /// A mode that the contact drives. Its constants are the resonance σ = √λ, the damping ratio ζ, and the contribution c
 /// to the inverse effective mass of the contact.
 #[derive(Clone, Copy, Debug)]
-pub struct Driven {
+pub struct DrivenMode {
     pub sigma: Dd,
     pub zeta: Dd,
     pub inverse_mass: Dd,
@@ -31,7 +31,7 @@ pub(crate) struct Pair {
 
 /// Returns the modes of the chain with its contact stuck, in ascending order of ω. The resonances of `modes` must be
 /// distinct and in ascending order.
-pub(crate) fn pairs(modes: &[Driven], compliance: Dd) -> Vec<Pair> {
+pub(crate) fn pairs(modes: &[DrivenMode], compliance: Dd) -> Vec<Pair> {
     let zero = Dd::ZERO;
     let mut undamped: Vec<Dd> = modes
         .windows(2)
@@ -58,7 +58,7 @@ pub(crate) fn pairs(modes: &[Driven], compliance: Dd) -> Vec<Pair> {
 /// `high` is `None`, `low` is the last resonance, and the result is the root above `low`. The function multiplies the
 /// sum by the denominators of the two neighbouring modes, and applies regula falsi with the Illinois rule to the
 /// product.
-fn between(modes: &[Driven], compliance: Dd, low: Dd, high: Option<Dd>) -> Dd {
+fn between(modes: &[DrivenMode], compliance: Dd, low: Dd, high: Option<Dd>) -> Dd {
     let value = |omega: Dd| {
         let gap = |sigma: Dd| (sigma - omega) * (sigma + omega);
         // Above the last resonance there is only one neighbouring mode. The factor of the second denominator is then 1.
@@ -130,7 +130,7 @@ fn between(modes: &[Driven], compliance: Dd, low: Dd, high: Option<Dd>) -> Dd {
 
 /// Returns starting values for the search of the roots: the undamped frequencies, with damping estimated from the mode
 /// shapes. A slight asymmetry of the values allows a pair to separate into two real roots.
-fn start(modes: &[Driven], undamped: &[Dd]) -> Vec<Complex<Dd>> {
+fn start(modes: &[DrivenMode], undamped: &[Dd]) -> Vec<Complex<Dd>> {
     let mut roots = Vec::new();
     for (index, omega) in undamped.iter().enumerate() {
         let (mut weight, mut damping) = (Dd::ZERO, Dd::ZERO);
@@ -171,9 +171,9 @@ fn start(modes: &[Driven], undamped: &[Dd]) -> Vec<Complex<Dd>> {
 
 /// Finds zeros of the sum `direct` + Σ c_i/(s² + 2ζ_iσ_i s + λ_i) over the modes, starting from the estimates in
 /// `roots`. The first `known` entries of `roots` stay fixed.
-pub(crate) fn converge(modes: &[Driven], direct: Dd, roots: &mut [Complex<Dd>], known: usize) {
+pub(crate) fn converge(modes: &[DrivenMode], direct: Dd, roots: &mut [Complex<Dd>], known: usize) {
     fn steps<S: Float>(
-        modes: &[Driven],
+        modes: &[DrivenMode],
         direct: Dd,
         roots: &mut [Complex<Dd>],
         known: usize,

@@ -93,7 +93,7 @@ impl Modal {
         let one = dd(1.0);
         match quantity {
             Quantity::Mass(_) | Quantity::Stiffness(_) => {
-                Change::of(scene, quantity)?.perturb(self, scene, &mut along);
+                RelativeChange::of(scene, quantity)?.perturb(self, scene, &mut along);
                 // ρ = k₁/k has the first spring in its numerator.
                 if let (Quantity::Stiffness(0), Some(compliance)) =
                     (quantity, along.compliance.as_mut())
@@ -174,14 +174,14 @@ fn factors(scene: &Scene, along: Option<Quantity>) -> Option<(Dual<Dd>, Dual<Dd>
 
 /// Relative changes dγ/γ of each mass ratio and dκ/κ of each stiffness ratio. The first mass and the first spring are
 /// the references. A change of the first mass or of the first spring therefore changes all other ratios.
-struct Change {
+struct RelativeChange {
     masses: Vec<Dd>,
     springs: Vec<Dd>,
     /// d(√(k₁/m₁))/√(k₁/m₁), the relative change of the reference frequency.
     reference: Dd,
 }
 
-impl Change {
+impl RelativeChange {
     fn of(scene: &Scene, quantity: Quantity) -> Option<Self> {
         let (zero, half) = (dd(0.0), dd(0.5));
         let mut change = Self {

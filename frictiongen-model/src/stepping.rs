@@ -13,7 +13,7 @@ use frictiongen_kernel::{Float, Scalar};
 
 /// Settings of the stepper of a scene, in a solver's number type.
 #[derive(Clone, Debug)]
-pub struct Steps<S> {
+pub struct StepperSettings<S> {
     /// Factors that turn non-dimensional groups into the scene's units.
     pub units: Units<S>,
     /// True if the excitation is a motion of the base.
@@ -32,7 +32,7 @@ pub struct Steps<S> {
     pub speed: S,
 }
 
-impl<S: Scalar> Steps<S> {
+impl<S: Scalar> StepperSettings<S> {
     /// Creates the settings of a scene. `to` rounds each number once from double-double. `more` lists masses on which a
     /// force may act in addition to those in the scene.
     #[must_use]
@@ -106,7 +106,7 @@ impl<S: Scalar> Steps<S> {
     }
 }
 
-impl<S: Float> Steps<S> {
+impl<S: Float> StepperSettings<S> {
     /// Returns the friction law for a simulation at the frequency ratio r. `amplitude` is the amplitude of the load.
     #[must_use]
     pub fn lines(&self, r: S, amplitude: S) -> Lines<'_, S> {
@@ -168,7 +168,7 @@ pub fn refused_step(scene: &Scene, modal: &Modal) -> Option<(f64, [f64; 2])> {
 fn turned<S: Float>(scene: &Scene, modal: &Modal, step: f64) -> Result<(), (f64, [f64; 2])> {
     let to = |value: Dd| S::constant(value.to_f64());
     let transient = Transient::of(scene, modal, to);
-    let steps = Steps::of(scene, modal, std::iter::empty(), to);
+    let steps = StepperSettings::of(scene, modal, std::iter::empty(), to);
     let scene = steps.scene(transient.contact_dynamics());
     let step = S::constant(step);
     match pace(&scene, step) {

@@ -14,7 +14,7 @@ pub enum Scale {
 
 /// The unit of a linear axis. Its ticks are at round multiples of this unit.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Unit {
+pub enum TickUnit {
     /// Plain numbers. Ticks are at 1, 2 and 5 times powers of ten.
     #[default]
     Plain,
@@ -36,7 +36,7 @@ pub struct Axis {
     /// Linear or logarithmic spacing.
     pub scale: Scale,
     /// The unit that determines at which values the axis has ticks.
-    pub unit: Unit,
+    pub unit: TickUnit,
 }
 
 impl Axis {
@@ -48,7 +48,7 @@ impl Axis {
             low,
             high,
             scale: Scale::Linear,
-            unit: Unit::Plain,
+            unit: TickUnit::Plain,
         }
     }
 
@@ -91,7 +91,7 @@ impl Axis {
     #[must_use]
     pub fn degrees(self) -> Self {
         Self {
-            unit: Unit::Degrees,
+            unit: TickUnit::Degrees,
             ..self
         }
     }
@@ -100,7 +100,7 @@ impl Axis {
     #[must_use]
     pub fn in_pi(self) -> Self {
         Self {
-            unit: Unit::Pi,
+            unit: TickUnit::Pi,
             ..self
         }
     }

@@ -6,7 +6,7 @@ use crate::layer::Anchor;
 use crate::palette::{INK, Rgb};
 use crate::pen::{Pen, TEXT};
 use crate::plan::{Above, HATCH, HEIGHT, PAD, Plan, WIDTH};
-use crate::sketch::{Contact, End, Excitation, Sketch};
+use crate::sketch::{End, Excitation, Sketch, SketchContact};
 use crate::svg::Canvas;
 
 /// Horizontal distance between the middle of a mass and the end of a spring above the row, in pixels.
@@ -142,7 +142,7 @@ impl Plan<'_> {
         pen.text(above.label, (middle, y - 11.0), Anchor::Middle, INK);
     }
 
-    fn friction(&self, pen: &mut Pen<'_>, contact: &Contact, row: f64) {
+    fn friction(&self, pen: &mut Pen<'_>, contact: &SketchContact, row: f64) {
         let masses: Vec<usize> = [contact.between.0, contact.between.1]
             .into_iter()
             .filter_map(|end| match end {

@@ -161,12 +161,12 @@ pub struct Key {
     /// Text of the entry.
     pub name: Label,
     /// Sample that is drawn before the text.
-    pub sample: Sample,
+    pub sample: LegendSample,
 }
 
 /// The sample that is drawn before the text of a legend entry.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Sample {
+pub enum LegendSample {
     /// A short line.
     Line(Colour, Stroke),
     /// A marker.
@@ -179,7 +179,7 @@ impl Key {
     /// Creates a legend entry that explains a stroke, such as dashed. The sample is black.
     #[must_use]
     pub fn stroke(name: impl Into<Label>, stroke: Stroke) -> Self {
-        let sample = Sample::Line(Colour::Black, stroke);
+        let sample = LegendSample::Line(Colour::Black, stroke);
         Self {
             name: name.into(),
             sample,
@@ -189,7 +189,7 @@ impl Key {
     /// Creates a legend entry that explains the shape of a marker. The sample is black.
     #[must_use]
     pub fn marker(name: impl Into<Label>, marker: Marker) -> Self {
-        let sample = Sample::Marker(Colour::Black, marker);
+        let sample = LegendSample::Marker(Colour::Black, marker);
         Self {
             name: name.into(),
             sample,
@@ -199,7 +199,7 @@ impl Key {
     /// Creates a legend entry that explains the colour of an area.
     #[must_use]
     pub fn fill(name: impl Into<Label>, fill: Fill) -> Self {
-        let sample = Sample::Fill(fill);
+        let sample = LegendSample::Fill(fill);
         Self {
             name: name.into(),
             sample,

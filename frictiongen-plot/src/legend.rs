@@ -1,6 +1,6 @@
 //! The legend: one entry for each name, in columns.
 
-use crate::figure::Sample;
+use crate::figure::LegendSample;
 use crate::geometry::Rect;
 use crate::label::Label;
 use crate::layer::Anchor;
@@ -39,7 +39,7 @@ pub(crate) struct Legend {
 
 impl Legend {
     /// Adds a sample to the entry of a name. Earlier samples of that entry are kept.
-    pub(crate) fn add(&mut self, name: &Label, sample: Sample) {
+    pub(crate) fn add(&mut self, name: &Label, sample: LegendSample) {
         if name.is_empty() {
             return;
         }
@@ -58,12 +58,14 @@ impl Legend {
             return;
         };
         match sample {
-            Sample::Line(colour, stroke) => {
+            LegendSample::Line(colour, stroke) => {
                 let (_, first) = *entry.line.get_or_insert((colour, stroke));
                 entry.mixed |= first != stroke;
             }
-            Sample::Marker(colour, marker) => _ = entry.marker.get_or_insert((colour, marker)),
-            Sample::Fill(fill) => _ = entry.fill.get_or_insert(fill),
+            LegendSample::Marker(colour, marker) => {
+                _ = entry.marker.get_or_insert((colour, marker))
+            }
+            LegendSample::Fill(fill) => _ = entry.fill.get_or_insert(fill),
         }
     }
 
@@ -168,7 +170,7 @@ impl LegendEntry {
 #[cfg(test)]
 mod tests {
     use super::{Legend, ROW};
-    use crate::figure::Sample;
+    use crate::figure::LegendSample;
     use crate::palette::Colour;
     use crate::stroke::{Marker, Stroke};
     use crate::svg::Canvas;
@@ -179,17 +181,20 @@ mod tests {
         for series in 0..3 {
             legend.add(
                 &"a".into(),
-                Sample::Line(Colour::Series(series), Stroke::Solid),
+                LegendSample::Line(Colour::Series(series), Stroke::Solid),
             );
             legend.add(
                 &"b".into(),
-                Sample::Marker(Colour::Series(series), Marker::Circle),
+                LegendSample::Marker(Colour::Series(series), Marker::Circle),
             );
             legend.add(
                 &"a".into(),
-                Sample::Marker(Colour::Series(series), Marker::Cross),
+                LegendSample::Marker(Colour::Series(series), Marker::Cross),
             );
-            legend.add(&"".into(), Sample::Marker(Colour::Black, Marker::Cross));
+            legend.add(
+                &"".into(),
+                LegendSample::Marker(Colour::Black, Marker::Cross),
+            );
         }
         assert_eq!(legend.names(), ["a", "b"]);
         assert_eq!(
@@ -207,7 +212,7 @@ mod tests {
         let sample = |strokes: &[Stroke]| {
             let mut legend = Legend::default();
             for stroke in strokes {
-                legend.add(&"a".into(), Sample::Line(Colour::Series(0), *stroke));
+                legend.add(&"a".into(), LegendSample::Line(Colour::Series(0), *stroke));
             }
             let mut canvas = Canvas::default();
             legend.draw(Some(&mut canvas), (0.0, 0.0), 100.0);
@@ -223,7 +228,10 @@ mod tests {
     fn it_is_as_high_as_its_rows() {
         let mut legend = Legend::default();
         for name in ["one", "two", "three", "four"] {
-            legend.add(&name.into(), Sample::Line(Colour::Black, Stroke::Solid));
+            legend.add(
+                &name.into(),
+                LegendSample::Line(Colour::Black, Stroke::Solid),
+            );
         }
         assert_eq!(legend.draw(None, (0.0, 0.0), 1000.0), ROW);
         // Three columns would fit, but two rows of two columns are evenly filled.

@@ -45,14 +45,14 @@ mod text;
 mod ticks;
 mod xml;
 
-pub use axis::{Axis, Scale, Unit};
+pub use axis::{Axis, Scale, TickUnit};
 pub use face::{Face, Level};
-pub use figure::{Figure, Inset, Key, Page, Panel, PanelFrame, Sample};
+pub use figure::{Figure, Inset, Key, LegendSample, Page, Panel, PanelFrame};
 pub use geometry::Point;
 pub use label::{Label, Span};
 pub use layer::{Across, Anchor, Cells, Guide, Layer, Line, Markers, Note, Raster, Region};
 pub use palette::{Colour, Fill};
 #[cfg(feature = "png")]
 pub use png::PlotError;
-pub use sketch::{Contact, End, Excitation, Sketch, Spring};
+pub use sketch::{End, Excitation, Sketch, SketchContact, Spring};
 pub use stroke::{Marker, Stroke};

@@ -1,6 +1,6 @@
 //! Draws the layers of a panel within its frame.
 
-use crate::figure::{Inset, Panel, Sample};
+use crate::figure::{Inset, LegendSample, Panel};
 use crate::frame::Frame;
 use crate::geometry::{Point, Rect, thin};
 use crate::layer::{Across, Anchor, Guide, Layer, Line, Markers, Note, Region};
@@ -80,7 +80,7 @@ fn line(canvas: &mut Canvas, layer: &Line, frame: &Frame, legend: &mut Legend) {
     }
     canvas.lines(&drawn, layer.colour.rgb(), layer.stroke);
     if let Some(name) = &layer.name {
-        legend.add(name, Sample::Line(layer.colour, layer.stroke));
+        legend.add(name, LegendSample::Line(layer.colour, layer.stroke));
     }
 }
 
@@ -92,7 +92,7 @@ fn markers(canvas: &mut Canvas, layer: &Markers, frame: &Frame, legend: &mut Leg
     }
     canvas.markers(&points, layer.colour.rgb(), layer.marker);
     if let Some(name) = &layer.name {
-        legend.add(name, Sample::Marker(layer.colour, layer.marker));
+        legend.add(name, LegendSample::Marker(layer.colour, layer.marker));
     }
 }
 
@@ -113,7 +113,7 @@ fn guide(canvas: &mut Canvas, layer: &Guide, frame: &Frame, legend: &mut Legend)
     };
     canvas.lines(&[ends], layer.colour.rgb(), layer.stroke);
     if let Some(name) = &layer.name {
-        legend.add(name, Sample::Line(layer.colour, layer.stroke));
+        legend.add(name, LegendSample::Line(layer.colour, layer.stroke));
     }
 }
 
@@ -134,7 +134,7 @@ fn region(canvas: &mut Canvas, layer: &Region, frame: &Frame, legend: &mut Legen
     }
     canvas.areas(&outlines, layer.fill.rgb());
     if layer.at.is_none() {
-        legend.add(&layer.name, Sample::Fill(layer.fill));
+        legend.add(&layer.name, LegendSample::Fill(layer.fill));
     }
     true
 }

@@ -3,7 +3,7 @@
 use crate::geometry::Point;
 use crate::label::Label;
 use crate::pen::TEXT;
-use crate::sketch::{Contact, End, Excitation, Sketch, Spring};
+use crate::sketch::{End, Excitation, Sketch, SketchContact, Spring};
 
 /// Usual width of a mass, in pixels.
 pub(crate) const WIDTH: f64 = 46.0;
@@ -43,7 +43,7 @@ pub(crate) struct Plan<'a> {
     pub direct: Vec<(usize, &'a Spring)>,
     /// Springs and dashpots above the row of masses.
     pub above: Vec<Above<'a>>,
-    pub contact: Option<&'a Contact>,
+    pub contact: Option<&'a SketchContact>,
     pub base: bool,
     pub wall: bool,
     pub lanes: usize,

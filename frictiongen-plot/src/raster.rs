@@ -2,7 +2,7 @@
 //! become one path.
 
 use crate::axis::Mapping;
-use crate::figure::Sample;
+use crate::figure::LegendSample;
 use crate::frame::Frame;
 use crate::geometry::Rect;
 use crate::layer::{Cells, Raster};
@@ -34,7 +34,7 @@ pub(crate) fn draw(
                 if !runs.is_empty() {
                     any = true;
                     canvas.cells(&runs, grid, fill.rgb());
-                    legend.add(name, Sample::Fill(*fill));
+                    legend.add(name, LegendSample::Fill(*fill));
                 }
             }
             any

@@ -24,7 +24,7 @@ pub struct Spring {
 
 /// The friction contact between two elements.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Contact {
+pub struct SketchContact {
     /// The two elements, in any order.
     pub between: (End, End),
     /// Label next to the contact.
@@ -82,7 +82,7 @@ pub struct Sketch {
     /// Dashpots parallel to the springs.
     pub dashpots: Vec<Spring>,
     /// The friction contact. `None` for a system without contact.
-    pub contact: Option<Contact>,
+    pub contact: Option<SketchContact>,
     /// The excitation: none, a force on a mass, or the motion of the base.
     pub excitation: Excitation,
 }
@@ -97,7 +97,7 @@ impl Sketch {
 
 #[cfg(test)]
 mod tests {
-    use super::{Contact, End, Excitation, Sketch, Spring};
+    use super::{End, Excitation, Sketch, SketchContact, Spring};
     use crate::drawing::ALONE;
 
     fn chain(count: usize) -> Sketch {
@@ -161,7 +161,7 @@ mod tests {
                 between,
                 label: "no".into(),
             });
-            sketch.contact = Some(Contact {
+            sketch.contact = Some(SketchContact {
                 between,
                 label: "no".into(),
             });
@@ -207,7 +207,7 @@ mod tests {
             (End::Mass(2), End::Base),
             (End::Mass(2), End::Mass(0)),
         ] {
-            sketch.contact = Some(Contact {
+            sketch.contact = Some(SketchContact {
                 between,
                 label: "*F*".into(),
             });

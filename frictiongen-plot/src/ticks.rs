@@ -1,6 +1,6 @@
 //! Positions and labels of the ticks of an axis.
 
-use crate::axis::{Axis, Scale, Unit};
+use crate::axis::{Axis, Scale, TickUnit};
 use crate::label::Label;
 use crate::number::{decimal, exponent, number, of_pi, scientific};
 use std::f64::consts::PI;
@@ -21,8 +21,8 @@ pub(crate) fn ticks(axis: &Axis, count: usize) -> Vec<Tick> {
     let parts = count.min(5);
     match (axis.scale, axis.unit) {
         (Scale::Log, _) => log(low, high, count),
-        (Scale::Linear, Unit::Plain) => plain(low, high, count),
-        (Scale::Linear, Unit::Degrees) => {
+        (Scale::Linear, TickUnit::Plain) => plain(low, high, count),
+        (Scale::Linear, TickUnit::Degrees) => {
             let steps = [1, 2, 5, 10, 15, 30, 45, 90, 180, 360, 720, 1440];
             let step = steps
                 .into_iter()
@@ -36,7 +36,7 @@ pub(crate) fn ticks(axis: &Axis, count: usize) -> Vec<Tick> {
                 _ => plain(low, high, count),
             }
         }
-        (Scale::Linear, Unit::Pi) => {
+        (Scale::Linear, TickUnit::Pi) => {
             let steps = [
                 (1, 12),
                 (1, 6),

@@ -2,7 +2,7 @@
 
 use crate::compare::ComparedLimit;
 use frictiongen_model::table::Worst;
-use frictiongen_model::table::{Evidence, Proof, Work};
+use frictiongen_model::table::{Evidence, Proof, ProofWork};
 
 /// Limit on the work of a proof, and the work spent, both in evaluations of one mode.
 pub(crate) struct Budget {
@@ -79,7 +79,7 @@ impl FunctionProof {
             evidence,
             bound: self.bound,
             open,
-            work: Work(work),
+            work: ProofWork(work),
         }
     }
 }

@@ -43,7 +43,7 @@ use found::PieceProof;
 use frictiongen_kernel::Float;
 use frictiongen_model::modal::Modal;
 use frictiongen_model::table::building::{Exact, Landmarks, SIZE, Zeros};
-use frictiongen_model::table::{Evidence, Proof, Tables, Work};
+use frictiongen_model::table::{Evidence, Proof, ProofWork, Tables};
 use prover::Prover;
 use stage::IntervalChain;
 use std::ops::Range;
@@ -60,13 +60,13 @@ const FAIR: usize = 8;
 
 /// Proves β_lim, and amplitude and phase of the contact, as far in r as the work allows. Stores the proofs in the
 /// tables.
-pub fn prove<S: Float>(tables: &mut Tables<S>, modal: &Modal, work: Work) {
+pub fn prove<S: Float>(tables: &mut Tables<S>, modal: &Modal, work: ProofWork) {
     let pieces = 0..tables.pieces.len();
     [tables.proof, tables.motion_proof] = of_pieces(tables, modal, pieces, work);
 }
 
 /// Makes the proof of [`prove`] if the work is likely to suffice for all pieces of the tables.
-pub fn prove_if_small<S: Float>(tables: &mut Tables<S>, modal: &Modal, work: Work) {
+pub fn prove_if_small<S: Float>(tables: &mut Tables<S>, modal: &Modal, work: ProofWork) {
     let of_piece = if Exact::new(modal).all_damped() {
         PIECE_WORK
     } else {
@@ -85,7 +85,7 @@ pub fn prove_piece<S: Float>(
     tables: &Tables<S>,
     modal: &Modal,
     place: usize,
-    work: Work,
+    work: ProofWork,
 ) -> [Proof; 2] {
     of_pieces(tables, modal, place..place + 1, work)
 }
@@ -95,7 +95,7 @@ fn of_pieces<S: Float>(
     tables: &Tables<S>,
     modal: &Modal,
     places: Range<usize>,
-    work: Work,
+    work: ProofWork,
 ) -> [Proof; 2] {
     let chain = IntervalChain::of(modal);
     let ends = (
@@ -111,8 +111,8 @@ fn of_pieces<S: Float>(
         .map(|proof| proof.bound.error)
         // If |V| is one of the tabulated functions, the comparison of these functions covers its error.
         .or((tables.functions > SIZE).then_some(0.0));
-    let Work(most) = work;
-    let share = Work(most.min(FAIR * most / places.len().max(1)));
+    let ProofWork(most) = work;
+    let share = ProofWork(most.min(FAIR * most / places.len().max(1)));
     let ends = |place: usize| {
         let next = tables.pieces.get(place + 1);
         let to = next.map_or(high, |next| next.from.to_f64());

@@ -9,7 +9,7 @@ use frictiongen_model::samples::{random, request, scene};
 use frictiongen_model::scene::Side;
 use frictiongen_model::table::FRICTION_SHARES;
 use frictiongen_model::table::building::Exact;
-use frictiongen_model::table::{Evidence, Request, Tables, Work};
+use frictiongen_model::table::{Evidence, ProofWork, Request, Tables};
 use std::f64::consts::PI;
 
 const KINDS: [(&str, usize, f64, f64); 8] = [
@@ -62,7 +62,7 @@ fn agreeing<S: Float>(accuracy: f64, side: Side) -> usize {
     for (kind, count, zeta, stiction) in KINDS {
         let modal = scene(kind, count, zeta, stiction);
         let mut tables = tables::<S>(&modal, accuracy, side);
-        prove(&mut tables, &modal, Work::WHOLE);
+        prove(&mut tables, &modal, ProofWork::WHOLE);
         let proof = &tables.motion_proof;
         let name = format!("{kind}{count}, {zeta}, {accuracy:e}: {}", proof.told());
         assert!(proof.evidence != Evidence::Checked, "{name}");
@@ -158,7 +158,7 @@ fn wrong_coefficients_are_not_proven() {
                 .max((ends.0 - piece.origin).abs());
             let middle = 0.5 * (ends.0 + next);
             let sizes = [0, 4].map(|function| piece.value(function, middle).abs());
-            let [limit, motion] = prove_piece(&tables, &modal, place, Work(300_000));
+            let [limit, motion] = prove_piece(&tables, &modal, place, ProofWork(300_000));
             let most = 1e-3 * (next - ends.0);
             assert!(
                 limit.open_length() < most && motion.open_length() < most,
@@ -184,7 +184,7 @@ fn wrong_coefficients_are_not_proven() {
                             continue;
                         }
                         is_found = true;
-                        let proofs = prove_piece(&tables, &modal, place, Work(60_000));
+                        let proofs = prove_piece(&tables, &modal, place, ProofWork(60_000));
                         for (which, (seen, proof)) in seen.into_iter().zip(&proofs).enumerate() {
                             let open = proof.open_length();
                             let told = format!(

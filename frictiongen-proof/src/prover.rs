@@ -10,8 +10,8 @@ use crate::witness::{Witness, WitnessInstant};
 use crate::{certify, compare, early};
 use frictiongen_kernel::Float;
 use frictiongen_model::interval::Interval;
-use frictiongen_model::table::building::{Edge, Exact};
-use frictiongen_model::table::{FINEST_PROVEN, Fitted, Request, Work};
+use frictiongen_model::table::building::{Exact, LimitZero};
+use frictiongen_model::table::{FINEST_PROVEN, Fitted, ProofWork, Request};
 
 /// Fraction of the accuracy by which the constraint at another instant may exceed that of the witness. The value is
 /// tuned. The error of the polynomial may use the rest. The check of the tables leaves a tenth of the accuracy unused.
@@ -56,7 +56,7 @@ impl<'a, 'm> Prover<'a, 'm> {
         exact: &'a mut Exact<'m>,
         chain: &'a IntervalChain,
         request: Request,
-        Work(work): Work,
+        ProofWork(work): ProofWork,
         excitation: Option<f64>,
     ) -> Self {
         let (low, _) = request.r;
@@ -78,7 +78,7 @@ impl<'a, 'm> Prover<'a, 'm> {
         piece: &Fitted<S>,
         (from, to): (f64, f64),
         kinks: &[f64],
-        zero: Option<Edge>,
+        zero: Option<LimitZero>,
     ) -> PieceProof {
         if self.request.accuracy < FINEST_PROVEN || !(from < to) {
             if from < to {
@@ -108,7 +108,7 @@ impl<'a, 'm> Prover<'a, 'm> {
     }
 
     /// Proves the range between two r, interval by interval.
-    fn walk<S: Float>(&mut self, piece: &Fitted<S>, start: f64, end: f64, zero: Option<Edge>) {
+    fn walk<S: Float>(&mut self, piece: &Fitted<S>, start: f64, end: f64, zero: Option<LimitZero>) {
         let forwards = start < end;
         let mut place = start;
         let mut zero = zero;
@@ -189,7 +189,7 @@ impl<'a, 'm> Prover<'a, 'm> {
         &mut self,
         piece: &Fitted<S>,
         (from, to): (f64, f64),
-        zero: Option<Edge>,
+        zero: Option<LimitZero>,
         insists: bool,
     ) -> Option<IntervalProof> {
         let middle = 0.5 * (from + to);
@@ -277,7 +277,7 @@ impl<'a, 'm> Prover<'a, 'm> {
         at: ChainStage<ORDER>,
         over: ChainStage<ORDER>,
         away: Interval,
-        zero: Option<Edge>,
+        zero: Option<LimitZero>,
     ) -> Option<(ChainStage<ORDER>, ChainStage<ORDER>)> {
         let (Some(own), Some(all)) = (at.kappa, over.kappa) else {
             return Some((at, over));

@@ -25,7 +25,7 @@ pub(crate) enum ModeDecay {
 
 /// The constants of a mode, as intervals.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Oscillator {
+pub(crate) struct IntervalMode {
     pub kind: ModeDecay,
     pub sigma: Interval,
     pub zeta: Interval,
@@ -45,7 +45,7 @@ pub(crate) struct Oscillator {
 /// double-double.
 #[derive(Clone, Debug)]
 pub(crate) struct IntervalChain {
-    pub modes: Vec<Oscillator>,
+    pub modes: Vec<IntervalMode>,
     pub all_undamped: bool,
     /// −1 if the contact slides on a moving base, otherwise 0.
     pub direct: Interval,
@@ -59,7 +59,7 @@ impl IntervalChain {
     pub fn of(modal: &Modal) -> Self {
         let one = Dd::ONE;
         let mut inverse_mass = Dd::ZERO;
-        let modes: Vec<Oscillator> = contact_modes(modal)
+        let modes: Vec<IntervalMode> = contact_modes(modal)
             .into_iter()
             .map(|mode| {
                 let zeta = mode.driven.zeta;
@@ -74,7 +74,7 @@ impl IntervalChain {
                 } else {
                     ModeDecay::Over
                 };
-                Oscillator {
+                IntervalMode {
                     kind,
                     sigma: Interval::of(mode.driven.sigma),
                     zeta: Interval::of(zeta),
@@ -86,7 +86,7 @@ impl IntervalChain {
                 }
             })
             .collect();
-        let undamped = |mode: &Oscillator| mode.kind == ModeDecay::Undamped;
+        let undamped = |mode: &IntervalMode| mode.kind == ModeDecay::Undamped;
         Self {
             all_undamped: modes.iter().all(undamped),
             modes,
@@ -100,7 +100,7 @@ impl IntervalChain {
 /// A mode at the frequency ratios of an interval.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ModeStage<const N: usize> {
-    pub oscillator: Oscillator,
+    pub oscillator: IntervalMode,
     /// x = √λ/r, the natural frequency divided by the excitation frequency.
     pub x: IntervalSeries<N>,
     /// r/√λ, the inverse of `x`.
@@ -141,7 +141,7 @@ const RESONANT: f64 = 0.5;
 /// Returns one flag for each mode. The flag is true if κ contains the cosine of the mode near r.
 pub(crate) fn singular(chain: &IntervalChain, r: f64) -> Vec<bool> {
     let modes = chain.modes.iter();
-    let cosine = |mode: &Oscillator| {
+    let cosine = |mode: &IntervalMode| {
         let x = mode.sigma.middle() / r;
         Interval::point(0.5 * x).sine_cosine().1.size()
     };
@@ -309,7 +309,7 @@ impl<const N: usize> ChainStage<N> {
 
 /// Returns 1 + g and u/x² of a mode whose cos(πx/2) is not a factor of κ.
 fn functions<const N: usize>(
-    mode: &Oscillator,
+    mode: &IntervalMode,
     x: &IntervalSeries<N>,
     slow: &IntervalSeries<N>,
     (half_sine, half_cosine): (&IntervalSeries<N>, &IntervalSeries<N>),

@@ -13,10 +13,10 @@ use frictiongen_model::modal::Modal;
 use frictiongen_model::samples::{random, request, scene};
 use frictiongen_model::scene::Side;
 use frictiongen_model::table::building::Exact;
-use frictiongen_model::table::{Evidence, Proof, Tables, Work};
+use frictiongen_model::table::{Evidence, Proof, ProofWork, Tables};
 
 /// Proves the β_lim of tables.
-fn limit_of<S: Float>(tables: &Tables<S>, modal: &Modal, work: Work) -> Proof {
+fn limit_of<S: Float>(tables: &Tables<S>, modal: &Modal, work: ProofWork) -> Proof {
     let [limit, _] = of_pieces(tables, modal, 0..tables.pieces.len(), work);
     limit
 }
@@ -37,7 +37,7 @@ fn the_bound_holds() {
         let modal = scene(kind, count, zeta, stiction);
         for (accuracy, side) in [(1e-3, Side::Near), (1e-3, Side::Safe), (1e-4, Side::Near)] {
             let tables = Tables::<f64>::build(&modal, request(accuracy, side)).unwrap();
-            let proof = limit_of(&tables, &modal, Work(1_000_000));
+            let proof = limit_of(&tables, &modal, ProofWork(1_000_000));
             let name = format!(
                 "{kind}{count}, {zeta}, {stiction}, {accuracy:e}, {side:?}: {}",
                 proof.told()
@@ -87,7 +87,7 @@ fn a_wrong_coefficient_is_not_proven() {
         let modal = scene(kind, count, zeta, 1.2);
         let mut tables = Tables::<f64>::build(&modal, request(accuracy, Side::Near)).unwrap();
         for place in [1, tables.pieces.len() / 2, tables.pieces.len() - 1] {
-            let work = Work(300_000);
+            let work = ProofWork(300_000);
             let [sound, _] = prove_piece(&tables, &modal, place, work);
             let next = tables.pieces.get(place + 1).map_or(2.5, |next| next.from);
             let piece = &tables.pieces[place];
@@ -103,7 +103,7 @@ fn a_wrong_coefficient_is_not_proven() {
                 let coefficient = tables.pieces[place].coefficients[0][power];
                 let wrong = 10.0 * accuracy * limit / far.powi(power as i32);
                 tables.pieces[place].coefficients[0][power] = coefficient + wrong;
-                let [wrong, _] = prove_piece(&tables, &modal, place, Work(50_000));
+                let [wrong, _] = prove_piece(&tables, &modal, place, ProofWork(50_000));
                 let open = wrong.open_length();
                 // A coefficient that is wrong by ten times the accuracy at the far end is wrong by more than the
                 // accuracy over a large fraction of the piece.
@@ -130,7 +130,7 @@ fn above_the_limit_is_not_safe() {
         let next = tables.pieces.get(place + 1).map_or(2.5, |next| next.from);
         let length = next - tables.pieces[place].from;
         let open = |tables: &Tables<f64>| {
-            let [proof, _] = prove_piece(tables, &modal, place, Work(300_000));
+            let [proof, _] = prove_piece(tables, &modal, place, ProofWork(300_000));
             proof.open_length() / length
         };
         assert!(open(&tables) < 1e-3, "{kind}{count}");
@@ -147,7 +147,7 @@ fn above_the_limit_is_not_safe() {
 fn single_precision() {
     let modal = scene("Wall", 1, 0.02, 1.2);
     let tables = Tables::<f32>::build(&modal, request(1e-4, Side::Near)).unwrap();
-    let proof = limit_of(&tables, &modal, Work(1_000_000));
+    let proof = limit_of(&tables, &modal, ProofWork(1_000_000));
     assert_eq!(proof.evidence, Evidence::Proven, "{}", proof.told());
     let mut exact = Exact::new(&modal);
     let mut state = 5;
@@ -168,10 +168,10 @@ fn what_is_not_proven_says_so() {
     let tables = Tables::<f64>::build(&modal, request(1e-4, Side::Near)).unwrap();
     assert_eq!(tables.proof.evidence, Evidence::Checked);
     assert_eq!(
-        limit_of(&tables, &modal, Work(0)).evidence,
+        limit_of(&tables, &modal, ProofWork(0)).evidence,
         Evidence::Checked
     );
-    let little = limit_of(&tables, &modal, Work(20_000));
+    let little = limit_of(&tables, &modal, ProofWork(20_000));
     assert_eq!(little.evidence, Evidence::Partly);
     assert!(little.open_length() > 0.1 && little.work.0 < 30_000);
     assert!(
@@ -180,7 +180,7 @@ fn what_is_not_proven_says_so() {
         little.told()
     );
     let mut fine = Tables::<f64>::build(&modal, request(1e-7, Side::Near)).unwrap();
-    prove(&mut fine, &modal, Work::WHOLE);
+    prove(&mut fine, &modal, ProofWork::WHOLE);
     assert_eq!(fine.proof.evidence, Evidence::Checked);
     assert!(fine.proof.told().starts_with("Checked, not proven"));
 }

@@ -42,7 +42,7 @@ impl core::error::Error for Diagnostics {}
 
 /// Position of a token.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Place {
+pub struct TokenPosition {
     /// The line, counted from 1.
     pub line: usize,
     /// The column, counted in characters from 1.
@@ -55,7 +55,7 @@ pub struct Place {
 #[derive(Clone, Debug)]
 pub struct Problem {
     /// The position of the token that caused the error.
-    pub place: Place,
+    pub place: TokenPosition,
     /// The message: the error and what to write instead.
     pub message: String,
 }
@@ -72,7 +72,7 @@ pub struct Problems {
 
 impl Problems {
     /// Adds an error to the list.
-    pub fn report(&mut self, place: Place, message: impl Into<String>) -> Reported {
+    pub fn report(&mut self, place: TokenPosition, message: impl Into<String>) -> Reported {
         self.list.push(Problem {
             place,
             message: message.into(),

@@ -13,12 +13,12 @@ mod write;
 use frictiongen_model::scene::Scene;
 use frictiongen_model::validate::MOST_MASSES;
 
-pub use diagnostics::{Diagnostic, Diagnostics, Place, Problem, Problems, Reported};
+pub use diagnostics::{Diagnostic, Diagnostics, Problem, Problems, Reported, TokenPosition};
 pub use lower::{Located, Readable};
 pub use parse::header::{Attribute, Visibility};
 pub use parse::reader::Name;
 pub use parse::syntax::{RustPath, Syntax};
-pub use parse::token::{DEEPEST, Delimiter, Kind, TOO_DEEP, Token};
+pub use parse::token::{DEEPEST, Delimiter, TOO_DEEP, Token, TokenKind};
 pub use parse::{parse_faulty, parse_tokens};
 pub use warnings::warnings;
 pub use write::written;

@@ -66,7 +66,7 @@ fn fields(scene: &Scene) -> Vec<(&'static str, String)> {
                 "{}: {}{}",
                 contact.name,
                 sides(contact.sides),
-                Law(contact.law)
+                LawText(contact.law)
             )
         });
         fields.push(("contacts", braced(contacts)));
@@ -174,9 +174,9 @@ fn emitted(scene: &Scene, fields: &mut Vec<(&'static str, String)>) {
 }
 
 /// The properties of one of several contacts. `Display` writes them as the text between the braces of the contact.
-struct Law(JointLaw);
+struct LawText(JointLaw);
 
-impl Display for Law {
+impl Display for LawText {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         let JointLaw {
             stiffness,

@@ -4,7 +4,7 @@
 use crate::{FrictionSystem, OutOfDomain};
 use core::ops::DerefMut;
 use frictiongen_kernel::Float;
-use frictiongen_kernel::motion::{Contact, ContactChain, Level, Part};
+use frictiongen_kernel::motion::{Contact, ContactChain, KineticLaw, Part};
 use frictiongen_kernel::simulation::{Moment, Segment, Simulation};
 
 /// A scene that provides its exact motion in time, from event to event, in addition to the limits.
@@ -115,7 +115,7 @@ impl<'a, S, P, L, K, R> Run for R
 where
     S: Float,
     P: AsRef<[Part<S>]> + AsMut<[Part<S>]> + 'a,
-    L: Level<'a, S>,
+    L: KineticLaw<'a, S>,
     K: ContactChain<S> + 'a,
     R: DerefMut<Target = Simulation<'a, S, P, L, K>>,
 {

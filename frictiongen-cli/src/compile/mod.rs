@@ -12,7 +12,7 @@ use frictiongen::System;
 use frictiongen::study::InvalidScene;
 use frictiongen::study::columns::FrequencyUnit;
 use frictiongen::study::scene::{Accuracy, Declared, Proving, Range, Scene, Side};
-use frictiongen::study::table::{Evidence, FINEST_PROVEN, Proof, Tables, Work};
+use frictiongen::study::table::{Evidence, FINEST_PROVEN, Proof, ProofWork, Tables};
 use frictiongen_codegen::standalone::{
     Origin, Source, c_header, c_name, c_source, c_tables, c_tables_name, left_out, rust_source,
 };
@@ -39,7 +39,7 @@ pub fn run(arguments: &CompileArguments, out: &mut dyn Write) -> Result<(), Fail
     let name = c_prefix(&scene, arguments)?;
     let mut tables = SceneTables::of(&scene).map_err(Failure::new)?;
     if let Some(tables) = tables.as_mut().filter(|_| arguments.prove) {
-        tables.prove(&scene, Work::WHOLE);
+        tables.prove(&scene, ProofWork::WHOLE);
     }
     let command = command::written(arguments);
     let origin = Origin {

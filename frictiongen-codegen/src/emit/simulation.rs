@@ -6,7 +6,7 @@ use super::names::TypeNames;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::simulation::{MAX_STEPS, MAX_STRETCHES};
 use frictiongen_model::scene::FrictionLaw;
-use frictiongen_model::stepping::Steps;
+use frictiongen_model::stepping::StepperSettings;
 use proc_macro2::{Literal, TokenStream};
 
 pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
@@ -168,7 +168,7 @@ fn starts_under(emission: &Emission<'_>, parts: &Literal) -> ([TokenStream; 2], 
         ..
     } = emission;
     let masses = count(scene.masses.len());
-    let steps = Steps::<f64>::of(scene, modal, std::iter::empty(), |value: Dd| {
+    let steps = StepperSettings::<f64>::of(scene, modal, std::iter::empty(), |value: Dd| {
         rounded(value, *precision)
     });
     let law = steps.law.iter().map(|point| emission.list(*point));

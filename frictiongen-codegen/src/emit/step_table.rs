@@ -13,7 +13,7 @@ use frictiongen_kernel::stepper::{
     Channel, HeldLoad, HeldRow, HeldStep, ModeStep, Pace, Row, StepScene, fill,
 };
 use frictiongen_model::scene::Precision;
-use frictiongen_model::stepping::Steps;
+use frictiongen_model::stepping::StepperSettings;
 use frictiongen_model::transient::Transient;
 use proc_macro2::{Literal, TokenStream};
 
@@ -191,7 +191,7 @@ fn terms<S: Float>(emission: &Emission<'_>, step: Dd) -> Option<u32> {
     let to = |value: Dd| S::constant(rounded(value, emission.precision));
     let Emission { scene, modal, .. } = emission;
     let transient = Transient::<S>::of(scene, modal, to);
-    let steps = Steps::of(scene, modal, std::iter::empty(), to);
+    let steps = StepperSettings::of(scene, modal, std::iter::empty(), to);
     let scene = steps.scene(transient.contact_dynamics());
     let pace = frictiongen_model::stepping::pace(&scene, to(step)).ok()?;
     Some(pace.terms)

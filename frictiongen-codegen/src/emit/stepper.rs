@@ -11,7 +11,7 @@ use super::step_table::{self, Sizes};
 use super::units;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::stepper::{Input, Units};
-use frictiongen_model::stepping::Steps;
+use frictiongen_model::stepping::StepperSettings;
 use frictiongen_model::transient::Transient;
 use proc_macro2::{Ident, Literal, TokenStream};
 
@@ -31,7 +31,7 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
             },
         ..
     } = emission;
-    let steps = Steps::of(scene, modal, std::iter::empty(), |value| value);
+    let steps = StepperSettings::of(scene, modal, std::iter::empty(), |value| value);
     let transient = Transient::<Dd>::of(scene, modal, |value| value);
     let exact = steps.scene(transient.contact_dynamics());
     let sizes = Sizes {
@@ -215,7 +215,7 @@ fn step_scene(emission: &Emission<'_>) -> (TokenStream, Vec<Checked>) {
         ..
     } = emission;
     let round = |value: Dd| rounded(value, *precision);
-    let steps = Steps::<f64>::of(scene, modal, std::iter::empty(), round);
+    let steps = StepperSettings::<f64>::of(scene, modal, std::iter::empty(), round);
     let transient = Transient::<f64>::of(scene, modal, round);
     let mut constants = vec![Checked::new(
         "STEP_SCENE",
@@ -297,7 +297,7 @@ fn step_scene(emission: &Emission<'_>) -> (TokenStream, Vec<Checked>) {
 /// Emits the types of the stepper and of its input.
 fn types(
     emission: &Emission<'_>,
-    steps: &Steps<Dd>,
+    steps: &StepperSettings<Dd>,
     literals: &TokenStream,
     cost: &[String],
 ) -> TokenStream {
@@ -366,7 +366,7 @@ fn types(
 
 /// Returns the fields of the input for the loaded masses. The field of the excited mass is `force`. The fields of other
 /// masses have the name of the mass.
-fn force_fields(emission: &Emission<'_>, steps: &Steps<Dd>) -> Vec<Ident> {
+fn force_fields(emission: &Emission<'_>, steps: &StepperSettings<Dd>) -> Vec<Ident> {
     let places = steps.forces.iter().enumerate();
     let names = places.filter_map(|(place, mass)| {
         if place == 0 && !steps.on_base {

@@ -11,7 +11,7 @@ use frictiongen_kernel::emitted::check::Listed;
 use frictiongen_kernel::table::Factor;
 use frictiongen_model::scene::Side;
 use frictiongen_model::table::{
-    Evidence, FINEST_PROVEN, MOST_SHARE, Product, Report, Tables, Work,
+    Evidence, FINEST_PROVEN, MOST_SHARE, Product, ProofWork, TableReport, Tables,
 };
 use proc_macro2::{Literal, TokenStream};
 
@@ -253,7 +253,7 @@ fn about<S: Float>(tables: &Tables<S>) -> Vec<String> {
         2 => "β_lim and a·sgn V = β_lim·U/V",
         _ => "β_lim",
     };
-    let Report { worst, points, .. } = tables.report;
+    let TableReport { worst, points, .. } = tables.report;
     let bytes = tables.bytes_without_stuck();
     let accuracy = tables.request.accuracy;
     let side = match tables.request.side {
@@ -284,7 +284,7 @@ fn sliding_error<S: Float>(tables: &Tables<S>) -> String {
 
 fn limit_about<S: Float>(tables: &Tables<S>) -> Vec<String> {
     // True if no work was spent on a proof and a proof of this accuracy is possible.
-    let untried = tables.proof.work == Work(0) && FINEST_PROVEN <= tables.request.accuracy;
+    let untried = tables.proof.work == ProofWork(0) && FINEST_PROVEN <= tables.request.accuracy;
     let remedy = match (untried, cfg!(feature = "proof")) {
         (true, true) => "  `proof: whole` in the scene asks for a proof.",
         (true, false) => {

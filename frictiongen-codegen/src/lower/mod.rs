@@ -10,7 +10,7 @@ use frictiongen_model::modal::Modal;
 use frictiongen_model::scene::{Precision, Proving, Scene};
 use frictiongen_model::stepping::refused_step;
 #[cfg(feature = "proof")]
-use frictiongen_model::table::Work;
+use frictiongen_model::table::ProofWork;
 use frictiongen_model::table::{TableError, Tables};
 use frictiongen_model::transient::excess_loss;
 use frictiongen_model::validate::Path;
@@ -80,7 +80,7 @@ impl SceneTables {
 
     /// Adds a proof of the accuracy, as far as `work` allows.
     #[cfg(feature = "proof")]
-    pub fn prove(&mut self, scene: &Scene, work: Work) {
+    pub fn prove(&mut self, scene: &Scene, work: ProofWork) {
         let modal = Modal::of(scene);
         match self {
             Self::Double(tables) => frictiongen_proof::prove(tables, &modal, work),
@@ -90,7 +90,7 @@ impl SceneTables {
 
     /// Adds a proof of the accuracy if `work` is likely to suffice.
     #[cfg(feature = "proof")]
-    fn prove_if_small(&mut self, scene: &Scene, work: Work) {
+    fn prove_if_small(&mut self, scene: &Scene, work: ProofWork) {
         let modal = Modal::of(scene);
         match self {
             Self::Double(tables) => frictiongen_proof::prove_if_small(tables, &modal, work),
@@ -102,8 +102,8 @@ impl SceneTables {
     #[cfg(feature = "proof")]
     fn prove_requested(&mut self, scene: &Scene) {
         match scene.declared.proof {
-            Proving::Quick => self.prove_if_small(scene, Work::AT_EXPANSION),
-            Proving::Whole => self.prove(scene, Work::WHOLE),
+            Proving::Quick => self.prove_if_small(scene, ProofWork::AT_EXPANSION),
+            Proving::Whole => self.prove(scene, ProofWork::WHOLE),
         }
     }
 }

@@ -28,7 +28,7 @@ use crate::emit::about_table;
 use constants::{Constants, Form};
 use frictiongen_kernel::Float;
 use frictiongen_model::scene::{Excitation, Provide, Scene};
-use frictiongen_model::table::{Evidence, FINEST_PROVEN, MOST_SHARE, Proof, Tables, Work};
+use frictiongen_model::table::{Evidence, FINEST_PROVEN, MOST_SHARE, Proof, ProofWork, Tables};
 
 /// A scene with its tables and with their origin.
 #[derive(Clone, Copy, Debug)]
@@ -185,7 +185,7 @@ fn about<S: Float>(source: &Source<'_, S>) -> Vec<String> {
 /// Returns a sentence about the accuracy of the tables between the checked points. A command without `--prove` tries no
 /// proof. The sentence then names the commands that try one, because the macro may have proven the same numbers.
 fn told<S>(tables: &Tables<S>, proof: &Proof) -> String {
-    if proof.evidence != Evidence::Checked || proof.work != Work(0) {
+    if proof.evidence != Evidence::Checked || proof.work != ProofWork(0) {
         return proof.told();
     }
     let remedy = if FINEST_PROVEN <= tables.request.accuracy {

@@ -3,7 +3,7 @@
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_model::modal::Modal;
 use frictiongen_model::scene::Scene;
-use frictiongen_model::stepping::Steps;
+use frictiongen_model::stepping::StepperSettings;
 use frictiongen_model::transient::Transient;
 
 /// Sizes and inputs of the stepper that the macro emits for a scene.
@@ -30,7 +30,7 @@ impl StepperShape {
     #[must_use]
     pub fn of(scene: &Scene) -> Self {
         let modal = Modal::of(scene);
-        let steps = Steps::<Dd>::of(scene, &modal, std::iter::empty(), |value| value);
+        let steps = StepperSettings::<Dd>::of(scene, &modal, std::iter::empty(), |value| value);
         let transient = Transient::<Dd>::of(scene, &modal, |value| value);
         Self {
             coefficients: steps.coefficients(),

@@ -4,7 +4,7 @@
 use crate::contact::regime::check_beta;
 use crate::contact::sums::{Chain, ContactAt, ModeAt};
 use crate::errors::{NotContinuous, StuckResonance};
-use crate::modal_sum::search::{self, Peak, Problem, Weight};
+use crate::modal_sum::search::{self, Peak, SearchSettings, Weight};
 use crate::modal_sum::wave::{Sum, Wave};
 use crate::number::complex;
 use crate::number::scalar::Float;
@@ -103,7 +103,7 @@ impl<S: Float> Chain<S> {
         let tolerance = S::constant(4.0 * S::RESOLUTION) * (S::constant(1.0) + ratio * ratio);
         search::largest(
             sum,
-            Problem {
+            SearchSettings {
                 weight: Weight::Sine,
                 both_signs: !self.damped,
                 end: if self.damped {

@@ -22,13 +22,13 @@ use crate::oscillator::mode::Mode;
 /// Terms of one mode in three modal sums of the contact, or the sums themselves. The sums are the response V to the
 /// load, the damping function U and the receptance H.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Terms<S> {
+pub(crate) struct ModalTerms<S> {
     pub v: Complex<S>,
     pub u: S,
     pub h: Complex<S>,
 }
 
-impl<S: Scalar> Terms<S> {
+impl<S: Scalar> ModalTerms<S> {
     fn zero() -> Self {
         let zero = S::constant(0.0);
         Self {
@@ -90,7 +90,7 @@ struct Heaviest<S> {
     weight: S,
     /// Index of the mode as a scalar. Emitted code finds the mode by comparing scalars.
     index: S,
-    own: Terms<S>,
+    own: ModalTerms<S>,
     static_residue: S,
 }
 
@@ -121,8 +121,8 @@ enum Which<S> {
 #[derive(Clone, Copy)]
 pub(crate) struct DominantSums<S> {
     which: Which<S>,
-    pub own: Terms<S>,
-    pub others: Terms<S>,
+    pub own: ModalTerms<S>,
+    pub others: ModalTerms<S>,
 }
 
 impl<S: Scalar> DominantSums<S> {
@@ -225,19 +225,19 @@ impl<S: Scalar> Chain<S> {
     where
         S: 'a,
     {
-        let without = |sums: Terms<S>, static_residue: S| {
+        let without = |sums: ModalTerms<S>, static_residue: S| {
             let Some(at_rest) = self.on_moving_base else {
                 return sums;
             };
             let r2 = (S::constant(1.0) / (inverse_r * inverse_r)).named("r_squared", "r²", None);
             let kept = complex::real((at_rest - static_residue) * contact.scale);
             let v = complex::scale(self.plus(sums.v, kept), r2);
-            Terms { v, ..sums }
+            ModalTerms { v, ..sums }
         };
         let mut known = modes.clone();
         if let (Some((first, at)), second, None) = (known.next(), known.next(), known.next()) {
             let Some((second, at_second)) = second else {
-                let none = Terms::zero();
+                let none = ModalTerms::zero();
                 let own = without(none, first.static_residue);
                 return DominantSums {
                     which: Which::Only,
@@ -261,7 +261,7 @@ impl<S: Scalar> Chain<S> {
             };
         }
         let zero = S::constant(0.0);
-        let (mut sum, mut sizes) = (Terms::zero(), (zero, zero));
+        let (mut sum, mut sizes) = (ModalTerms::zero(), (zero, zero));
         let mut heaviest: Option<Heaviest<S>> = None;
         for (index, (mode, at)) in modes.enumerate() {
             let own = self.own((mode, quadratures), &at, index);
@@ -278,7 +278,7 @@ impl<S: Scalar> Chain<S> {
                 }
             });
         }
-        let all = Terms {
+        let all = ModalTerms {
             v: contact.v,
             u: contact.u,
             h: contact.h,
@@ -309,7 +309,7 @@ impl<S: Scalar> Chain<S> {
 
     fn candidate(
         &self,
-        (mode, own): (&Mode<S>, Terms<S>),
+        (mode, own): (&Mode<S>, ModalTerms<S>),
         at: &ModeAt<S>,
         partner: Partner,
         scale: S,
@@ -321,7 +321,7 @@ impl<S: Scalar> Chain<S> {
         } else {
             own.v
         };
-        let (size, other) = self.sizes(&Terms { v, ..own }, partner);
+        let (size, other) = self.sizes(&ModalTerms { v, ..own }, partner);
         let weight = size * other;
         let weight = match partner {
             Partner::U => S::select(
@@ -348,9 +348,9 @@ impl<S: Scalar> Chain<S> {
         at: &ModeAt<S>,
         partner: Partner,
         contact: &ContactAt<S>,
-        others: &Terms<S>,
+        others: &ModalTerms<S>,
         index: usize,
-    ) -> Terms<S> {
+    ) -> ModalTerms<S> {
         let index = Some(index);
         let v = Complex::new(
             others
@@ -370,9 +370,9 @@ impl<S: Scalar> Chain<S> {
                     "U without the own term, or all of it for x < 1/2",
                     index,
                 );
-                Terms { v, u, ..*others }
+                ModalTerms { v, u, ..*others }
             }
-            Partner::H => Terms { v, ..*others },
+            Partner::H => ModalTerms { v, ..*others },
         }
     }
 
@@ -381,7 +381,7 @@ impl<S: Scalar> Chain<S> {
         (mode, quadratures): (&Mode<S>, impl Quadratures<S>),
         at: &ModeAt<S>,
         index: usize,
-    ) -> Terms<S> {
+    ) -> ModalTerms<S> {
         const V: [(&str, &str); 2] = [
             ("v_term_re", "Re of the own term of V"),
             ("v_term_im", "Im of the own term of V"),
@@ -392,7 +392,7 @@ impl<S: Scalar> Chain<S> {
         ];
         let quadrature = quadratures.of(index);
         let h = complex::scale(at.response, mode.contact_squared);
-        Terms {
+        ModalTerms {
             v: complex::named(self.load_term(mode, at, quadrature), V, Some(index)),
             u: (mode.contact_squared * at.u).named("u_term", "the own term of U", Some(index)),
             h: complex::named(h, H, Some(index)),
@@ -401,7 +401,7 @@ impl<S: Scalar> Chain<S> {
 
     /// Returns the size of V, and the size of U or H, as `partner` selects. The size of a complex number is |Re| +
     /// |Im|.
-    fn sizes(&self, sums: &Terms<S>, partner: Partner) -> (S, S) {
+    fn sizes(&self, sums: &ModalTerms<S>, partner: Partner) -> (S, S) {
         let size = |value| complex::size(value, self.damped);
         let partner = match partner {
             Partner::U => sums.u.abs(),
@@ -410,8 +410,8 @@ impl<S: Scalar> Chain<S> {
         (size(sums.v), partner)
     }
 
-    fn joined(&self, a: Terms<S>, b: Terms<S>) -> Terms<S> {
-        Terms {
+    fn joined(&self, a: ModalTerms<S>, b: ModalTerms<S>) -> ModalTerms<S> {
+        ModalTerms {
             v: self.plus(a.v, b.v),
             u: a.u + b.u,
             h: self.plus(a.h, b.h),

@@ -14,7 +14,7 @@ const PAIRS: usize = 8;
 
 /// Constants of one mode, or of a pair of modes, from which the modal sums V, H and U of the contact are computed.
 #[derive(Clone, Copy, Debug)]
-struct Driven<S> {
+struct DrivenConstants<S> {
     resonance: S,
     /// Residue (φᵀw)(φᵀp) of the mode in the response V to the load. On a moving base it is the static residue
     /// (φᵀw)(φᵀp)/λ.
@@ -27,18 +27,18 @@ struct Driven<S> {
 type Own<S> = [S; 2];
 
 /// Terms of a mode in V (response to the load), H (receptance) and U (damping function) of the contact, in this order.
-type Terms<S> = [S; 3];
+type LimitTerms<S> = [S; 3];
 
 /// Constants of those modes of an undamped chain that the contact drives, in the order of the chain. Two modes are
 /// stored as a pair. If the number of modes is odd, the last mode is stored separately.
 #[derive(Clone, Debug)]
 pub struct DrivenModes<S> {
-    pairs: [Driven<Lanes<S>>; PAIRS],
+    pairs: [DrivenConstants<Lanes<S>>; PAIRS],
     count: usize,
-    one: Option<Driven<S>>,
+    one: Option<DrivenConstants<S>>,
 }
 
-impl<S: Scalar> Driven<S> {
+impl<S: Scalar> DrivenConstants<S> {
     fn none() -> Self {
         let zero = S::constant(0.0);
         Self {
@@ -57,7 +57,7 @@ impl<S: Scalar> Driven<S> {
 
     /// Returns the terms of the mode in the modal sums V, H and U, multiplied by the scale E of [`ContactAt`].
     #[inline(always)]
-    fn terms(&self, scale: S, [detuning, u]: Own<S>) -> Terms<S> {
+    fn terms(&self, scale: S, [detuning, u]: Own<S>) -> LimitTerms<S> {
         let response = scale / detuning;
         [
             response * self.load,
@@ -67,9 +67,9 @@ impl<S: Scalar> Driven<S> {
     }
 }
 
-impl<S: Float> Driven<Lanes<S>> {
-    fn beside(modes: [Driven<S>; 2]) -> Self {
-        let of = |constant: fn(Driven<S>) -> S| Lanes(modes.map(constant));
+impl<S: Float> DrivenConstants<Lanes<S>> {
+    fn beside(modes: [DrivenConstants<S>; 2]) -> Self {
+        let of = |constant: fn(DrivenConstants<S>) -> S| Lanes(modes.map(constant));
         Self {
             resonance: of(|mode| mode.resonance),
             load: of(|mode| mode.load),
@@ -88,7 +88,7 @@ impl<S: Float> DrivenModes<S> {
         if chain.damped || !S::PAIRS || count == 0 || count > 2 * PAIRS {
             return None;
         }
-        let mut driven = in_contact.map(|mode| Driven {
+        let mut driven = in_contact.map(|mode| DrivenConstants {
             resonance: mode.resonance,
             load: if chain.on_moving_base.is_some() {
                 mode.static_residue
@@ -98,14 +98,14 @@ impl<S: Float> DrivenModes<S> {
             contact_squared: mode.contact_squared,
         });
         let mut found = Self {
-            pairs: [Driven::none(); PAIRS],
+            pairs: [DrivenConstants::none(); PAIRS],
             count: 0,
             one: None,
         };
         for pair in &mut found.pairs {
             match (driven.next(), driven.next()) {
                 (Some(first), Some(second)) => {
-                    *pair = Driven::beside([first, second]);
+                    *pair = DrivenConstants::beside([first, second]);
                     found.count += 1;
                 }
                 (one, _) => {
@@ -118,13 +118,13 @@ impl<S: Float> DrivenModes<S> {
     }
 
     #[inline(always)]
-    fn pairs(&self) -> &[Driven<Lanes<S>>] {
+    fn pairs(&self) -> &[DrivenConstants<Lanes<S>>] {
         self.pairs.get(..self.count).unwrap_or_default()
     }
 
     /// Returns the scale E of [`ContactAt`], and the modal sums V, H and U over all modes.
     #[inline(always)]
-    fn sums(&self, inverse_r: S) -> (S, Terms<S>) {
+    fn sums(&self, inverse_r: S) -> (S, LimitTerms<S>) {
         match (self.pairs(), &self.one) {
             ([], Some(only)) => {
                 // With a single mode, the scale E is the |x² − 1| of this mode. E/(x² − 1) is then exactly 1 or −1.
@@ -147,7 +147,7 @@ impl<S: Float> DrivenModes<S> {
     }
 
     #[inline(always)]
-    fn sums_of_many(&self, inverse_r: S) -> (S, Terms<S>) {
+    fn sums_of_many(&self, inverse_r: S) -> (S, LimitTerms<S>) {
         let zero = S::constant(0.0);
         let (pairs, one) = (self.pairs(), self.one.as_ref());
         // The numbers are stored in arrays, so that the compiler uses packed instructions.
@@ -179,7 +179,7 @@ impl<S: Float> DrivenModes<S> {
 }
 
 #[inline(always)]
-fn plus<S: Scalar>([a, b, c]: Terms<S>, [d, e, f]: Terms<S>) -> Terms<S> {
+fn plus<S: Scalar>([a, b, c]: LimitTerms<S>, [d, e, f]: LimitTerms<S>) -> LimitTerms<S> {
     [a + d, b + e, c + f]
 }
 
@@ -187,7 +187,7 @@ fn plus<S: Scalar>([a, b, c]: Terms<S>, [d, e, f]: Terms<S>) -> Terms<S> {
 ///
 /// The function is not inlined, so that it stores its results in arrays. The compiler then uses packed instructions.
 #[inline(never)]
-fn of_two<S: Float>(modes: &Driven<Lanes<S>>, inverse_r: S, terms: &mut [[S; 2]; 3]) -> S {
+fn of_two<S: Float>(modes: &DrivenConstants<Lanes<S>>, inverse_r: S, terms: &mut [[S; 2]; 3]) -> S {
     let own = modes.own(Lanes::all(inverse_r));
     let Lanes([a, b]) = own[0].abs();
     let scale = Scalar::min(a, b);

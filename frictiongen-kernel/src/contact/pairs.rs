@@ -18,9 +18,9 @@ pub(super) trait Uniform {
     const DAMPED: bool;
 }
 
-pub(super) struct Undamped;
+pub(super) struct UndampedPairs;
 
-impl Uniform for Undamped {
+impl Uniform for UndampedPairs {
     const KIND: Kind = Kind::Undamped;
     const DAMPED: bool = false;
 }
@@ -60,7 +60,7 @@ impl<S: Float> Chain<S> {
         keep: impl FnMut(ModeAt<S>),
     ) -> ContactAt<S> {
         match self.common_kind(modes) {
-            Some(Kind::Undamped) => self.uniform::<Undamped, WITH_G>(modes, inverse_r, keep),
+            Some(Kind::Undamped) => self.uniform::<UndampedPairs, WITH_G>(modes, inverse_r, keep),
             Some(_) => self.uniform::<Light, WITH_G>(modes, inverse_r, keep),
             None => self.in_turn::<WITH_G>(modes, inverse_r, keep),
         }

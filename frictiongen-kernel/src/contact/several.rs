@@ -4,7 +4,7 @@
 //! The processor evaluates several frequencies at the same time with packed (SIMD) instructions. The operations and
 //! their order are the same as for one frequency, so that the results have the same bits.
 
-use crate::contact::pairs::{Light, Undamped, Uniform};
+use crate::contact::pairs::{Light, UndampedPairs, Uniform};
 use crate::contact::sums::{Chain, ContactAt};
 use crate::number::lanes::Lanes;
 use crate::number::scalar::{Float, Scalar};
@@ -58,7 +58,7 @@ impl<S: Float> Chain<S> {
         found: &mut Several<S>,
     ) {
         match kind {
-            Kind::Undamped => self.side_by_side::<Undamped>(modes, inverse_r, found),
+            Kind::Undamped => self.side_by_side::<UndampedPairs>(modes, inverse_r, found),
             _ => self.side_by_side::<Light>(modes, inverse_r, found),
         }
     }

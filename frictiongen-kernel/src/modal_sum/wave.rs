@@ -144,7 +144,7 @@ pub struct Sum<'a, S, D> {
 
 /// Modal sum and its first three derivatives with respect to τ, at one instant.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Jet<S> {
+pub(crate) struct SumDerivatives<S> {
     /// sin τ at the instant.
     pub sine: S,
     /// cos τ at the instant.
@@ -182,11 +182,11 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
 
     /// Evaluates the modal sum and its first three derivatives at an instant. The second and third derivative follow
     /// from the equation of motion of each mode.
-    pub(crate) fn jet(&self, at: &Instant<S>) -> Jet<S> {
+    pub(crate) fn jet(&self, at: &Instant<S>) -> SumDerivatives<S> {
         let Instant { sine, cosine, .. } = *at;
         let value = self.cosine * cosine + self.sine * sine;
         let slope = self.sine * cosine - self.cosine * sine;
-        let mut jet = Jet {
+        let mut jet = SumDerivatives {
             sine,
             cosine,
             value,

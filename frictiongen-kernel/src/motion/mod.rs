@@ -18,13 +18,13 @@ mod setting;
 mod walk;
 
 pub use contact::{
-    AnyContact, Constant, Contact, ContactChain, ElasticChain, Event, LOST_MODES, Level, Lines,
-    MAX_STEEPNESS,
+    AnyContact, Constant, Contact, ContactChain, ElasticChain, Event, KineticLaw, LOST_MODES,
+    Lines, MAX_STEEPNESS,
 };
 pub use dynamics::{Dynamics, HeldMode};
 pub use oscillator::Part;
 pub use series::MAX_STEPS;
-pub use setting::Setting;
+pub use setting::MotionSetting;
 
 pub(crate) use clock::{Clock, Total, phase};
 pub(crate) use contact::kinetic::{KineticLine, line, line_at, steepest};
@@ -32,4 +32,4 @@ pub(crate) use contact::{ContactState, Law, Sought};
 pub(crate) use dynamics::{lift, rotated};
 pub(crate) use segment::{ended, leap, seek, span};
 pub(crate) use series::{OscillatorSum, Power, ROUNDINGS as SUM_ROUNDINGS, TERMS, WALK};
-pub(crate) use walk::{Walk, WalkStart, first_reach, first_zero};
+pub(crate) use walk::{WalkResult, WalkStart, first_reach, first_zero};

@@ -1,17 +1,19 @@
 //! One segment of the motion, from one event of the contact to the next.
 
 use super::clock::{moved, phase};
-use super::contact::{Contact, ContactChain, ContactState, Law, Outcome, SegmentEnd, Sought};
+use super::contact::{
+    Contact, ContactChain, ContactState, Law, SegmentEnd, SegmentOutcome, Sought,
+};
 use super::oscillator::{Part, advanced};
 use super::series::OscillatorSum;
-use super::setting::Setting;
-use super::walk::{Walk, WalkStart, first_reach, first_zero};
+use super::setting::MotionSetting;
+use super::walk::{WalkResult, WalkStart, first_reach, first_zero};
 use crate::number::scalar::Float;
 
 /// Searches for the next event after a contact state, within the time `reach` in τ. Sets the oscillators to their state
 /// at the start of the segment.
 pub(crate) fn seek<S: Float, K: ContactChain<S>>(
-    setting: &Setting<'_, S, K>,
+    setting: &MotionSetting<'_, S, K>,
     modes: &mut [Part<S>],
     stuck_modes: &mut [Part<S>],
     contact_state: ContactState<S>,
@@ -29,14 +31,16 @@ pub(crate) fn seek<S: Float, K: ContactChain<S>>(
         let grip = setting.law().grip();
         let walk = first_reach(&sum, grip, zero, start, &mut sought.steps);
         (sought.tau, sought.outcome) = match walk {
-            Walk::Zero(tau, negative) => (tau, Outcome::Breaks(Contact::towards(negative))),
-            Walk::Until(tau) => (tau, Outcome::Goes),
-            Walk::NoStart => (reach, Outcome::Goes),
+            WalkResult::Zero(tau, negative) => {
+                (tau, SegmentOutcome::Breaks(Contact::towards(negative)))
+            }
+            WalkResult::Until(tau) => (tau, SegmentOutcome::Goes),
+            WalkResult::NoStart => (reach, SegmentOutcome::Goes),
         };
         sought.offset = offset;
         if S::CARRIES {
             let level = match sought.outcome {
-                Outcome::Breaks(contact) => Some(grip.copysign(contact.sign())),
+                SegmentOutcome::Breaks(contact) => Some(grip.copysign(contact.sign())),
                 _ => None,
             };
             sought.tau = carried(&sum, sought.tau, level);
@@ -48,12 +52,12 @@ pub(crate) fn seek<S: Float, K: ContactChain<S>>(
             .memory
             .map_or(WalkStart::Anywhere, WalkStart::Zero);
         (sought.tau, sought.outcome) = match first_zero(&sum, start, &mut sought.steps) {
-            Walk::Zero(tau, _) => (tau, Outcome::Halts),
-            Walk::Until(tau) => (tau, Outcome::Goes),
-            Walk::NoStart => (zero, Outcome::Holds),
+            WalkResult::Zero(tau, _) => (tau, SegmentOutcome::Halts),
+            WalkResult::Until(tau) => (tau, SegmentOutcome::Goes),
+            WalkResult::NoStart => (zero, SegmentOutcome::Holds),
         };
         if S::CARRIES {
-            let level = (sought.outcome == Outcome::Halts).then_some(zero);
+            let level = (sought.outcome == SegmentOutcome::Halts).then_some(zero);
             sought.tau = carried(&sum, sought.tau, level);
         }
     }
@@ -79,7 +83,7 @@ fn carried<S: Float>(sum: &OscillatorSum<'_, S>, tau: S, level: Option<S>) -> S 
 /// Sets the oscillators to their state a time τ after the segment's start. `to` is sine and cosine of the excitation's
 /// phase at that instant.
 pub(crate) fn place<S: Float, K: ContactChain<S>>(
-    setting: &Setting<'_, S, K>,
+    setting: &MotionSetting<'_, S, K>,
     (modes, stuck_modes): (&mut [Part<S>], &mut [Part<S>]),
     sought: &Sought<S>,
     tau: S,
@@ -100,27 +104,27 @@ pub(crate) fn place<S: Float, K: ContactChain<S>>(
 /// Returns the end of a segment: its event, and the contact state after the event.  The oscillators must already be at
 /// the end.
 pub(crate) fn ended<S: Float, K: ContactChain<S>>(
-    setting: &Setting<'_, S, K>,
+    setting: &MotionSetting<'_, S, K>,
     (modes, stuck_modes): (&[Part<S>], &[Part<S>]),
     sought: &Sought<S>,
     to: (S, S),
 ) -> SegmentEnd<S> {
     let mut end = quiet(sought.tau, sought.contact_state, sought.steps);
     match sought.outcome {
-        Outcome::Goes if sought.contact_state.contact == Contact::Stuck => {
+        SegmentOutcome::Goes if sought.contact_state.contact == Contact::Stuck => {
             end.contact_state.memory = K::memory_at(setting, stuck_modes, sought.offset, to);
         }
-        Outcome::Goes => {}
-        Outcome::Holds => {
+        SegmentOutcome::Goes => {}
+        SegmentOutcome::Holds => {
             end.contact_state.memory = K::memory_at_stop(setting, sought.contact_state.contact);
             end.contact_state.contact = Contact::Stuck;
             end.contact_state.wedged = true;
         }
-        Outcome::Breaks(contact) => {
+        SegmentOutcome::Breaks(contact) => {
             end.slope = sought.slope;
             K::break_away(setting, contact, &mut end);
         }
-        Outcome::Halts => K::halt(setting, modes, to, &mut end),
+        SegmentOutcome::Halts => K::halt(setting, modes, to, &mut end),
     }
     end
 }
@@ -128,7 +132,7 @@ pub(crate) fn ended<S: Float, K: ContactChain<S>>(
 /// Returns the time τ from a contact state to the next event, or `reach` if the event is later. The result is 0 if the
 /// contact cannot start to move from zero velocity.
 pub(crate) fn span<S: Float, K: ContactChain<S>>(
-    setting: &Setting<'_, S, K>,
+    setting: &MotionSetting<'_, S, K>,
     modes: &mut [Part<S>],
     stuck_modes: &mut [Part<S>],
     contact_state: ContactState<S>,
@@ -144,7 +148,7 @@ pub(crate) fn span<S: Float, K: ContactChain<S>>(
 /// Advances the oscillators from a contact state to the next event, or by `reach` if the event is later, and returns
 /// the end of the segment.
 pub(crate) fn leap<S: Float, K: ContactChain<S>>(
-    setting: &Setting<'_, S, K>,
+    setting: &MotionSetting<'_, S, K>,
     modes: &mut [Part<S>],
     stuck_modes: &mut [Part<S>],
     contact_state: ContactState<S>,
@@ -152,7 +156,7 @@ pub(crate) fn leap<S: Float, K: ContactChain<S>>(
 ) -> SegmentEnd<S> {
     let sought = seek(setting, modes, stuck_modes, contact_state, reach);
     let to = phase(moved(contact_state.t, sought.tau));
-    if sought.outcome != Outcome::Holds {
+    if sought.outcome != SegmentOutcome::Holds {
         place(setting, (modes, stuck_modes), &sought, sought.tau, to);
     }
     ended(setting, (&*modes, &*stuck_modes), &sought, to)

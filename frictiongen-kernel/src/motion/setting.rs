@@ -10,7 +10,7 @@ use crate::number::scalar::Float;
 
 /// A scene at one frequency ratio and one friction ratio.
 #[derive(Clone, Copy, Debug)]
-pub struct Setting<'a, S, K = Chain<S>> {
+pub struct MotionSetting<'a, S, K = Chain<S>> {
     pub(crate) dynamics: Dynamics<'a, S, K>,
     /// Frequency ratio r, clamped to the range in which the formulas can be evaluated.
     pub(crate) r: S,
@@ -32,10 +32,10 @@ pub struct Setting<'a, S, K = Chain<S>> {
     pub(crate) drag: S,
 }
 
-impl<'a, S: Copy, K> Setting<'a, S, K> {
+impl<'a, S: Copy, K> MotionSetting<'a, S, K> {
     /// Returns the same setting with other constants of the chain.
-    pub(crate) fn with<J>(&self, chain: J) -> Setting<'a, S, J> {
-        Setting {
+    pub(crate) fn with<J>(&self, chain: J) -> MotionSetting<'a, S, J> {
+        MotionSetting {
             dynamics: self.dynamics.with(chain),
             r: self.r,
             beta: self.beta,
@@ -48,7 +48,7 @@ impl<'a, S: Copy, K> Setting<'a, S, K> {
     }
 }
 
-impl<'a, S: Float, K: ContactChain<S>> Setting<'a, S, K> {
+impl<'a, S: Float, K: ContactChain<S>> MotionSetting<'a, S, K> {
     /// Creates a setting, which is a scene at the frequency ratio r and the friction ratio β. Also computes the
     /// oscillators: `parts` receives one oscillator for each mode of the chain, and then one for each mode of the stuck
     /// chain.

@@ -4,12 +4,12 @@ use super::candidate::{FoundState, ON_CIRCLE};
 use super::cycle_map::CycleMap;
 use super::newton::{PeriodMap, Workspace, multipliers, same};
 use super::question::OrbitQuestion;
-use super::record::{Record, RecordedPeriod};
+use super::record::{OrbitRecord, RecordedPeriod};
 use super::shooting::{Settled, settle};
 use super::start::Start;
 use super::types::{MAX_SEGMENTS, MAX_STEPS, Orbit, SegmentStart};
 use crate::errors::{NoOrbit, OutOfDomain, Slice};
-use crate::motion::{ContactChain, ContactState, Dynamics, Law, Part, Setting, leap};
+use crate::motion::{ContactChain, ContactState, Dynamics, Law, MotionSetting, Part, leap};
 use crate::number::complex::Complex;
 use crate::number::scalar::{Float, Plain};
 use crate::oscillator::mode::{Kind, Mode};
@@ -76,7 +76,7 @@ where
     {
         let zero = S::constant(0.0);
         let (dynamics, beta, start) = (question.dynamics, question.beta, question.start);
-        let setting = Setting::new(dynamics, question.r, beta, parts.as_mut())?;
+        let setting = MotionSetting::new(dynamics, question.r, beta, parts.as_mut())?;
         let (modes, size) = (dynamics.modes.len(), dynamics.state_size());
         if numbers.as_ref().len() != super::numbers_of(modes, size) {
             return Err(OutOfDomain::Length(Slice::Storage).into());
@@ -116,7 +116,7 @@ where
             (Settled::Not(error), None) if !question.last => return Err(error),
             (settled, _) => settled,
         };
-        let mut record = Record::new(&mut marks, states, 2 * modes);
+        let mut record = OrbitRecord::new(&mut marks, states, 2 * modes);
         let found = followed(&mut cycle_map, &mut workspace, settled, &mut record)?;
         let RecordedPeriod {
             count,
@@ -153,7 +153,7 @@ fn followed<S: Float, K: ContactChain<S>>(
     cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,
     settled: Settled<S>,
-    record: &mut Record<'_, S>,
+    record: &mut OrbitRecord<'_, S>,
 ) -> Result<FoundState<S>, NoOrbit> {
     let found = match settled {
         Settled::Stuck(offset) => {
@@ -174,7 +174,7 @@ fn followed<S: Float, K: ContactChain<S>>(
 /// Records a period of the motion, starting at its first event.
 pub(super) fn record_period<S: Float, K: ContactChain<S>>(
     cycle_map: &mut CycleMap<'_, '_, S, K>,
-    record: &mut Record<'_, S>,
+    record: &mut OrbitRecord<'_, S>,
     period: u32,
 ) -> Result<(), NoOrbit> {
     to_event(cycle_map, period)?;

@@ -9,11 +9,11 @@ use super::build::{record_period, stuck};
 use super::closed;
 use super::cycle_map::CycleMap;
 use super::newton::{PeriodMap, Workspace, newton};
-use super::record::{Record, RecordedPeriod};
+use super::record::{OrbitRecord, RecordedPeriod};
 use super::types::{MAX_SEGMENTS, MAX_STEPS, Orbit, SegmentStart};
 use crate::errors::{NoOrbit, OutOfDomain, Ratio, Slice};
 use crate::motion::{
-    Contact, ContactChain, ContactState, Dynamics, Law, Part, SUM_ROUNDINGS, Setting,
+    Contact, ContactChain, ContactState, Dynamics, Law, MotionSetting, Part, SUM_ROUNDINGS,
 };
 use crate::number::complex::Complex;
 use crate::number::pairs::pairs;
@@ -131,7 +131,7 @@ where
         check_same(r, plain.setting.r, Ratio::Frequency)?;
         check_same(beta, plain.setting.beta, Ratio::Friction)?;
         let (modes, size) = (dynamics.modes.len(), dynamics.state_size());
-        let setting = Setting::new(dynamics, r, beta, parts.as_mut())?;
+        let setting = MotionSetting::new(dynamics, r, beta, parts.as_mut())?;
         let room = numbers.as_ref().len();
         if room != super::numbers_of(modes, size) || masses.len() != 2 * modes {
             return Err(OutOfDomain::Length(Slice::Storage).into());
@@ -142,7 +142,7 @@ where
         let mut cycle_map = CycleMap::new(&setting, oscillators, contact_state);
         let (states, mut workspace) = Workspace::divided(numbers.as_mut(), &mut [], (modes, size));
         let mut marks = [SegmentStart::empty(); MAX_SEGMENTS];
-        let mut record = Record::new(&mut marks, states, 2 * modes);
+        let mut record = OrbitRecord::new(&mut marks, states, 2 * modes);
         if plain.never_slides() {
             let offset = plain.offset_without_slip()?;
             stuck(&mut cycle_map, &mut workspace, offset)?;

@@ -3,7 +3,7 @@
 
 use super::types::MAX_STEPS;
 use crate::errors::{NoOrbit, OutOfDomain};
-use crate::motion::{Contact, ContactChain, ContactState, Event, Law, Part, Setting, leap};
+use crate::motion::{Contact, ContactChain, ContactState, Event, Law, MotionSetting, Part, leap};
 use crate::number::pairs::{pairs, pairs_mut};
 use crate::number::scalar::Float;
 
@@ -52,7 +52,7 @@ impl EventPattern {
 
 /// State of the motion at a fixed phase of the excitation (the *section*), with the data that advance this state.
 pub(super) struct CycleMap<'f, 'a, S, K> {
-    pub setting: &'f Setting<'a, S, K>,
+    pub setting: &'f MotionSetting<'a, S, K>,
     pub modes: &'f mut [Part<S>],
     pub stuck_modes: &'f mut [Part<S>],
     pub contact_state: ContactState<S>,
@@ -70,7 +70,7 @@ impl<'f, 'a, S: Float, K: ContactChain<S>> CycleMap<'f, 'a, S, K> {
     /// Creates the map from the oscillators: the modes of the chain, and the modes of the chain with its contact stuck.
     /// The step budget starts at its full value.
     pub(super) fn new(
-        setting: &'f Setting<'a, S, K>,
+        setting: &'f MotionSetting<'a, S, K>,
         (modes, stuck_modes): (&'f mut [Part<S>], &'f mut [Part<S>]),
         contact_state: ContactState<S>,
     ) -> Self {

@@ -35,7 +35,7 @@ pub use candidate::MAX_PERIOD;
 pub use carrying::{CarryingStorage, NoDerivative};
 pub use motion::OrbitMotion;
 pub use question::OrbitQuestion;
-pub use scene::{Known, ProvidesOrbit};
+pub use scene::{KnownState, ProvidesOrbit};
 pub use start::Start;
 pub use states::States;
 pub use types::{MAX_CYCLES, MAX_SEGMENTS, MAX_STEPS, Orbit};

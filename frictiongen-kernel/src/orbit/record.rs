@@ -12,7 +12,7 @@ use crate::motion::{ContactChain, ContactState, Event, leap};
 use crate::number::scalar::Float;
 
 /// Record of a steady state during the recording.
-pub(super) struct Record<'s, S> {
+pub(super) struct OrbitRecord<'s, S> {
     marks: &'s mut [SegmentStart<S>; MAX_SEGMENTS],
     count: usize,
     /// The oscillators' states at the marks (starts of segments).
@@ -39,7 +39,7 @@ pub(super) struct RecordedPeriod<S> {
     pub origin: (S, S),
 }
 
-impl<'s, S: Float> Record<'s, S> {
+impl<'s, S: Float> OrbitRecord<'s, S> {
     /// Creates an empty record.  `size` is the number of scalars in a state.
     pub(super) fn new(
         marks: &'s mut [SegmentStart<S>; MAX_SEGMENTS],

@@ -22,7 +22,7 @@ pub struct Print<S> {
 }
 
 /// Steady state that [`States`](super::States) returns.
-pub trait Known {
+pub trait KnownState {
     /// Scalar type of the steady state.
     type Scalar: Float;
 
@@ -30,7 +30,7 @@ pub trait Known {
     fn print(&self) -> Print<Self::Scalar>;
 }
 
-impl<S, P, V, C, K> Known for Orbit<'_, S, P, V, C, K>
+impl<S, P, V, C, K> KnownState for Orbit<'_, S, P, V, C, K>
 where
     S: Float,
     P: AsRef<[Part<S>]> + Clone + AsMut<[Part<S>]>,
@@ -63,7 +63,7 @@ impl<S: Float> Print<S> {
 /// Trait of a scene that provides `orbit`, its steady state.
 pub trait ProvidesOrbit: Scene {
     /// Type of the steady state, with a method for each mass.
-    type Orbit: Deref<Target: Known>;
+    type Orbit: Deref<Target: KnownState>;
     /// Type of the displacements or velocities of all masses, with one number for each mass.
     type State: AsRef<[Self::Scalar]> + ?Sized;
 

@@ -1,6 +1,6 @@
 //! Searches for the steady states of a scene at one friction ratio β.
 
-use super::scene::{Known, Print, ProvidesOrbit};
+use super::scene::{KnownState, Print, ProvidesOrbit};
 use super::start::Start;
 use crate::errors::OutOfDomain;
 use crate::motion::{ContactChain, Law};
@@ -84,7 +84,7 @@ impl<T: ProvidesOrbit> States<T> {
 
 impl<T: ProvidesOrbit> Iterator for States<T>
 where
-    <T::Orbit as core::ops::Deref>::Target: Known<Scalar = T::Scalar>,
+    <T::Orbit as core::ops::Deref>::Target: KnownState<Scalar = T::Scalar>,
 {
     type Item = T::Orbit;
 

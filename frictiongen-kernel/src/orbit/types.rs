@@ -1,7 +1,7 @@
 //! Types for a steady state and its segments, and the bounds of the search for a steady state.
 
 use crate::contact::sums::Chain;
-use crate::motion::{Contact, ContactState, Setting};
+use crate::motion::{Contact, ContactState, MotionSetting};
 use crate::number::scalar::Float;
 
 /// Largest number of segments in a cycle of a reported steady state. A period of n cycles may have n times this number.
@@ -73,7 +73,7 @@ impl<S: Float> SegmentStart<S> {
 /// each mode that the contact drives. All three are arrays in emitted code and vectors at run time.
 #[derive(Clone, Debug)]
 pub struct Orbit<'a, S, P, V, C, K = Chain<S>> {
-    pub(super) setting: Setting<'a, S, K>,
+    pub(super) setting: MotionSetting<'a, S, K>,
     pub(super) parts: P,
     pub(super) numbers: V,
     pub(super) multipliers: C,

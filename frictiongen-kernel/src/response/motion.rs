@@ -3,7 +3,7 @@
 
 use crate::contact::sums::{Chain, ContactAt, ModeAt};
 use crate::modal_sum::mass_controlled::is_mass_controlled;
-use crate::modal_sum::search::{self, Effort, Neighbour, Peak, Problem, Weight};
+use crate::modal_sum::search::{self, Effort, Neighbour, Peak, SearchSettings, Weight};
 use crate::modal_sum::wave::{Sum, Wave};
 use crate::number::complex::Complex;
 use crate::number::phase::wrapped;
@@ -169,9 +169,9 @@ impl<S: Float, D: Decay<S>, W: AsRef<[Wave<S, D>]>> Motion<S, D, W> {
         search::largest(self.sum(), Self::problem())
     }
 
-    fn problem() -> Problem<S> {
+    fn problem() -> SearchSettings<S> {
         let zero = S::constant(0.0);
-        Problem {
+        SearchSettings {
             weight: Weight::One,
             both_signs: true,
             end: S::pi(),

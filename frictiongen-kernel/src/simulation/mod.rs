@@ -9,6 +9,6 @@ mod run;
 pub use run::{FixedLinesSimulation, FixedSimulation, MAX_STRETCHES, Moment, Segment, Simulation};
 
 pub use crate::motion::{
-    Constant, Contact, Dynamics, Event, HeldMode, Level, Lines, MAX_STEEPNESS, MAX_STEPS, Part,
-    Setting,
+    Constant, Contact, Dynamics, Event, HeldMode, KineticLaw, Lines, MAX_STEEPNESS, MAX_STEPS,
+    MotionSetting, Part,
 };

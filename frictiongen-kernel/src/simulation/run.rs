@@ -3,8 +3,8 @@
 use crate::contact::sums::Chain;
 use crate::errors::{Given, OutOfDomain};
 use crate::motion::{
-    Clock, Constant, Contact, ContactChain, ContactState, Dynamics, Event, Level, Lines, Part,
-    Setting, Sought, Total, ended, phase, seek,
+    Clock, Constant, Contact, ContactChain, ContactState, Dynamics, Event, KineticLaw, Lines,
+    MotionSetting, Part, Sought, Total, ended, phase, seek,
 };
 use crate::number::scalar::{Float, Plain};
 
@@ -52,7 +52,7 @@ impl<S: Float> Moment<S> {
 /// law of the contact.
 #[derive(Clone, Debug)]
 pub struct Simulation<'a, S, P, L = Constant, K = Chain<S>> {
-    setting: Setting<'a, S, K>,
+    setting: MotionSetting<'a, S, K>,
     parts: P,
     level: L,
     /// State of the contact at the start of the segment.
@@ -135,7 +135,7 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, K: ContactChain<S>>
     }
 }
 
-impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: Level<'a, S>, K: ContactChain<S>>
+impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: KineticLaw<'a, S>, K: ContactChain<S>>
     Simulation<'a, S, P, L, K>
 {
     fn under(
@@ -144,7 +144,7 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: Level<'a, S>, K: C
         state: Option<(&[S], &[S])>,
         mut parts: P,
     ) -> Result<Self, OutOfDomain> {
-        let setting = Setting::new(dynamics, r, beta, parts.as_mut())?;
+        let setting = MotionSetting::new(dynamics, r, beta, parts.as_mut())?;
         if let Some((displacements, velocities)) = state {
             setting.check_state((displacements, velocities))?;
             setting.load_state(displacements, velocities, parts.as_mut());
@@ -330,7 +330,7 @@ impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: Level<'a, S>, K: C
     }
 }
 
-impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: Level<'a, S>, K: ContactChain<S>>
+impl<'a, S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>, L: KineticLaw<'a, S>, K: ContactChain<S>>
     Iterator for Simulation<'a, S, P, L, K>
 {
     type Item = Segment<S>;

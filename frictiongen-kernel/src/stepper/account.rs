@@ -2,7 +2,7 @@
 
 use super::law::StepContact;
 use super::state::Store;
-use super::table::Tables;
+use super::table::StepTables;
 use super::types::Stepper;
 use crate::errors::OutOfDomain;
 use crate::number::scalar::Float;
@@ -23,7 +23,7 @@ pub struct Work<S> {
     pub stored: S,
 }
 
-impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepContact<S>>
+impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepContact<S>>
     Stepper<'_, S, D, T, V, K>
 {
     /// Returns the energy balance since the start.

@@ -7,7 +7,7 @@
 use super::Store;
 use super::interval::StepInterval;
 use super::law::StepContact;
-use super::table::Tables;
+use super::table::StepTables;
 use super::types::Stepper;
 use crate::motion::{Law, Power};
 use crate::number::scalar::Float;
@@ -51,7 +51,7 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
     }
 }
 
-impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepContact<S>>
+impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepContact<S>>
     Stepper<'_, S, D, T, V, K>
 {
     /// Returns true if a stepper with derivatives has met a graze: an event whose derivative is unreliable. A stepper

@@ -16,7 +16,7 @@
 
 use super::law::StepContact;
 use super::state::{FixedStore, Status, Store};
-use super::table::Tables;
+use super::table::StepTables;
 use super::types::Stepper;
 use crate::errors::OutOfDomain;
 use crate::motion::{Contact, Total};
@@ -228,7 +228,7 @@ impl<S: Float> Status<S> {
     }
 }
 
-impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepContact<S>>
+impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepContact<S>>
     Stepper<'_, S, D, T, V, K>
 {
     /// Returns the length of an image of this stepper in bytes.

@@ -52,7 +52,7 @@ pub use rows::{HeldRow, HeldStep, ModeStep, Row};
 pub use saved::Saved;
 pub use scene::{StepScene, Units};
 pub use state::{FixedStore, Store, StoreMut, StoreRef};
-pub use table::{Channel, FixedTables, HeldLoad, Tables, View, fill, series_terms};
+pub use table::{Channel, FixedTables, HeldLoad, StepTables, View, fill, series_terms};
 pub use types::{ContactNow, DeclaredStepper, FixedStepper, MassNow, Stepped, Stepper};
 
 /// Upper bound on the events that the stepper follows in one sub-interval of a step, without an event budget.  After

@@ -5,12 +5,12 @@ use super::cost::Cost;
 use super::interval::ROUNDINGS;
 use super::law::StepContact;
 use super::state::{FixedStore, Store};
-use super::table::Tables;
+use super::table::StepTables;
 use super::types::{ContactNow, MassNow, Stepper};
 use crate::motion::{Contact, Law, line};
 use crate::number::scalar::Float;
 
-impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepContact<S>>
+impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepContact<S>>
     Stepper<'_, S, D, T, V, K>
 {
     /// Returns upper bounds on the cost of a step, in floating-point operations. With an event budget, the bound on any
@@ -248,7 +248,7 @@ impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepContact<S
 impl<
     S: Float,
     const D: usize,
-    T: Tables<S, D>,
+    T: StepTables<S, D>,
     const MODES: usize,
     const HELD: usize,
     const INPUTS: usize,

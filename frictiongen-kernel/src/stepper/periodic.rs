@@ -6,13 +6,13 @@ use super::drive::{Sample, SubInterval, base_motion};
 use super::interval::StepInterval;
 use super::law::StepContact;
 use super::state::Store;
-use super::table::Tables;
+use super::table::StepTables;
 use super::types::{Stepped, Stepper};
 use crate::errors::OutOfDomain;
 use crate::motion::Contact;
 use crate::number::scalar::Float;
 
-impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepContact<S>>
+impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepContact<S>>
     Stepper<'_, S, D, T, V, K>
 {
     /// Advances by one step as [`advance`](Self::advance) does with linear input, but with forces that are cubic in

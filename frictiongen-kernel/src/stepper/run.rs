@@ -6,7 +6,7 @@ use super::interval::StepInterval;
 use super::law::StepContact;
 use super::scene::StepScene;
 use super::state::{Status, Store};
-use super::table::Tables;
+use super::table::StepTables;
 use super::types::{Stepped, Stepper};
 use crate::errors::{Given, OutOfDomain};
 use crate::motion::{Contact, steepest};
@@ -17,7 +17,7 @@ use core::marker::PhantomData;
 /// steeper law a power series would converge over only a small fraction of the sub-interval.
 const STEEPEST: f64 = 16.0;
 
-impl<'a, S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepContact<S>>
+impl<'a, S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepContact<S>>
     Stepper<'a, S, D, T, V, K>
 {
     /// Creates a stepper without load, at rest or in a given state. The state has displacements and velocities of the

@@ -3,7 +3,7 @@
 use super::input::Input;
 use super::law::StepContact;
 use super::state::{Status, Store};
-use super::table::{Tables, View};
+use super::table::{StepTables, View};
 use super::types::Stepper;
 use crate::errors::OutOfDomain;
 use crate::number::scalar::Float;
@@ -17,7 +17,7 @@ pub struct Saved<S, V> {
     mark: u64,
 }
 
-impl<S: Float, const D: usize, T: Tables<S, D>, V: Store<S, D>, K: StepContact<S>>
+impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepContact<S>>
     Stepper<'_, S, D, T, V, K>
 {
     /// Returns the state from which [`restore`](Self::restore) continues the run.

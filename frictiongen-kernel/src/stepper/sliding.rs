@@ -6,7 +6,7 @@ use super::drive::{at, derived, growth};
 use super::interval::{Departure, OFF_CHORD, ROUNDINGS, StepInterval, integral, product};
 use super::law::StepContact;
 use super::rows::{moments, next};
-use crate::motion::{KineticLine, Law, Power, Walk, WalkStart, first_zero, line};
+use crate::motion::{KineticLine, Law, Power, WalkResult, WalkStart, first_zero, line};
 use crate::number::scalar::Float;
 
 impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> {
@@ -129,9 +129,9 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         });
         let seen = velocity.seen(sign, line.low, reach).within(self.search());
         let (mut tau, mut halts) = match first_zero(&seen, start, &mut steps) {
-            Walk::Zero(tau, _) => (tau, true),
-            Walk::Until(tau) => (tau, false),
-            Walk::NoStart => {
+            WalkResult::Zero(tau, _) => (tau, true),
+            WalkResult::Until(tau) => (tau, false),
+            WalkResult::NoStart => {
                 self.start_sticking(departing.and_then(|departure| departure.stuck));
                 self.status.wedged = true;
                 return None;
@@ -142,8 +142,8 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         if let Some(high) = line.high.filter(|_| zero < tau) {
             let seen = velocity.seen(-sign, -high, tau).within(self.search());
             match first_zero(&seen, WalkStart::Anywhere, &mut steps) {
-                Walk::Zero(at, _) => (tau, halts, rises) = (at, false, true),
-                Walk::Until(at) if at < tau => (tau, halts) = (at, false),
+                WalkResult::Zero(at, _) => (tau, halts, rises) = (at, false, true),
+                WalkResult::Until(at) if at < tau => (tau, halts) = (at, false),
                 _ => {}
             }
         }

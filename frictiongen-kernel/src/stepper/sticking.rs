@@ -5,7 +5,7 @@ use super::drive::at;
 use super::interval::{Departure, OFF_CHORD, ROUNDINGS, StepInterval};
 use super::law::StepContact;
 use super::rows::moments;
-use crate::motion::{Contact, Law, Walk, WalkStart, first_reach, lift};
+use crate::motion::{Contact, Law, WalkResult, WalkStart, first_reach, lift};
 use crate::number::scalar::Float;
 
 impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> {
@@ -83,9 +83,9 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
                 start,
                 &mut steps,
             ) {
-                Walk::Zero(tau, negative) => (tau, Some(Contact::towards(negative))),
-                Walk::Until(tau) => (tau, None),
-                Walk::NoStart => (left, None),
+                WalkResult::Zero(tau, negative) => (tau, Some(Contact::towards(negative))),
+                WalkResult::Until(tau) => (tau, None),
+                WalkResult::NoStart => (left, None),
             }
         };
         if let Some(contact) = breaks.filter(|_| zero < tau) {

@@ -71,7 +71,7 @@ fn row<T>(entries: &[T], index: usize, length: usize) -> &[T] {
 }
 
 /// Storage of the tables: arrays, constants or vectors.
-pub trait Tables<S, const D: usize> {
+pub trait StepTables<S, const D: usize> {
     /// Returns a view of all tables.
     fn view(&self) -> View<'_, S, D>;
 }
@@ -133,7 +133,7 @@ impl<S: Float, const D: usize, const MODES: usize, const HELD: usize, const INPU
 }
 
 impl<S: Float, const D: usize, const MODES: usize, const HELD: usize, const INPUTS: usize>
-    Tables<S, D> for FixedTables<S, D, MODES, HELD, INPUTS>
+    StepTables<S, D> for FixedTables<S, D, MODES, HELD, INPUTS>
 {
     #[inline]
     fn view(&self) -> View<'_, S, D> {
@@ -148,7 +148,7 @@ impl<S: Float, const D: usize, const MODES: usize, const HELD: usize, const INPU
     }
 }
 
-impl<S, const D: usize, T: Tables<S, D>> Tables<S, D> for &T {
+impl<S, const D: usize, T: StepTables<S, D>> StepTables<S, D> for &T {
     #[inline]
     fn view(&self) -> View<'_, S, D> {
         (**self).view()

@@ -5,7 +5,7 @@ use frictiongen_kernel::Scalar;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// Trait of an arithmetic for functions of frequency: numbers, intervals, or intervals with slopes.
-pub trait Number:
+pub trait Arithmetic:
     Copy
     + Add<Output = Self>
     + Sub<Output = Self>
@@ -26,7 +26,7 @@ pub trait Number:
     }
 }
 
-impl<S: Scalar> Number for S {
+impl<S: Scalar> Arithmetic for S {
     fn number(value: f64) -> Self {
         S::constant(value)
     }
@@ -38,7 +38,7 @@ impl<S: Scalar> Number for S {
     }
 }
 
-impl Number for Interval {
+impl Arithmetic for Interval {
     fn number(value: f64) -> Self {
         Self::point(value)
     }
@@ -129,7 +129,7 @@ impl Div for Jet {
     }
 }
 
-impl Number for Jet {
+impl Arithmetic for Jet {
     fn number(value: f64) -> Self {
         Self::fixed(Interval::point(value))
     }
@@ -156,10 +156,10 @@ impl Number for Jet {
 
 #[cfg(test)]
 mod tests {
-    use super::{Interval, Jet, Number};
+    use super::{Arithmetic, Interval, Jet};
 
     /// Evaluates a formula that uses every operation of the arithmetic.
-    fn formula<T: Number>(h: T) -> T {
+    fn formula<T: Arithmetic>(h: T) -> T {
         let (sine, cosine) = h.sine_cosine();
         (sine * h - cosine.squared()) / (h.squared() + T::number(0.5)) + -h
     }

@@ -3,7 +3,7 @@
 
 mod jet;
 
-pub use jet::{Jet, Number};
+pub use jet::{Arithmetic, Jet};
 
 use frictiongen_kernel::Scalar;
 use frictiongen_kernel::number::dd::Dd;

@@ -1,13 +1,13 @@
 //! Tests interval results against values in double-double.
 
 use super::{Interval, TINY};
-use crate::samples::{Numbers, contains};
+use crate::samples::{RandomNumbers, contains};
 use frictiongen_kernel::Scalar;
 use frictiongen_kernel::number::dd::Dd;
 
 #[test]
 fn arithmetic() {
-    let mut numbers = Numbers(3);
+    let mut numbers = RandomNumbers(3);
     let mut seen = 0;
     for _ in 0..100_000 {
         let (a, b) = (numbers.interval(), numbers.interval());
@@ -34,7 +34,7 @@ fn arithmetic() {
 
 #[test]
 fn functions() {
-    let mut numbers = Numbers(5);
+    let mut numbers = RandomNumbers(5);
     for _ in 0..50_000 {
         let low = 40.0 * numbers.unit() - 30.0;
         let width = if numbers.unit() < 0.5 { 1e-9 } else { 2.5 };

@@ -6,9 +6,9 @@ use frictiongen_kernel::number::dd::Dd;
 
 /// A generator of random numbers and intervals.
 #[derive(Clone, Debug)]
-pub struct Numbers(pub u64);
+pub struct RandomNumbers(pub u64);
 
-impl Numbers {
+impl RandomNumbers {
     /// Returns a number from 0 to 1.
     pub fn unit(&mut self) -> f64 {
         random(&mut self.0)

@@ -2,7 +2,7 @@
 
 mod intervals;
 
-pub use intervals::{Numbers, contains};
+pub use intervals::{RandomNumbers, contains};
 
 use crate::modal::Modal;
 use crate::scene::{

@@ -1,13 +1,13 @@
 //! Derivatives of the loads that damping relative to the moving base adds.
 
-use super::{Change, dual, set};
+use super::{RelativeChange, dual, set};
 use crate::modal::Modal;
 use crate::scene::{Node, Scene};
 use frictiongen_kernel::Scalar;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::number::dual::Dual;
 
-impl Change {
+impl RelativeChange {
     /// Sets the derivatives of φᵀΓ1 and φᵀK_w1, which exist if damping acts on velocities relative to the base.
     pub(super) fn project_base(
         &self,

@@ -4,7 +4,7 @@ use super::check;
 use super::digits::to_decimals;
 use super::errors::Comparison;
 use super::fit::{Fitted, fit};
-use super::split::Edge;
+use super::split::LimitZero;
 use super::worst::Worst;
 use frictiongen_kernel::Float;
 
@@ -68,7 +68,7 @@ pub(super) struct Cover<'a, 'm, S> {
 
 /// Failure to cover a range: no piece that contains the frequency ratio `at` meets the accuracy.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Stuck {
+pub(super) struct NotCovered {
     pub at: f64,
 }
 
@@ -82,7 +82,7 @@ impl<S: Float> Cover<'_, '_, S> {
         &mut self,
         low: f64,
         high: f64,
-    ) -> Result<(Vec<Fitted<S>>, Worst, usize), Stuck> {
+    ) -> Result<(Vec<Fitted<S>>, Worst, usize), NotCovered> {
         let (limit, motion) = (self.comparison.limit, self.comparison.motion);
         let mut waiting = self.range(low, high)?;
         waiting.reverse();
@@ -116,7 +116,7 @@ impl<S: Float> Cover<'_, '_, S> {
             }
             again += 1;
             if again > MOST_AGAIN {
-                return Err(Stuck { at: seen.at });
+                return Err(NotCovered { at: seen.at });
             }
             self.comparison.landmarks.look_at(seen.at);
             let zero = self.comparison.zero_of(&piece);
@@ -131,11 +131,11 @@ impl<S: Float> Cover<'_, '_, S> {
     }
 
     /// Returns polynomial pieces that cover the range, before the check.
-    fn range(&mut self, low: f64, high: f64) -> Result<Vec<Fitted<S>>, Stuck> {
+    fn range(&mut self, low: f64, high: f64) -> Result<Vec<Fitted<S>>, NotCovered> {
         let mut pieces = Vec::new();
         let zeros = self.comparison.landmarks.zeros.clone();
         let mut from = low;
-        let mut left: Option<Edge> = None;
+        let mut left: Option<LimitZero> = None;
         for zero in zeros {
             let to = zero.at.min(high);
             if from < to {
@@ -154,10 +154,10 @@ impl<S: Float> Cover<'_, '_, S> {
     fn between(
         &mut self,
         (low, high): (f64, f64),
-        left: Option<Edge>,
-        right: Option<Edge>,
+        left: Option<LimitZero>,
+        right: Option<LimitZero>,
         pieces: &mut Vec<Fitted<S>>,
-    ) -> Result<(), Stuck> {
+    ) -> Result<(), NotCovered> {
         let (mut from, mut to) = (low, high);
         let middle = 0.5 * (low + high);
         if left.is_some() {
@@ -177,7 +177,7 @@ impl<S: Float> Cover<'_, '_, S> {
             pieces.push(piece);
             from = end;
             if pieces.len() > self.most_pieces {
-                return Err(Stuck { at: from });
+                return Err(NotCovered { at: from });
             }
         }
         pieces.extend(last);
@@ -190,8 +190,8 @@ impl<S: Float> Cover<'_, '_, S> {
         &mut self,
         start: f64,
         limit: f64,
-        zero: Option<Edge>,
-    ) -> Result<(Fitted<S>, f64), Stuck> {
+        zero: Option<LimitZero>,
+    ) -> Result<(Fitted<S>, f64), NotCovered> {
         let most = (limit - start).abs();
         let forwards = start < limit;
         // If a kink lies ahead, the piece should end there, because a polynomial cannot follow a kink.
@@ -231,7 +231,7 @@ impl<S: Float> Cover<'_, '_, S> {
             // powers of the distance to the zero would be nearly equal.
             let zero = zero.filter(|zero| zero.distance(start).abs() <= length);
             let piece = fit(self.comparison.exact, between, zero, self.comparison.form)
-                .ok_or(Stuck { at: start })?;
+                .ok_or(NotCovered { at: start })?;
             let error = self.comparison.error(&piece, between, zero);
             if error <= 1.0 {
                 (good, known) = (length, Some((piece, end)));
@@ -265,10 +265,10 @@ impl<S: Float> Cover<'_, '_, S> {
                 break;
             }
             if length <= SHORTEST * start {
-                return Err(Stuck { at: start });
+                return Err(NotCovered { at: start });
             }
         }
         self.last = good;
-        known.ok_or(Stuck { at: start })
+        known.ok_or(NotCovered { at: start })
     }
 }

@@ -2,8 +2,8 @@
 
 use super::digits::above;
 use super::exact::{ANGLE, Exact, SIZE};
-use super::fit::{Fitted, Form};
-use super::split::{Edge, Landmarks};
+use super::fit::{FitSettings, Fitted};
+use super::split::{Landmarks, LimitZero};
 use frictiongen_kernel::Float;
 use frictiongen_kernel::table::{ContactTable, Quotient};
 use std::f64::consts::PI;
@@ -23,7 +23,7 @@ const ROUNDINGS: f64 = 4.0;
 pub(super) struct Comparison<'a, 'm, S> {
     pub exact: &'a mut Exact<'m>,
     pub landmarks: Landmarks,
-    pub form: Form,
+    pub form: FitSettings,
     /// Largest allowed deviation of the polynomial from `side_factor`·β_lim, divided by β_lim.
     pub limit: f64,
     /// Largest allowed error of the contact's amplitude (relative) and phase (rad).
@@ -36,13 +36,18 @@ pub(super) struct Comparison<'a, 'm, S> {
 
 impl<S: Float> Comparison<'_, '_, S> {
     /// Returns the zero of β_lim at the origin of a polynomial piece. Returns `None` if the origin is not a zero.
-    pub fn zero_of(&self, piece: &Fitted<S>) -> Option<Edge> {
+    pub fn zero_of(&self, piece: &Fitted<S>) -> Option<LimitZero> {
         let to = |at: f64| S::constant(at).to_f64();
         self.landmarks.zero_at(piece.origin.to_f64(), to)
     }
 
     /// Returns the largest error of a polynomial piece, divided by the allowed error.
-    pub fn error(&mut self, piece: &Fitted<S>, (low, high): (f64, f64), zero: Option<Edge>) -> f64 {
+    pub fn error(
+        &mut self,
+        piece: &Fitted<S>,
+        (low, high): (f64, f64),
+        zero: Option<LimitZero>,
+    ) -> f64 {
         let points = 2 * self.form.terms + 3;
         let step = (high - low) / (points - 1) as f64;
         let mut worst = 0.0_f64;
@@ -79,7 +84,7 @@ impl<S: Float> Comparison<'_, '_, S> {
         piece: &Fitted<S>,
         r: f64,
         (low, high): (f64, f64),
-        zero: Option<Edge>,
+        zero: Option<LimitZero>,
     ) -> f64 {
         // The nearest number of the type may lie outside the piece.
         let rounded = |r: f64| S::constant(r).to_f64();

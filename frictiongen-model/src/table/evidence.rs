@@ -29,9 +29,9 @@ impl Evidence {
 /// Bound on the work of a proof, in evaluations of one mode. An evaluation takes about 0.25 µs, or 1.5 µs in code
 /// without optimisation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Work(pub usize);
+pub struct ProofWork(pub usize);
 
-impl Work {
+impl ProofWork {
     /// Bound on the work of a proof within a macro. The size of a table determines the work in advance. If the proof of
     /// a table needs more work, the macro only checks the table.
     pub const AT_EXPANSION: Self = Self(1_700_000);
@@ -49,7 +49,7 @@ pub struct Proof {
     /// Intervals of r without a proof, in ascending order.
     pub open: Vec<(f64, f64)>,
     /// The work that the proof took.
-    pub work: Work,
+    pub work: ProofWork,
 }
 
 impl Proof {
@@ -63,7 +63,7 @@ impl Proof {
                 at: low,
             },
             open: vec![(low, high)],
-            work: Work(0),
+            work: ProofWork(0),
         }
     }
 

@@ -22,7 +22,7 @@ const CANCELS: f64 = 1e-2;
 /// contact to the load. U and G are the velocity and displacement of the contact that friction causes at a reversal.
 /// For an undamped chain arg V is 0, and a contains the factor sgn V, so that a is smooth across a resonance.
 #[derive(Clone, Copy, Debug)]
-pub struct Sample {
+pub struct ExactValues {
     /// β_lim.
     pub limit: f64,
     quadrature: f64,
@@ -40,7 +40,7 @@ pub struct Exact<'a> {
     /// The constants of the scene in double precision.
     pub reduced: Reduced<f64>,
     contact_modes: Vec<ContactMode>,
-    seen: HashMap<u64, Sample>,
+    seen: HashMap<u64, ExactValues>,
     excitations: HashMap<u64, f64>,
 }
 
@@ -86,7 +86,7 @@ impl<'a> Exact<'a> {
     }
 
     /// Returns the exact functions at r. Returns `None` if r is NaN or negative.
-    pub fn at(&mut self, r: f64) -> Option<Sample> {
+    pub fn at(&mut self, r: f64) -> Option<ExactValues> {
         if let Some(sample) = self.seen.get(&r.to_bits()) {
             return Some(*sample);
         }
@@ -111,7 +111,7 @@ impl<'a> Exact<'a> {
         } else if negative {
             quadrature = -quadrature;
         }
-        let sample = Sample {
+        let sample = ExactValues {
             limit,
             quadrature,
             displacement: contact.g / all,
@@ -186,10 +186,10 @@ impl<'a> Exact<'a> {
     }
 
     /// Returns the exact values from which amplitude and phase of the contact follow at any β.
-    pub fn contact(&mut self, sample: &Sample, r: f64) -> ContactTable<f64> {
+    pub fn contact(&mut self, sample: &ExactValues, r: f64) -> ContactTable<f64> {
         let excitation = self.known_excitation(r);
         if self.damped() {
-            let Sample {
+            let ExactValues {
                 limit,
                 quadrature,
                 displacement,

@@ -2,7 +2,7 @@
 
 use super::digits::{above, to_decimals};
 use super::exact::{ANGLE, Exact, SIZE};
-use super::split::Edge;
+use super::split::LimitZero;
 use frictiongen_kernel::Float;
 use frictiongen_kernel::table::polynomial;
 use std::f64::consts::PI;
@@ -61,7 +61,7 @@ pub(super) fn terms(accuracy: f64) -> usize {
 
 /// Settings for the fit of a polynomial piece: number of functions, number of coefficients and rounding.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Form {
+pub(super) struct FitSettings {
     /// Number of functions in each piece. Each function has one polynomial.
     pub functions: usize,
     /// Number of coefficients of each function's polynomial.
@@ -79,8 +79,8 @@ pub(super) struct Form {
 pub(super) fn fit<S: Float>(
     exact: &mut Exact<'_>,
     (low, high): (f64, f64),
-    zero: Option<Edge>,
-    form: Form,
+    zero: Option<LimitZero>,
+    form: FitSettings,
 ) -> Option<Fitted<S>> {
     let (half, middle) = (0.5 * (high - low), 0.5 * (low + high));
     let origin =

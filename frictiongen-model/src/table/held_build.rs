@@ -97,7 +97,7 @@ impl<S: Float> Held<S> {
 }
 
 /// A frequency ratio r for comparisons, with the exact responses at r.
-struct Point {
+struct ComparedPoint {
     r: f64,
     at: HeldAt,
     /// Exact responses at a frequency ratio that is `ROUNDINGS` rounding units above r. Their difference from the
@@ -105,7 +105,7 @@ struct Point {
     moved: HeldAt,
 }
 
-impl Point {
+impl ComparedPoint {
     fn new(modal: &Modal, r: f64) -> Self {
         Self {
             r,
@@ -120,7 +120,7 @@ struct Build<'a> {
     modal: &'a Modal,
     damped: bool,
     range: (f64, f64),
-    spread: Vec<Point>,
+    spread: Vec<ComparedPoint>,
     worst: Worst,
     points: usize,
 }
@@ -138,7 +138,7 @@ impl<'a> Build<'a> {
             modal,
             damped: modal.is_damped(),
             range: (low, high),
-            spread: spread.map(|r| Point::new(modal, r)).collect(),
+            spread: spread.map(|r| ComparedPoint::new(modal, r)).collect(),
             worst: Worst {
                 error: 0.0,
                 at: low,
@@ -221,8 +221,8 @@ impl<'a> Build<'a> {
             .map(|zero| zero.y.to_f64())
             .flat_map(|place| BESIDE.map(|beside| S::constant(place * (1.0 + beside)).to_f64()));
         let within = places.filter(|r| low <= *r && *r <= high);
-        let close: Vec<Point> = within.map(|r| Point::new(self.modal, r)).collect();
-        for Point { r, at, moved } in self.spread.iter().chain(&close) {
+        let close: Vec<ComparedPoint> = within.map(|r| ComparedPoint::new(self.modal, r)).collect();
+        for ComparedPoint { r, at, moved } in self.spread.iter().chain(&close) {
             let expected = exact(at);
             let size = complex::modulus(expected, true).to_f64();
             // At a zero or a pole the exact value is 0 or infinite, so no comparison is possible.

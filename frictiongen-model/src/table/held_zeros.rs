@@ -4,7 +4,7 @@ use super::proportional::Proportional;
 use super::rational::Rational;
 use super::zeros::{EQUAL, NONE, Zero, Zeros, classified, guesses, poles};
 use crate::modal::Modal;
-use crate::roots::{Driven, iterate, to};
+use crate::roots::{DrivenMode, iterate, to};
 use frictiongen_kernel::number::complex;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::{Complex, Float};
@@ -111,12 +111,12 @@ struct Pole {
 }
 
 /// A sum of terms. If the sum is only the rounding error of its terms, its value is exactly 0.
-struct Sum {
+struct CancellingSum {
     value: Complex<Dd>,
     size: Dd,
 }
 
-impl Sum {
+impl CancellingSum {
     fn new() -> Self {
         Self {
             value: complex::real(Dd::ZERO),
@@ -144,10 +144,12 @@ impl Sum {
 fn held_pole(modal: &Modal, zero: Zero) -> Option<Pole> {
     let s = Complex::new(zero.x, zero.y);
     let two = Dd::from(2.0);
-    let mut v = Sum::new();
+    let mut v = CancellingSum::new();
     v.add(complex::real(-carried(modal)));
     let mut slope = complex::real(Dd::ZERO);
-    let mut of_masses: Vec<Sum> = (0..modal.resonances.len()).map(|_| Sum::new()).collect();
+    let mut of_masses: Vec<CancellingSum> = (0..modal.resonances.len())
+        .map(|_| CancellingSum::new())
+        .collect();
     let modes = modal.resonances.iter().zip(&modal.damping_ratios);
     let drives = modal.loads.iter().zip(&modal.contacts).zip(&modal.shapes);
     for (mode, ((sigma, zeta), ((load, contact), shape))) in modes.zip(drives).enumerate() {
@@ -219,7 +221,7 @@ fn untouched(modal: &Modal, modes: std::ops::Range<usize>) -> Vec<Pole> {
             let component = modal.shapes.get(mode).and_then(|shape| shape.get(mass));
             component.copied().unwrap_or(zero)
         };
-        let mut sum = Sum::new();
+        let mut sum = CancellingSum::new();
         sum.add(complex::real(dot(&shape, &load)));
         if !touching.is_zero() {
             let held = dot(&shape, &contact) * dot(&load, &contact) / touching;
@@ -228,7 +230,7 @@ fn untouched(modal: &Modal, modes: std::ops::Range<usize>) -> Vec<Pole> {
         sum.cleaned().re
     });
     let strengths: Vec<Dd> = strengths.collect();
-    let mode = Driven {
+    let mode = DrivenMode {
         sigma: of(&modal.resonances, modes.start),
         zeta: of(&modal.damping_ratios, modes.start),
         inverse_mass: Dd::ONE,
@@ -354,7 +356,7 @@ fn of_mass(poles: &[Pole], mass: usize, damped: bool) -> Option<Response> {
 fn degree(simple: &[[Complex<Dd>; 2]]) -> Option<usize> {
     let mut powers: Vec<Complex<Dd>> = simple.iter().map(|[_, residue]| *residue).collect();
     for lost in 1..=simple.len() {
-        let mut sum = Sum::new();
+        let mut sum = CancellingSum::new();
         for (power, [place, _]) in powers.iter_mut().zip(simple) {
             sum.add(*power);
             *power = complex::mul(*power, *place, true);

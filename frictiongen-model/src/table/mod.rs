@@ -33,23 +33,23 @@ mod worst;
 mod zeros;
 
 pub use errors::{FRICTION_SHARES, MOST_SHARE};
-pub use evidence::{Evidence, Proof, Work};
+pub use evidence::{Evidence, Proof, ProofWork};
 pub use fit::Fitted;
 pub use held::{Held, HeldForm};
 pub use index::Index;
 pub use product::Product;
 pub use reach::Reach;
 pub use request::{COARSEST, FINEST, FINEST_PROVEN, FINEST_SINGLE, Request, TableError};
-pub use tables::{Report, Tables};
+pub use tables::{TableReport, Tables};
 pub use worst::Worst;
 
 /// Functions of the table builder that the proof of a table also needs.
 #[doc(hidden)]
 pub mod building {
-    pub use super::exact::{ANGLE, Exact, SIZE, Sample};
+    pub use super::exact::{ANGLE, Exact, ExactValues, SIZE};
     pub use super::fit::interpolated;
     pub use super::rounding::rounding;
-    pub use super::split::{Edge, Landmarks};
+    pub use super::split::{Landmarks, LimitZero};
     pub use super::zeros::{ContactMode, Zero, Zeros, contact_modes};
 }
 

@@ -4,7 +4,7 @@ use super::bounds::unit;
 use super::product::Product;
 use super::rounding::rounding;
 use super::tables::Tables;
-use crate::interval::{Interval, Jet, Number};
+use crate::interval::{Arithmetic, Interval, Jet};
 use crate::scene::{Beyond, Scene};
 use frictiongen_kernel::Float;
 use frictiongen_kernel::table::Factor;
@@ -98,7 +98,7 @@ impl<S: Float> Tables<S> {
 }
 
 /// Returns the polynomial Σ c_k tᵏ at t.
-fn polynomial<T: Number>(coefficients: &[f64], t: T) -> T {
+fn polynomial<T: Arithmetic>(coefficients: &[f64], t: T) -> T {
     let zero = T::number(0.0);
     coefficients
         .iter()

@@ -3,7 +3,7 @@
 use super::cover::Cover;
 use super::errors::Comparison;
 use super::exact::Exact;
-use super::fit::Form;
+use super::fit::FitSettings;
 use super::request::Request;
 use super::split::Landmarks;
 use super::worst::Worst;
@@ -44,7 +44,7 @@ pub(super) fn cover<'a, 'm, S: Float>(
         comparison: Comparison {
             exact,
             landmarks,
-            form: Form {
+            form: FitSettings {
                 functions,
                 terms,
                 side_factor,

@@ -7,14 +7,14 @@ use frictiongen_kernel::number::dd::Dd;
 
 /// A zero r₀ of β_lim, as a double and a remainder.
 #[derive(Clone, Copy, Debug)]
-pub struct Edge {
+pub struct LimitZero {
     /// The zero as a double.
     pub at: f64,
     /// The exact zero minus its rounded value `at`.
     pub rest: f64,
 }
 
-impl Edge {
+impl LimitZero {
     fn new(at: Dd) -> Self {
         let high = at.to_f64();
         let rest = (at - Dd::from(high)).to_f64();
@@ -46,7 +46,7 @@ const MOST: usize = 10_000;
 #[derive(Clone, Debug)]
 pub struct Landmarks {
     /// The zeros of β_lim within the range and just outside, ascending.
-    pub zeros: Vec<Edge>,
+    pub zeros: Vec<LimitZero>,
     /// Resonances of undamped modes within the range of r. The phase of the contact's response jumps there.
     pub jumps: Vec<f64>,
     /// Frequency ratios, in ascending order, at which the code computes the error of a table, in addition to the points
@@ -58,7 +58,7 @@ pub struct Landmarks {
 impl Landmarks {
     /// Returns the zero of β_lim at the origin of a polynomial piece. `to` rounds a zero to the number type of the
     /// table. Returns `None` if the origin is not a zero.
-    pub fn zero_at(&self, origin: f64, to: impl Fn(f64) -> f64) -> Option<Edge> {
+    pub fn zero_at(&self, origin: f64, to: impl Fn(f64) -> f64) -> Option<LimitZero> {
         let mut zeros = self.zeros.iter().copied();
         zeros.find(|zero| to(zero.at) == origin)
     }
@@ -88,7 +88,7 @@ impl Landmarks {
                 // At this r the response U of an undamped mode is infinite, whatever the damping of the other modes.
                 // β_lim is then 0.
                 if zeta.is_zero() && (k > 0 || mode.residue.is_zero()) {
-                    edges.push(Edge::new(place));
+                    edges.push(LimitZero::new(place));
                 }
                 if zeta.is_zero() && k == 0 && within(place.to_f64()) {
                     jumps.push(place.to_f64());
@@ -101,15 +101,16 @@ impl Landmarks {
             .flat_map(|zeros| zeros.excitation.iter().chain(&zeros.common))
         {
             if zero.is_on_axis() && !zero.y.is_zero() {
-                edges.push(Edge::new(zero.y));
+                edges.push(LimitZero::new(zero.y));
             }
             if zero.x.abs() < zero.y * Dd::from(BROAD) {
                 centres.push(zero.y.to_f64());
             }
         }
         // A zero just outside the range matters as much as a zero at a bound of the range.
-        let beside =
-            |edge: &Edge| low * (1.0 - OUTSIDE) <= edge.at && edge.at <= high * (1.0 + OUTSIDE);
+        let beside = |edge: &LimitZero| {
+            low * (1.0 - OUTSIDE) <= edge.at && edge.at <= high * (1.0 + OUTSIDE)
+        };
         edges.retain(beside);
         edges.sort_by(|a, b| a.at.total_cmp(&b.at));
         let beside =

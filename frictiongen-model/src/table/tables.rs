@@ -1,6 +1,6 @@
 //! Builds all tables of a scene, from the request to the report on their errors.
 
-use super::cover::Stuck;
+use super::cover::NotCovered;
 use super::evidence::Proof;
 use super::exact::Exact;
 use super::fit::{Fitted, TERMS, terms};
@@ -28,7 +28,7 @@ const IN_A_BYTE: usize = 1 << u8::BITS;
 
 /// Size of the tables of a scene, and the errors that the check has found.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Report {
+pub struct TableReport {
     /// Largest relative error of β_lim that the check has found. For tables with the motion of the contact, the number
     /// also covers the amplitude and phase of the contact.
     pub worst: Worst,
@@ -67,7 +67,7 @@ pub struct Tables<S> {
     /// accurate enough. The check compares the responses with the exact values. No proof covers them.
     pub held: Option<Held<S>>,
     /// Size of the tables, and the errors that the check has found.
-    pub report: Report,
+    pub report: TableReport,
     /// Proof, complete or partial, that β_lim from the table has the requested accuracy in the range of r.
     pub proof: Proof,
     /// Proof that amplitude and phase of the contact have the requested accuracy. The proof covers β/β_lim up to the
@@ -234,7 +234,7 @@ impl<S: Float> Tables<S> {
         Ok(best)
     }
 
-    /// Returns the size in bytes of the tables of the limits and of the contact's motion. [`Report::bytes`] also
+    /// Returns the size in bytes of the tables of the limits and of the contact's motion. [`TableReport::bytes`] also
     /// includes the responses with the contact stuck.
     #[must_use]
     pub fn bytes_without_stuck(&self) -> usize {
@@ -363,7 +363,7 @@ impl<S: Float> Tables<S> {
         );
         cover.kinks = kinks.clone();
         cover.last = (high - low) / FIRST;
-        let not_met = |Stuck { at }| TableError::NotMet {
+        let not_met = |NotCovered { at }| TableError::NotMet {
             accuracy: request.accuracy,
             reached: None,
             at,
@@ -388,7 +388,7 @@ impl<S: Float> Tables<S> {
             sliding,
             excitation,
             held: None,
-            report: Report {
+            report: TableReport {
                 worst,
                 sliding: off,
                 points: points + looked,

@@ -14,7 +14,7 @@ use std::ops::Range;
 
 impl<S: Float> Tables<S> {
     /// Compares these tables with the exact values, as [`build`](Self::build) does, and returns the largest error. The
-    /// result differs from [`Report::worst`](super::Report::worst) if the tables have changed since `build` made them.
+    /// result differs from [`Report::worst`](super::TableReport::worst) if the tables have changed since `build` made them.
     #[must_use]
     pub fn verify(&self, modal: &Modal) -> Worst {
         self.verified(modal, 0..self.pieces.len())

@@ -1,7 +1,7 @@
 //! V and H of the contact as rational functions: their zeros and poles in double-double.
 
 use crate::modal::Modal;
-use crate::roots::{Driven, converge, pairs};
+use crate::roots::{DrivenMode, converge, pairs};
 use frictiongen_kernel::number::complex;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::table::Factor;
@@ -99,7 +99,7 @@ pub struct Zeros {
 /// A mode in double-double, with its contributions to V and to H.
 pub struct ContactMode {
     /// Resonance and damping ratio of the mode, and its contribution to H.
-    pub driven: Driven,
+    pub driven: DrivenMode,
     /// Contribution of the mode to V.
     pub residue: Dd,
 }
@@ -124,7 +124,7 @@ pub fn contact_modes(modal: &Modal) -> Vec<ContactMode> {
             continue;
         }
         contact_modes.push(ContactMode {
-            driven: Driven {
+            driven: DrivenMode {
                 sigma: *sigma,
                 zeta: *zeta,
                 inverse_mass,
@@ -151,20 +151,20 @@ impl Zeros {
                 loaded.extend(poles);
             }
         }
-        let driven: Vec<Driven> = contact_modes.iter().map(|mode| mode.driven).collect();
+        let driven: Vec<DrivenMode> = contact_modes.iter().map(|mode| mode.driven).collect();
         let mut receptance = Vec::new();
         for pair in pairs(&driven, Dd::ZERO) {
-            let mode = Driven {
+            let mode = DrivenMode {
                 sigma: pair.omega,
                 zeta: pair.zeta,
                 inverse_mass: Dd::ONE,
             };
             receptance.extend(poles(&mode));
         }
-        let excitation: Vec<Driven> = contact_modes
+        let excitation: Vec<DrivenMode> = contact_modes
             .iter()
             .filter(|mode| !mode.residue.is_zero())
-            .map(|mode| Driven {
+            .map(|mode| DrivenMode {
                 inverse_mass: mode.residue,
                 ..mode.driven
             })
@@ -198,7 +198,7 @@ impl Zeros {
 }
 
 /// Returns the poles of a mode: one pole that represents a conjugate pair, or two real poles of an overdamped mode.
-pub(super) fn poles(mode: &Driven) -> Vec<Zero> {
+pub(super) fn poles(mode: &DrivenMode) -> Vec<Zero> {
     let (one, zero) = (Dd::ONE, Dd::ZERO);
     let q = ((one - mode.zeta) * (one + mode.zeta)).abs().sqrt();
     if mode.zeta < one {
@@ -219,7 +219,7 @@ pub(super) fn poles(mode: &Driven) -> Vec<Zero> {
 
 /// Returns the zeros of the rational function `direct` + Σ ρ_i/(s² + 2ζ_iσ_i s + λ_i) over the modes. The list contains
 /// one zero of each conjugate pair. The first `known` zeros are at s = 0.
-fn zeros(modes: &[Driven], direct: Dd, damped: bool, known: usize) -> Option<Vec<Zero>> {
+fn zeros(modes: &[DrivenMode], direct: Dd, damped: bool, known: usize) -> Option<Vec<Zero>> {
     let degree = degree(modes, direct)?;
     let mut roots = vec![complex::real(Dd::ZERO); known];
     let sigmas = modes.iter().map(|mode| mode.sigma.to_f64());
@@ -267,7 +267,7 @@ pub(super) fn classified(roots: Vec<Complex<Dd>>, known: usize, damped: bool) ->
 
 /// Returns the number of zeros of the rational function `direct` + Σ ρ_i/(s² + 2ζ_iσ_i s + λ_i) over the modes. The
 /// number follows from the first power of 1/s at infinity whose coefficient exceeds rounding.
-fn degree(modes: &[Driven], direct: Dd) -> Option<usize> {
+fn degree(modes: &[DrivenMode], direct: Dd) -> Option<usize> {
     let most = 2 * modes.len();
     if !direct.is_zero() {
         return Some(most);

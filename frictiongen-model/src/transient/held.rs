@@ -6,9 +6,9 @@
 //! follow from w_i/(s² + 2ζ_iσ_i s + λ_i) = g_i + (h_i/ω)s modulo the polynomial of the pair. All numbers are real,
 //! also at a double root.
 
-use super::plain::Plain;
+use super::plain::SlidingMode;
 use crate::reduced::kind;
-use crate::roots::{Driven, pairs};
+use crate::roots::{DrivenMode, pairs};
 use frictiongen_kernel::motion::HeldMode;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::number::dual::Dual;
@@ -24,7 +24,7 @@ const ROUNDING: f64 = 1e-29;
 /// `compliance` is k₁ divided by the stiffness of an elastic contact, and 0 for a rigid contact. Before the
 /// participations are scaled, the displacement of the contact in a held mode is Σ w_i η_i = −`compliance`·y.
 pub(super) fn held<T: Float, S: Scalar>(
-    modes: &[&Plain<T>],
+    modes: &[&SlidingMode<T>],
     (inverse_mass, compliance): (T, T),
     pairs: &[(T, T)],
     to: &impl Fn(T) -> S,
@@ -74,7 +74,7 @@ pub(super) fn held<T: Float, S: Scalar>(
 /// Returns the participations (g, h) of every mode of the sliding chain in a held mode, divided by the largest of them,
 /// and this largest participation. Before the division, the contact force is −y.
 fn participations_of<T: Float>(
-    modes: &[&Plain<T>],
+    modes: &[&SlidingMode<T>],
     compliance: T,
     (omega, zeta): (T, T),
 ) -> (Vec<[T; 2]>, T) {
@@ -125,8 +125,8 @@ fn participations_of<T: Float>(
 /// s + λ_i) modulo s² + ps + q vanishes. `compliance` is 1/κ, the compliance of an elastic contact, and 0 for a rigid
 /// contact.
 pub(super) fn moving(
-    driven: &[Driven],
-    modes: &[&Plain<Dual<Dd>>],
+    driven: &[DrivenMode],
+    modes: &[&SlidingMode<Dual<Dd>>],
     compliance: Dual<Dd>,
 ) -> Option<Vec<(Dual<Dd>, Dual<Dd>)>> {
     let two = Dd::from(2.0);

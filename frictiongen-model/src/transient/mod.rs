@@ -14,7 +14,7 @@ use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::number::dual::Dual;
 use frictiongen_kernel::oscillator::mode::Mode;
 use frictiongen_kernel::{Float, Scalar};
-use plain::{EQUAL, Plain, close, driven, in_contact, plain_modes, sorted, turned};
+use plain::{EQUAL, SlidingMode, close, driven, in_contact, plain_modes, sorted, turned};
 
 /// If a modal damping ratio exceeds this value, the frequencies of the held modes (modes of the chain with its contact
 /// stuck) may be close to one another. If no damping ratio exceeds this value, chains of up to 64 masses have rounding
@@ -89,11 +89,11 @@ impl<S: Scalar> Transient<S> {
     fn with_pairs<T: Float>(
         (scene, compliance): (&Scene, T),
         modal: &Modal<T>,
-        plain: &[Plain<T>],
+        plain: &[SlidingMode<T>],
         pairs: &[(T, T)],
         to: impl Fn(T) -> S,
     ) -> Self {
-        let in_contact: Vec<&Plain<T>> = in_contact(plain).collect();
+        let in_contact: Vec<&SlidingMode<T>> = in_contact(plain).collect();
         let chain = modal.reduced(&to).chain;
         let (held, participations) =
             held::held(&in_contact, (modal.inverse_mass, compliance), pairs, &to);
@@ -199,7 +199,7 @@ impl Transient<Dual<Dd>> {
     #[must_use]
     pub fn along(scene: &Scene, modal: &Modal<Dual<Dd>>) -> Option<Self> {
         let plain = plain_modes(modal);
-        let parts = |a: &Plain<Dual<Dd>>, b: &Plain<Dual<Dd>>| {
+        let parts = |a: &SlidingMode<Dual<Dd>>, b: &SlidingMode<Dual<Dd>>| {
             let size = (a.resonance.slope.abs() + b.resonance.slope.abs()) * Dd::from(EQUAL);
             let damping = (a.zeta.slope.abs() + b.zeta.slope.abs()) * Dd::from(EQUAL);
             close(a.resonance, b.resonance)

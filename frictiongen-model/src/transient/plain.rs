@@ -1,7 +1,7 @@
 //! Modes of the sliding chain in double-double. The modes that the contact drives come first.
 
 use crate::modal::Modal;
-use crate::roots::Driven;
+use crate::roots::DrivenMode;
 use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
 
@@ -15,7 +15,7 @@ const NOISE: f64 = 1e-26;
 
 /// Constants of one mode of the sliding chain in double-double, with or without derivatives.
 #[derive(Clone, Debug)]
-pub(super) struct Plain<T> {
+pub(super) struct SlidingMode<T> {
     pub resonance: T,
     pub zeta: T,
     pub load: T,
@@ -27,20 +27,25 @@ pub(super) struct Plain<T> {
 
 /// Moves the modes that the contact drives to the front. The sort is stable, so that both groups stay in ascending
 /// order.
-pub(super) fn sorted<T: Float>(mut modes: Vec<Plain<T>>) -> Vec<Plain<T>> {
+pub(super) fn sorted<T: Float>(mut modes: Vec<SlidingMode<T>>) -> Vec<SlidingMode<T>> {
     modes.sort_by_key(|mode| mode.contact.is_zero());
     modes
 }
 
-pub(super) fn in_contact<T: Float>(modes: &[Plain<T>]) -> impl Iterator<Item = &Plain<T>> {
+pub(super) fn in_contact<T: Float>(
+    modes: &[SlidingMode<T>],
+) -> impl Iterator<Item = &SlidingMode<T>> {
     modes.iter().filter(|mode| !mode.contact.is_zero())
 }
 
-/// Returns the modes that the contact drives, as [`Driven`] for the search for the modes of the stuck chain.
-pub(super) fn driven<T: Float>(modes: &[Plain<T>], value: impl Fn(T) -> Dd) -> Vec<Driven> {
+/// Returns the modes that the contact drives, as [`DrivenMode`] for the search for the modes of the stuck chain.
+pub(super) fn driven<T: Float>(
+    modes: &[SlidingMode<T>],
+    value: impl Fn(T) -> Dd,
+) -> Vec<DrivenMode> {
     let driven = in_contact(modes).map(|mode| {
         let contact = value(mode.contact);
-        Driven {
+        DrivenMode {
             sigma: value(mode.resonance),
             zeta: value(mode.zeta),
             inverse_mass: contact * contact,
@@ -49,14 +54,14 @@ pub(super) fn driven<T: Float>(modes: &[Plain<T>], value: impl Fn(T) -> Dd) -> V
     driven.collect()
 }
 
-pub(super) fn plain_modes<T: Float>(modal: &Modal<T>) -> Vec<Plain<T>> {
+pub(super) fn plain_modes<T: Float>(modal: &Modal<T>) -> Vec<SlidingMode<T>> {
     let zero = T::constant(0.0);
     let pick = |of: &[T], i: usize| of.get(i).copied().unwrap_or(zero);
     modal
         .shapes
         .iter()
         .enumerate()
-        .map(|(i, shape)| Plain {
+        .map(|(i, shape)| SlidingMode {
             resonance: pick(&modal.resonances, i),
             zeta: pick(&modal.damping_ratios, i),
             load: pick(&modal.loads, i),
@@ -74,8 +79,8 @@ pub(super) fn close<T: Float>(a: T, b: T) -> bool {
 
 /// Rotates each group of equal modes so that the contact drives only one mode of the group. The contact then has no
 /// effect on the other modes of the group.
-pub(super) fn turned<T: Float>(modes: Vec<Plain<T>>) -> Vec<Plain<T>> {
-    let mut out: Vec<Plain<T>> = Vec::with_capacity(modes.len());
+pub(super) fn turned<T: Float>(modes: Vec<SlidingMode<T>>) -> Vec<SlidingMode<T>> {
+    let mut out: Vec<SlidingMode<T>> = Vec::with_capacity(modes.len());
     for mut mode in modes {
         let zero = T::constant(0.0);
         let twin = out.iter_mut().find(|known| {

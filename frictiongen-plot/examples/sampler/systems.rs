@@ -1,6 +1,6 @@
 //! Draws figures with sketches of chains.
 
-use frictiongen_plot::{Contact, End, Excitation, Figure, Sketch, Spring};
+use frictiongen_plot::{End, Excitation, Figure, Sketch, SketchContact, Spring};
 
 /// Returns the figure with sketches of all kinds of contact and excitation.
 pub fn systems() -> Figure {
@@ -29,7 +29,7 @@ pub fn systems() -> Figure {
         between: (End::Base, End::Mass(2)),
         label: "*k*_{11}".into(),
     });
-    sketch.contact = Some(Contact {
+    sketch.contact = Some(SketchContact {
         between: (End::Mass(1), End::Mass(3)),
         label: "*F*".into(),
     });
@@ -55,7 +55,7 @@ pub fn two_masses() -> Sketch {
             },
         ],
         dashpots: Vec::new(),
-        contact: Some(Contact {
+        contact: Some(SketchContact {
             between: (End::Mass(0), End::Wall),
             label: "*F*".into(),
         }),
@@ -85,7 +85,7 @@ pub fn base_driven() -> Sketch {
             },
         ],
         dashpots: Vec::new(),
-        contact: Some(Contact {
+        contact: Some(SketchContact {
             between: (End::Mass(1), End::Base),
             label: "*F*".into(),
         }),

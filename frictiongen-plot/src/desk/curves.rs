@@ -3,7 +3,7 @@
 use super::phases::{folded, phase_ends};
 use super::scales::Scales;
 use crate::{
-    Axis, Colour, Figure, Key, Label, Line, Marker, Markers, Panel, Point, Sample, Stroke,
+    Axis, Colour, Figure, Key, Label, LegendSample, Line, Marker, Markers, Panel, Point, Stroke,
 };
 use frictiongen::study::curve::{Curve, CurvePoint, End, Piece};
 use frictiongen::study::response::Size;
@@ -70,7 +70,7 @@ pub fn keys_of<'c>(curves: impl IntoIterator<Item = &'c Curve>) -> Vec<Key> {
     let pieces = curves.into_iter().flat_map(|curve| &curve.pieces);
     let strokes: Vec<Stroke> = pieces.map(|piece| stroke(piece.regime)).collect();
     let occurs =
-        |key: &Key| matches!(key.sample, Sample::Line(_, drawn) if strokes.contains(&drawn));
+        |key: &Key| matches!(key.sample, LegendSample::Line(_, drawn) if strokes.contains(&drawn));
     keys().into_iter().filter(occurs).collect()
 }
 

@@ -1,6 +1,6 @@
 //! Sketches of a scene.
 
-use crate::{Contact, End, Excitation, Label, Sketch, Spring};
+use crate::{End, Excitation, Label, Sketch, SketchContact, Spring};
 use frictiongen::study::scene::{self, Node, Scene};
 
 /// Returns the sketch of a scene whose excitation is a recording. The sketch shows *y*(*t*) or *f*(*t*) instead of a
@@ -52,7 +52,7 @@ pub fn sketch(scene: &Scene, own_names: bool) -> Sketch {
         values: Vec::new(),
         springs: springs.collect(),
         dashpots: Vec::new(),
-        contact: Some(Contact {
+        contact: Some(SketchContact {
             between: (end(scene.contact.from), end(scene.contact.to)),
             label: "*F*".into(),
         }),

@@ -4,7 +4,7 @@ use super::IntervalSeries;
 use frictiongen_kernel::Scalar;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_model::interval::Interval;
-use frictiongen_model::samples::{Numbers, contains};
+use frictiongen_model::samples::{RandomNumbers, contains};
 
 /// Evaluates a formula that uses every operation, as a series. `formula_at` evaluates it in double-double.
 fn formula(h: IntervalSeries<6>) -> IntervalSeries<6> {
@@ -26,7 +26,7 @@ fn formula_at(h: Dd) -> Dd {
 /// Checks that a joined series contains the function everywhere in its interval. Taylor's formula predicts this.
 #[test]
 fn series_hold_what_they_should() {
-    let mut numbers = Numbers(7);
+    let mut numbers = RandomNumbers(7);
     let mut widest = 0.0_f64;
     for _ in 0..3_000 {
         let centre = 0.2 * numbers.unit() + 0.05;
@@ -54,7 +54,7 @@ fn series_hold_what_they_should() {
 /// of the same order between points of the interval.
 #[test]
 fn coefficients() {
-    let mut numbers = Numbers(9);
+    let mut numbers = RandomNumbers(9);
     for _ in 0..500 {
         let low = 0.2 * numbers.unit() + 0.05;
         let step = 0.01;
@@ -86,10 +86,10 @@ fn coefficients() {
 /// the terms.
 #[test]
 fn products() {
-    let mut numbers = Numbers(11);
+    let mut numbers = RandomNumbers(11);
     let mut bounded = 0;
     for round in 0..20_000 {
-        let series = |numbers: &mut Numbers| {
+        let series = |numbers: &mut RandomNumbers| {
             let length = (7.0 * numbers.unit()) as usize;
             let terms = std::array::from_fn(|place| {
                 if length <= place {
@@ -108,7 +108,7 @@ fn products() {
         };
         let (a, b) = (series(&mut numbers), series(&mut numbers));
         let (product, square) = (a * b, a.squared());
-        let within = |numbers: &mut Numbers, series: &IntervalSeries<6>| {
+        let within = |numbers: &mut RandomNumbers, series: &IntervalSeries<6>| {
             series.terms.map(|term| {
                 let end = term.high.min(1e6_f64.max(term.low));
                 numbers.within(Interval::new(term.low, end))
@@ -147,7 +147,7 @@ fn products_with_nothing() {
 /// original coefficients.
 #[test]
 fn refined() {
-    let mut numbers = Numbers(13);
+    let mut numbers = RandomNumbers(13);
     let mut narrower = 0.0_f64;
     for _ in 0..3_000 {
         let (low, length) = (0.2 * numbers.unit() + 0.05, 0.03 * numbers.unit());

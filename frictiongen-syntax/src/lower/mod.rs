@@ -11,7 +11,7 @@ use frictiongen_model::scene::Scene;
 use frictiongen_model::validate::Path;
 
 use self::places::Places;
-use crate::diagnostics::{Place, Problems};
+use crate::diagnostics::{Problems, TokenPosition};
 use crate::parse::syntax::Syntax;
 
 pub use readable::Readable;
@@ -27,19 +27,19 @@ impl Located<'_> {
     /// Returns the position of an item. If the description does not contain the item, returns the position of the
     /// scene's name.
     #[must_use]
-    pub fn place(&self, path: Path) -> Place {
+    pub fn place(&self, path: Path) -> TokenPosition {
         self.places.of(path)
     }
 
     /// Returns the position of the field `contacts`, or of the field `dampers`.
     #[must_use]
-    pub fn joints(&self) -> Place {
+    pub fn joints(&self) -> TokenPosition {
         self.places.joints()
     }
 
     /// Returns the position of an item, or `None` if the description does not contain the item.
     #[must_use]
-    pub fn written(&self, path: Path) -> Option<Place> {
+    pub fn written(&self, path: Path) -> Option<TokenPosition> {
         self.places.find(path)
     }
 }

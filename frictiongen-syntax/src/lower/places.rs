@@ -2,7 +2,7 @@
 
 use frictiongen_model::validate::Path;
 
-use crate::diagnostics::Place;
+use crate::diagnostics::TokenPosition;
 use crate::parse::Name;
 use crate::parse::syntax::{
     AccuracyEntry, DampingKind, JointEntry, LawEntry, ProvideEntry, SpringEntry, Syntax,
@@ -27,12 +27,12 @@ pub(super) struct Places<'s> {
 impl Places<'_> {
     /// Returns the position of an item. If the description does not contain the item, returns the position of the
     /// scene's name.
-    pub(super) fn of(&self, path: Path) -> Place {
+    pub(super) fn of(&self, path: Path) -> TokenPosition {
         self.find(path).unwrap_or(self.syntax.place)
     }
 
     /// Returns the position of an item, or `None` if the description does not contain the item.
-    pub(super) fn find(&self, path: Path) -> Option<Place> {
+    pub(super) fn find(&self, path: Path) -> Option<TokenPosition> {
         let fields = &self.syntax.fields;
         let mass = |index: usize| {
             fields
@@ -98,14 +98,14 @@ impl Places<'_> {
     }
 
     /// Returns the position of the field `contacts`, or of the field `dampers`.
-    pub(super) fn joints(&self) -> Place {
+    pub(super) fn joints(&self) -> TokenPosition {
         let fields = &self.syntax.fields;
         let contacts = fields.contacts.given().map(|placed| placed.place);
         let dampers = || fields.dampers.given().map(|placed| placed.place);
         contacts.or_else(dampers).unwrap_or(self.syntax.place)
     }
 
-    fn friction(&self, index: Option<usize>) -> Option<Place> {
+    fn friction(&self, index: Option<usize>) -> Option<TokenPosition> {
         let friction = self.syntax.fields.friction.given()?;
         let number = index.and_then(|index| match &friction.law {
             LawEntry::Coulomb => None,
@@ -114,7 +114,7 @@ impl Places<'_> {
         Some(number.map_or(friction.place, |number| number.place))
     }
 
-    fn damping(&self, index: Option<usize>) -> Option<Place> {
+    fn damping(&self, index: Option<usize>) -> Option<TokenPosition> {
         let damping = self.syntax.fields.damping.given()?;
         let number = index.and_then(|index| match &damping.kind {
             DampingKind::None => None,

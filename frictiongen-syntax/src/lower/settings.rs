@@ -8,7 +8,7 @@ use frictiongen_model::validate::Path;
 use super::resolve::Lowering;
 use crate::diagnostics::Reported;
 use crate::parse::syntax::{
-    AccuracyEntry, DampingKind, Fields, Placed, ProvideEntry, ProvideKind, Slot, Span,
+    AccuracyEntry, DampingKind, Fields, Placed, ProvideEntry, ProvideKind, RangeSyntax, Slot,
 };
 use crate::parse::{List, Name};
 
@@ -56,8 +56,10 @@ impl<'s> Lowering<'s, '_> {
         let budget = fields.budget.given();
         let budget = budget.map(|bytes| self.number(*bytes, Path::Budget));
         let range = fields.range.given().map(|range| {
-            let mut ends = |span: Option<Span>, path, default| match span {
-                Some(Span { low, high }) => (self.number(low, path), self.number(high, path)),
+            let mut ends = |span: Option<RangeSyntax>, path, default| match span {
+                Some(RangeSyntax { low, high }) => {
+                    (self.number(low, path), self.number(high, path))
+                }
                 None => default,
             };
             let any = (0.0, f64::INFINITY);

@@ -1,14 +1,17 @@
 //! Parses the fields that define the chain: masses, springs, contact, excitation.
 
 use super::number::number;
-use super::reader::{List, Name, Read, Reader};
+use super::reader::{List, Name, Read, TokenReader};
 use super::syntax::{ContactEntry, MassEntry, Placed, SpringEntry};
-use super::token::{Delimiter, Kind, Token};
+use super::token::{Delimiter, Token, TokenKind};
 use crate::diagnostics::{Problems, Reported};
 
 /// Parses `{ name: number, … }`.
-pub(crate) fn masses(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<Placed<MassEntry>> {
-    let begins = |reader: &Reader<'_>| reader.is_word(0) && reader.is_punct(1, ':');
+pub(crate) fn masses(
+    reader: &mut TokenReader<'_>,
+    problems: &mut Problems,
+) -> Read<Placed<MassEntry>> {
+    let begins = |reader: &TokenReader<'_>| reader.is_word(0) && reader.is_punct(1, ':');
     braces(
         reader,
         problems,
@@ -22,12 +25,15 @@ pub(crate) fn masses(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<P
     )
 }
 
-fn mass(reader: &mut Reader<'_>, problems: &mut Problems) -> Result<Read<MassEntry>, Reported> {
+fn mass(
+    reader: &mut TokenReader<'_>,
+    problems: &mut Problems,
+) -> Result<Read<MassEntry>, Reported> {
     let place = reader.place();
     let Some(name) = reader.take_word() else {
         let message = match reader.peek(0) {
             Some(Token {
-                kind: Kind::Number(text),
+                kind: TokenKind::Number(text),
                 ..
             }) => format!(
                 "a mass needs a name before its value, for example `m1: {text}`{}",
@@ -50,10 +56,10 @@ fn mass(reader: &mut Reader<'_>, problems: &mut Problems) -> Result<Read<MassEnt
 
 /// Parses `{ node - node: number, … }`.
 pub(crate) fn springs(
-    reader: &mut Reader<'_>,
+    reader: &mut TokenReader<'_>,
     problems: &mut Problems,
 ) -> Read<Placed<SpringEntry>> {
-    let begins = |reader: &Reader<'_>| {
+    let begins = |reader: &TokenReader<'_>| {
         reader.is_word(0) && reader.is_punct(1, '-') && reader.is_word(2) && reader.is_punct(3, ':')
     };
     braces(
@@ -69,7 +75,10 @@ pub(crate) fn springs(
     )
 }
 
-fn spring(reader: &mut Reader<'_>, problems: &mut Problems) -> Result<Read<SpringEntry>, Reported> {
+fn spring(
+    reader: &mut TokenReader<'_>,
+    problems: &mut Problems,
+) -> Result<Read<SpringEntry>, Reported> {
     link(
         reader,
         problems,
@@ -81,7 +90,7 @@ fn spring(reader: &mut Reader<'_>, problems: &mut Problems) -> Result<Read<Sprin
 /// Parses `node - node: number`. `what` names the entry in messages, and `parts` names the parts on both sides of the
 /// colon.
 pub(crate) fn link(
-    reader: &mut Reader<'_>,
+    reader: &mut TokenReader<'_>,
     problems: &mut Problems,
     what: &str,
     parts: &str,
@@ -101,9 +110,9 @@ pub(crate) fn link(
 }
 
 /// Parses `mass - wall`, `mass - mass` or `mass - base`, in either order.
-pub(crate) fn contact(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<ContactEntry> {
+pub(crate) fn contact(reader: &mut TokenReader<'_>, problems: &mut Problems) -> Read<ContactEntry> {
     if let Some(Token {
-        kind: Kind::Group { .. },
+        kind: TokenKind::Group { .. },
         place,
     }) = reader.peek(0)
     {
@@ -117,7 +126,7 @@ pub(crate) fn contact(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<
 
 /// Parses `node - node`.
 pub(crate) fn ends(
-    reader: &mut Reader<'_>,
+    reader: &mut TokenReader<'_>,
     problems: &mut Problems,
     what: &str,
     example: &str,
@@ -143,7 +152,7 @@ pub(crate) fn ends(
 }
 
 fn node(
-    reader: &mut Reader<'_>,
+    reader: &mut TokenReader<'_>,
     problems: &mut Problems,
     what: &str,
     example: &str,
@@ -160,7 +169,7 @@ fn node(
 }
 
 /// Parses a mass or `base`.
-pub(crate) fn excitation(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<Name> {
+pub(crate) fn excitation(reader: &mut TokenReader<'_>, problems: &mut Problems) -> Read<Name> {
     let place = reader.place();
     reader
         .take_word()
@@ -176,11 +185,11 @@ pub(crate) fn excitation(reader: &mut Reader<'_>, problems: &mut Problems) -> Re
 
 /// Parses a list in braces.
 pub(crate) fn braces<T>(
-    reader: &mut Reader<'_>,
+    reader: &mut TokenReader<'_>,
     problems: &mut Problems,
     what: &str,
     example: &str,
-    read: impl FnOnce(&mut Reader<'_>, &mut Problems) -> List<T>,
+    read: impl FnOnce(&mut TokenReader<'_>, &mut Problems) -> List<T>,
 ) -> Read<Placed<T>> {
     let place = reader.place();
     match reader.take_group(Delimiter::Brace) {

@@ -3,14 +3,17 @@
 use frictiongen_model::scene::{Beyond, Proving, Side};
 
 use super::number::number;
-use super::reader::{Read, Reader};
+use super::reader::{Read, TokenReader};
 use super::suggest;
-use super::syntax::{AccuracyEntry, Choice, RangeEntry, Span};
+use super::syntax::{AccuracyEntry, Choice, RangeEntry, RangeSyntax};
 use super::token::Delimiter;
 use crate::diagnostics::{Problems, Reported};
 
 /// Parses `exact` or a number.
-pub(crate) fn accuracy(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<AccuracyEntry> {
+pub(crate) fn accuracy(
+    reader: &mut TokenReader<'_>,
+    problems: &mut Problems,
+) -> Read<AccuracyEntry> {
     let place = reader.place();
     if !reader.is_word(0) {
         let Read { value, clean } = number(reader, problems);
@@ -33,7 +36,7 @@ pub(crate) fn accuracy(reader: &mut Reader<'_>, problems: &mut Problems) -> Read
 }
 
 /// Parses `{ r: a..b, beta: a..b }`.
-pub(crate) fn range(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<RangeEntry> {
+pub(crate) fn range(reader: &mut TokenReader<'_>, problems: &mut Problems) -> Read<RangeEntry> {
     let place = reader.place();
     let Some(mut inside) = reader.take_group(Delimiter::Brace) else {
         let message = format!(
@@ -71,7 +74,7 @@ pub(crate) fn range(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<Ra
 
 /// Parses `r: a..b` or `beta: a..b`.
 fn part(
-    reader: &mut Reader<'_>,
+    reader: &mut TokenReader<'_>,
     problems: &mut Problems,
     entry: &mut RangeEntry,
 ) -> Result<(), Reported> {
@@ -115,13 +118,13 @@ fn part(
         return Err(Reported);
     }
     if let (Some(low), Some(high)) = (low.value, high.value) {
-        *slot = Some(Span { low, high });
+        *slot = Some(RangeSyntax { low, high });
     }
     Ok(())
 }
 
 /// Parses `near` or `safe`.
-pub(crate) fn side(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<Choice<Side>> {
+pub(crate) fn side(reader: &mut TokenReader<'_>, problems: &mut Problems) -> Read<Choice<Side>> {
     choice(
         reader,
         problems,
@@ -131,19 +134,25 @@ pub(crate) fn side(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<Cho
 }
 
 /// Parses `error` or `exact`.
-pub(crate) fn beyond(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<Choice<Beyond>> {
+pub(crate) fn beyond(
+    reader: &mut TokenReader<'_>,
+    problems: &mut Problems,
+) -> Read<Choice<Beyond>> {
     let choices = [("error", Beyond::Error), ("exact", Beyond::Exact)];
     choice(reader, problems, "beyond", choices)
 }
 
 /// Parses `quick` or `whole`.
-pub(crate) fn proof(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<Choice<Proving>> {
+pub(crate) fn proof(
+    reader: &mut TokenReader<'_>,
+    problems: &mut Problems,
+) -> Read<Choice<Proving>> {
     let choices = [("quick", Proving::Quick), ("whole", Proving::Whole)];
     choice(reader, problems, "proof", choices)
 }
 
 pub(crate) fn choice<T: Copy>(
-    reader: &mut Reader<'_>,
+    reader: &mut TokenReader<'_>,
     problems: &mut Problems,
     field: &str,
     choices: [(&'static str, T); 2],

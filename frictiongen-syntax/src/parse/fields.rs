@@ -7,12 +7,12 @@ use super::chain;
 use super::declared;
 use super::forms;
 use super::joints;
-use super::reader::{Name, Read, Reader};
+use super::reader::{Name, Read, TokenReader};
 use super::stepping;
 use super::suggest;
 use super::syntax::{Fields, RustPath, Slot};
-use super::token::{Kind, Token};
-use crate::diagnostics::{Place, Problems, Reported};
+use super::token::{Token, TokenKind};
+use crate::diagnostics::{Problems, Reported, TokenPosition};
 
 /// A field of the description.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -82,14 +82,14 @@ fn names() -> impl Iterator<Item = &'static str> {
 
 /// Returns true if the next tokens begin a known field. `crate:` and `crate: ::path` begin one, but `crate::path` does
 /// not.
-pub(crate) fn begins(reader: &Reader<'_>) -> bool {
-    matches!(reader.peek(0), Some(Token { kind: Kind::Word(text), .. }) if known(text).is_some())
+pub(crate) fn begins(reader: &TokenReader<'_>) -> bool {
+    matches!(reader.peek(0), Some(Token { kind: TokenKind::Word(text), .. }) if known(text).is_some())
         && reader.is_punct(1, ':')
         && (!reader.is_punct(2, ':') || reader.is_punct(3, ':'))
 }
 
 /// Parses all fields.
-pub(crate) fn fields(reader: &mut Reader<'_>, problems: &mut Problems) -> Fields {
+pub(crate) fn fields(reader: &mut TokenReader<'_>, problems: &mut Problems) -> Fields {
     let mut fields = Fields::default();
     reader.list(
         problems,
@@ -104,7 +104,7 @@ pub(crate) fn fields(reader: &mut Reader<'_>, problems: &mut Problems) -> Fields
 }
 
 fn field(
-    reader: &mut Reader<'_>,
+    reader: &mut TokenReader<'_>,
     problems: &mut Problems,
     fields: &mut Fields,
 ) -> Result<(), Reported> {
@@ -232,7 +232,7 @@ const ASKED: [(&[&str], &str); 2] = [
 
 /// Returns the field that a word names. If a word is misspelt, the function reports it and returns the intended field.
 /// The parser then does not report this field as missing.
-fn recognise(word: &Name, reader: &Reader<'_>, problems: &mut Problems) -> Option<Field> {
+fn recognise(word: &Name, reader: &TokenReader<'_>, problems: &mut Problems) -> Option<Field> {
     let text = word.text.as_str();
     if AMOUNTS.contains(&text) {
         let message = stepping::how_much(reader.peek(1));
@@ -262,9 +262,9 @@ fn recognise(word: &Name, reader: &Reader<'_>, problems: &mut Problems) -> Optio
 fn store<'t, T>(
     slot: &mut Slot<T>,
     word: &Name,
-    reader: &mut Reader<'t>,
+    reader: &mut TokenReader<'t>,
     problems: &mut Problems,
-    read: impl FnOnce(&mut Reader<'t>, &mut Problems) -> Read<T>,
+    read: impl FnOnce(&mut TokenReader<'t>, &mut Problems) -> Read<T>,
 ) -> Result<(), Reported> {
     let first = slot.is_missing();
     if !first {
@@ -287,7 +287,7 @@ fn store<'t, T>(
     if value.clean { Ok(()) } else { Err(Reported) }
 }
 
-fn scalar(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<Precision> {
+fn scalar(reader: &mut TokenReader<'_>, problems: &mut Problems) -> Read<Precision> {
     let place = reader.place();
     let found = reader.found();
     match reader.take_word().map(|word| word.text).as_deref() {
@@ -304,13 +304,13 @@ fn scalar(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<Precision> {
 }
 
 /// Parses the path under which the user's crate imports the facade.
-fn facade(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<RustPath> {
+fn facade(reader: &mut TokenReader<'_>, problems: &mut Problems) -> Read<RustPath> {
     let place = reader.place();
     path(reader).map_or_else(
         || {
             let message = format!(
                 "`crate` is the path of the library, not {}; write, for example, `::frictiongen`",
-                Reader::found(reader)
+                TokenReader::found(reader)
             );
             problems.report(place, message);
             Read::lost()
@@ -320,7 +320,7 @@ fn facade(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<RustPath> {
 }
 
 /// Parses words joined by `::`. Returns `None` where Rust accepts no path.
-pub(crate) fn path(reader: &mut Reader<'_>) -> Option<RustPath> {
+pub(crate) fn path(reader: &mut TokenReader<'_>) -> Option<RustPath> {
     let mut path = RustPath {
         segments: Vec::new(),
     };
@@ -339,14 +339,14 @@ pub(crate) fn path(reader: &mut Reader<'_>) -> Option<RustPath> {
 
 /// Returns true if the token is a keyword that no path of Rust may contain.
 fn in_no_path(token: &Token) -> bool {
-    let Kind::Word(text) = &token.kind else {
+    let TokenKind::Word(text) = &token.kind else {
         return false;
     };
     is_keyword(text) && !["crate", "self", "super"].contains(&text.as_str())
 }
 
 /// Reads `::` and returns its position.
-fn colons(reader: &mut Reader<'_>) -> Option<Place> {
+fn colons(reader: &mut TokenReader<'_>) -> Option<TokenPosition> {
     let place = reader.place();
     if reader.is_punct(0, ':') && reader.is_punct(1, ':') {
         reader.next();

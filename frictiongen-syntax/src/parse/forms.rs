@@ -2,11 +2,11 @@
 
 use super::declared::choice;
 use super::number::{Number, hundredth, number};
-use super::reader::{Inside, List, Name, Read, Reader};
+use super::reader::{Inside, List, Name, Read, TokenReader};
 use super::suggest;
 use super::syntax::{Choice, DampingEntry, DampingKind, Placed, ProvideEntry, ProvideKind};
-use super::token::{Delimiter, Kind, Token};
-use crate::diagnostics::{Place, Problems, Reported};
+use super::token::{Delimiter, Token, TokenKind};
+use crate::diagnostics::{Problems, Reported, TokenPosition};
 use frictiongen_model::scene::DampingFrom;
 
 const DAMPING: [&str; 3] = ["none", "modal", "rayleigh"];
@@ -23,7 +23,7 @@ const PROVIDE: [&str; 7] = [
 
 /// Parses `rest` or `base`.
 pub(crate) fn damping_from(
-    reader: &mut Reader<'_>,
+    reader: &mut TokenReader<'_>,
     problems: &mut Problems,
 ) -> Read<Choice<DampingFrom>> {
     let choices = [("rest", DampingFrom::Rest), ("base", DampingFrom::Base)];
@@ -31,7 +31,7 @@ pub(crate) fn damping_from(
 }
 
 /// Parses `none`, `modal(ζ)`, `modal[ζ₁, …]` or `rayleigh(a, b)`.
-pub(crate) fn damping(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<DampingEntry> {
+pub(crate) fn damping(reader: &mut TokenReader<'_>, problems: &mut Problems) -> Read<DampingEntry> {
     let place = reader.place();
     let Some(word) = reader.take_word() else {
         let message = format!(
@@ -70,9 +70,9 @@ pub(crate) fn damping(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<
 
 /// Returns the damping ratio that the author of a bare number probably means. A number below 1 is the ratio itself. A
 /// number of 1 or more, or a number before `%`, is a percentage.
-fn ratio_for(reader: &Reader<'_>) -> Option<f64> {
+fn ratio_for(reader: &TokenReader<'_>) -> Option<f64> {
     let Some(Token {
-        kind: Kind::Number(text),
+        kind: TokenKind::Number(text),
         ..
     }) = reader.peek(0)
     else {
@@ -87,9 +87,9 @@ fn ratio_for(reader: &Reader<'_>) -> Option<f64> {
 }
 
 fn modal(
-    reader: &mut Reader<'_>,
+    reader: &mut TokenReader<'_>,
     problems: &mut Problems,
-    place: Place,
+    place: TokenPosition,
 ) -> Result<DampingKind, Reported> {
     if let Some(mut inside) = reader.take_group(Delimiter::Bracket) {
         return Ok(DampingKind::Modal(
@@ -115,9 +115,9 @@ fn modal(
 }
 
 fn rayleigh(
-    reader: &mut Reader<'_>,
+    reader: &mut TokenReader<'_>,
     problems: &mut Problems,
-    place: Place,
+    place: TokenPosition,
 ) -> Result<DampingKind, Reported> {
     const FORM: &str =
         "write `rayleigh(a, b)` with C = aM + bK, for example `rayleigh(0.1, 0.001)`";
@@ -149,13 +149,13 @@ fn arguments(mut inside: Inside<'_>, problems: &mut Problems) -> Result<Vec<Numb
     }
 }
 
-fn numbers(reader: &mut Reader<'_>, problems: &mut Problems) -> List<Number> {
+fn numbers(reader: &mut TokenReader<'_>, problems: &mut Problems) -> List<Number> {
     reader.list(problems, |_| false, |_| false, number)
 }
 
 /// Parses the list of items to provide.
 pub(crate) fn provide(
-    reader: &mut Reader<'_>,
+    reader: &mut TokenReader<'_>,
     problems: &mut Problems,
 ) -> Read<Placed<ProvideEntry>> {
     let place = reader.place();
@@ -167,7 +167,7 @@ pub(crate) fn provide(
         problems.report(place, message);
         return Read::lost();
     };
-    let begins = |reader: &Reader<'_>| reader.is_word(0);
+    let begins = |reader: &TokenReader<'_>| reader.is_word(0);
     let list = inside.reader.list(
         problems,
         begins,
@@ -181,7 +181,7 @@ pub(crate) fn provide(
 }
 
 fn provide_item(
-    reader: &mut Reader<'_>,
+    reader: &mut TokenReader<'_>,
     problems: &mut Problems,
 ) -> Result<ProvideEntry, Reported> {
     let place = reader.place();
@@ -212,11 +212,11 @@ fn provide_item(
 
 /// Parses the names of masses. `example` is a list of names for the error message.
 pub(crate) fn mass_names(
-    reader: &mut Reader<'_>,
+    reader: &mut TokenReader<'_>,
     problems: &mut Problems,
     example: &str,
 ) -> List<Name> {
-    let begins = |reader: &Reader<'_>| reader.is_word(0);
+    let begins = |reader: &TokenReader<'_>| reader.is_word(0);
     reader.list(
         problems,
         begins,

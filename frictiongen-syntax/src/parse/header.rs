@@ -3,10 +3,10 @@
 use frictiongen_model::validate::is_keyword;
 
 use super::fields;
-use super::reader::{Name, Reader};
+use super::reader::{Name, TokenReader};
 use super::syntax::RustPath;
-use super::token::{Delimiter, Kind, Token};
-use crate::diagnostics::{Place, Problems};
+use super::token::{Delimiter, Token, TokenKind};
+use crate::diagnostics::{Problems, TokenPosition};
 
 /// A doc comment or an attribute before the struct.
 #[derive(Clone, Debug)]
@@ -16,14 +16,14 @@ pub enum Attribute {
         /// The text of the comment.
         text: String,
         /// The position of the comment.
-        place: Place,
+        place: TokenPosition,
     },
     /// An attribute. The parser checks only its name and its outer form.
     Other {
         /// The group in square brackets.
         group: Token,
         /// The position of the `#`.
-        place: Place,
+        place: TokenPosition,
     },
 }
 
@@ -33,13 +33,13 @@ pub enum Visibility {
     /// No visibility is written.
     Inherited,
     /// `pub`, at this position.
-    Public(Place),
+    Public(TokenPosition),
     /// `pub(path)` or `pub(in path)`.
     Restricted {
         /// The position of `pub`.
-        place: Place,
+        place: TokenPosition,
         /// The position of the bracket.
-        bracket: Place,
+        bracket: TokenPosition,
         /// True if `in` is written.
         is_in: bool,
         /// The path.
@@ -63,26 +63,26 @@ const ATTRIBUTES: [&str; 7] = [
 ];
 
 /// Parses doc comments and attributes.
-pub(crate) fn attributes(reader: &mut Reader<'_>, problems: &mut Problems) -> Vec<Attribute> {
+pub(crate) fn attributes(reader: &mut TokenReader<'_>, problems: &mut Problems) -> Vec<Attribute> {
     let mut attributes = Vec::new();
     loop {
         let place = reader.place();
         match reader.peek(0).map(|token| &token.kind) {
-            Some(Kind::Doc(text)) => {
+            Some(TokenKind::Doc(text)) => {
                 reader.next();
                 attributes.push(Attribute::Doc {
                     text: text.clone(),
                     place,
                 });
             }
-            Some(Kind::InnerDoc) => {
+            Some(TokenKind::InnerDoc) => {
                 reader.next();
                 problems.report(
                     place,
                     "an inner doc comment or attribute has no meaning here; write `///` or `#[…]` before `struct`",
                 );
             }
-            Some(Kind::Punct('#')) => {
+            Some(TokenKind::Punct('#')) => {
                 reader.next();
                 attribute(reader, place, problems, &mut attributes);
             }
@@ -93,8 +93,8 @@ pub(crate) fn attributes(reader: &mut Reader<'_>, problems: &mut Problems) -> Ve
 
 /// Parses an attribute after its `#`.
 fn attribute(
-    reader: &mut Reader<'_>,
-    place: Place,
+    reader: &mut TokenReader<'_>,
+    place: TokenPosition,
     problems: &mut Problems,
     attributes: &mut Vec<Attribute>,
 ) {
@@ -116,7 +116,7 @@ fn attribute(
     };
     let name = match inside.reader.peek(0) {
         Some(Token {
-            kind: Kind::Word(text),
+            kind: TokenKind::Word(text),
             ..
         }) => text.as_str(),
         _ => "",
@@ -138,14 +138,22 @@ fn attribute(
 
 /// Returns the reason why an attribute has a wrong form, in the words of `syn`. The function ignores numbers and
 /// comments. It does not check the expression after `=`, because only emitted code contains this expression.
-fn fault(mut reader: Reader<'_>) -> Option<&'static str> {
+fn fault(mut reader: TokenReader<'_>) -> Option<&'static str> {
     reader.next();
-    let ignored =
-        |token: &&Token| matches!(token.kind, Kind::Number(_) | Kind::Doc(_) | Kind::InnerDoc);
+    let ignored = |token: &&Token| {
+        matches!(
+            token.kind,
+            TokenKind::Number(_) | TokenKind::Doc(_) | TokenKind::InnerDoc
+        )
+    };
     let mut rest = reader.rest().iter().filter(|token| !ignored(token));
     match (rest.next().map(|token| &token.kind), rest.next()) {
-        (Some(Kind::Punct('=')), None) => Some("unexpected end of input, expected an expression"),
-        (None | Some(Kind::Punct('=' | ':')), _) | (Some(Kind::Group { .. }), None) => None,
+        (Some(TokenKind::Punct('=')), None) => {
+            Some("unexpected end of input, expected an expression")
+        }
+        (None | Some(TokenKind::Punct('=' | ':')), _) | (Some(TokenKind::Group { .. }), None) => {
+            None
+        }
         _ => Some("unexpected token, expected `]`"),
     }
 }
@@ -159,7 +167,7 @@ fn is_short(path: &RustPath) -> bool {
 }
 
 /// Parses `pub`, `pub(crate)`, `pub(in path)` or nothing.
-pub(crate) fn visibility(reader: &mut Reader<'_>, problems: &mut Problems) -> Visibility {
+pub(crate) fn visibility(reader: &mut TokenReader<'_>, problems: &mut Problems) -> Visibility {
     let place = reader.place();
     if !is_word(reader, 0, "pub") {
         return Visibility::Inherited;
@@ -192,7 +200,7 @@ pub(crate) fn visibility(reader: &mut Reader<'_>, problems: &mut Problems) -> Vi
 }
 
 /// Parses `struct Name`. Returns `None` if the following text cannot be a scene.
-pub(crate) fn name(reader: &mut Reader<'_>, problems: &mut Problems) -> Option<Option<Name>> {
+pub(crate) fn name(reader: &mut TokenReader<'_>, problems: &mut Problems) -> Option<Option<Name>> {
     let place = reader.place();
     if is_word(reader, 0, "struct") {
         reader.next();
@@ -248,6 +256,6 @@ pub(crate) fn name(reader: &mut Reader<'_>, problems: &mut Problems) -> Option<O
     Some(Some(name))
 }
 
-fn is_word(reader: &Reader<'_>, ahead: usize, word: &str) -> bool {
-    matches!(reader.peek(ahead), Some(Token { kind: Kind::Word(text), .. }) if text == word)
+fn is_word(reader: &TokenReader<'_>, ahead: usize, word: &str) -> bool {
+    matches!(reader.peek(ahead), Some(Token { kind: TokenKind::Word(text), .. }) if text == word)
 }

@@ -2,7 +2,7 @@
 
 use super::chain::{braces, ends, link};
 use super::number::{Number, number};
-use super::reader::{Read, Reader};
+use super::reader::{Read, TokenReader};
 use super::suggest;
 use super::syntax::{JointEntry, Placed, SpringEntry};
 use super::token::Delimiter;
@@ -13,10 +13,10 @@ const PROPERTIES: [&str; 3] = ["stiffness", "stiction", "share"];
 
 /// Parses `{ name: node - node { stiffness: number, stiction: number, share: number }, … }`.
 pub(crate) fn contacts(
-    reader: &mut Reader<'_>,
+    reader: &mut TokenReader<'_>,
     problems: &mut Problems,
 ) -> Read<Placed<JointEntry>> {
-    let begins = |reader: &Reader<'_>| reader.is_word(0) && reader.is_punct(1, ':');
+    let begins = |reader: &TokenReader<'_>| reader.is_word(0) && reader.is_punct(1, ':');
     let read = braces(
         reader,
         problems,
@@ -37,10 +37,10 @@ pub(crate) fn contacts(
 
 /// Parses `{ node - node: number, … }`.
 pub(crate) fn dampers(
-    reader: &mut Reader<'_>,
+    reader: &mut TokenReader<'_>,
     problems: &mut Problems,
 ) -> Read<Placed<SpringEntry>> {
-    let begins = |reader: &Reader<'_>| {
+    let begins = |reader: &TokenReader<'_>| {
         reader.is_word(0) && reader.is_punct(1, '-') && reader.is_word(2) && reader.is_punct(3, ':')
     };
     let read = braces(
@@ -76,7 +76,10 @@ fn filled<T>(read: Read<Placed<T>>, problems: &mut Problems, message: &str) -> R
     }
 }
 
-fn contact(reader: &mut Reader<'_>, problems: &mut Problems) -> Result<Read<JointEntry>, Reported> {
+fn contact(
+    reader: &mut TokenReader<'_>,
+    problems: &mut Problems,
+) -> Result<Read<JointEntry>, Reported> {
     let place = reader.place();
     let Some(name) = reader.take_word() else {
         let message = format!(
@@ -104,7 +107,7 @@ fn contact(reader: &mut Reader<'_>, problems: &mut Problems) -> Result<Read<Join
         complete: true,
     };
     if let Some(mut inside) = reader.take_group(Delimiter::Brace) {
-        let begins = |reader: &Reader<'_>| reader.is_word(0) && reader.is_punct(1, ':');
+        let begins = |reader: &TokenReader<'_>| reader.is_word(0) && reader.is_punct(1, ':');
         let list = inside
             .reader
             .list(problems, begins, begins, |reader, problems| {
@@ -117,7 +120,7 @@ fn contact(reader: &mut Reader<'_>, problems: &mut Problems) -> Result<Read<Join
 
 /// Parses `stiffness: number`, `stiction: number` or `share: number`.
 fn property(
-    reader: &mut Reader<'_>,
+    reader: &mut TokenReader<'_>,
     problems: &mut Problems,
     entry: &mut JointEntry,
 ) -> Result<Read<()>, Reported> {

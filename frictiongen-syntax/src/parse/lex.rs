@@ -7,12 +7,15 @@ use core::str::Chars;
 
 use unicode_ident::{is_xid_continue, is_xid_start};
 
-use super::token::{DEEPEST, Delimiter, Kind, TOO_DEEP, Token};
-use crate::diagnostics::{Place, Problems, Reported};
+use super::token::{DEEPEST, Delimiter, TOO_DEEP, Token, TokenKind};
+use crate::diagnostics::{Problems, Reported, TokenPosition};
 
 /// Returns the tokens of a text and the position of its end. Fails only if a bracket or a comment is not closed. The
 /// function reports and skips a stray character.
-pub(crate) fn lex(text: &str, problems: &mut Problems) -> Result<(Vec<Token>, Place), Reported> {
+pub(crate) fn lex(
+    text: &str,
+    problems: &mut Problems,
+) -> Result<(Vec<Token>, TokenPosition), Reported> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let mut lexer = Lexer {
         rest: text.chars(),
@@ -34,7 +37,7 @@ struct Lexer<'t, 'p> {
 /// A bracket that is open at the current position.
 struct Open {
     bracket: Delimiter,
-    place: Place,
+    place: TokenPosition,
     /// Tokens before the bracket.
     before: Vec<Token>,
 }
@@ -74,7 +77,7 @@ impl Lexer<'_, '_> {
                 match open.pop() {
                     Some(last) if last.bracket == bracket => {
                         let inner = core::mem::replace(&mut tokens, last.before);
-                        let kind = Kind::Group {
+                        let kind = TokenKind::Group {
                             bracket,
                             tokens: inner,
                             close: place,
@@ -108,7 +111,7 @@ impl Lexer<'_, '_> {
         }
     }
 
-    fn mismatch(&mut self, found: char, place: Place, open: Option<Open>) -> Reported {
+    fn mismatch(&mut self, found: char, place: TokenPosition, open: Option<Open>) -> Reported {
         let message = match open {
             None => format!("this `{found}` closes nothing; delete it"),
             Some(Open { bracket, place, .. }) => {
@@ -124,13 +127,18 @@ impl Lexer<'_, '_> {
 
     /// Reads one token other than a bracket: a word, a number, a string or a punctuation character. Reports and skips a
     /// stray character.
-    fn leaf(&mut self, next: char, place: Place, out: &mut Vec<Token>) -> Result<(), Reported> {
+    fn leaf(
+        &mut self,
+        next: char,
+        place: TokenPosition,
+        out: &mut Vec<Token>,
+    ) -> Result<(), Reported> {
         if is_start(next) {
             if let Ok(kind) = self.word(place) {
                 out.push(Token { kind, place });
             }
         } else if next.is_ascii_digit() {
-            let kind = Kind::Number(self.number());
+            let kind = TokenKind::Number(self.number());
             out.push(Token { kind, place });
         } else if next == '"' {
             let kind = self.string(place)?;
@@ -138,7 +146,7 @@ impl Lexer<'_, '_> {
         } else if "~!@#$%^&*-=+|;:,<.>/?".contains(next) {
             self.bump();
             out.push(Token {
-                kind: Kind::Punct(next),
+                kind: TokenKind::Punct(next),
                 place,
             });
         } else {
@@ -155,7 +163,7 @@ impl Lexer<'_, '_> {
                     format!("`{next}` is typographic; write the plain `{sign}`"),
                 );
                 out.push(Token {
-                    kind: Kind::Punct(sign),
+                    kind: TokenKind::Punct(sign),
                     place,
                 });
             } else {
@@ -165,7 +173,7 @@ impl Lexer<'_, '_> {
         Ok(())
     }
 
-    fn stray(&mut self, found: char, place: Place) -> Reported {
+    fn stray(&mut self, found: char, place: TokenPosition) -> Reported {
         let code = u32::from(found);
         let message = if found.is_ascii_graphic() {
             format!("`{found}` means nothing in a scene; delete it")
@@ -178,7 +186,7 @@ impl Lexer<'_, '_> {
         self.problems.report(place, message)
     }
 
-    fn word(&mut self, place: Place) -> Result<Kind, Reported> {
+    fn word(&mut self, place: TokenPosition) -> Result<TokenKind, Reported> {
         let raw = self.starts_with("r#") && self.peek(2).is_some_and(is_start);
         if raw {
             self.bump();
@@ -191,7 +199,11 @@ impl Lexer<'_, '_> {
                 format!("`{name}` is not a name; make names of letters, digits and `_`"),
             ));
         }
-        Ok(Kind::Word(if raw { format!("r#{name}") } else { name }))
+        Ok(TokenKind::Word(if raw {
+            format!("r#{name}")
+        } else {
+            name
+        }))
     }
 
     /// Reads a number as Rust does: `0..2` contains two numbers, and `1.5.x` contains a number and a point.
@@ -218,14 +230,14 @@ impl Lexer<'_, '_> {
         text
     }
 
-    fn string(&mut self, place: Place) -> Result<Kind, Reported> {
+    fn string(&mut self, place: TokenPosition) -> Result<TokenKind, Reported> {
         self.bump();
         let (mut text, mut value) = ("\"".to_owned(), String::new());
         while let Some(next) = self.bump() {
             text.push(next);
             match next {
                 '"' => {
-                    return Ok(Kind::Quoted { text, value });
+                    return Ok(TokenKind::Quoted { text, value });
                 }
                 '\\' => {
                     let Some(escaped) = self.bump() else { break };
@@ -241,23 +253,27 @@ impl Lexer<'_, '_> {
         ))
     }
 
-    fn line_comment(&mut self, place: Place, out: &mut Vec<Token>) {
+    fn line_comment(&mut self, place: TokenPosition, out: &mut Vec<Token>) {
         let line = self.take_while(|next| next != '\n');
         if line.starts_with("//!") {
             out.push(Token {
-                kind: Kind::InnerDoc,
+                kind: TokenKind::InnerDoc,
                 place,
             });
         } else if let Some(doc) = line.strip_prefix("///").filter(|doc| !doc.starts_with('/')) {
             let doc = doc.strip_suffix('\r').unwrap_or(doc).to_owned();
             out.push(Token {
-                kind: Kind::Doc(doc),
+                kind: TokenKind::Doc(doc),
                 place,
             });
         }
     }
 
-    fn block_comment(&mut self, place: Place, out: &mut Vec<Token>) -> Result<(), Reported> {
+    fn block_comment(
+        &mut self,
+        place: TokenPosition,
+        out: &mut Vec<Token>,
+    ) -> Result<(), Reported> {
         let whole = self.rest.as_str();
         let mut depth = 0_usize;
         let mut text = String::new();
@@ -286,7 +302,7 @@ impl Lexer<'_, '_> {
         }
         if whole.starts_with("/*!") {
             out.push(Token {
-                kind: Kind::InnerDoc,
+                kind: TokenKind::InnerDoc,
                 place,
             });
         } else if whole.starts_with("/**")
@@ -294,7 +310,7 @@ impl Lexer<'_, '_> {
             && let Some(doc) = text.get(3..text.len().saturating_sub(2))
         {
             out.push(Token {
-                kind: Kind::Doc(doc.to_owned()),
+                kind: TokenKind::Doc(doc.to_owned()),
                 place,
             });
         }
@@ -329,8 +345,8 @@ impl Lexer<'_, '_> {
         Some(next)
     }
 
-    fn place(&self) -> Place {
-        Place {
+    fn place(&self) -> TokenPosition {
+        TokenPosition {
             line: self.line,
             column: self.column,
             token: None,

@@ -19,15 +19,15 @@ pub(crate) mod token;
 
 pub(crate) use self::lex::lex;
 pub(crate) use self::number::Number;
-use self::reader::Reader;
+use self::reader::TokenReader;
 pub(crate) use self::reader::{List, Name};
 use self::syntax::{Fields, Syntax};
 use self::token::{Delimiter, Token};
-use crate::diagnostics::{Place, Problems};
+use crate::diagnostics::{Problems, TokenPosition};
 
 /// Parses the tokens of a description. `end` is the position for errors at the end of the tokens.
-pub fn parse_tokens(tokens: &[Token], end: Place, problems: &mut Problems) -> Syntax {
-    let mut reader = Reader::new(tokens, end);
+pub fn parse_tokens(tokens: &[Token], end: TokenPosition, problems: &mut Problems) -> Syntax {
+    let mut reader = TokenReader::new(tokens, end);
     let mut reader = call(&mut reader, problems).unwrap_or(reader);
     let reader = &mut reader;
     let attributes = header::attributes(reader, problems);
@@ -68,14 +68,14 @@ pub fn parse_tokens(tokens: &[Token], end: Place, problems: &mut Problems) -> Sy
 /// Parses only the names of a description. The caller has reported an error that makes all further errors meaningless.
 /// The result has no scene.
 #[must_use]
-pub fn parse_faulty(tokens: &[Token], end: Place) -> Syntax {
+pub fn parse_faulty(tokens: &[Token], end: TokenPosition) -> Syntax {
     let mut syntax = parse_tokens(tokens, end, &mut Problems::default());
     syntax.has_body = false;
     syntax
 }
 
 /// Returns the tokens inside a macro call, if the text is a macro call around the description.
-fn call<'t>(reader: &mut Reader<'t>, problems: &mut Problems) -> Option<Reader<'t>> {
+fn call<'t>(reader: &mut TokenReader<'t>, problems: &mut Problems) -> Option<TokenReader<'t>> {
     const NAME: &str = "friction_system";
     let mut ahead = *reader;
     let place = ahead.place();
@@ -96,7 +96,7 @@ fn call<'t>(reader: &mut Reader<'t>, problems: &mut Problems) -> Option<Reader<'
 }
 
 /// Returns the tokens inside the braces, which are the fields.
-fn body<'t>(reader: &mut Reader<'t>, problems: &mut Problems) -> Option<Reader<'t>> {
+fn body<'t>(reader: &mut TokenReader<'t>, problems: &mut Problems) -> Option<TokenReader<'t>> {
     let place = reader.place();
     if let Some(inside) = reader.take_group(Delimiter::Brace) {
         return Some(inside.reader);

@@ -1,18 +1,18 @@
 //! Parses numbers: literals joined by `+ - * / ( )`, evaluated in double precision.
 
-use super::reader::{Read, Reader};
-use super::token::{Delimiter, Kind, Token};
-use crate::diagnostics::{Place, Problems, Reported};
+use super::reader::{Read, TokenReader};
+use super::token::{Delimiter, Token, TokenKind};
+use crate::diagnostics::{Problems, Reported, TokenPosition};
 
 /// A number and the position at which it begins. The value is missing if the parser could not read the number.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Number {
     pub(crate) value: Option<f64>,
-    pub(crate) place: Place,
+    pub(crate) place: TokenPosition,
 }
 
 /// Parses a number. A faulty number has a position but no value.
-pub(crate) fn number(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<Number> {
+pub(crate) fn number(reader: &mut TokenReader<'_>, problems: &mut Problems) -> Read<Number> {
     let place = reader.place();
     let result = sum(reader, problems).and_then(|value| {
         check_after(reader, value, problems)?;
@@ -27,7 +27,7 @@ pub(crate) fn number(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<N
     }
 }
 
-fn sum(reader: &mut Reader<'_>, problems: &mut Problems) -> Result<f64, Reported> {
+fn sum(reader: &mut TokenReader<'_>, problems: &mut Problems) -> Result<f64, Reported> {
     let mut total = product(reader, problems)?;
     loop {
         let place = reader.place();
@@ -41,7 +41,7 @@ fn sum(reader: &mut Reader<'_>, problems: &mut Problems) -> Result<f64, Reported
     }
 }
 
-fn product(reader: &mut Reader<'_>, problems: &mut Problems) -> Result<f64, Reported> {
+fn product(reader: &mut TokenReader<'_>, problems: &mut Problems) -> Result<f64, Reported> {
     let mut total = signed(reader, problems)?;
     loop {
         let place = reader.place();
@@ -70,7 +70,7 @@ fn product(reader: &mut Reader<'_>, problems: &mut Problems) -> Result<f64, Repo
 
 /// Parses a number with signs before it. A loop reads the signs, because recursion over a million signs would exhaust
 /// the stack.
-fn signed(reader: &mut Reader<'_>, problems: &mut Problems) -> Result<f64, Reported> {
+fn signed(reader: &mut TokenReader<'_>, problems: &mut Problems) -> Result<f64, Reported> {
     let mut negative = false;
     loop {
         if reader.take_punct('-') {
@@ -83,7 +83,7 @@ fn signed(reader: &mut Reader<'_>, problems: &mut Problems) -> Result<f64, Repor
     Ok(if negative { -value } else { value })
 }
 
-fn single(reader: &mut Reader<'_>, problems: &mut Problems) -> Result<f64, Reported> {
+fn single(reader: &mut TokenReader<'_>, problems: &mut Problems) -> Result<f64, Reported> {
     let place = reader.place();
     if let Some(mut inside) = reader.take_group(Delimiter::Parenthesis) {
         let value = sum(&mut inside.reader, problems)?;
@@ -98,26 +98,26 @@ fn single(reader: &mut Reader<'_>, problems: &mut Problems) -> Result<f64, Repor
         return Ok(value);
     }
     let message = match reader.peek(0).map(|token| &token.kind) {
-        Some(Kind::Number(text)) => {
+        Some(TokenKind::Number(text)) => {
             reader.next();
             return literal(text, place, problems);
         }
-        Some(Kind::Word(text))
+        Some(TokenKind::Word(text))
             if ["inf", "infinity", "nan", "∞"].contains(&text.to_lowercase().as_str()) =>
         {
             format!("`{text}` is not finite; write a finite number")
         }
-        Some(Kind::Word(text)) => format!(
+        Some(TokenKind::Word(text)) => format!(
             "`{text}` is not a number, and a description cannot use constants of Rust; write the number itself, or literals joined by `+ - * / ( )`, for example `2.0 * 3.27`"
         ),
-        Some(Kind::Quoted { .. }) => "a number has no quotation marks; delete them".to_owned(),
-        Some(Kind::Punct('.')) => match reader.peek(1).map(|token| &token.kind) {
-            Some(Kind::Number(text)) => {
+        Some(TokenKind::Quoted { .. }) => "a number has no quotation marks; delete them".to_owned(),
+        Some(TokenKind::Punct('.')) => match reader.peek(1).map(|token| &token.kind) {
+            Some(TokenKind::Number(text)) => {
                 format!("a digit is missing before the point; write `0.{text}`")
             }
             _ => "a number is missing before the point; write, for example, `0.5`".to_owned(),
         },
-        None | Some(Kind::Punct(',')) => {
+        None | Some(TokenKind::Punct(',')) => {
             "a number is missing here; write, for example, `1.0`".to_owned()
         }
         Some(_) => {
@@ -135,7 +135,7 @@ const NO_POWERS: &str =
 
 /// Reports frequent errors after the number `value`, with advice.
 fn check_after(
-    reader: &mut Reader<'_>,
+    reader: &mut TokenReader<'_>,
     value: f64,
     problems: &mut Problems,
 ) -> Result<(), Reported> {
@@ -143,14 +143,16 @@ fn check_after(
         return Ok(());
     };
     let message = match kind {
-        Kind::Punct('^') => NO_POWERS.to_owned(),
-        Kind::Punct('%') => format!(
+        TokenKind::Punct('^') => NO_POWERS.to_owned(),
+        TokenKind::Punct('%') => format!(
             "a percentage is written as a fraction; write `{}` for {value} %",
             hundredth(value)
         ),
         // The name before a colon or a hyphen begins the next entry. Only the comma before this name is missing, so the
         // name is not a unit.
-        Kind::Word(text) if !reader.is_punct(1, ':') && !reader.is_punct(1, '-') => no_unit(text),
+        TokenKind::Word(text) if !reader.is_punct(1, ':') && !reader.is_punct(1, '-') => {
+            no_unit(text)
+        }
         _ => return Ok(()),
     };
     Err(problems.report(*place, message))
@@ -184,7 +186,7 @@ fn unit_of(digits: &str) -> Option<&str> {
     (letters && number.parse::<f64>().is_ok()).then_some(unit)
 }
 
-fn literal(text: &str, place: Place, problems: &mut Problems) -> Result<f64, Reported> {
+fn literal(text: &str, place: TokenPosition, problems: &mut Problems) -> Result<f64, Reported> {
     let digits: String = text.chars().filter(|&digit| digit != '_').collect();
     if let Some(end) = ["f32", "f64"].into_iter().find(|end| digits.ends_with(end))
         && !digits.starts_with("0x")
@@ -211,7 +213,7 @@ fn literal(text: &str, place: Place, problems: &mut Problems) -> Result<f64, Rep
 fn nonzero(
     value: f64,
     expected: bool,
-    place: Place,
+    place: TokenPosition,
     problems: &mut Problems,
 ) -> Result<f64, Reported> {
     if value == 0.0 && expected {
@@ -223,7 +225,7 @@ fn nonzero(
     checked(value, place, problems)
 }
 
-fn checked(value: f64, place: Place, problems: &mut Problems) -> Result<f64, Reported> {
+fn checked(value: f64, place: TokenPosition, problems: &mut Problems) -> Result<f64, Reported> {
     if value.is_finite() {
         Ok(value)
     } else {

@@ -1,7 +1,7 @@
 //! Reads the tokens of one bracket in order, and finds the next entry after an error.
 
-use super::token::{Delimiter, Kind, Token};
-use crate::diagnostics::{Place, Problems, Reported};
+use super::token::{Delimiter, Token, TokenKind};
+use crate::diagnostics::{Problems, Reported, TokenPosition};
 
 /// A word with its position.
 #[derive(Clone, Debug)]
@@ -9,20 +9,20 @@ pub struct Name {
     /// The word, with the `r#` of a raw identifier.
     pub text: String,
     /// The position of the word.
-    pub place: Place,
+    pub place: TokenPosition,
 }
 
 /// The unread tokens of one bracket or of the whole description.
 #[derive(Clone, Copy)]
-pub(crate) struct Reader<'t> {
+pub(crate) struct TokenReader<'t> {
     rest: &'t [Token],
-    end: Place,
+    end: TokenPosition,
 }
 
 /// Tokens inside a bracket, and the position of the opening bracket.
 pub(crate) struct Inside<'t> {
-    pub(crate) reader: Reader<'t>,
-    pub(crate) place: Place,
+    pub(crate) reader: TokenReader<'t>,
+    pub(crate) place: TokenPosition,
 }
 
 /// A parsed item. `clean` is false if an error left the reader at an unknown position.
@@ -59,8 +59,8 @@ pub(crate) struct List<T> {
     pub(crate) complete: bool,
 }
 
-impl<'t> Reader<'t> {
-    pub(crate) fn new(rest: &'t [Token], end: Place) -> Self {
+impl<'t> TokenReader<'t> {
+    pub(crate) fn new(rest: &'t [Token], end: TokenPosition) -> Self {
         Self { rest, end }
     }
 
@@ -88,7 +88,7 @@ impl<'t> Reader<'t> {
     }
 
     /// Returns the position of the next token, or of the closing bracket.
-    pub(crate) fn place(&self) -> Place {
+    pub(crate) fn place(&self) -> TokenPosition {
         self.peek(0).map_or(self.end, |token| token.place)
     }
 
@@ -102,7 +102,7 @@ impl<'t> Reader<'t> {
     /// reads `1,2` as two entries.
     pub(crate) fn comma_hint(&self) -> &'static str {
         match self.peek(0).map(|token| &token.kind) {
-            Some(Kind::Number(_)) => {
+            Some(TokenKind::Number(_)) => {
                 "; if this number is a decimal fraction, write a point instead of the comma"
             }
             _ => "",
@@ -117,7 +117,7 @@ impl<'t> Reader<'t> {
         matches!(
             self.peek(ahead),
             Some(Token {
-                kind: Kind::Word(_),
+                kind: TokenKind::Word(_),
                 ..
             })
         )
@@ -133,7 +133,7 @@ impl<'t> Reader<'t> {
 
     pub(crate) fn take_word(&mut self) -> Option<Name> {
         let token = self.peek(0)?;
-        let Kind::Word(text) = &token.kind else {
+        let TokenKind::Word(text) = &token.kind else {
             return None;
         };
         self.next();
@@ -147,14 +147,14 @@ impl<'t> Reader<'t> {
     pub(crate) fn take_group(&mut self, wanted: Delimiter) -> Option<Inside<'t>> {
         let token = self.peek(0)?;
         match &token.kind {
-            Kind::Group {
+            TokenKind::Group {
                 bracket,
                 tokens,
                 close,
             } if *bracket == wanted => {
                 self.next();
                 Some(Inside {
-                    reader: Reader::new(tokens, *close),
+                    reader: TokenReader::new(tokens, *close),
                     place: token.place,
                 })
             }
@@ -203,7 +203,7 @@ impl<'t> Reader<'t> {
             let is_doc = matches!(
                 self.peek(0),
                 Some(Token {
-                    kind: Kind::Doc(_) | Kind::InnerDoc,
+                    kind: TokenKind::Doc(_) | TokenKind::InnerDoc,
                     ..
                 })
             );

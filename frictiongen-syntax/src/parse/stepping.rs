@@ -6,17 +6,17 @@ use super::chain::braces;
 use super::declared::choice;
 use super::forms::mass_names;
 use super::number::{Number, number};
-use super::reader::{Name, Read, Reader};
+use super::reader::{Name, Read, TokenReader};
 use super::suggest;
 use super::syntax::{Choice, FrictionEntry, LawEntry, Placed};
-use super::token::{Delimiter, Kind, Token};
-use crate::diagnostics::{Place, Problems, Reported};
+use super::token::{Delimiter, Token, TokenKind};
+use crate::diagnostics::{Problems, Reported, TokenPosition};
 
 /// Returns the advice for a friction force in a description, which must not contain one. `amount` is the token of the
 /// number.
 pub(crate) fn how_much(amount: Option<&Token>) -> String {
     let force = match amount.map(|token| &token.kind) {
-        Some(Kind::Number(text)) => text.as_str(),
+        Some(TokenKind::Number(text)) => text.as_str(),
         _ => "0.5",
     };
     format!(
@@ -25,7 +25,10 @@ pub(crate) fn how_much(amount: Option<&Token>) -> String {
 }
 
 /// Parses `coulomb` or `stribeck(v₁: f₁, …)`.
-pub(crate) fn friction(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<FrictionEntry> {
+pub(crate) fn friction(
+    reader: &mut TokenReader<'_>,
+    problems: &mut Problems,
+) -> Read<FrictionEntry> {
     const LAWS: &str =
         "write `coulomb` or, for the stepper and the simulation, `stribeck(0.1: 0.8)`";
     let place = reader.place();
@@ -58,9 +61,9 @@ pub(crate) fn friction(reader: &mut Reader<'_>, problems: &mut Problems) -> Read
 
 /// Parses the points in parentheses. Fails if an error makes the index of a point unknown.
 fn points(
-    reader: &mut Reader<'_>,
+    reader: &mut TokenReader<'_>,
     problems: &mut Problems,
-    place: Place,
+    place: TokenPosition,
 ) -> Result<Vec<[Number; 2]>, Reported> {
     let Some(mut inside) = reader.take_group(Delimiter::Parenthesis) else {
         let message = "`stribeck` needs points in parentheses, each a speed and a kinetic level over F; write, for example, `stribeck(0.1: 0.8)`";
@@ -83,7 +86,10 @@ fn points(
 }
 
 /// Parses `speed: level`.
-fn point(reader: &mut Reader<'_>, problems: &mut Problems) -> Result<Read<[Number; 2]>, Reported> {
+fn point(
+    reader: &mut TokenReader<'_>,
+    problems: &mut Problems,
+) -> Result<Read<[Number; 2]>, Reported> {
     let speed = number(reader, problems);
     if !speed.clean {
         return Err(Reported);
@@ -100,13 +106,16 @@ fn point(reader: &mut Reader<'_>, problems: &mut Problems) -> Result<Read<[Numbe
 }
 
 /// Parses `hold` or `linear`.
-pub(crate) fn input(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<Choice<StepInput>> {
+pub(crate) fn input(
+    reader: &mut TokenReader<'_>,
+    problems: &mut Problems,
+) -> Read<Choice<StepInput>> {
     let choices = [("hold", StepInput::Hold), ("linear", StepInput::Linear)];
     choice(reader, problems, "input", choices)
 }
 
 /// Parses `{ name, … }`.
-pub(crate) fn force(reader: &mut Reader<'_>, problems: &mut Problems) -> Read<Placed<Name>> {
+pub(crate) fn force(reader: &mut TokenReader<'_>, problems: &mut Problems) -> Read<Placed<Name>> {
     braces(
         reader,
         problems,

@@ -5,7 +5,7 @@ use frictiongen_model::scene::{Beyond, DampingFrom, Precision, Proving, Side, St
 use super::header::{Attribute, Visibility};
 use super::number::Number;
 use super::reader::{List, Name};
-use crate::diagnostics::Place;
+use crate::diagnostics::TokenPosition;
 
 /// A field of the description, which may be missing or unreadable.
 #[derive(Default)]
@@ -40,7 +40,7 @@ impl<T> Slot<T> {
 /// A list with the position of its bracket.
 pub(crate) struct Placed<T> {
     pub(crate) list: List<T>,
-    pub(crate) place: Place,
+    pub(crate) place: TokenPosition,
 }
 
 pub(crate) struct MassEntry {
@@ -73,7 +73,7 @@ pub(crate) struct JointEntry {
 
 pub(crate) struct DampingEntry {
     /// Position of the word that names the damping.
-    pub(crate) place: Place,
+    pub(crate) place: TokenPosition,
     pub(crate) kind: DampingKind,
 }
 
@@ -85,7 +85,7 @@ pub(crate) enum DampingKind {
 }
 
 pub(crate) struct ProvideEntry {
-    pub(crate) place: Place,
+    pub(crate) place: TokenPosition,
     pub(crate) kind: ProvideKind,
 }
 
@@ -107,21 +107,21 @@ pub(crate) enum AccuracyEntry {
 
 /// A range of two numbers, `a..b`.
 #[derive(Clone, Copy)]
-pub(crate) struct Span {
+pub(crate) struct RangeSyntax {
     pub(crate) low: Number,
     pub(crate) high: Number,
 }
 
 /// Ranges of r and β of a declared accuracy.
 pub(crate) struct RangeEntry {
-    pub(crate) place: Place,
-    pub(crate) ratio: Option<Span>,
-    pub(crate) friction: Option<Span>,
+    pub(crate) place: TokenPosition,
+    pub(crate) ratio: Option<RangeSyntax>,
+    pub(crate) friction: Option<RangeSyntax>,
 }
 
 pub(crate) struct FrictionEntry {
     /// Position of the word that names the law.
-    pub(crate) place: Place,
+    pub(crate) place: TokenPosition,
     pub(crate) law: LawEntry,
 }
 
@@ -134,14 +134,14 @@ pub(crate) enum LawEntry {
 /// One of two allowed words, with its position.
 pub(crate) struct Choice<T> {
     pub(crate) value: T,
-    pub(crate) place: Place,
+    pub(crate) place: TokenPosition,
 }
 
 /// A path of Rust, as written.
 #[derive(Clone, Debug)]
 pub struct RustPath {
     /// Words of the path. Each has the position of the `::` before it, if the path has one there.
-    pub segments: Vec<(Option<Place>, Name)>,
+    pub segments: Vec<(Option<TokenPosition>, Name)>,
 }
 
 /// A whole description, as far as the parser could read it.
@@ -153,7 +153,7 @@ pub struct Syntax {
     /// The name of the struct. `None` if the written name cannot be used.
     pub name: Option<Name>,
     /// Position for errors about missing fields.
-    pub(crate) place: Place,
+    pub(crate) place: TokenPosition,
     /// True if the description has braces with fields.
     pub(crate) has_body: bool,
     pub(crate) fields: Fields,

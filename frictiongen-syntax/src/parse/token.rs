@@ -1,6 +1,6 @@
 //! Tokens with positions, from the compiler or from a text.
 
-use crate::Place;
+use crate::TokenPosition;
 
 /// Largest nesting depth of brackets. The limit prevents that an input exhausts the stack.
 pub const DEEPEST: usize = 64;
@@ -12,14 +12,14 @@ pub const TOO_DEEP: &str = "brackets are nested more than 64 deep here; compute 
 #[derive(Clone, Debug)]
 pub struct Token {
     /// Kind of the token, with its text or its group.
-    pub kind: Kind,
+    pub kind: TokenKind,
     /// The position of the token. For a group it is the position of the opening bracket.
-    pub place: Place,
+    pub place: TokenPosition,
 }
 
 /// The kinds of tokens.
 #[derive(Clone, Debug)]
-pub enum Kind {
+pub enum TokenKind {
     /// A word, which may be a keyword. A raw identifier has its `r#`.
     Word(String),
     /// A number as written.
@@ -40,7 +40,7 @@ pub enum Kind {
         /// The tokens between the brackets.
         tokens: Vec<Token>,
         /// The position of the closing bracket.
-        close: Place,
+        close: TokenPosition,
     },
     /// A doc comment of the item after it, in a text.
     Doc(String),
@@ -63,22 +63,22 @@ impl Token {
     /// Returns the description of the token for a message.
     pub(crate) fn describe(&self) -> String {
         match &self.kind {
-            Kind::Word(text) | Kind::Number(text) | Kind::Quoted { text, .. } => {
+            TokenKind::Word(text) | TokenKind::Number(text) | TokenKind::Quoted { text, .. } => {
                 format!("`{text}`")
             }
-            Kind::Punct(sign) => format!("`{sign}`"),
-            Kind::Group { bracket, .. } => match bracket {
+            TokenKind::Punct(sign) => format!("`{sign}`"),
+            TokenKind::Group { bracket, .. } => match bracket {
                 Delimiter::Brace => "`{`".to_owned(),
                 Delimiter::Bracket => "`[`".to_owned(),
                 Delimiter::Parenthesis => "`(`".to_owned(),
             },
-            Kind::Doc(_) | Kind::InnerDoc => "a doc comment".to_owned(),
+            TokenKind::Doc(_) | TokenKind::InnerDoc => "a doc comment".to_owned(),
         }
     }
 
     /// Returns true if this token is the punctuation character `sign`.
     #[must_use]
     pub fn is_punct(&self, sign: char) -> bool {
-        matches!(self.kind, Kind::Punct(own) if own == sign)
+        matches!(self.kind, TokenKind::Punct(own) if own == sign)
     }
 }

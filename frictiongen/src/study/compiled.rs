@@ -14,7 +14,7 @@ use frictiongen_kernel::table::{
 };
 use frictiongen_model::scene::Side;
 #[cfg(feature = "proof")]
-use frictiongen_model::table::Work;
+use frictiongen_model::table::ProofWork;
 use frictiongen_model::table::{Fitted, Proof, Request, TableError, Tables};
 use std::ops::{Deref, Range};
 
@@ -141,10 +141,10 @@ impl<'s, S: Float> CompiledSystem<'s, S> {
     }
 
     /// Returns the tables with proofs for β_lim and the contact's motion, as far as the permitted `work` suffices.
-    /// [`Work::WHOLE`] takes a few seconds.
+    /// [`ProofWork::WHOLE`] takes a few seconds.
     #[cfg(feature = "proof")]
     #[must_use]
-    pub fn proven(mut self, work: Work) -> Self {
+    pub fn proven(mut self, work: ProofWork) -> Self {
         frictiongen_proof::prove(&mut self.tables, self.system.modal(), work);
         self
     }

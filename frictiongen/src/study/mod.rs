@@ -58,9 +58,9 @@ pub mod table {
     #[doc(hidden)]
     pub use frictiongen_model::table::{
         COARSEST, Evidence, FINEST, FINEST_PROVEN, FINEST_SINGLE, FRICTION_SHARES, Fitted, Held,
-        HeldForm, Index, Product, Proof, Reach, Tables, Work, Worst,
+        HeldForm, Index, Product, Proof, ProofWork, Reach, Tables, Worst,
     };
-    pub use frictiongen_model::table::{Report, Request, TableError};
+    pub use frictiongen_model::table::{Request, TableError, TableReport};
 }
 pub use frictiongen_model::validate::SceneError;
 pub use frictiongen_syntax::{Diagnostic, Diagnostics};

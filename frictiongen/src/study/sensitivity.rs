@@ -17,7 +17,7 @@ use frictiongen_kernel::{Float, Scalar};
 use frictiongen_model::modal::Modal;
 use frictiongen_model::scene::{Damping, Scene};
 pub use frictiongen_model::sensitivity::Quantity;
-use frictiongen_model::stepping::Steps;
+use frictiongen_model::stepping::StepperSettings;
 use frictiongen_model::transient::Transient;
 use std::sync::OnceLock;
 
@@ -67,7 +67,7 @@ pub struct Varied {
     transient: OnceLock<Option<Transient<Sensitive>>>,
     /// The varied quantity, and the settings of a stepper with derivatives, which the first use computes.
     pub(super) quantity: Option<Quantity>,
-    pub(super) steps: OnceLock<Steps<Sensitive>>,
+    pub(super) steps: OnceLock<StepperSettings<Sensitive>>,
 }
 
 impl Varied {

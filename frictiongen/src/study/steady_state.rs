@@ -4,12 +4,12 @@ use super::orbit::SystemOrbit;
 use super::system::System;
 use crate::{Complex, Error, NoOrbit, OutOfDomain, StuckResonance};
 use frictiongen_kernel::Plain;
-use frictiongen_kernel::motion::{AnyContact, Part, Setting};
+use frictiongen_kernel::motion::{AnyContact, MotionSetting, Part};
 use frictiongen_kernel::number::complex;
 use frictiongen_kernel::orbit::{self, Orbit, OrbitQuestion, Start};
 
 /// Data of the scene at one r and β for a rigid or an elastic contact, with the oscillators of its modes.
-type StuckSetting<'a, S> = (Setting<'a, S, AnyContact<S>>, Vec<Part<S>>);
+type StuckSetting<'a, S> = (MotionSetting<'a, S, AnyContact<S>>, Vec<Part<S>>);
 
 impl<S: Plain> System<S> {
     /// Returns the steady state at r and β = F/P in which motion from rest ends. The contact may be rigid or elastic.
@@ -112,7 +112,7 @@ impl<S: Plain> System<S> {
     fn stuck_setting(&self, r: S) -> Result<StuckSetting<'_, S>, OutOfDomain> {
         let dynamics = self.dynamics_in_time()?;
         let mut parts = self.parts();
-        let setting = Setting::new(dynamics, r, S::constant(0.0), &mut parts)?;
+        let setting = MotionSetting::new(dynamics, r, S::constant(0.0), &mut parts)?;
         Ok((setting, parts))
     }
 

@@ -6,10 +6,10 @@ use crate::{OutOfDomain, StepLoad, Stepping, Steps};
 use frictiongen_kernel::motion::{AnyContact, Dynamics};
 use frictiongen_kernel::stepper::{
     Channel, ContactNow, HeldLoad, HeldStep, MassNow, ModeStep, Pace, Sample, Saved, StepScene,
-    Stepped, Stepper, Store, StoreMut, StoreRef, Tables, View, Work, fill, image_step,
+    StepTables, Stepped, Stepper, Store, StoreMut, StoreRef, View, Work, fill, image_step,
 };
 use frictiongen_kernel::{Float, Plain};
-use frictiongen_model::stepping::Steps as Settings;
+use frictiongen_model::stepping::StepperSettings as Settings;
 use std::ops::{Deref, DerefMut};
 
 /// Number of polynomial coefficients of the input over one step. It is large enough for each kind of input.
@@ -54,7 +54,7 @@ impl<S: Float> SystemStepTables<S> {
     }
 }
 
-impl<S> Tables<S, COEFFICIENTS> for SystemStepTables<S>
+impl<S> StepTables<S, COEFFICIENTS> for SystemStepTables<S>
 where
     S: Copy,
 {

@@ -11,7 +11,7 @@ use frictiongen_kernel::response::{At, Scene as _};
 use frictiongen_model::modal::Modal;
 use frictiongen_model::reduced::Reduced;
 use frictiongen_model::scene::{FrictionLaw, Scene};
-use frictiongen_model::stepping::Steps;
+use frictiongen_model::stepping::StepperSettings;
 use frictiongen_model::transient::Transient;
 use frictiongen_model::validate::validate;
 use frictiongen_syntax::{Diagnostics, read_scene};
@@ -51,7 +51,7 @@ pub struct System<S = f64> {
     /// for a damped chain and for a chain with many modes.
     pub(super) driven: Option<DrivenModes<S>>,
     transient: OnceLock<Transient<S>>,
-    steps: OnceLock<Steps<S>>,
+    steps: OnceLock<StepperSettings<S>>,
     loses_motion: OnceLock<bool>,
     exact_shapes: OnceLock<Vec<Dd>>,
     exact_shapes_in_time: OnceLock<Vec<Dd>>,
@@ -176,10 +176,10 @@ impl<S: Float> System<S> {
     }
 
     /// Returns the additional data of a stepper, in which a force can act on every mass.
-    pub(super) fn steps(&self) -> &Steps<S> {
+    pub(super) fn steps(&self) -> &StepperSettings<S> {
         let masses = 0..self.scene.masses.len();
         self.steps
-            .get_or_init(|| Steps::of(&self.scene, &self.modal, masses, rounded::<S>))
+            .get_or_init(|| StepperSettings::of(&self.scene, &self.modal, masses, rounded::<S>))
     }
 
     /// Returns a description of the scene, also of a scene that was made in code, fitted or changed. The description has

@@ -9,7 +9,7 @@ use frictiongen_kernel::Scalar;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::stepper::Units;
 use frictiongen_model::scene::{Node, Scene};
-use frictiongen_model::stepping::Steps;
+use frictiongen_model::stepping::StepperSettings;
 
 impl Varied {
     /// Returns a stepper with time steps of `dt` seconds, which starts from rest without load. Every result
@@ -74,10 +74,11 @@ impl Varied {
     }
 
     /// Returns the settings of a stepper, with the derivatives of the units.
-    fn settings(&self) -> Steps<Sensitive> {
+    fn settings(&self) -> StepperSettings<Sensitive> {
         let (scene, modal) = (self.system().scene(), self.modal());
         let fixed = Sensitive::fixed;
-        let mut steps = Steps::of(scene, &self.system().modal, 0..scene.masses.len(), fixed);
+        let mut steps =
+            StepperSettings::of(scene, &self.system().modal, 0..scene.masses.len(), fixed);
         let stiffness = fixed(Dd::from(scene.first_stiffness()));
         let stiffness = self.spring(0).unwrap_or(stiffness);
         steps.units = Units {

@@ -3,7 +3,7 @@
 //! The tests check the choice itself, because no result shows a wrong choice. A wrong choice causes only rounding
 //! errors close to a resonance, where the rounding of r changes every result by more.
 
-use super::{DominantSums, Partner, Terms, Which};
+use super::{DominantSums, ModalTerms, Partner, Which};
 use crate::contact::quadrature::InPhase;
 use crate::contact::sums::{Chain, ContactAt, ModeAt};
 use crate::number::complex::Complex;
@@ -88,7 +88,10 @@ fn beside_what_stands_at_rest() {
 /// the term of that mode. A mode is in phase with its own term of V.
 #[test]
 fn turned_against_what_the_others_leave() {
-    let terms = |v| Terms { v, ..Terms::zero() };
+    let terms = |v| ModalTerms {
+        v,
+        ..ModalTerms::zero()
+    };
     let (large, small) = (Complex::new(3e8, -4e8), Complex::new(0.1, 0.2));
     for (others, all, least) in [(small, large, small), (large, small, small)] {
         for which in [Which::Only, Which::First, Which::Numbered(1.0)] {

@@ -5,9 +5,9 @@
 //! node bounds the sum (section 9 of `docs/derivation.md`). A *summit* is a position from which one Newton step leads
 //! to the maximum.
 
-use super::grid::{Grid, Node, Open};
+use super::grid::{Grid, GridNode, OpenCells};
 use super::summit::{Cubic, REACH, Summit, beyond_cubic};
-use super::{Search, Weight};
+use super::{MaximumSearch, Weight};
 use crate::number::scalar::Float;
 use crate::oscillator::decay::Decay;
 
@@ -34,7 +34,7 @@ struct Excess<S> {
 /// Node of a grid, with the excess E = ±sum − level at the node. The cells from a local maximum to the node are closed
 /// if the code proves E ≤ 0 in them.
 #[derive(Clone, Copy)]
-struct Beyond<S> {
+struct NodeExcess<S> {
     tau: S,
     value: S,
     slope: S,
@@ -79,7 +79,7 @@ impl<S: Float> Excess<S> {
 
     /// Returns true if E = ±sum − level is proven to be at most 0 from the local maximum to a node. The cells in
     /// between are then closed.
-    fn stays_below(&self, node: &Beyond<S>) -> bool {
+    fn stays_below(&self, node: &NodeExcess<S>) -> bool {
         let distance = node.tau - self.tau;
         self.is_near(distance) || self.is_below(node, distance)
     }
@@ -97,7 +97,7 @@ impl<S: Float> Excess<S> {
     }
 
     /// Returns true if the value and the slope of E = ±sum − level at a node prove that E stays below 0 up to the node.
-    fn is_below(&self, node: &Beyond<S>, distance: S) -> bool {
+    fn is_below(&self, node: &NodeExcess<S>, distance: S) -> bool {
         let Cubic { value, slope, .. } = self.cubic;
         let there = node.value + node.rounding;
         let square = distance * distance;
@@ -110,11 +110,11 @@ impl<S: Float> Excess<S> {
     }
 }
 
-impl<S: Float, D: Decay<S>> Search<'_, S, D> {
+impl<S: Float, D: Decay<S>> MaximumSearch<'_, S, D> {
     /// Returns the cells around a local maximum that stay open, because the sum may exceed the maximum in them. The
     /// function closes the other cells, but only for the sign that the sum has at the maximum. A Newton step across the
     /// end of the half period may have changed this sign.
-    pub(super) fn about(&self, summit: &Summit<S>, grid: &Grid<S>, open: Open) -> Open {
+    pub(super) fn about(&self, summit: &Summit<S>, grid: &Grid<S>, open: OpenCells) -> OpenCells {
         let zero = S::constant(0.0);
         // The bounds on the derivatives hold only from the first node on.
         if summit.tau < grid.stretch.from {
@@ -152,7 +152,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
             let known = before && last == cell;
             let (value, slope) = self.excess_at(&node, summit.negative, level);
             let first = starts && tau.is_zero();
-            let there = Beyond {
+            let there = NodeExcess {
                 tau,
                 // At τ = 0 the excess is exactly 0.
                 value: if first { zero } else { value },
@@ -183,7 +183,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
     /// sum/sin τ, the function uses E = ±sum − `of_sine`·sin τ.
     fn cubic_about(&self, summit: &Summit<S>, level: S, of_sine: S) -> Cubic<S> {
         let Summit { jet, negative, .. } = summit;
-        let node = Node {
+        let node = GridNode {
             value: jet.value,
             slope: jet.slope,
             sine: jet.sine,

@@ -20,7 +20,7 @@ const ROUNDINGS: f64 = 64.0;
 
 /// State of one mode at an instant, and the force that then acts on the mode: y″ + 2ζx y′ + x²y = constant + cosine·cos
 /// τ + sine·sin τ.
-pub(super) struct Track<S> {
+pub(super) struct ModeTrack<S> {
     /// Natural frequency of the mode divided by the excitation frequency, x = √λ/r.
     pub x: S,
     /// Coefficient 2ζx of y′.
@@ -39,7 +39,7 @@ pub(super) struct Common<S> {
     pub sine: S,
 }
 
-impl<S: Float> Track<S> {
+impl<S: Float> ModeTrack<S> {
     /// Splits the motion of a mode at an instant into a free and a forced motion. The first result is the state of the
     /// free motion, the second has the coefficients of the forced motion. If `all` or [`keeps_forcing`] is true, the
     /// state contains the whole motion, and the coefficients are 0.
@@ -114,7 +114,7 @@ pub(super) fn keeps_forcing<S: Float, D: Decay<S>>(wave: &Wave<S, D>, all: bool)
 /// Upper bounds on the derivatives of a modal sum after a given instant, with bounds on the sum's size and rounding
 /// error.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Bounds<S> {
+pub(super) struct DerivativeBounds<S> {
     /// Second derivative of the sum at the instant. The field `third` has the third derivative. Only a search of
     /// sum/sin τ needs the two derivatives. They leave out mass-controlled modes, because the sum of such a search
     /// contains no mass-controlled modes.
@@ -131,7 +131,7 @@ pub(super) struct Bounds<S> {
     pub drift: S,
 }
 
-impl<S: Float> Bounds<S> {
+impl<S: Float> DerivativeBounds<S> {
     /// Computes bounds on a modal sum that hold from the instant `at` for the duration `time`.
     ///
     /// Let y be the displacement of a mode, and x the natural frequency of the mode divided by the excitation
@@ -150,8 +150,8 @@ impl<S: Float> Bounds<S> {
                 rounding = rounding + y;
                 continue;
             }
-            let (track, common) = Track::of(wave, at, false);
-            let Track { x, loss, .. } = track;
+            let (track, common) = ModeTrack::of(wave, at, false);
+            let ModeTrack { x, loss, .. } = track;
             (cosine, sine) = (cosine + common.cosine, sine + common.sine);
             let turning = track.cosine * at.cosine + track.sine * at.sine;
             let turned = track.sine * at.cosine - track.cosine * at.sine;

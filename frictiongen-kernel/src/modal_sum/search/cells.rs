@@ -6,10 +6,10 @@
 //! refines local maxima by Newton's method, starting in the highest open cell. A finer grid divides the cells that
 //! remain open. The division ends when the bounds are limited by rounding errors (section 9 of `docs/derivation.md`).
 
-use super::bounds::Bounds;
-use super::grid::{Grid, Node, Open, Stretch};
+use super::bounds::DerivativeBounds;
+use super::grid::{Grid, GridNode, OpenCells, Stretch};
 use super::summit::EVALUATIONS;
-use super::{EQUAL, Search, Weight};
+use super::{EQUAL, MaximumSearch, Weight};
 use crate::number::scalar::Float;
 use crate::oscillator::decay::{Decay, Instant};
 
@@ -26,9 +26,9 @@ const SUMMITS: u32 = 6;
 /// Number of cells into which a finer grid divides one cell, if at most three adjacent cells are open.
 const FINER: f64 = 10.0;
 
-const NONE: Open = [0, 0];
+const NONE: OpenCells = [0, 0];
 
-impl<S: Float, D: Decay<S>> Search<'_, S, D> {
+impl<S: Float, D: Decay<S>> MaximumSearch<'_, S, D> {
     /// Returns true if the search may still evaluate one more grid and its local maxima. If the search may not do so,
     /// marks it as incomplete.
     fn has_room(&mut self) -> bool {
@@ -41,7 +41,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
         let end = self.problem.end;
         let mut from = S::constant(0.0);
         while from < end && self.has_room() {
-            let bounds = Bounds::of(&self.sum, &Instant::from_start(from), end - from);
+            let bounds = DerivativeBounds::of(&self.sum, &Instant::from_start(from), end - from);
             // A cubic on a cell of width h has an error of at most h⁴/384 times the fourth derivative. The allowed
             // error of the cubic therefore gives the width.
             let fourth = bounds.fourth + self.level();
@@ -55,7 +55,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
     }
 
     /// Estimates the largest value that the search will find. The estimate sets the width of the cells.
-    fn size(&self, bounds: &Bounds<S>) -> S {
+    fn size(&self, bounds: &DerivativeBounds<S>) -> S {
         let mut known = self.problem.start + self.peak.value;
         if self.problem.weight == Weight::One && known.is_zero() {
             let (cosine, sine) = self.sum.start();
@@ -66,7 +66,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
 
     /// Searches an interval by one grid, then divides the cells that may still contain a larger value. Cells are not
     /// divided further once the error of their cubics is below the rounding error.
-    fn settle(&mut self, stretch: &Stretch<S>, bounds: &Bounds<S>) {
+    fn settle(&mut self, stretch: &Stretch<S>, bounds: &DerivativeBounds<S>) {
         let [plus, minus] = self.open_cells(stretch, bounds);
         let mut open = plus | minus;
         let square = stretch.width * stretch.width;
@@ -90,7 +90,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
 
     /// Searches an interval of adjacent open cells by finer grids. An interval of at most three cells gets a finer
     /// division than a longer one.
-    fn divide(&mut self, from: S, to: S, width: S, bounds: &Bounds<S>) {
+    fn divide(&mut self, from: S, to: S, width: S, bounds: &DerivativeBounds<S>) {
         let few = to - from < width * S::constant(3.5);
         let share = S::constant(if few { 1.0 / FINER } else { 0.25 });
         let starts = self.problem.weight == Weight::Sine && from.is_zero();
@@ -110,7 +110,11 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
     /// Evaluates the sum at the nodes of a grid, and refines its highest local maxima. Returns the cells that may still
     /// contain a larger value.
     #[inline(never)]
-    pub(super) fn open_cells(&mut self, stretch: &Stretch<S>, bounds: &Bounds<S>) -> Open {
+    pub(super) fn open_cells(
+        &mut self,
+        stretch: &Stretch<S>,
+        bounds: &DerivativeBounds<S>,
+    ) -> OpenCells {
         let mut grid = Grid::blank(stretch, bounds);
         grid.fill(&self.sum);
         self.peak.evaluations += COST;
@@ -159,7 +163,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
     }
 
     /// Returns the cells of `among` in which the sum or its negative may exceed the largest value found.
-    fn open(&self, grid: &Grid<S>, among: Open) -> Open {
+    fn open(&self, grid: &Grid<S>, among: OpenCells) -> OpenCells {
         let mut open = NONE;
         for (open, (&negative, among)) in open.iter_mut().zip(self.signs().iter().zip(among)) {
             if among != 0 {
@@ -186,8 +190,8 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
 
     /// Returns ±sum − level at a node, and the derivative of this difference. For a search of sum/sin τ the level is
     /// multiplied by sin τ.
-    pub(super) fn excess_at(&self, node: &Node<S>, negative: bool, level: S) -> (S, S) {
-        let Node {
+    pub(super) fn excess_at(&self, node: &GridNode<S>, negative: bool, level: S) -> (S, S) {
+        let GridNode {
             value,
             slope,
             sine,

@@ -5,8 +5,8 @@
 //! error of the cubic is at most h⁴/384 times the fourth derivative, where h is the distance between the nodes. The
 //! Bernstein coefficients of the cubic follow directly from the values and slopes (section 9 of `docs/derivation.md`).
 
-use super::bounds::{Bounds, Track, keeps_forcing};
-use super::row::{LANES, Matrix, Row, add, advanced, first_lanes, pairwise};
+use super::bounds::{DerivativeBounds, ModeTrack, keeps_forcing};
+use super::row::{LANES, LaneRow, Matrix, add, advanced, first_lanes, pairwise};
 use crate::modal_sum::wave::{Sum, Wave};
 use crate::number::scalar::Float;
 use crate::oscillator::decay::{Basis, Decay, Instant};
@@ -16,7 +16,7 @@ const ROWS: usize = 8;
 
 /// Open cells of a grid as two sets of bits, one bit for each cell. The first set belongs to the sum, the second to its
 /// negative.
-pub(super) type Open = [u32; 2];
+pub(super) type OpenCells = [u32; 2];
 
 /// Interval of the half period that one grid covers, and the width of the grid's cells.
 #[derive(Clone, Copy, Debug)]
@@ -69,7 +69,7 @@ impl<S: Float> Stretch<S> {
 
 /// Value and slope of a modal sum at one node of a grid.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Node<S> {
+pub(super) struct GridNode<S> {
     pub value: S,
     pub slope: S,
     /// sin τ at the node.
@@ -81,11 +81,11 @@ pub(super) struct Node<S> {
 /// Values and slopes of a modal sum at equidistant nodes, with bounds on its derivatives from the first node on.
 pub(super) struct Grid<S> {
     pub stretch: Stretch<S>,
-    pub bounds: Bounds<S>,
-    value: [Row<S>; ROWS],
-    slope: [Row<S>; ROWS],
-    sine: [Row<S>; ROWS],
-    cosine: [Row<S>; ROWS],
+    pub bounds: DerivativeBounds<S>,
+    value: [LaneRow<S>; ROWS],
+    slope: [LaneRow<S>; ROWS],
+    sine: [LaneRow<S>; ROWS],
+    cosine: [LaneRow<S>; ROWS],
 }
 
 /// Displacement and velocity that the force on a mode adds in one step from node to node. Each of the two is a sum of
@@ -132,7 +132,7 @@ impl<S: Float> ForcedStep<S> {
 impl<S: Float> Grid<S> {
     /// Creates a grid whose values and slopes are all 0.
     #[inline(always)]
-    pub fn blank(stretch: &Stretch<S>, bounds: &Bounds<S>) -> Self {
+    pub fn blank(stretch: &Stretch<S>, bounds: &DerivativeBounds<S>) -> Self {
         let blank = [[S::constant(0.0); LANES]; ROWS];
         Self {
             stretch: *stretch,
@@ -157,7 +157,7 @@ impl<S: Float> Grid<S> {
         let mut four = None;
         let (mut constant, mut cosine, mut sine) = (zero, sum.cosine, sum.sine);
         for wave in sum.waves {
-            let (track, common) = Track::of(wave, at, stretch.keeps_forcing);
+            let (track, common) = ModeTrack::of(wave, at, stretch.keeps_forcing);
             let advance = |basis: &Basis<S>| {
                 let matrix = Matrix::of(track.x, track.loss, (basis.free, basis.slope));
                 (matrix, ForcedStep::of(wave, track.loss, basis))
@@ -202,7 +202,7 @@ impl<S: Float> Grid<S> {
         }
     }
 
-    fn add_free(&mut self, track: &Track<S>, matrix: &Matrix<S>) {
+    fn add_free(&mut self, track: &ModeTrack<S>, matrix: &Matrix<S>) {
         let start = (track.value, track.slope);
         let (mut value, mut slope) = first_lanes(start, |u, v, _| matrix.times(u, v));
         let far = matrix.squared().squared();
@@ -220,7 +220,7 @@ impl<S: Float> Grid<S> {
 
     fn add_forced(
         &mut self,
-        track: &Track<S>,
+        track: &ModeTrack<S>,
         near: &(Matrix<S>, ForcedStep<S>),
         far: &(Matrix<S>, ForcedStep<S>),
     ) {
@@ -269,7 +269,7 @@ impl<S: Float> Grid<S> {
 
     /// Returns an upper bound on the rounding error of the modal sum at the node with phase `tau`.
     pub fn rounding(&self, tau: S) -> S {
-        let Bounds {
+        let DerivativeBounds {
             rounding, drift, ..
         } = self.bounds;
         if self.stretch.keeps_forcing && self.stretch.from.is_zero() {
@@ -281,7 +281,7 @@ impl<S: Float> Grid<S> {
 
     /// Calls `visit` for both nodes of each given cell, in ascending order. `visit` gets the bit of the cell after the
     /// node, the phase τ of the node, and the node.
-    pub fn beside(&self, cells: u32, mut visit: impl FnMut(u32, S, Node<S>)) {
+    pub fn beside(&self, cells: u32, mut visit: impl FnMut(u32, S, GridNode<S>)) {
         let values = self.value.as_flattened().iter();
         let slopes = self.slope.as_flattened();
         let angles = self.sine.as_flattened().iter();
@@ -291,7 +291,7 @@ impl<S: Float> Grid<S> {
         let all = values.zip(slopes).zip(angles);
         for ((value, slope), (sine, cosine)) in all.take(self.stretch.rows * LANES) {
             if nodes & 1 != 0 {
-                let node = Node {
+                let node = GridNode {
                     value: *value,
                     slope: *slope,
                     sine: *sine,
@@ -326,12 +326,12 @@ impl<S: Float> Grid<S> {
     }
 
     /// Returns the node with a zero-based index, or `None` beyond the last node.
-    pub fn node(&self, index: usize) -> Option<Node<S>> {
+    pub fn node(&self, index: usize) -> Option<GridNode<S>> {
         if index > self.stretch.cells() {
             return None;
         }
-        let of = |rows: &[Row<S>; ROWS]| rows.get(index / LANES)?.get(index % LANES).copied();
-        Some(Node {
+        let of = |rows: &[LaneRow<S>; ROWS]| rows.get(index / LANES)?.get(index % LANES).copied();
+        Some(GridNode {
             value: of(&self.value)?,
             slope: of(&self.slope)?,
             sine: of(&self.sine)?,

@@ -71,7 +71,7 @@ pub enum Weight {
 
 /// Settings of a search for the largest value of a modal sum, or of the sum divided by sin τ.
 #[derive(Clone, Copy, Debug)]
-pub struct Problem<S> {
+pub struct SearchSettings<S> {
     /// Divisor of the modal sum.
     pub weight: Weight,
     /// True if the search also covers the negative of the sum, for the largest absolute value.
@@ -135,9 +135,9 @@ impl<S> Peak<S> {
     }
 }
 
-struct Search<'a, S, D> {
+struct MaximumSearch<'a, S, D> {
     sum: Sum<'a, S, D>,
-    problem: Problem<S>,
+    problem: SearchSettings<S>,
     peak: Peak<S>,
     /// Upper bound on the rounding error of the sum. A smaller value of the sum may be pure rounding error.
     rounding: S,
@@ -148,8 +148,8 @@ struct Search<'a, S, D> {
 }
 
 /// Finds the largest value of a modal sum, or of the sum divided by sin τ, over 0 < τ ≤ `end`.
-pub fn largest<S: Float, D: Decay<S>>(sum: Sum<'_, S, D>, problem: Problem<S>) -> Peak<S> {
-    let mut search = Search::new(sum, problem);
+pub fn largest<S: Float, D: Decay<S>>(sum: Sum<'_, S, D>, problem: SearchSettings<S>) -> Peak<S> {
+    let mut search = MaximumSearch::new(sum, problem);
     search.by_grids();
     search.peak
 }
@@ -158,19 +158,19 @@ pub fn largest<S: Float, D: Decay<S>>(sum: Sum<'_, S, D>, problem: Problem<S>) -
 /// position of the maximum from the previous searches. The function then stores the new position in `neighbour`.
 pub fn largest_near<S: Float, D: Decay<S>>(
     sum: Sum<'_, S, D>,
-    problem: Problem<S>,
+    problem: SearchSettings<S>,
     neighbour: &mut Neighbour<S>,
 ) -> Peak<S> {
     let speed = sum.fastest();
-    let mut search = Search::new(sum, problem);
+    let mut search = MaximumSearch::new(sum, problem);
     search.guess = neighbour.guess(speed);
     search.by_grids();
     neighbour.learn(speed, &search.peak);
     search.peak
 }
 
-impl<'a, S: Float, D: Decay<S>> Search<'a, S, D> {
-    fn new(sum: Sum<'a, S, D>, problem: Problem<S>) -> Self {
+impl<'a, S: Float, D: Decay<S>> MaximumSearch<'a, S, D> {
+    fn new(sum: Sum<'a, S, D>, problem: SearchSettings<S>) -> Self {
         let rounding = match problem.weight {
             Weight::One => sum.rounding(),
             Weight::Sine => sum.rounding_over_sine(),

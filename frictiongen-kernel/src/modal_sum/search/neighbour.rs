@@ -13,12 +13,12 @@ use crate::number::scalar::Float;
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Neighbour<S> {
     /// Up to three known positions, the latest first.
-    known: [Option<Known<S>>; 3],
+    known: [Option<KnownMaximum<S>>; 3],
 }
 
 /// Position of a largest value, and the frequency at which it was found.
 #[derive(Clone, Copy, Debug)]
-struct Known<S> {
+struct KnownMaximum<S> {
     /// Rate x(1 + 2ζ) of the fastest mode. This rate is proportional to 1/r, and so identifies the frequency in a
     /// sweep.
     speed: S,
@@ -63,7 +63,7 @@ impl<S: Float> Neighbour<S> {
             *self = Self::new();
             return;
         };
-        let known = Some(Known { speed, place });
+        let known = Some(KnownMaximum { speed, place });
         self.known = match last {
             // The sweep repeats its last frequency. The new position replaces the position known for this frequency.
             Some(last) if last.speed == speed => [known, second, None],
@@ -74,7 +74,7 @@ impl<S: Float> Neighbour<S> {
     }
 }
 
-impl<S: Float> Known<S> {
+impl<S: Float> KnownMaximum<S> {
     fn slope_to(&self, other: &Self) -> S {
         (self.place.tau - other.place.tau) / (self.speed - other.speed)
     }

@@ -1,10 +1,10 @@
 //! Record of the largest value that a search has found so far, and of its positions.
 
-use super::{EQUAL, Maximiser, SAME_MAXIMUM, Search, Weight};
+use super::{EQUAL, Maximiser, MaximumSearch, SAME_MAXIMUM, Weight};
 use crate::number::scalar::Float;
 use crate::oscillator::decay::Decay;
 
-impl<S: Float, D: Decay<S>> Search<'_, S, D> {
+impl<S: Float, D: Decay<S>> MaximumSearch<'_, S, D> {
     /// Records a local maximum if it is at least as large as the largest value so far. `best` is the value for this
     /// comparison. `kept` is the value that becomes the largest value.
     pub(super) fn keep(&mut self, best: S, kept: S, place: Maximiser<S>) {

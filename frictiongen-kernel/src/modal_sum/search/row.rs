@@ -8,7 +8,7 @@ use crate::number::scalar::Float;
 /// Number of neighbouring grid nodes in one row.
 pub(super) const LANES: usize = 4;
 
-pub(super) type Row<S> = [S; LANES];
+pub(super) type LaneRow<S> = [S; LANES];
 
 /// The 2×2 matrix ( a b ; c d ), which advances a displacement and a velocity.
 #[derive(Clone, Copy)]
@@ -54,7 +54,7 @@ impl<S: Float> Matrix<S> {
 pub(super) fn first_lanes<S: Float>(
     (u, v): (S, S),
     step: impl Fn(S, S, usize) -> (S, S),
-) -> (Row<S>, Row<S>) {
+) -> (LaneRow<S>, LaneRow<S>) {
     let one = step(u, v, 0);
     let two = step(one.0, one.1, 1);
     let three = step(two.0, two.1, 2);
@@ -64,21 +64,25 @@ pub(super) fn first_lanes<S: Float>(
 /// Applies a function to four pairs (u, v) of numbers. Returns the four first results, then the four second results.
 #[inline(always)]
 pub(super) fn pairwise<S: Float>(
-    [u0, u1, u2, u3]: Row<S>,
-    [v0, v1, v2, v3]: Row<S>,
+    [u0, u1, u2, u3]: LaneRow<S>,
+    [v0, v1, v2, v3]: LaneRow<S>,
     of: impl Fn(S, S) -> (S, S),
-) -> (Row<S>, Row<S>) {
+) -> (LaneRow<S>, LaneRow<S>) {
     let (a, b, c, d) = (of(u0, v0), of(u1, v1), of(u2, v2), of(u3, v3));
     ([a.0, b.0, c.0, d.0], [a.1, b.1, c.1, d.1])
 }
 
 #[inline(always)]
-pub(super) fn advanced<S: Float>(matrix: &Matrix<S>, u: Row<S>, v: Row<S>) -> (Row<S>, Row<S>) {
+pub(super) fn advanced<S: Float>(
+    matrix: &Matrix<S>,
+    u: LaneRow<S>,
+    v: LaneRow<S>,
+) -> (LaneRow<S>, LaneRow<S>) {
     pairwise(u, v, |u, v| matrix.times(u, v))
 }
 
 #[inline(always)]
-pub(super) fn add<S: Float>(row: &mut Row<S>, [a, b, c, d]: &Row<S>) {
+pub(super) fn add<S: Float>(row: &mut LaneRow<S>, [a, b, c, d]: &LaneRow<S>) {
     let [p, q, r, s] = *row;
     *row = [p + *a, q + *b, r + *c, s + *d];
 }

@@ -1,9 +1,9 @@
 //! Finds summits of a modal sum. A *summit* is a position from which one Newton step leads to a local maximum. From the
 //! highest node of a grid, the search usually needs two evaluations to reach a summit.
 
-use super::grid::{Grid, Node, Open};
-use super::{Maximiser, Search, Weight};
-use crate::modal_sum::wave::Jet;
+use super::grid::{Grid, GridNode, OpenCells};
+use super::{Maximiser, MaximumSearch, Weight};
+use crate::modal_sum::wave::SumDerivatives;
 use crate::number::scalar::Float;
 use crate::oscillator::decay::{Decay, Instant};
 
@@ -19,7 +19,7 @@ pub(super) const REACH: f64 = 7.0;
 pub(super) struct Summit<S> {
     pub tau: S,
     pub negative: bool,
-    pub jet: Jet<S>,
+    pub jet: SumDerivatives<S>,
     /// Upper bound on the local maximum to which the Newton step leads.
     pub level: S,
 }
@@ -73,10 +73,10 @@ pub(super) fn beyond_cubic<S: Float>(fourth: S, step: S, reach: S) -> S {
     fourth * square * square * S::constant(1.0 / 24.0)
 }
 
-impl<S: Float, D: Decay<S>> Search<'_, S, D> {
+impl<S: Float, D: Decay<S>> MaximumSearch<'_, S, D> {
     /// Returns the modal sum and its derivative at a node. A search of sum/sin τ instead gets the quotient and its
     /// derivative.
-    fn quotient_node(&self, node: &Node<S>) -> (S, S) {
+    fn quotient_node(&self, node: &GridNode<S>) -> (S, S) {
         match self.problem.weight {
             Weight::One => (node.value, node.slope),
             Weight::Sine => {
@@ -88,7 +88,7 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
 
     /// Estimates the position of the highest local maximum in the open cells. The estimate is the maximum of the cubic
     /// next to the highest node. Returns `None` if the open cells have no usable node.
-    pub(super) fn highest(&self, grid: &Grid<S>, open: Open) -> Option<Maximiser<S>> {
+    pub(super) fn highest(&self, grid: &Grid<S>, open: OpenCells) -> Option<Maximiser<S>> {
         let zero = S::constant(0.0);
         let over_sine = self.problem.weight == Weight::Sine;
         let starts = over_sine && grid.stretch.from.is_zero();
@@ -244,8 +244,8 @@ impl<S: Float, D: Decay<S>> Search<'_, S, D> {
 
     /// Returns the modal sum, or sum/sin τ, from its derivatives at an instant. The first result is the value minus the
     /// possible rounding error, and serves for comparisons. The second result has the value and three derivatives.
-    fn quotient_jet(&self, jet: &Jet<S>, negative: bool) -> (S, Cubic<S>) {
-        let Jet {
+    fn quotient_jet(&self, jet: &SumDerivatives<S>, negative: bool) -> (S, Cubic<S>) {
+        let SumDerivatives {
             sine,
             cosine,
             value,

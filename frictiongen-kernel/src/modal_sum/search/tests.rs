@@ -11,14 +11,14 @@ mod grids;
 mod ties;
 mod whole;
 
-type TestSearch<'a> = Search<'a, f64, Damped<f64>>;
+type TestSearch<'a> = MaximumSearch<'a, f64, Damped<f64>>;
 type TestSum<'a> = Sum<'a, f64, Damped<f64>>;
 
 /// Returns a search problem for the half period, with tolerance 0. For a sum that is odd about π/2, the search covers
 /// only the first half of the half period.
-pub fn asked(weight: Weight, both_signs: bool, start: f64) -> Problem<f64> {
+pub fn asked(weight: Weight, both_signs: bool, start: f64) -> SearchSettings<f64> {
     let odd = weight == Weight::Sine && both_signs;
-    Problem {
+    SearchSettings {
         weight,
         both_signs,
         end: if odd { FRAC_PI_2 } else { PI },
@@ -29,8 +29,8 @@ pub fn asked(weight: Weight, both_signs: bool, start: f64) -> Problem<f64> {
 }
 
 /// Returns a search that has already found the largest value `known`.
-pub fn search<'a>(sum: TestSum<'a>, problem: Problem<f64>, known: f64) -> TestSearch<'a> {
-    let mut search = Search::new(sum, problem);
+pub fn search<'a>(sum: TestSum<'a>, problem: SearchSettings<f64>, known: f64) -> TestSearch<'a> {
+    let mut search = MaximumSearch::new(sum, problem);
     search.peak.value = known;
     search
 }
@@ -63,7 +63,7 @@ struct Drawn {
     waves: Vec<TestWave>,
     cosine: f64,
     sine: f64,
-    problem: Problem<f64>,
+    problem: SearchSettings<f64>,
 }
 
 impl Drawn {

@@ -6,7 +6,7 @@ use super::rigid::Rigid;
 use super::state::{Contact, ContactState, SegmentEnd};
 use crate::contact::sums::Chain;
 use crate::motion::oscillator::Part;
-use crate::motion::setting::Setting;
+use crate::motion::setting::MotionSetting;
 use crate::number::complex::Complex;
 use crate::number::scalar::Float;
 
@@ -63,24 +63,28 @@ impl<S: Float> ContactChain<S> for AnyContact<S> {
         of_law!(self, law_with(level, stiction))
     }
 
-    fn contact_state(setting: &Setting<'_, S, Self>, parts: &[Part<S>], t: S) -> ContactState<S> {
+    fn contact_state(
+        setting: &MotionSetting<'_, S, Self>,
+        parts: &[Part<S>],
+        t: S,
+    ) -> ContactState<S> {
         of_law!(setting => contact_state(parts, t))
     }
 
     fn sliding_state(
-        setting: &Setting<'_, S, Self>,
+        setting: &MotionSetting<'_, S, Self>,
         parts: &[Part<S>],
         contact_state: &ContactState<S>,
     ) -> ContactState<S> {
         of_law!(setting => sliding_state(parts, contact_state))
     }
 
-    fn memory_at_stop(setting: &Setting<'_, S, Self>, contact: Contact) -> Option<S> {
+    fn memory_at_stop(setting: &MotionSetting<'_, S, Self>, contact: Contact) -> Option<S> {
         of_law!(setting => memory_at_stop(contact))
     }
 
     fn memory_at(
-        setting: &Setting<'_, S, Self>,
+        setting: &MotionSetting<'_, S, Self>,
         stuck_modes: &[Part<S>],
         place: S,
         at: (S, S),
@@ -89,7 +93,7 @@ impl<S: Float> ContactChain<S> for AnyContact<S> {
     }
 
     fn adapt(
-        setting: &Setting<'_, S, Self>,
+        setting: &MotionSetting<'_, S, Self>,
         stuck_modes: &mut [Part<S>],
         lifted: S,
         contact_state: &ContactState<S>,
@@ -98,7 +102,7 @@ impl<S: Float> ContactChain<S> for AnyContact<S> {
     }
 
     fn stuck_place(
-        setting: &Setting<'_, S, Self>,
+        setting: &MotionSetting<'_, S, Self>,
         modes: &[Part<S>],
         contact_state: &ContactState<S>,
         at: (S, S),
@@ -106,12 +110,12 @@ impl<S: Float> ContactChain<S> for AnyContact<S> {
         of_law!(setting => stuck_place(modes, contact_state, at))
     }
 
-    fn stuck_velocity(setting: &Setting<'_, S, Self>, modes: &[Part<S>], at: (S, S)) -> S {
+    fn stuck_velocity(setting: &MotionSetting<'_, S, Self>, modes: &[Part<S>], at: (S, S)) -> S {
         of_law!(setting => stuck_velocity(modes, at))
     }
 
     fn stuck_force(
-        setting: &Setting<'_, S, Self>,
+        setting: &MotionSetting<'_, S, Self>,
         modes: &[Part<S>],
         contact_state: &ContactState<S>,
         at: (S, S),
@@ -119,12 +123,12 @@ impl<S: Float> ContactChain<S> for AnyContact<S> {
         of_law!(setting => stuck_force(modes, contact_state, at))
     }
 
-    fn steady_stuck_force(setting: &Setting<'_, S, Self>, place: S) -> (S, Complex<S>) {
+    fn steady_stuck_force(setting: &MotionSetting<'_, S, Self>, place: S) -> (S, Complex<S>) {
         of_law!(setting => steady_stuck_force(place))
     }
 
     fn halt(
-        setting: &Setting<'_, S, Self>,
+        setting: &MotionSetting<'_, S, Self>,
         modes: &[Part<S>],
         at: (S, S),
         end: &mut SegmentEnd<S>,
@@ -132,12 +136,12 @@ impl<S: Float> ContactChain<S> for AnyContact<S> {
         of_law!(setting => halt(modes, at, end));
     }
 
-    fn break_away(setting: &Setting<'_, S, Self>, contact: Contact, end: &mut SegmentEnd<S>) {
+    fn break_away(setting: &MotionSetting<'_, S, Self>, contact: Contact, end: &mut SegmentEnd<S>) {
         of_law!(setting => break_away(contact, end));
     }
 
     fn carry_deviations(
-        setting: &Setting<'_, S, Self>,
+        setting: &MotionSetting<'_, S, Self>,
         oscillators: (&[Part<S>], &mut [Part<S>]),
         contact_state: &ContactState<S>,
         end: &SegmentEnd<S>,

@@ -7,7 +7,7 @@ use super::kinetic::KineticLine;
 use super::state::{Contact, ContactState, SegmentEnd};
 use crate::contact::sums::Chain;
 use crate::motion::oscillator::Part;
-use crate::motion::setting::Setting;
+use crate::motion::setting::MotionSetting;
 use crate::number::complex::Complex;
 use crate::number::scalar::Float;
 use core::fmt::Debug;
@@ -25,16 +25,16 @@ pub trait Law<S: Float>: Copy + Debug {
 
     /// Decides what the contact does at zero relative velocity. `force` is the force that would keep the contact at
     /// rest. Returns `None` if the contact sticks.
-    fn leave_rest(self, force: S) -> Option<Slide<S>>;
+    fn leave_rest(self, force: S) -> Option<SlideStart<S>>;
 
     /// Returns the start of sliding at the instant at which the force in the stuck contact reaches its largest value.
-    fn break_away(self, contact: Contact) -> Slide<S>;
+    fn break_away(self, contact: Contact) -> SlideStart<S>;
 
     /// Returns the start of sliding in the direction of `contact`. `force` is the force that would keep the contact at
     /// rest.
     #[inline]
-    fn slide(self, contact: Contact, force: S) -> Slide<S> {
-        Slide {
+    fn slide(self, contact: Contact, force: S) -> SlideStart<S> {
+        SlideStart {
             contact,
             excess: force.abs() - self.level(),
         }
@@ -103,12 +103,16 @@ pub trait ContactChain<S: Float>: Copy + Debug {
 
     /// Derives the state of the contact (stuck, or its direction of sliding) from the state of the modes at the phase
     /// `t`.
-    fn contact_state(setting: &Setting<'_, S, Self>, parts: &[Part<S>], t: S) -> ContactState<S>;
+    fn contact_state(
+        setting: &MotionSetting<'_, S, Self>,
+        parts: &[Part<S>],
+        t: S,
+    ) -> ContactState<S>;
 
     /// Derives the state of the contact from the state of the modes, if the contact was sliding until then.
     #[inline]
     fn sliding_state(
-        setting: &Setting<'_, S, Self>,
+        setting: &MotionSetting<'_, S, Self>,
         parts: &[Part<S>],
         contact_state: &ContactState<S>,
     ) -> ContactState<S> {
@@ -118,7 +122,7 @@ pub trait ContactChain<S: Float>: Copy + Debug {
     /// Returns the number that the contact stores when it stops, or `None` if the law stores nothing. `Contact` is the
     /// direction in which the contact slid.
     #[inline]
-    fn memory_at_stop(_: &Setting<'_, S, Self>, _: Contact) -> Option<S> {
+    fn memory_at_stop(_: &MotionSetting<'_, S, Self>, _: Contact) -> Option<S> {
         None
     }
 
@@ -126,14 +130,14 @@ pub trait ContactChain<S: Float>: Copy + Debug {
     /// oscillators of the chain with its contact stuck. `at` is sine and cosine of the excitation's phase at the same
     /// instant.
     #[inline]
-    fn memory_at(_: &Setting<'_, S, Self>, _: &[Part<S>], _: S, _: (S, S)) -> Option<S> {
+    fn memory_at(_: &MotionSetting<'_, S, Self>, _: &[Part<S>], _: S, _: (S, S)) -> Option<S> {
         None
     }
 
     /// Changes the oscillators of the chain with its contact stuck, so that they agree with the number that the contact
     /// stores. `lifted` is the displacement of the stuck contact, including the displacement of the base.
     #[inline]
-    fn adapt(_: &Setting<'_, S, Self>, _: &mut [Part<S>], _lifted: S, _: &ContactState<S>) {}
+    fn adapt(_: &MotionSetting<'_, S, Self>, _: &mut [Part<S>], _lifted: S, _: &ContactState<S>) {}
 
     /// Returns the constants of the chain that do not depend on the law of the contact.
     fn chain(&self) -> &Chain<S>;
@@ -150,19 +154,19 @@ pub trait ContactChain<S: Float>: Copy + Debug {
     /// Returns the displacement that stays constant while the contact sticks. `contact_state` is the state at the
     /// segment's start. `at` is sine and cosine of the excitation's phase at the same instant.
     fn stuck_place(
-        setting: &Setting<'_, S, Self>,
+        setting: &MotionSetting<'_, S, Self>,
         modes: &[Part<S>],
         contact_state: &ContactState<S>,
         at: (S, S),
     ) -> S;
 
     /// Returns the relative velocity z̄′ while the contact sticks. `at` is sine and cosine of the excitation's phase.
-    fn stuck_velocity(setting: &Setting<'_, S, Self>, modes: &[Part<S>], at: (S, S)) -> S;
+    fn stuck_velocity(setting: &MotionSetting<'_, S, Self>, modes: &[Part<S>], at: (S, S)) -> S;
 
     /// Returns the contact force, divided by P, while the contact sticks. `contact_state` is the state of the contact
     /// at the start of the segment.
     fn stuck_force(
-        setting: &Setting<'_, S, Self>,
+        setting: &MotionSetting<'_, S, Self>,
         modes: &[Part<S>],
         contact_state: &ContactState<S>,
         at: (S, S),
@@ -170,21 +174,26 @@ pub trait ContactChain<S: Float>: Copy + Debug {
 
     /// Returns two parts of the contact force while the contact sticks at the displacement `place`: the constant, and
     /// the complex amplitude of the fundamental component. Neither contains the contribution of the modes.
-    fn steady_stuck_force(setting: &Setting<'_, S, Self>, place: S) -> (S, Complex<S>);
+    fn steady_stuck_force(setting: &MotionSetting<'_, S, Self>, place: S) -> (S, Complex<S>);
 
     /// Completes the end of a segment at which the relative velocity vanishes. Sets the slope, the event, the jump of
     /// the force and the next state.
-    fn halt(setting: &Setting<'_, S, Self>, modes: &[Part<S>], at: (S, S), end: &mut SegmentEnd<S>);
+    fn halt(
+        setting: &MotionSetting<'_, S, Self>,
+        modes: &[Part<S>],
+        at: (S, S),
+        end: &mut SegmentEnd<S>,
+    );
 
     /// Completes the end of a segment at which the stuck contact breaks away. Sets the event, the jump of the force and
     /// the next state.
-    fn break_away(setting: &Setting<'_, S, Self>, contact: Contact, end: &mut SegmentEnd<S>);
+    fn break_away(setting: &MotionSetting<'_, S, Self>, contact: Contact, end: &mut SegmentEnd<S>);
 
     /// Advances small deviations of the state through a segment (the motion between two events), one column after
     /// another. A column has y and u of each mode in turn. `modes` and `stuck_modes` are the oscillators after the
     /// segment. The function overwrites the states in `stuck_modes`.
     fn carry_deviations(
-        setting: &Setting<'_, S, Self>,
+        setting: &MotionSetting<'_, S, Self>,
         oscillators: (&[Part<S>], &mut [Part<S>]),
         contact_state: &ContactState<S>,
         end: &SegmentEnd<S>,
@@ -194,7 +203,7 @@ pub trait ContactChain<S: Float>: Copy + Debug {
 
 /// Start of sliding, from rest or from a stuck contact.
 #[derive(Clone, Copy, Debug)]
-pub struct Slide<S> {
+pub struct SlideStart<S> {
     /// Direction of sliding.
     pub contact: Contact,
     /// Force that would keep the contact at rest, minus the kinetic friction force.

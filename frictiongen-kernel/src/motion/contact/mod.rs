@@ -30,11 +30,11 @@ mod stuck_chain;
 
 pub use any::AnyContact;
 pub use elastic::ElasticChain;
-pub use kinetic::{Constant, Level, Lines, MAX_STEEPNESS};
+pub use kinetic::{Constant, KineticLaw, Lines, MAX_STEEPNESS};
 pub use rigid::LOST_MODES;
 pub use state::{Contact, Event};
 
 #[doc(hidden)]
 pub use law::ContactChain;
 pub(crate) use law::Law;
-pub(crate) use state::{ContactState, Outcome, SegmentEnd, Sought};
+pub(crate) use state::{ContactState, SegmentEnd, SegmentOutcome, Sought};

@@ -1,12 +1,12 @@
 //! The chain while its contact slides under a constant friction force.
 
-use super::law::{ContactChain, Law, Slide};
+use super::law::{ContactChain, Law, SlideStart};
 use super::state::{Contact, ContactState};
 use crate::motion::clock::phase;
 use crate::motion::dynamics::rotated;
 use crate::motion::oscillator::Part;
 use crate::motion::series::OscillatorSum;
-use crate::motion::setting::Setting;
+use crate::motion::setting::MotionSetting;
 use crate::number::complex::{self, Complex};
 use crate::number::pairs::pairs_mut;
 use crate::number::scalar::Float;
@@ -15,7 +15,7 @@ use crate::number::scalar::Float;
 /// terms.
 const ROUNDINGS: f64 = 8.0;
 
-impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {
+impl<S: Float, K: ContactChain<S>> MotionSetting<'_, S, K> {
     /// Returns the law of the contact, with forces divided by P.
     #[inline]
     pub(crate) fn law(&self) -> K::Law {
@@ -29,7 +29,7 @@ impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {
     }
 
     /// Returns the state of a contact that starts to slide from zero relative velocity at the phase `t`.
-    pub(crate) fn sliding_away(&self, t: S, slide: Slide<S>) -> ContactState<S> {
+    pub(crate) fn sliding_away(&self, t: S, slide: SlideStart<S>) -> ContactState<S> {
         ContactState {
             t,
             contact: slide.contact,

@@ -123,7 +123,7 @@ pub(crate) struct Sought<S> {
     /// Relative displacement z̄, if the contact sticks in the segment.
     pub offset: S,
     /// The way in which the segment ends.
-    pub outcome: Outcome,
+    pub outcome: SegmentOutcome,
     /// Slope of the contact force at the end of the segment, if the contact sticks.
     pub slope: S,
     /// Number of steps of the search that found the end.
@@ -132,7 +132,7 @@ pub(crate) struct Sought<S> {
 
 /// The way in which a segment ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Outcome {
+pub(crate) enum SegmentOutcome {
     /// No event occurs within the searched time.
     Goes,
     /// The relative velocity vanishes.
@@ -151,7 +151,7 @@ impl<S: Float> Sought<S> {
             contact_state,
             tau: zero,
             offset: zero,
-            outcome: Outcome::Goes,
+            outcome: SegmentOutcome::Goes,
             slope: zero,
             steps: 0,
         }
@@ -159,6 +159,6 @@ impl<S: Float> Sought<S> {
 
     /// Returns true if the contact cannot leave zero velocity, and so continues to stick.
     pub(crate) fn holds(&self) -> bool {
-        self.outcome == Outcome::Holds
+        self.outcome == SegmentOutcome::Holds
     }
 }

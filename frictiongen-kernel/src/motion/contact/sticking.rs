@@ -6,11 +6,11 @@ use crate::motion::clock::phase;
 use crate::motion::dynamics::{lift, rotated};
 use crate::motion::oscillator::Part;
 use crate::motion::series::OscillatorSum;
-use crate::motion::setting::Setting;
+use crate::motion::setting::MotionSetting;
 use crate::number::complex::{self, Complex};
 use crate::number::scalar::Float;
 
-impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {
+impl<S: Float, K: ContactChain<S>> MotionSetting<'_, S, K> {
     /// Computes the displacements y and scaled velocities u of the modes of the chain with its contact stuck, as
     /// [`Dynamics::project`] does.
     pub(crate) fn project(
@@ -86,7 +86,7 @@ impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {
         (self.law().grip() - steady).max(S::constant(0.0)) * receptance
     }
 
-    /// Returns the complex amplitude of the force in a contact that never slides, divided by P. [`Setting::new`]
+    /// Returns the complex amplitude of the force in a contact that never slides, divided by P. [`MotionSetting::new`]
     /// prepares `parts`. Returns `None` on an undamped resonance of the stuck chain.
     pub fn stuck_force(&self, parts: &[Part<S>]) -> Option<Complex<S>> {
         let (_, start) = K::steady_stuck_force(self, S::constant(0.0));
@@ -100,7 +100,7 @@ impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {
     }
 
     /// Returns the complex amplitude of a mass while the contact never slides and the slider has no offset.
-    /// [`Setting::new`] prepares `parts`.  Returns `None` on an undamped resonance of the stuck chain.
+    /// [`MotionSetting::new`] prepares `parts`.  Returns `None` on an undamped resonance of the stuck chain.
     pub fn stuck_amplitude(&self, parts: &[Part<S>], mass: usize) -> Option<Complex<S>> {
         let zero = S::constant(0.0);
         let (dynamics, shape) = (&self.dynamics, self.dynamics.shape(mass));

@@ -15,7 +15,7 @@ const PAST: f64 = 4.0;
 
 /// Result of a *walk*, a search for a zero in steps that skip no zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Walk<S> {
+pub(crate) enum WalkResult<S> {
     /// The function has a zero at this instant. The flag is true if the function reaches −level, and false if it
     /// reaches +level.
     Zero(S, bool),
@@ -41,7 +41,7 @@ pub(crate) fn first_zero<S: Float, F: Walked<S>>(
     sum: &F,
     start: WalkStart<S>,
     steps: &mut u32,
-) -> Walk<S> {
+) -> WalkResult<S> {
     let zero = S::constant(0.0);
     let mut tau = zero;
     let mut local = sum.local(tau);
@@ -50,7 +50,7 @@ pub(crate) fn first_zero<S: Float, F: Walked<S>>(
         let terms = sum.series(zero, slope);
         local = terms.at(zero, local.bound);
         if !(zero < slope || zero < terms.term(2)) {
-            return Walk::NoStart;
+            return WalkResult::NoStart;
         }
         series = Some(terms);
     }
@@ -59,7 +59,7 @@ pub(crate) fn first_zero<S: Float, F: Walked<S>>(
         *steps = steps.saturating_add(1);
         let noise = if exact { zero } else { sum.noise() };
         let h = match verdict(&local, noise, tau, exact) {
-            RootVerdict::Zero(shift) => return Walk::Zero(within(sum, tau + shift), false),
+            RootVerdict::Zero(shift) => return WalkResult::Zero(within(sum, tau + shift), false),
             RootVerdict::Past(step) => step,
             RootVerdict::Above => step::safe(
                 local.value.max(zero),
@@ -71,11 +71,11 @@ pub(crate) fn first_zero<S: Float, F: Walked<S>>(
         };
         let next = tau + h;
         if !(tau < next) {
-            return Walk::Zero(tau, false);
+            return WalkResult::Zero(tau, false);
         }
         tau = next;
         if !(tau < sum.reach()) {
-            return Walk::Until(sum.reach());
+            return WalkResult::Until(sum.reach());
         }
         match &series {
             Some(series) if tau <= series.reach => {
@@ -88,7 +88,7 @@ pub(crate) fn first_zero<S: Float, F: Walked<S>>(
             }
         }
     }
-    Walk::Until(tau)
+    WalkResult::Until(tau)
 }
 
 /// Finds the first instant from `from` on at which |sum| reaches `level`.  The flag of the result is true if the sum
@@ -99,7 +99,7 @@ pub(crate) fn first_reach<S: Float, F: Walked<S>>(
     from: S,
     start: WalkStart<S>,
     steps: &mut u32,
-) -> Walk<S> {
+) -> WalkResult<S> {
     let zero = S::constant(0.0);
     let noise = sum.noise() + level * S::constant(ROUNDINGS * S::EPSILON);
     let level = match start {
@@ -115,23 +115,25 @@ pub(crate) fn first_reach<S: Float, F: Walked<S>>(
             let gap = gap(&local, level, negative);
             let most = sum.reach() - tau;
             let h = match verdict(&gap, noise, tau, false) {
-                RootVerdict::Zero(shift) => return Walk::Zero(within(sum, tau + shift), negative),
+                RootVerdict::Zero(shift) => {
+                    return WalkResult::Zero(within(sum, tau + shift), negative);
+                }
                 RootVerdict::Past(step) => step.min(most),
                 RootVerdict::Above => {
                     step::safe(gap.value.max(zero), gap.slope, gap.curve, gap.bound, most)
                 }
             };
             if !(tau < tau + h) {
-                return Walk::Zero(tau, negative);
+                return WalkResult::Zero(tau, negative);
             }
             next = next.min(tau + h);
         }
         tau = next;
         if !(tau < sum.reach()) {
-            return Walk::Until(sum.reach());
+            return WalkResult::Until(sum.reach());
         }
     }
-    Walk::Until(tau)
+    WalkResult::Until(tau)
 }
 
 /// Clamps an instant to the searched interval. For a flat function, rounding may place the zero beyond the end of the

@@ -5,4 +5,4 @@ mod first;
 mod peak;
 mod step;
 
-pub(crate) use first::{Walk, WalkStart, first_reach, first_zero};
+pub(crate) use first::{WalkResult, WalkStart, first_reach, first_zero};

@@ -1,7 +1,7 @@
 //! Finds the largest absolute value of a sum over oscillators between two events. The code finds the peaks by the same
 //! walks that find events.
 
-use super::first::{Walk, WalkStart, first_reach};
+use super::first::{WalkResult, WalkStart, first_reach};
 use crate::motion::series::OscillatorSum;
 use crate::number::scalar::Float;
 
@@ -48,7 +48,7 @@ impl<S: Float> OscillatorSum<'_, S> {
             }
         }
         for _ in 0..MAX_CLIMBS {
-            let Walk::Zero(tau, _) =
+            let WalkResult::Zero(tau, _) =
                 first_reach(self, level * near, from, WalkStart::Anywhere, &mut 0)
             else {
                 return;

@@ -47,14 +47,14 @@ const TIMES: f64 = 3.0;
 
 /// An interval of r, bounded by numbers of the emitted scalar type.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Cell {
+pub(super) struct RoundedInterval {
     pub low: f64,
     pub high: f64,
 }
 
 /// The exact zero of a factor.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Known {
+pub(super) struct KnownZero {
     pub zero: Zero,
     /// Largest error of the zero's position.
     pub off: f64,
@@ -74,7 +74,7 @@ pub(in crate::table) fn unit<S: Float>() -> (f64, f64) {
 
 /// Bounds on the error and on the magnitude of a factor.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Bounds {
+pub(super) struct FactorBounds {
     /// Largest relative error of the computed factor.
     pub error: f64,
     /// Lower bound on the factor.
@@ -96,9 +96,9 @@ fn apart(a: Dd, b: Dd) -> f64 {
     (Ball::exact(a) - Ball::exact(b)).most()
 }
 
-impl Known {
+impl KnownZero {
     /// Returns a lower bound on the distance of r from y within a cell.
-    pub fn distance(&self, cell: Cell) -> f64 {
+    pub fn distance(&self, cell: RoundedInterval) -> f64 {
         let y = self.zero.y.to_f64();
         let outside = (cell.low - y).max(y - cell.high) * (1.0 - DIFFERENCE);
         // The bounds of the cell are numbers of the scalar, and may be as near to y as any other number.
@@ -106,7 +106,7 @@ impl Known {
     }
 
     /// Returns a lower bound on |ir − z|.
-    pub fn away(&self, cell: Cell) -> f64 {
+    pub fn away(&self, cell: RoundedInterval) -> f64 {
         let x = self.zero.x.abs().to_f64() * (1.0 - PLACE);
         let along = if self.zero.y.is_zero() {
             cell.low
@@ -117,7 +117,11 @@ impl Known {
     }
 
     /// Returns the bounds of the emitted factor in a cell.
-    pub fn bounds<S: Float>(&self, factor: &Factor<S>, cell: Cell) -> Option<Bounds> {
+    pub fn bounds<S: Float>(
+        &self,
+        factor: &Factor<S>,
+        cell: RoundedInterval,
+    ) -> Option<FactorBounds> {
         let (unit, _) = unit::<S>();
         let wide = |value: S| Dd::from(value.to_f64());
         let (x, y) = (self.zero.x.abs(), self.zero.y);
@@ -131,7 +135,7 @@ impl Known {
                 }
                 let least = (cell.low * cell.low + size * size) * LESS;
                 let off = apart(wide(off), square) / least;
-                Bounds {
+                FactorBounds {
                     error: 2.0 * unit + off + moved,
                     least,
                     most: (cell.high * cell.high + size * size) * MORE,
@@ -145,7 +149,7 @@ impl Known {
                 let distance = self.distance(cell);
                 let beyond = (cell.low + place).min(2.0 * place) * LESS;
                 let far = (cell.high - place).abs().max((cell.low - place).abs());
-                Bounds {
+                FactorBounds {
                     error: own + offset / distance + moved,
                     least: distance * beyond,
                     most: far * (cell.high + place) * MORE,
@@ -169,13 +173,13 @@ impl Known {
                     unit,
                     cell,
                 )
-                .map(|bounds| Bounds {
+                .map(|bounds| FactorBounds {
                     error: bounds.error + moved,
                     ..bounds
                 })?
             }
         };
-        (bounds.error < SMALL).then_some(Bounds {
+        (bounds.error < SMALL).then_some(FactorBounds {
             error: bounds.error * UP,
             ..bounds
         })
@@ -183,7 +187,7 @@ impl Known {
 
     /// Returns the relative rounding error of ((r − at) − rest)(r + at), and the error of the position of this factor's
     /// zero.
-    fn along(&self, at: Dd, rest: Dd, unit: f64, cell: Cell) -> (f64, f64) {
+    fn along(&self, at: Dd, rest: Dd, unit: f64, cell: RoundedInterval) -> (f64, f64) {
         let y = self.zero.y;
         let place = at.to_f64();
         let offset = apart(at + rest, y) + self.off;
@@ -207,8 +211,8 @@ impl Known {
         own: f64,
         (offset, off, least): (f64, f64, f64),
         unit: f64,
-        cell: Cell,
-    ) -> Option<Bounds> {
+        cell: RoundedInterval,
+    ) -> Option<FactorBounds> {
         let (x, y) = (self.zero.x.abs().to_f64(), self.zero.y.to_f64());
         let distance = self.distance(cell);
         // B is smallest at the lower bound of r and largest at the upper bound.
@@ -244,7 +248,7 @@ impl Known {
         // The inequality (a + b + c)² ≤ 3(a² + b² + c²) separates the three errors `own`·`times`, `unit` and
         // `shifted`·`steep`.
         let second = 3.0 * (TIMES * TIMES * own * own + unit * unit + shifted * shifted / whole);
-        Some(Bounds {
+        Some(FactorBounds {
             error: of_square + second + unit + least / whole + unit,
             least: whole,
             most: (low * low).max(high * high) * MORE + floor * MORE,

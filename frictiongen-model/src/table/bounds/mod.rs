@@ -11,7 +11,7 @@ mod roots;
 #[cfg(test)]
 mod tests;
 
-use super::evidence::{Evidence, Proof, Work};
+use super::evidence::{Evidence, Proof, ProofWork};
 use super::exact::Exact;
 use super::product::Product;
 use super::request::Request;
@@ -20,11 +20,11 @@ use super::zeros::{ContactMode, Zero, Zeros};
 use crate::scene::Side;
 use ball::Ball;
 pub(super) use factor::unit;
-use factor::{Cell, Known, UP, beside};
+use factor::{KnownZero, RoundedInterval, UP, beside};
 use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::table::Factor;
-use roots::{Factored, Sum};
+use roots::{Factored, PartialFractions};
 
 /// Largest fraction of the accuracy that the uncertainty of a zero may use, at the number of the scalar type nearest to
 /// the zero. If the uncertainty is larger, the proof omits that number. A larger fraction omits fewer numbers, but
@@ -47,10 +47,10 @@ const OUTWARD: f64 = 1e-12;
 /// remainder. `weights` and `tail` bound the relative error that these remainders cause.
 struct Meant {
     gain: Ball,
-    numerator: Vec<Known>,
-    denominator: Vec<Known>,
+    numerator: Vec<KnownZero>,
+    denominator: Vec<KnownZero>,
     /// Zeros with their weights. A weight, divided by the distance of r from its zero, is a relative error.
-    weights: Vec<(Known, f64)>,
+    weights: Vec<(KnownZero, f64)>,
     tail: f64,
 }
 
@@ -82,10 +82,10 @@ impl Receptances {
         let direct = if modal.on_moving_base { -1.0 } else { 0.0 };
         let joined =
             |own: &[Zero]| -> Vec<Zero> { own.iter().chain(&zeros.common).copied().collect() };
-        let excitation =
-            Sum::of(direct, &driven, zeros.damped).factored(&joined(&zeros.excitation), highest)?;
-        let receptance =
-            Sum::of(0.0, &all, zeros.damped).factored(&joined(&zeros.receptance), highest)?;
+        let excitation = PartialFractions::of(direct, &driven, zeros.damped)
+            .factored(&joined(&zeros.excitation), highest)?;
+        let receptance = PartialFractions::of(0.0, &all, zeros.damped)
+            .factored(&joined(&zeros.receptance), highest)?;
         Some(Self {
             damped: zeros.damped,
             stiction: modal.stiction,
@@ -203,7 +203,7 @@ impl Receptances {
             evidence,
             bound,
             open,
-            work: Work(0),
+            work: ProofWork(0),
         }
     }
 
@@ -212,7 +212,7 @@ impl Receptances {
         &self,
         product: &Product<S>,
         meant: &Meant,
-        cell: Cell,
+        cell: RoundedInterval,
     ) -> Option<(f64, f64)> {
         let (unit, smallest) = unit::<S>();
         let (mut error, mut quotients) = (0.0, [(1.0, 1.0); 2]);
@@ -293,8 +293,8 @@ impl Receptances {
 }
 
 /// Returns a zero whose position has an error only in its last digit.
-fn plain(zero: Zero) -> Known {
-    Known {
+fn plain(zero: Zero) -> KnownZero {
+    KnownZero {
         zero,
         off: 0.0,
         nearest: 0.0,
@@ -303,7 +303,7 @@ fn plain(zero: Zero) -> Known {
 
 /// Returns zeros and poles with their position errors. A zero has the position error of [`plain`]. The error of a pole
 /// follows from the constants of its mode.
-fn known(lists: &[(&[Zero], bool)]) -> Vec<Known> {
+fn known(lists: &[(&[Zero], bool)]) -> Vec<KnownZero> {
     let lists = lists.iter();
     lists
         .flat_map(|(zeros, is_pole)| zeros.iter().map(move |zero| (zero, *is_pole)))
@@ -316,7 +316,7 @@ fn known(lists: &[(&[Zero], bool)]) -> Vec<Known> {
             } else {
                 0.0
             };
-            Known {
+            KnownZero {
                 off,
                 ..plain(*zero)
             }
@@ -324,7 +324,7 @@ fn known(lists: &[(&[Zero], bool)]) -> Vec<Known> {
         .collect()
 }
 
-impl Known {
+impl KnownZero {
     /// Sets the distance from the zero to the nearest number of the scalar type. If this number is too close to a zero
     /// on the axis, no bound exists. The proof then leaves out the number, and the function returns it.
     fn place<S: Float>(&mut self, weight: f64, accuracy: f64) -> Option<f64> {
@@ -346,7 +346,7 @@ impl Known {
 }
 
 /// Divides the range of r into cells between neighbouring zeros.
-fn cells(meant: &Meant, low: f64, high: f64) -> Vec<Cell> {
+fn cells(meant: &Meant, low: f64, high: f64) -> Vec<RoundedInterval> {
     let all = meant.numerator.iter().chain(&meant.denominator);
     let mut places: Vec<f64> = all
         .map(|known| known.zero.y.to_f64())
@@ -366,7 +366,7 @@ fn cells(meant: &Meant, low: f64, high: f64) -> Vec<Cell> {
     ends.push(high);
     ends.windows(2)
         .filter_map(|pair| match pair {
-            [low, high] if low < high => Some(Cell {
+            [low, high] if low < high => Some(RoundedInterval {
                 low: *low,
                 high: *high,
             }),

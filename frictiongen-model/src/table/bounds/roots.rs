@@ -21,7 +21,7 @@ struct Term {
 }
 
 /// A sum over the modes: direct + Σρ/d, with the residues ρ and the denominators d.
-pub(super) struct Sum {
+pub(super) struct PartialFractions {
     damped: bool,
     direct: Dd,
     terms: Vec<Term>,
@@ -38,7 +38,7 @@ pub(super) struct Factored {
     pub zeros: Vec<(Zero, f64)>,
 }
 
-impl Sum {
+impl PartialFractions {
     pub fn of(direct: f64, contact_modes: &[(&ContactMode, Dd)], damped: bool) -> Self {
         let terms = contact_modes.iter().map(|(mode, of)| {
             let (sigma, zeta) = (

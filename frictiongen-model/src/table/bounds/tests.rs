@@ -4,7 +4,7 @@ use super::super::evidence::Evidence;
 use super::super::exact::Exact;
 use super::super::tables::Tables;
 use super::super::zeros::Zeros;
-use super::{Cell, Known, Product, Proof, Receptances, plain};
+use super::{KnownZero, Product, Proof, Receptances, RoundedInterval, plain};
 use crate::modal::Modal;
 use crate::samples::{random, request, scene};
 use crate::scene::Side;
@@ -324,12 +324,12 @@ fn an_uncertain_place_is_in_the_bound() {
         let product = tables.sliding.unwrap();
         for (factor, zero) in product.denominator.iter().zip(&zeros.receptance) {
             let place = zero.y.to_f64().max(0.1);
-            let cell = Cell {
+            let cell = RoundedInterval {
                 low: 1.2 * place,
                 high: 1.3 * place,
             };
             let error = |off| {
-                let known = Known {
+                let known = KnownZero {
                     off,
                     ..plain(*zero)
                 };

@@ -7,7 +7,7 @@
 
 use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
-use frictiongen_model::interval::{Interval, Number};
+use frictiongen_model::interval::{Arithmetic, Interval};
 use frictiongen_model::modal::Modal;
 
 /// Data of one mode in the sums V, H and U.
@@ -137,7 +137,7 @@ enum ModalSum<T> {
     Against(T),
 }
 
-impl<T: Number> ChainNumbers<T> {
+impl<T: Arithmetic> ChainNumbers<T> {
     fn sum(&self, which: ModalSum<T>, y: T, near: Option<&Near<T>>) -> [T; 2] {
         let (one, two, zero) = (T::number(1.0), T::number(2.0), T::number(0.0));
         let mut sum = [zero; 2];

@@ -4,7 +4,7 @@ use super::random;
 use super::scenes::{scene, scenes};
 use frictiongen::System;
 use frictiongen::study::scene::Side;
-use frictiongen::study::table::{Evidence, Proof, Request, TableError, Tables, Work};
+use frictiongen::study::table::{Evidence, Proof, ProofWork, Request, TableError, Tables};
 use frictiongen_codegen::{Description, Limits, ProofAt, SceneTables, parse_text, pretty};
 use frictiongen_kernel::Float;
 use fuzzing::Random;
@@ -27,7 +27,7 @@ fn held(name: &str, text: &str, accuracy: f64, points: usize, random: &mut Rando
     };
     let tables = match Tables::<f64>::build(system.modal(), request) {
         Ok(mut tables) => {
-            frictiongen_proof::prove(&mut tables, system.modal(), Work::WHOLE);
+            frictiongen_proof::prove(&mut tables, system.modal(), ProofWork::WHOLE);
             tables
         }
         Err(TableError::NotMet { .. }) => return None,
@@ -138,7 +138,7 @@ fn measured<S: Float>(accuracies: &[f64]) -> usize {
                     let Ok(compiled) = system.compile(RANGE.0..RANGE.1, *accuracy) else {
                         continue;
                     };
-                    let compiled = compiled.proven(Work::WHOLE);
+                    let compiled = compiled.proven(ProofWork::WHOLE);
                     let proof = compiled.proof();
                     let share = proof.open_length() / (RANGE.1 - RANGE.0);
                     open = [open[0].min(share), open[1].max(share)];
@@ -204,7 +204,7 @@ fn where_the_scene_asks() {
         assert_eq!(code(&quick), code(&with("proof: quick")));
         let [checked, proven] = [quick, whole].map(|read| (read.tables.unwrap(), read.scene));
         let mut by_a_command = checked.0.clone();
-        by_a_command.prove(&checked.1, Work::WHOLE);
+        by_a_command.prove(&checked.1, ProofWork::WHOLE);
         let (checked, proven) = (known(&checked.0), known(&proven.0));
         assert_eq!(checked.0[0].evidence, Evidence::Checked, "{name}");
         assert_eq!(proven, known(&by_a_command), "{name}");
@@ -250,7 +250,7 @@ fn unasked_where(chosen: impl Fn(&str) -> bool) -> usize {
         let read = parse_text(&text, &Limits::MACRO).expect("a scene");
         let (tables, scene) = (read.tables.expect("tables"), read.scene);
         let mut whole = tables.clone();
-        whole.prove(&scene, Work::WHOLE);
+        whole.prove(&scene, ProofWork::WHOLE);
         assert_eq!(known(&tables), known(&whole), "{name}");
         let ([limit, motion], _) = known(&tables);
         for proof in [limit, motion] {

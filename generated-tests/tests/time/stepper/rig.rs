@@ -3,8 +3,8 @@
 use frictiongen_kernel::Plain;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::stepper::{
-    Channel, HeldLoad, HeldStep, Input, ModeStep, Pace, Sample, StepScene, Stepped, Stepper, Store,
-    StoreMut, StoreRef, Tables, Units, View, fill,
+    Channel, HeldLoad, HeldStep, Input, ModeStep, Pace, Sample, StepScene, StepTables, Stepped,
+    Stepper, Store, StoreMut, StoreRef, Units, View, fill,
 };
 use frictiongen_model::modal::Modal;
 use frictiongen_model::scene::{Excitation, Scene};
@@ -24,7 +24,7 @@ pub struct Lists<S> {
     channels: Vec<Channel<S>>,
 }
 
-impl<S: Copy> Tables<S, D> for Lists<S> {
+impl<S: Copy> StepTables<S, D> for Lists<S> {
     fn view(&self) -> View<'_, S, D> {
         View {
             pace: self.pace,

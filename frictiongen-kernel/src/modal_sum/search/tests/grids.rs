@@ -3,11 +3,11 @@
 use super::whole::scanned;
 use super::*;
 use crate::modal_sum::search::Maximiser;
-use crate::modal_sum::search::bounds::Bounds;
+use crate::modal_sum::search::bounds::DerivativeBounds;
 use crate::modal_sum::search::grid::{Grid, Stretch};
 use crate::testing::{ZETAS, derivative, parts};
 
-fn filled(sum: &TestSum<'_>, stretch: &Stretch<f64>, bounds: &Bounds<f64>) -> Grid<f64> {
+fn filled(sum: &TestSum<'_>, stretch: &Stretch<f64>, bounds: &DerivativeBounds<f64>) -> Grid<f64> {
     let mut grid = Grid::blank(stretch, bounds);
     grid.fill(sum);
     grid
@@ -15,7 +15,7 @@ fn filled(sum: &TestSum<'_>, stretch: &Stretch<f64>, bounds: &Bounds<f64>) -> Gr
 
 fn grid_of(sum: &TestSum<'_>, from: f64, to: f64, width: f64) -> Grid<f64> {
     let at = Instant::new(from / PI);
-    let bounds = Bounds::of(sum, &at, to - from);
+    let bounds = DerivativeBounds::of(sum, &at, to - from);
     filled(sum, &Stretch::new(from, to, width, false), &bounds)
 }
 
@@ -61,7 +61,7 @@ fn no_derivative_exceeds_its_bound() {
         let drawn = Drawn::new(&mut random, (0.05, 40.0), case % 3 == 0, case % 2 == 0);
         let sum = drawn.sum();
         let from = [0.0, 0.4, 2.0][case % 3];
-        let bounds = Bounds::of(&sum, &Instant::new(from / PI), PI - from);
+        let bounds = DerivativeBounds::of(&sum, &Instant::new(from / PI), PI - from);
         let room = 1.0 + 1e-9;
         for i in 0..=50 {
             let tau = from + (PI - from) * f64::from(i) / 50.0;
@@ -103,8 +103,8 @@ fn bounds_hold_for_every_part() {
                     sine: 0.0,
                 };
                 for from in [0.0, 0.2 / x.max(1.0), 0.5, 2.4] {
-                    let bounds = Bounds::of(&sum, &Instant::new(from / PI), PI - from);
-                    let start = Bounds::of(&sum, &Instant::new(0.0), PI);
+                    let bounds = DerivativeBounds::of(&sum, &Instant::new(from / PI), PI - from);
+                    let start = DerivativeBounds::of(&sum, &Instant::new(0.0), PI);
                     // The rounding error of a decaying term is one unit of its value at the start.
                     let fourth = bounds.fourth * (1.0 + 1e-9) + f64::EPSILON * start.fourth;
                     let fifth = bounds.fifth * (1.0 + 1e-9) + f64::EPSILON * start.fifth;
@@ -145,7 +145,7 @@ fn nothing_is_above_the_level_in_a_closed_cell() {
         let over_sine = case % 2 == 0;
         let drawn = Drawn::new(&mut random, (0.05, 30.0), case % 3 == 0, over_sine);
         let (sum, problem) = (drawn.sum(), drawn.problem);
-        let problem = Problem {
+        let problem = SearchSettings {
             tolerance: 4.0 * f64::EPSILON,
             // The level is at most twice the largest value, or this floor.
             floor: if over_sine { 0.0 } else { 1e-3 * size_of(&sum) },
@@ -164,7 +164,7 @@ fn nothing_is_above_the_level_in_a_closed_cell() {
         let width = random.log_uniform(0.01, 0.5);
         let keeps_forcing = over_sine && case % 3 == 1;
         let stretch = Stretch::new(from, problem.end, width, keeps_forcing);
-        let bounds = Bounds::of(&sum, &Instant::new(from / PI), problem.end - from);
+        let bounds = DerivativeBounds::of(&sum, &Instant::new(from / PI), problem.end - from);
         let bits = search.open_cells(&stretch, &bounds);
         let bar = 1e-11 * size(&search);
         for (negative, bits) in [(false, bits[0]), (true, bits[1])] {
@@ -204,7 +204,7 @@ fn a_cell_that_exceeds_the_level_is_open() {
         let mut search = search(sum, problem, 0.0);
         let width = random.log_uniform(0.02, 1.0);
         let stretch = Stretch::new(0.0, problem.end, width, case % 5 == 0);
-        let bounds = Bounds::of(&sum, &Instant::new(0.0), problem.end);
+        let bounds = DerivativeBounds::of(&sum, &Instant::new(0.0), problem.end);
         let grid = filled(&sum, &stretch, &bounds);
         let cell = [0, stretch.cells() - 1, random.below(stretch.cells())][case % 3];
         // Largest quotient in the cell, at multiples of a thirty-second of its width.
@@ -263,7 +263,7 @@ fn a_summit_closes_nothing_that_is_higher() {
             0.2 * random.unit()
         };
         let stretch = Stretch::new(from, problem.end, width, false);
-        let bounds = Bounds::of(&sum, &Instant::new(from / PI), problem.end - from);
+        let bounds = DerivativeBounds::of(&sum, &Instant::new(from / PI), problem.end - from);
         let grid = filled(&sum, &stretch, &bounds);
         let place = Maximiser {
             tau: from + (stretch.to - from) * random.unit(),
@@ -303,7 +303,11 @@ fn a_summit_across_the_end_closes_cells_of_its_own_sign() {
     };
     let mut search = search(sum, asked(Weight::One, true, 0.0), 0.0);
     let stretch = Stretch::new(0.0, PI, 0.3, false);
-    let grid = filled(&sum, &stretch, &Bounds::of(&sum, &Instant::new(0.0), PI));
+    let grid = filled(
+        &sum,
+        &stretch,
+        &DerivativeBounds::of(&sum, &Instant::new(0.0), PI),
+    );
     let before_the_end = Maximiser {
         tau: PI,
         negative: true,

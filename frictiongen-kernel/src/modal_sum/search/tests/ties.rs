@@ -30,8 +30,8 @@ fn harmonics(sines: &[(f64, f64)], cosines: &[(f64, f64)]) -> (Vec<TestWave>, f6
     (waves, cosine, sine)
 }
 
-fn motion_problem() -> Problem<f64> {
-    Problem {
+fn motion_problem() -> SearchSettings<f64> {
+    SearchSettings {
         tolerance: 4.0 * f64::EPSILON,
         ..asked(Weight::One, true, 0.0)
     }

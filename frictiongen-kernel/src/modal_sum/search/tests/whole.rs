@@ -60,7 +60,7 @@ fn no_maximum_of_a_random_sum_is_missed() {
         let drawn = Drawn::new(&mut random, (0.05, 60.0), undamped, sine);
         let (sum, problem) = (drawn.sum(), drawn.problem);
         let want = scanned(&search(sum, problem, 0.0));
-        let problem = Problem {
+        let problem = SearchSettings {
             tolerance: 4.0 * f64::EPSILON,
             ..problem
         };

@@ -7,7 +7,7 @@
 use super::ElasticChain;
 use crate::motion::contact::state::{Contact, ContactState, SegmentEnd};
 use crate::motion::oscillator::Part;
-use crate::motion::setting::Setting;
+use crate::motion::setting::MotionSetting;
 use crate::number::pairs::{pairs, pairs_mut};
 use crate::number::scalar::Float;
 
@@ -15,7 +15,7 @@ use crate::number::scalar::Float;
 /// A column has y and u of each mode in turn, and then the contact force. `modes` and `stuck_modes` are the oscillators
 /// after the segment. The function overwrites the states in `stuck_modes`.
 pub(super) fn carry<S: Float>(
-    setting: &Setting<'_, S, ElasticChain<S>>,
+    setting: &MotionSetting<'_, S, ElasticChain<S>>,
     (modes, stuck_modes): (&[Part<S>], &mut [Part<S>]),
     contact_state: &ContactState<S>,
     end: &SegmentEnd<S>,
@@ -52,7 +52,7 @@ pub(super) fn carry<S: Float>(
 /// Advances small deviations of the state while the contact sticks. The deviation of the slider's displacement stays
 /// constant. The rest of a deviation moves with the modes of the chain with its contact stuck.
 fn stuck<S: Float>(
-    setting: &Setting<'_, S, ElasticChain<S>>,
+    setting: &MotionSetting<'_, S, ElasticChain<S>>,
     stuck_modes: &mut [Part<S>],
     (t, tau): (S, S),
     column: &mut [S],

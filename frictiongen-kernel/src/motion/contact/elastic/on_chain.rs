@@ -6,7 +6,7 @@ use crate::motion::contact::law::{ContactChain, Law};
 use crate::motion::contact::rigid::Rigid;
 use crate::motion::contact::state::{Contact, ContactState, Event, SegmentEnd};
 use crate::motion::oscillator::Part;
-use crate::motion::setting::Setting;
+use crate::motion::setting::MotionSetting;
 use crate::number::complex::Complex;
 use crate::number::scalar::Float;
 
@@ -47,7 +47,11 @@ impl<S: Float> ContactChain<S> for ElasticChain<S> {
     }
 
     /// Returns a stuck contact without force. With β = 0 the contact slides instead.
-    fn contact_state(setting: &Setting<'_, S, Self>, parts: &[Part<S>], t: S) -> ContactState<S> {
+    fn contact_state(
+        setting: &MotionSetting<'_, S, Self>,
+        parts: &[Part<S>],
+        t: S,
+    ) -> ContactState<S> {
         if setting.law().grip().is_zero() {
             return Chain::contact_state(&setting.with(setting.dynamics.chain.chain), parts, t);
         }
@@ -60,7 +64,7 @@ impl<S: Float> ContactChain<S> for ElasticChain<S> {
     /// Returns the state of a contact that continues to slide. If the velocity has changed its sign, the contact sticks
     /// under the kinetic force instead.
     fn sliding_state(
-        setting: &Setting<'_, S, Self>,
+        setting: &MotionSetting<'_, S, Self>,
         parts: &[Part<S>],
         contact_state: &ContactState<S>,
     ) -> ContactState<S> {
@@ -78,12 +82,12 @@ impl<S: Float> ContactChain<S> for ElasticChain<S> {
         }
     }
 
-    fn memory_at_stop(setting: &Setting<'_, S, Self>, contact: Contact) -> Option<S> {
+    fn memory_at_stop(setting: &MotionSetting<'_, S, Self>, contact: Contact) -> Option<S> {
         Some(setting.law().kinetic(contact))
     }
 
     fn memory_at(
-        setting: &Setting<'_, S, Self>,
+        setting: &MotionSetting<'_, S, Self>,
         stuck_modes: &[Part<S>],
         place: S,
         at: (S, S),
@@ -93,7 +97,7 @@ impl<S: Float> ContactChain<S> for ElasticChain<S> {
     }
 
     fn adapt(
-        setting: &Setting<'_, S, Self>,
+        setting: &MotionSetting<'_, S, Self>,
         stuck_modes: &mut [Part<S>],
         lifted: S,
         contact_state: &ContactState<S>,
@@ -106,7 +110,7 @@ impl<S: Float> ContactChain<S> for ElasticChain<S> {
     /// Returns the displacement q = z̄ − ρf of the slider, where ρ is the compliance of the spring and f the contact
     /// force.
     fn stuck_place(
-        setting: &Setting<'_, S, Self>,
+        setting: &MotionSetting<'_, S, Self>,
         modes: &[Part<S>],
         contact_state: &ContactState<S>,
         at: (S, S),
@@ -115,12 +119,12 @@ impl<S: Float> ContactChain<S> for ElasticChain<S> {
         setting.relative(modes, at) - setting.dynamics.chain.compliance * force
     }
 
-    fn stuck_velocity(setting: &Setting<'_, S, Self>, modes: &[Part<S>], at: (S, S)) -> S {
+    fn stuck_velocity(setting: &MotionSetting<'_, S, Self>, modes: &[Part<S>], at: (S, S)) -> S {
         setting.relative_velocity(modes, at).0
     }
 
     fn stuck_force(
-        _: &Setting<'_, S, Self>,
+        _: &MotionSetting<'_, S, Self>,
         _: &[Part<S>],
         contact_state: &ContactState<S>,
         _: (S, S),
@@ -128,7 +132,7 @@ impl<S: Float> ContactChain<S> for ElasticChain<S> {
         contact_state.memory.unwrap_or(S::constant(0.0))
     }
 
-    fn steady_stuck_force(setting: &Setting<'_, S, Self>, place: S) -> (S, Complex<S>) {
+    fn steady_stuck_force(setting: &MotionSetting<'_, S, Self>, place: S) -> (S, Complex<S>) {
         let receptance = setting.receptance;
         (
             -(place / receptance),
@@ -138,7 +142,7 @@ impl<S: Float> ContactChain<S> for ElasticChain<S> {
 
     /// Stops the slider. Without friction the spring has no force, and the contact reverses as a rigid contact does.
     fn halt(
-        setting: &Setting<'_, S, Self>,
+        setting: &MotionSetting<'_, S, Self>,
         modes: &[Part<S>],
         at: (S, S),
         end: &mut SegmentEnd<S>,
@@ -160,14 +164,14 @@ impl<S: Float> ContactChain<S> for ElasticChain<S> {
 
     /// Starts the motion of the slider with the velocity of the contact. With μ > 1 the force drops to the kinetic
     /// force.
-    fn break_away(setting: &Setting<'_, S, Self>, contact: Contact, end: &mut SegmentEnd<S>) {
+    fn break_away(setting: &MotionSetting<'_, S, Self>, contact: Contact, end: &mut SegmentEnd<S>) {
         end.event = Some(Event::Slip);
         end.contact_state.contact = contact;
         end.jump = contact.sign::<S>() * setting.law().break_away(contact).excess;
     }
 
     fn carry_deviations(
-        setting: &Setting<'_, S, Self>,
+        setting: &MotionSetting<'_, S, Self>,
         oscillators: (&[Part<S>], &mut [Part<S>]),
         contact_state: &ContactState<S>,
         end: &SegmentEnd<S>,
@@ -177,7 +181,7 @@ impl<S: Float> ContactChain<S> for ElasticChain<S> {
     }
 }
 
-impl<S: Float> Setting<'_, S, ElasticChain<S>> {
+impl<S: Float> MotionSetting<'_, S, ElasticChain<S>> {
     /// Returns the contact force from the oscillators of the chain with its contact stuck. `lifted` is the displacement
     /// of the slider, including the displacement of the base.
     pub(super) fn elastic_force(&self, stuck_modes: &[Part<S>], lifted: S) -> S {

@@ -9,11 +9,11 @@ use super::lines::{LineCrossing, Lines};
 use crate::errors::OutOfDomain;
 use crate::motion::clock::phase;
 use crate::motion::contact::law::{ContactChain, Law};
-use crate::motion::contact::state::{ContactState, Outcome, Sought};
+use crate::motion::contact::state::{ContactState, SegmentOutcome, Sought};
 use crate::motion::oscillator::{Part, advanced};
 use crate::motion::series::{Power, ROUNDINGS, TERMS};
-use crate::motion::setting::Setting;
-use crate::motion::walk::{Walk, WalkStart, first_zero};
+use crate::motion::setting::MotionSetting;
+use crate::motion::walk::{WalkResult, WalkStart, first_zero};
 use crate::number::scalar::Float;
 
 /// Upper bound on the rate at which the friction law changes the motion, as a multiple of the fastest mode's rate.
@@ -22,7 +22,7 @@ pub const MAX_STEEPNESS: u32 = 4096;
 /// A piece of motion counts as having no length if it is shorter than this number of rounding units.
 const STILL: f64 = 64.0;
 
-impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {
+impl<S: Float, K: ContactChain<S>> MotionSetting<'_, S, K> {
     /// The largest rate, in rad per rad of the excitation, at which modes and excitation oscillate.
     fn turning(&self, modes: &[Part<S>]) -> S {
         let one = S::constant(1.0);
@@ -116,7 +116,7 @@ impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {
 /// Searches for the end of a piece of sliding motion on one line of the friction law. The end is an event, the start of
 /// another line, or the end of the series.
 pub(crate) fn seek<S: Float, K: ContactChain<S>>(
-    setting: &Setting<'_, S, K>,
+    setting: &MotionSetting<'_, S, K>,
     modes: &mut [Part<S>],
     lines: &mut Lines<'_, S>,
     start: ContactState<S>,
@@ -129,7 +129,7 @@ pub(crate) fn seek<S: Float, K: ContactChain<S>>(
         Some(high) => {
             let stretch = setting.stretch(modes, &line);
             let Some(end) = setting.slope(modes, &mut sought, (&line, high), stretch) else {
-                sought.outcome = Outcome::Holds;
+                sought.outcome = SegmentOutcome::Holds;
                 return sought;
             };
             (stretch, end)
@@ -138,7 +138,7 @@ pub(crate) fn seek<S: Float, K: ContactChain<S>>(
     };
     sought.tau = at * length;
     if crossing == LineCrossing::Slower && line.low.is_zero() {
-        sought.outcome = Outcome::Halts;
+        sought.outcome = SegmentOutcome::Halts;
         lines.leads_to(LineCrossing::None, true);
     } else if let Some(short) = lines.leads_to(crossing, S::constant(STILL * S::EPSILON) < at) {
         sought.tau = length * short.min(one);
@@ -146,7 +146,7 @@ pub(crate) fn seek<S: Float, K: ContactChain<S>>(
     sought
 }
 
-impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {
+impl<S: Float, K: ContactChain<S>> MotionSetting<'_, S, K> {
     /// Finds the end of a piece on any line of the friction law except the last. The result is a fraction of the
     /// longest piece, whose length is `stretch`. Returns `None` if the contact cannot start to move from zero velocity.
     fn slope(
@@ -171,9 +171,9 @@ impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {
         let from = start.memory.map_or(WalkStart::Anywhere, leaving);
         let falls = velocity.seen(sign, line.low, one);
         let (at, crossing) = match first_zero(&falls, from, &mut sought.steps) {
-            Walk::Zero(at, _) => (at, LineCrossing::Slower),
-            Walk::Until(at) => (at, LineCrossing::None),
-            Walk::NoStart => return None,
+            WalkResult::Zero(at, _) => (at, LineCrossing::Slower),
+            WalkResult::Until(at) => (at, LineCrossing::None),
+            WalkResult::NoStart => return None,
         };
         if !(zero < at) {
             // A piece of length zero has no earlier crossing.
@@ -182,8 +182,8 @@ impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {
         let rises = velocity.seen(-sign, -high, at);
         let met = first_zero(&rises, WalkStart::Anywhere, &mut sought.steps);
         Some(match met {
-            Walk::Zero(place, _) => (place, LineCrossing::Faster),
-            Walk::Until(place) if place < at => (place, LineCrossing::None),
+            WalkResult::Zero(place, _) => (place, LineCrossing::Faster),
+            WalkResult::Until(place) if place < at => (place, LineCrossing::None),
             _ => (at, crossing),
         })
     }
@@ -202,9 +202,9 @@ impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {
         sum.constant = -line.low;
         sum.noise = sum.noise + line.low * S::constant(ROUNDINGS * S::EPSILON);
         match first_zero(&sum, WalkStart::Anywhere, &mut sought.steps) {
-            Walk::Zero(at, _) => (at, LineCrossing::Slower),
-            Walk::Until(at) => (at, LineCrossing::None),
-            Walk::NoStart => (reach, LineCrossing::None),
+            WalkResult::Zero(at, _) => (at, LineCrossing::Slower),
+            WalkResult::Until(at) => (at, LineCrossing::None),
+            WalkResult::NoStart => (reach, LineCrossing::None),
         }
     }
 }
@@ -212,7 +212,7 @@ impl<S: Float, K: ContactChain<S>> Setting<'_, S, K> {
 /// Sets the modes to their state a time τ after the start of a piece. `to` is sine and cosine of the excitation's phase
 /// at that instant.
 pub(crate) fn place<S: Float, K: ContactChain<S>>(
-    setting: &Setting<'_, S, K>,
+    setting: &MotionSetting<'_, S, K>,
     modes: &mut [Part<S>],
     lines: &Lines<'_, S>,
     (start, tau): (&ContactState<S>, S),

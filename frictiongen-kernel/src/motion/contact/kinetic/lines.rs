@@ -6,7 +6,7 @@ use crate::errors::{Given, OutOfDomain};
 use crate::number::scalar::Float;
 
 /// Trait of a kinetic friction law: Coulomb's law, or straight lines that give the force as a function of the speed.
-pub trait Level<'a, S>: Copy {
+pub trait KineticLaw<'a, S>: Copy {
     /// Returns the lines of the law, or `None` if the kinetic friction is constant.
     fn lines(&self) -> Option<&Lines<'a, S>>;
     /// Returns the lines of the law as a mutable reference, or `None` if the kinetic friction is constant.
@@ -17,7 +17,7 @@ pub trait Level<'a, S>: Copy {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Constant;
 
-impl<'a, S> Level<'a, S> for Constant {
+impl<'a, S> KineticLaw<'a, S> for Constant {
     #[inline]
     fn lines(&self) -> Option<&Lines<'a, S>> {
         None
@@ -169,7 +169,7 @@ impl<'a, S: Float> Lines<'a, S> {
     }
 }
 
-impl<'a, S: Float> Level<'a, S> for Lines<'a, S> {
+impl<'a, S: Float> KineticLaw<'a, S> for Lines<'a, S> {
     fn lines(&self) -> Option<&Lines<'a, S>> {
         (!self.points.is_empty()).then_some(self)
     }
@@ -181,7 +181,7 @@ impl<'a, S: Float> Level<'a, S> for Lines<'a, S> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Level, LineCrossing, Lines};
+    use super::{KineticLaw, LineCrossing, Lines};
 
     const LAW: [[f64; 2]; 2] = [[0.1, 0.8], [0.3, 0.5]];
 

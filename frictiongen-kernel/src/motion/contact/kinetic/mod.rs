@@ -6,6 +6,6 @@ mod lines;
 mod segment;
 
 pub use coupled::MAX_STEEPNESS;
-pub use lines::{Constant, Level, Lines};
+pub use lines::{Constant, KineticLaw, Lines};
 
 pub(crate) use line::{KineticLine, line, place as line_at, steepest};

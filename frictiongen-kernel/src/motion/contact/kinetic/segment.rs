@@ -2,20 +2,20 @@
 //! sum over the modes. On a line of the law the motion is a power series.
 
 use super::coupled;
-use super::lines::Level;
+use super::lines::KineticLaw;
 use crate::motion::contact::law::{ContactChain, Law};
 use crate::motion::contact::state::{Contact, ContactState, Sought};
 use crate::motion::oscillator::Part;
 use crate::motion::segment;
-use crate::motion::setting::Setting;
+use crate::motion::setting::MotionSetting;
 use crate::number::scalar::Float;
 
-impl<'a, S: Float, K: ContactChain<S>> Setting<'a, S, K> {
+impl<'a, S: Float, K: ContactChain<S>> MotionSetting<'a, S, K> {
     /// Searches for the next event after the given state of the contact, within the time `reach` in τ. Sets the
     /// oscillators to the start of the segment.
     pub(crate) fn seek_under(
         &self,
-        level: &mut impl Level<'a, S>,
+        level: &mut impl KineticLaw<'a, S>,
         parts: &mut [Part<S>],
         contact_state: ContactState<S>,
         reach: S,
@@ -33,7 +33,7 @@ impl<'a, S: Float, K: ContactChain<S>> Setting<'a, S, K> {
     /// excitation's phase at that instant.
     pub(crate) fn place_under(
         &self,
-        level: &impl Level<'a, S>,
+        level: &impl KineticLaw<'a, S>,
         parts: &mut [Part<S>],
         sought: &Sought<S>,
         (tau, to): (S, (S, S)),
@@ -51,7 +51,7 @@ impl<'a, S: Float, K: ContactChain<S>> Setting<'a, S, K> {
     /// the contact at rest.
     pub(crate) fn contact_force(
         &self,
-        level: &impl Level<'a, S>,
+        level: &impl KineticLaw<'a, S>,
         parts: &[Part<S>],
         contact_state: &ContactState<S>,
         at: (S, S),

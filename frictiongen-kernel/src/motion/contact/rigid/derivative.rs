@@ -3,7 +3,7 @@
 
 use crate::motion::contact::state::{Contact, ContactState, SegmentEnd};
 use crate::motion::oscillator::Part;
-use crate::motion::setting::Setting;
+use crate::motion::setting::MotionSetting;
 use crate::number::pairs::{pairs, pairs_mut};
 use crate::number::scalar::Float;
 
@@ -11,7 +11,7 @@ use crate::number::scalar::Float;
 /// A column has y and u of each mode in turn. `modes` and `stuck_modes` are the oscillators after the segment. The
 /// function overwrites the states in `stuck_modes`.
 pub(super) fn carry<S: Float>(
-    setting: &Setting<'_, S>,
+    setting: &MotionSetting<'_, S>,
     (modes, stuck_modes): (&[Part<S>], &mut [Part<S>]),
     contact_state: &ContactState<S>,
     end: &SegmentEnd<S>,
@@ -43,7 +43,7 @@ pub(super) fn carry<S: Float>(
 /// Advances small deviations of the state while the contact sticks. The deviation of the contact's displacement stays
 /// constant. The rest of a deviation moves with the modes of the chain with its contact stuck.
 fn stuck<S: Float>(
-    setting: &Setting<'_, S>,
+    setting: &MotionSetting<'_, S>,
     stuck_modes: &mut [Part<S>],
     t: S,
     end: &SegmentEnd<S>,
@@ -75,7 +75,7 @@ fn stuck<S: Float>(
 /// function whose zero is the event. During this time the state has the slope before the event instead of the slope
 /// after it. The two slopes differ by the jump of the contact force.
 fn jump<S: Float>(
-    setting: &Setting<'_, S>,
+    setting: &MotionSetting<'_, S>,
     contact_state: &ContactState<S>,
     end: &SegmentEnd<S>,
     column: &mut [S],

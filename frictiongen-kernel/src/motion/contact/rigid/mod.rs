@@ -3,7 +3,7 @@
 mod derivative;
 mod on_chain;
 
-use super::law::{Law, Slide};
+use super::law::{Law, SlideStart};
 use super::state::Contact;
 use crate::number::scalar::Float;
 
@@ -38,7 +38,7 @@ impl<S: Float> Law<S> for Rigid<S> {
     }
 
     #[inline]
-    fn leave_rest(self, force: S) -> Option<Slide<S>> {
+    fn leave_rest(self, force: S) -> Option<SlideStart<S>> {
         if force.abs() <= self.grip() {
             return None;
         }
@@ -46,8 +46,8 @@ impl<S: Float> Law<S> for Rigid<S> {
     }
 
     #[inline]
-    fn break_away(self, contact: Contact) -> Slide<S> {
-        Slide {
+    fn break_away(self, contact: Contact) -> SlideStart<S> {
+        SlideStart {
             contact,
             excess: self.grip() - self.level,
         }

@@ -6,7 +6,7 @@ use crate::motion::clock::phase;
 use crate::motion::contact::law::{ContactChain, Law};
 use crate::motion::contact::state::{Contact, ContactState, Event, SegmentEnd};
 use crate::motion::oscillator::Part;
-use crate::motion::setting::Setting;
+use crate::motion::setting::MotionSetting;
 use crate::number::complex::Complex;
 use crate::number::scalar::Float;
 
@@ -34,7 +34,7 @@ impl<S: Float> ContactChain<S> for Chain<S> {
         Rigid { level, stiction }
     }
 
-    fn contact_state(setting: &Setting<'_, S>, parts: &[Part<S>], t: S) -> ContactState<S> {
+    fn contact_state(setting: &MotionSetting<'_, S>, parts: &[Part<S>], t: S) -> ContactState<S> {
         let at = phase(t);
         if let Some(contact) = setting.direction(parts, at) {
             return ContactState {
@@ -50,7 +50,7 @@ impl<S: Float> ContactChain<S> for Chain<S> {
 
     /// Returns the relative displacement z̄ of the contact.
     fn stuck_place(
-        setting: &Setting<'_, S>,
+        setting: &MotionSetting<'_, S>,
         modes: &[Part<S>],
         _: &ContactState<S>,
         at: (S, S),
@@ -58,13 +58,13 @@ impl<S: Float> ContactChain<S> for Chain<S> {
         setting.relative(modes, at)
     }
 
-    fn stuck_velocity(_: &Setting<'_, S>, _: &[Part<S>], _: (S, S)) -> S {
+    fn stuck_velocity(_: &MotionSetting<'_, S>, _: &[Part<S>], _: (S, S)) -> S {
         S::constant(0.0)
     }
 
     /// Returns the force that keeps the contact at rest.
     fn stuck_force(
-        setting: &Setting<'_, S>,
+        setting: &MotionSetting<'_, S>,
         modes: &[Part<S>],
         _: &ContactState<S>,
         at: (S, S),
@@ -73,7 +73,7 @@ impl<S: Float> ContactChain<S> for Chain<S> {
     }
 
     /// Returns the force from the displacement wᵀx̄ = `place` + s cos τ_e, which the contact has at z̄ = `place`.
-    fn steady_stuck_force(setting: &Setting<'_, S>, place: S) -> (S, Complex<S>) {
+    fn steady_stuck_force(setting: &MotionSetting<'_, S>, place: S) -> (S, Complex<S>) {
         let inverse_mass = setting.dynamics.chain.inverse_mass;
         let base = setting.base;
         (
@@ -85,7 +85,12 @@ impl<S: Float> ContactChain<S> for Chain<S> {
         )
     }
 
-    fn halt(setting: &Setting<'_, S>, modes: &[Part<S>], at: (S, S), end: &mut SegmentEnd<S>) {
+    fn halt(
+        setting: &MotionSetting<'_, S>,
+        modes: &[Part<S>],
+        at: (S, S),
+        end: &mut SegmentEnd<S>,
+    ) {
         let law = setting.law();
         let before = end.contact_state.contact;
         let force = setting.holding(modes, at);
@@ -104,7 +109,7 @@ impl<S: Float> ContactChain<S> for Chain<S> {
         end.contact_state = setting.sliding_away(end.contact_state.t, slide);
     }
 
-    fn break_away(setting: &Setting<'_, S>, contact: Contact, end: &mut SegmentEnd<S>) {
+    fn break_away(setting: &MotionSetting<'_, S>, contact: Contact, end: &mut SegmentEnd<S>) {
         let slide = setting.law().break_away(contact);
         end.event = Some(Event::Slip);
         end.contact_state = setting.sliding_away(end.contact_state.t, slide);
@@ -112,7 +117,7 @@ impl<S: Float> ContactChain<S> for Chain<S> {
     }
 
     fn carry_deviations(
-        setting: &Setting<'_, S>,
+        setting: &MotionSetting<'_, S>,
         (modes, stuck_modes): (&[Part<S>], &mut [Part<S>]),
         contact_state: &ContactState<S>,
         end: &SegmentEnd<S>,
