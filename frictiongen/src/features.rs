@@ -1,8 +1,8 @@
-//! Features of the response, for emitted and run-time systems, without allocation: thresholds, limits for r → 0 and r →
-//! ∞, and changes of the regime.
+//! Features of the response for emitted and run-time systems, computed without allocation: thresholds, limits for r → 0
+//! and r → ∞, and changes of the regime.
 //!
-//! `System::features` (feature `study`) finds more features: those that need the scene's mode shapes, and complete
-//! lists.
+//! `System::features` (feature `study`) finds more features. It also needs the mode shapes of the scene, and it says
+//! which of its lists are complete.
 //!
 //! ```
 //! use frictiongen::features::{self, Change};
@@ -40,11 +40,12 @@ use crate::sweep::SweepError;
 use crate::{FrictionSystem, Limits, LimitsAt, OutOfDomain, Regime};
 use frictiongen_kernel::{Float, Scalar};
 
-/// Writes the limit of continuous motion β_lim at every resonance into the caller's slice, in ascending order of the
-/// resonances.
+/// Writes the limit of continuous motion β_lim at every resonance into the caller's slice. The entries follow the
+/// resonances in ascending order.
 ///
-/// Without damping, β_lim at resonance i is the threshold β_n,i (6.2, 6.26). Below this friction ratio the amplitude is
-/// unbounded. With damping, (7.62) estimates β_lim. If the contact does not drive a mode, its entry has no meaning.
+/// Without damping, β_lim at resonance i is the threshold β_n,i (6.2, 6.26). At a smaller friction ratio the amplitude
+/// of the steady state is unbounded. With damping, (7.62) estimates β_lim. If the contact does not drive a mode, the
+/// entry of this mode has no meaning.
 ///
 /// # Errors
 /// [`SweepError::Length`] for a slice whose length is not the number of resonances. The slice then stays unchanged.
@@ -66,7 +67,8 @@ pub fn thresholds_into<F: FrictionSystem>(
     Ok(())
 }
 
-/// Returns β_lim and β*_lim for r → 0. β_lim is 0 (6.4). For β up to β*_lim the contact slides for r → 0 (6.5).
+/// Returns β_lim and β*_lim for the frequency ratio r → 0. β_lim is 0 (6.4). The contact slides for r → 0 if β < β*_lim
+/// (6.5).
 ///
 /// # Errors
 /// No errors, because 0 is in the domain.
@@ -74,7 +76,7 @@ pub fn limits_at_rest<F: FrictionSystem>(system: &F) -> Result<Limits<F::Scalar>
     Ok(system.at(F::Scalar::constant(0.0))?.limits())
 }
 
-/// Returns the values of β_lim and β*_lim for r → ∞ (6.28). Both are infinite for a contact with a moving base.
+/// Returns β_lim and β*_lim for the frequency ratio r → ∞ (6.28). Both are infinite for a contact with a moving base.
 ///
 /// # Errors
 /// No errors, because ∞ is in the domain.
@@ -107,8 +109,8 @@ pub struct RegimeChanges<'s, F: FrictionSystem> {
 /// Finds the changes of the regime over a range of frequency ratios at the friction ratio β, in ascending order.
 /// Bisection locates each change to the last digits.
 ///
-/// The search evaluates the regime at `steps` + 1 frequencies. It misses a regime whose whole range lies between two
-/// neighbouring frequencies. `System::features` misses fewer regimes, and says whether its list is complete.
+/// The search evaluates the regime at `steps` + 1 frequency ratios. It misses a regime whose whole range lies between
+/// two neighbouring frequency ratios. `System::features` misses fewer regimes, and says whether its list is complete.
 ///
 /// # Errors
 /// [`OutOfDomain`] unless the range begins above 0 and ends at a larger, finite r. [`OutOfDomain`] also for NaN,
@@ -141,7 +143,8 @@ impl<F: FrictionSystem> RegimeChanges<'_, F> {
         self.system.at(r).ok()?.regime(self.beta).ok()
     }
 
-    /// Returns the next frequency ratio at which the iterator evaluates the regime, or `None` beyond the range.
+    /// Returns the next frequency ratio at which the iterator evaluates the regime, or `None` after the end of the
+    /// range.
     fn next_place(&mut self) -> Option<F::Scalar> {
         if self.steps <= self.step {
             return None;

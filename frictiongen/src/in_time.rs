@@ -42,12 +42,12 @@ use frictiongen_kernel::orbit::{Orbit, OrbitMotion};
     label = "add `orbit` to the scene's `provide: [...]`"
 )]
 pub trait OrbitAt: LimitsAt {
-    /// The type of the steady state at one friction ratio.
+    /// The type of the steady state that [`orbit`](Self::orbit) returns.
     type Orbit<'o>: SteadyState<Scalar = Self::Scalar>
     where
         Self: 'o;
 
-    /// Returns the steady state that motion from rest reaches at the friction ratio β = F/P.
+    /// Returns the steady state that the motion from rest reaches at the friction ratio β = F/P.
     ///
     /// # Errors
     /// [`NoOrbit`], with the reason why motion from rest reaches no steady state.
@@ -61,14 +61,14 @@ pub trait OrbitAt: LimitsAt {
     fn orbit_or_last_cycles(&self, beta: Self::Scalar) -> Result<Self::Orbit<'_>, NoOrbit>;
 }
 
-/// A steady state of the scene in any regime.
+/// A steady state of a scene at one frequency and one friction ratio, in any regime.
 pub trait SteadyState {
     /// The scalar type of the scene.
     type Scalar: Float;
 
     /// Returns the number of excitation cycles after which the motion repeats: 1, or up to 64 for a subharmonic state.
     fn period(&self) -> u32;
-    /// Returns true if the motion repeats. If false, this state contains the last 64 computed cycles.
+    /// Returns true if the motion repeats. Otherwise this state contains the last 64 computed cycles.
     fn is_settled(&self) -> bool;
     /// Returns the number of stops of the contact in a period. At a stop the contact starts to stick.
     fn stops(&self) -> usize;
@@ -80,7 +80,8 @@ pub trait SteadyState {
     fn is_symmetric(&self) -> bool;
     /// Returns true if the steady state is stable: no small deviation from the motion grows.
     fn is_stable(&self) -> bool;
-    /// Returns true if the steady state belongs to a continuum of steady states, or lies at its end.
+    /// Returns true if the steady state belongs to a continuum of steady states, or is the end of a continuum. In a
+    /// continuum, each state lies arbitrarily close to others.
     fn is_marginal(&self) -> bool;
     /// Returns the Floquet multipliers: the complex factors by which small deviations from the motion change in a
     /// period.
@@ -94,9 +95,9 @@ pub trait SteadyState {
     ) -> Option<T>;
 }
 
-/// Methods of the kernel's steady state, as a separate trait. [`SteadyState`] is implemented for every type that derefs
-/// to a type with `Kept`. Without the separate trait, a later implementation of `Deref` for the kernel's type would
-/// cause two conflicting implementations of [`SteadyState`].
+/// Methods of the kernel's type of a steady state. [`SteadyState`] is implemented for every type that derefs to a type
+/// with `Kept`. The methods need this separate trait. Without it, a later implementation of `Deref` for the kernel's
+/// type would cause two conflicting implementations of [`SteadyState`].
 #[doc(hidden)]
 pub trait Kept {
     type Scalar: Float;
@@ -225,12 +226,13 @@ where
     }
 }
 
-/// The motion of the contact or of a mass in a steady state, with displacements in the non-dimensional form x̄.
+/// Motion of the contact or of a mass in a steady state. Displacements are non-dimensional: x̄ = x/(P/k₁), or x/Y for
+/// base motion.
 pub trait Periodic {
     /// The scalar type of the scene.
     type Scalar: Float;
 
-    /// Returns the largest |x̄| of the period.
+    /// Returns the largest |x̄| in the period of the motion.
     fn amplitude(&self) -> Self::Scalar;
     /// Returns the lag of the maximum of x̄ behind the maximum of the excitation, in rad, in (−π, π].
     fn phase(&self) -> Self::Scalar;
@@ -238,11 +240,11 @@ pub trait Periodic {
     fn displacement(&self, tau: Self::Scalar) -> Self::Scalar;
     /// Returns the velocity dx̄/dτ at the phase τ. At τ = 0 the contact's relative motion has a maximum.
     fn velocity(&self, tau: Self::Scalar) -> Self::Scalar;
-    /// Returns X_n, the complex amplitude of harmonic n in x̄ = Re Σ X_n e^{inτ_e}. τ_e = 0 is a maximum of the
-    /// excitation. X_0 is the mean.
+    /// Returns X_n, the complex amplitude of harmonic n in x̄ = Re Σ X_n e^{inτ_e}. The phase τ_e is 0 at a maximum of
+    /// the excitation. X_0 is the mean.
     fn harmonic(&self, n: u32) -> Complex<Self::Scalar>;
-    /// Returns the complex amplitude of the component with k cycles in a period of the motion. Every
-    /// [`SteadyState::period`]-th component is a harmonic.
+    /// Returns the complex amplitude of the component with k cycles in a period of the motion. If the period has N
+    /// cycles of the excitation, component k = nN is harmonic n.
     fn subharmonic(&self, k: u32) -> Complex<Self::Scalar>;
 }
 

@@ -43,7 +43,7 @@ use frictiongen_kernel::simulation::{Moment, Segment, Simulation};
     label = "add `simulation` to the scene's `provide: [...]`"
 )]
 pub trait Simulates: FrictionSystem {
-    /// The type of a simulation in time.
+    /// The type of the simulation that [`simulation`](Self::simulation) returns.
     type Run<'a>: Run<Scalar = Self::Scalar>
     where
         Self: 'a;
@@ -56,8 +56,8 @@ pub trait Simulates: FrictionSystem {
     -> Result<Self::Run<'_>, OutOfDomain>;
 }
 
-/// A scene whose exact motion in time depends on the load's amplitude. This is an emitted scene with `friction:
-/// stribeck`, or any run-time system.
+/// A scene whose exact motion in time depends on the amplitude of the load. Such a scene is an emitted scene with
+/// `friction: stribeck`, or any run-time system.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` gives no motion in time under a load of known amplitude",
     label = "add `simulation` to the scene's `provide: [...]`; without `friction: stribeck` it is `Simulates`"
@@ -65,7 +65,7 @@ pub trait Simulates: FrictionSystem {
 pub trait SimulatesUnder {
     /// The scalar type of the scene.
     type Scalar: Float;
-    /// The type of a simulation in time.
+    /// The type of the simulation that [`simulation_under`](Self::simulation_under) returns.
     type Run<'a>: Run<Scalar = Self::Scalar>
     where
         Self: 'a;
@@ -89,7 +89,8 @@ pub trait Run {
     /// The scalar type of the scene.
     type Scalar: Float;
 
-    /// Advances to the next event, or by at most `reach` in the phase τ = ωt. A reach of 0 does nothing.
+    /// Advances to the next event, or by `reach` in the phase τ = ωt if no event comes earlier. A reach of 0 does
+    /// nothing.
     ///
     /// # Errors
     /// [`OutOfDomain`] for a reach that is negative, infinite or NaN. The simulation then stays unchanged.
@@ -100,12 +101,12 @@ pub trait Run {
     fn phase(&self) -> Self::Scalar;
     /// Returns the state of the contact just after the present instant: sticking, or sliding in a direction.
     fn contact(&self) -> Contact;
-    /// Returns the relative displacement z̄ and the relative velocity dz̄/dτ in the contact.
+    /// Returns the relative displacement z̄ in the contact, and the relative velocity dz̄/dτ.
     fn relative(&self) -> (Self::Scalar, Self::Scalar);
     /// Returns the friction force in the contact, divided by the load amplitude P.
     fn friction(&self) -> Self::Scalar;
-    /// Returns the present displacement and velocity of a mass. `mass` is the index in the description. For an invalid
-    /// index, displacement and velocity are 0.
+    /// Returns the present displacement x̄ and velocity dx̄/dτ of a mass. `mass` is the index in the description. For
+    /// an invalid index, both are 0.
     fn moment(&self, mass: usize) -> Moment<Self::Scalar>;
 }
 

@@ -7,22 +7,22 @@ use frictiongen_kernel::oscillator::decay::Decay;
 use frictiongen_kernel::response::motion::{Largest, Motion};
 use frictiongen_kernel::table::{SteadyContact, TabledMotion};
 
-/// Selects a motion or a force: the motion of the contact, of a mass, or of a combination of masses and base, the force
-/// in a spring, or the base shear.
+/// Selects a motion or a force of a scene. A motion is that of the contact, of a mass, or of a combination of masses
+/// and base. A force is that in a spring, or the base shear.
 ///
-/// Emitted solvers provide the motions of the contact and of masses. A run-time `System` provides all others as well.
-/// Forces are divided by P (by k₁Y for base motion).
+/// Emitted solvers provide the motions of the contact and of masses. A run-time `System` provides all variants. Forces
+/// are divided by the load amplitude P, or by k₁Y for base motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Of {
-    /// The relative motion in the contact.
+    /// The relative motion of the two sides of the contact.
     Contact,
     /// The displacement of a mass, by its index in the description.
     Mass(usize),
-    /// The displacement of the first mass relative to the second, by their indices.
+    /// The displacement of the first mass minus the displacement of the second mass, by their indices.
     Relative(usize, usize),
-    /// The displacement of a mass relative to the base, by the index of the mass. If the base is not excited, it is at
-    /// rest.
+    /// The displacement of a mass minus the displacement of the base, by the index of the mass. A base that is not
+    /// excited is at rest.
     FromBase(usize),
     /// The force in a spring, by its index in the description. It is positive if the second end of the spring moves
     /// away from the first.
@@ -39,12 +39,13 @@ impl Of {
     }
 }
 
-/// The continuous motion of the contact or of a mass, with displacements in the non-dimensional form x̄.
+/// Continuous motion of the contact or of a mass. Displacements are non-dimensional: x̄ = x/(P/k₁), or x/Y for base
+/// motion.
 pub trait Steady {
     /// The scalar type of the scene.
     type Scalar: Float;
 
-    /// Returns the largest |x̄| and its phase from one search, with the work of that search.
+    /// Returns the largest |x̄| and its phase, both from one search, and the work of that search.
     fn largest(&self) -> Largest<Self::Scalar>;
     /// Returns the exact maximum of |x̄|.
     fn amplitude(&self) -> Self::Scalar;
@@ -56,8 +57,8 @@ pub trait Steady {
     fn displacement(&self, tau: Self::Scalar) -> Self::Scalar;
     /// Returns the velocity dx̄/dτ at the phase τ. At τ = 0 the contact's relative motion has a maximum.
     fn velocity(&self, tau: Self::Scalar) -> Self::Scalar;
-    /// Returns X_n, the complex amplitude of harmonic n in x̄ = Re Σ X_n e^{inτ_e}. τ_e = 0 is a maximum of the
-    /// excitation.
+    /// Returns X_n, the complex amplitude of harmonic n in x̄ = Re Σ X_n e^{inτ_e}. The phase τ_e is 0 at a maximum of
+    /// the excitation.
     fn harmonic(&self, n: u32) -> Complex<Self::Scalar>;
 }
 

@@ -45,7 +45,7 @@ use frictiongen_kernel::stepper::{ContactNow, MassNow, Stepped, Work};
 pub trait Steps {
     /// The scalar type of the scene.
     type Scalar: Float;
-    /// The type of the stepper.
+    /// The type of the stepper that [`stepper`](Self::stepper) returns.
     type Stepper<'a>: Stepping<Scalar = Self::Scalar>
     where
         Self: 'a;
@@ -66,12 +66,12 @@ pub struct StepLoad<'l, S> {
     /// Forces on masses. Each entry has the index of a mass in the description, and the force. Forces on the same mass
     /// add up. A mass without an entry carries no force.
     pub forces: &'l [(usize, S)],
-    /// Kinetic friction force F at zero speed, not negative.
+    /// Kinetic friction force F at zero speed, at least 0.
     pub friction: S,
 }
 
 impl<S: Float> StepLoad<'_, S> {
-    /// Returns an input with a friction force and without a load.
+    /// Returns an input with a friction force, without forces on the masses and without base motion.
     #[must_use]
     pub fn friction(friction: S) -> Self {
         Self {
@@ -102,7 +102,7 @@ impl<S: Float> StepLoad<'_, S> {
     }
 }
 
-/// A motion in time steps of equal length. The caller sets the input at every step.
+/// A motion that advances in time steps of equal length. The caller sets the input at every step.
 pub trait Stepping {
     /// The scalar type of the scene.
     type Scalar: Float;
@@ -128,11 +128,11 @@ pub trait Stepping {
     fn mass(&self, index: usize) -> MassNow<Self::Scalar>;
     /// Returns the present state of the contact, with its relative motion and friction force.
     fn contact(&self) -> ContactNow<Self::Scalar>;
-    /// Returns the work done by the loads, by friction and by damping since the start.
+    /// Returns the work of the loads, of friction and of damping since the start.
     fn work(&self) -> Work<Self::Scalar>;
-    /// Returns the number of steps taken.
+    /// Returns the number of steps that the stepper has taken.
     fn steps(&self) -> u64;
-    /// Returns the number of steps with more contact events than the stepper follows.
+    /// Returns the number of steps that had more contact events than the stepper follows.
     fn exceeded(&self) -> u64;
     /// Returns the length of a step, in s.
     fn dt(&self) -> Self::Scalar;
@@ -177,7 +177,7 @@ macro_rules! emitted_stepper {
     };
     (declared $stepper:ident, $scalar:ty, $on_base:literal, [$($mass:literal),*]) => {
         impl $stepper {
-            /// Length of an image in bytes.
+            /// Length of an image of the stepper's state, in bytes.
             pub const IMAGE: ::core::primitive::usize =
                 <<Self as ::core::ops::Deref>::Target>::IMAGE;
 

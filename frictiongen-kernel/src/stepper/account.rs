@@ -7,17 +7,17 @@ use super::types::Stepper;
 use crate::errors::OutOfDomain;
 use crate::number::scalar::Float;
 
-/// Energy balance since the start: work of the load, dissipation and stored energy, in the scene's unit of force times
-/// its unit of length.
+/// Energy balance of a stepper since the start: work of the load, dissipated energy and stored energy. Their unit is
+/// the scene's unit of force times its unit of length.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Work<S> {
-    /// Work of the forces on the masses and of the moving base.
+    /// Work that the forces on the masses and the moving base have done on the chain.
     pub load: S,
-    /// Work dissipated by friction.
+    /// Energy that friction has dissipated.
     pub friction: S,
-    /// Work dissipated by modal damping, computed from the balance: the work of the load, minus the work of friction,
-    /// minus the stored energy.
+    /// Energy that modal damping has dissipated. It is the work of the load, minus the work of friction, minus the
+    /// stored energy.
     pub damping: S,
     /// Increase of kinetic and elastic energy since the start.
     pub stored: S,
@@ -43,7 +43,7 @@ impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepConta
         }
     }
 
-    /// Fails if the work is so large that one more step could overflow the number type.
+    /// Fails if the work since the start is so large that one more step could overflow the number type.
     pub(super) fn check_work(&self) -> Result<(), OutOfDomain> {
         let (_, most) = S::inverse_ratio_range();
         let status = &self.status;
@@ -55,8 +55,8 @@ impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepConta
         }
     }
 
-    /// Returns the kinetic and elastic energy of the chain, over k₁. The result leaves out the contribution of the
-    /// base's displacement, which [`pull`](Self::pull) returns.
+    /// Returns the kinetic and elastic energy of the chain, divided by k₁. [`pull`](Self::pull) returns the further
+    /// elastic energy that the base's displacement causes.
     pub(super) fn energy(&self) -> S {
         let half = S::constant(0.5);
         let modes = self.scene.dynamics.modes.iter().enumerate();
@@ -73,7 +73,7 @@ impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepConta
         sum * half
     }
 
-    /// Returns the energy in the springs to the moving base that comes from the base's displacement, over k₁.
+    /// Returns the energy that the base's displacement adds to the springs between masses and base, divided by k₁.
     pub(super) fn pull(&self) -> S {
         let zero = S::constant(0.0);
         if !self.scene.on_base {

@@ -1,10 +1,10 @@
 //! The bounds on the events of a step, and the rule by which the stepper ends a sub-interval beyond them.
 //!
-//! The rule needs no search. A contact at rest stays stuck for the rest of the sub-interval, unless the force already
-//! exceeds μF. Otherwise the friction force is constant over the rest of
-//! the sub-interval. Of all forces up to the kinetic force, it is the one that moves the contact least. Friction
-//! therefore dissipates the force times this displacement, or nothing, and never creates energy. If the contact would
-//! not have stopped, the force is the kinetic force, and the rest is exact.
+//! The rule needs no search. If the contact is at rest and its force does not exceed μF, it stays stuck for the rest of
+//! the sub-interval. Otherwise the friction force is constant for the rest of the sub-interval. The rule chooses this
+//! force between minus and plus the kinetic force so that the contact moves least. The work of friction, this force
+//! times the displacement, is therefore a dissipation or zero, and the rule never creates energy. If the contact would
+//! not have stopped, the constant force is the kinetic force, and the motion is exact.
 
 use super::cost::{PIECES, RULE, SEARCH};
 use super::interval::{Departure, StepInterval, integral};
@@ -13,16 +13,17 @@ use super::{MAX_EVENTS, MAX_STRETCHES};
 use crate::motion::{Contact, Law, Power, WALK};
 use crate::number::scalar::Float;
 
-/// Force in a stuck contact over μF beyond which the rule lets the contact break away. The excess is far above rounding,
-/// so that no contact that holds moves.
+/// Ratio of the force in a stuck contact to μF above which the rule lets the contact break away. It exceeds 1 by far
+/// more than rounding, so that a contact that can hold never moves.
 const OVERLOADED: f64 = 1.0 + 1.0 / 1024.0;
 
 impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> {
-    /// Returns the number of events in this sub-interval at which the rule takes over, and the largest number of pieces
-    /// of motion in it.
+    /// Returns two bounds for this sub-interval: the number of events at which the rule takes over, and the number of
+    /// pieces of motion.
     pub(super) fn bounds(&self) -> (u32, u32) {
         if self.status.budget == 0 {
-            // The rule takes the time of the last pieces, so that MAX_STRETCHES bounds both.
+            // The rule costs at most as much as RULE pieces. MAX_STRETCHES therefore bounds the pieces and the rule
+            // together.
             return (MAX_EVENTS, MAX_STRETCHES - RULE);
         }
         let events =
@@ -31,7 +32,7 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         (events, pieces * events)
     }
 
-    /// Returns the largest number of evaluations in a search.
+    /// Returns the largest number of evaluations in a search for an event.
     #[inline]
     pub(super) fn search(&self) -> u32 {
         if self.status.budget == 0 {
@@ -41,7 +42,7 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         }
     }
 
-    /// Advances over the rest of the sub-interval by the rule.
+    /// Advances over the rest of the sub-interval by the rule of this module, without a search for events.
     pub(super) fn finish(&mut self, mut departing: Option<Departure<S>>) {
         self.exceeded = true;
         let left = S::constant(1.0) - self.progress;
@@ -66,7 +67,8 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
             return self.slide_on(&velocity, kinetic, left);
         }
         if let Some(Departure { stuck, .. }) = departing {
-            // The contact would move against its departure. It therefore stays where it was stuck.
+            // The contact would move against the direction in which it started to slide. It therefore stays where it
+            // was stuck.
             self.start_sticking(stuck);
             return self.move_held(left);
         }
@@ -76,8 +78,8 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         }
         let free = self.velocity_series([zero; 2]);
         let freely = integral(free.used(), left);
-        // The displacement depends linearly on the force. The share of the kinetic force at which it vanishes is below
-        // 1. A share below −1 stands for a contact that reverses and then slides.
+        // The displacement of the contact depends linearly on the force. The ratio of the force for zero displacement
+        // to the kinetic force is less than 1. A ratio less than −1 means that the contact reverses and then slides.
         let share = (freely / (freely - moved))
             .max(S::constant(-1.0))
             .min(S::constant(1.0));
@@ -106,7 +108,7 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         })
     }
 
-    /// Lets the contact slide over the rest of the sub-interval under a constant force.
+    /// Lets the contact slide over the rest of the sub-interval under a constant friction force.
     fn slide_on(&mut self, velocity: &Power<S>, force: S, left: S) {
         let zero = S::constant(0.0);
         let contact = self.status.contact;

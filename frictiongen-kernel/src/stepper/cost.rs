@@ -4,13 +4,14 @@
 use super::{MAX_EVENTS, MAX_STRETCHES};
 use crate::motion::WALK;
 
-/// Upper bound on the evaluations in a search for an event, in a step with an event budget.
+/// Upper bound on the evaluations of the contact's velocity or force in one search for an event, if the step has an
+/// event budget.
 pub(super) const SEARCH: u32 = 12;
-/// Number of pieces of motion that cost at least as much as the rule that ends a sub-interval, in a chain of up to 64
-/// masses.
+/// Cost of the rule that ends a sub-interval without a search, expressed as a number of pieces of motion. The rule
+/// costs at most as much as these pieces, in a chain of up to 64 masses.
 pub(super) const RULE: u32 = 4;
-/// Upper bound on the pieces of motion up to an event, in a step with an event budget under a friction law over the
-/// speed.
+/// Upper bound on the pieces of motion before an event, if the step has an event budget and the friction force depends
+/// on the speed.
 pub(super) const PIECES: u32 = 4;
 
 /// Numbers of modes, inputs and table entries of a scene, from which the cost of a step follows.
@@ -20,7 +21,7 @@ pub struct Extent {
     pub modes: u64,
     /// Number of modes that the contact drives.
     pub driven: u64,
-    /// Number of modes of the chain minus number of modes of the chain with its contact stuck.
+    /// Number of modes of the chain minus the number of modes of the chain with its contact stuck.
     pub lost: u64,
     /// Number of inputs.
     pub inputs: u64,
@@ -28,17 +29,18 @@ pub struct Extent {
     pub coefficients: u64,
     /// Number of terms of a power series.
     pub terms: u64,
-    /// Number of sub-intervals in a step.
+    /// Number of sub-intervals of a step.
     pub parts: u64,
     /// True if the contact rubs on a moving base.
     pub on_moving_base: bool,
     /// True if damping acts relative to the moving base.
     pub damped_from_base: bool,
-    /// True if the friction law has at least two lines. A second search then finds the end of each line.
+    /// True if the friction law consists of at least two straight lines over the speed. A second search then finds the
+    /// instant at which the speed reaches the end of a line.
     pub lines: bool,
 }
 
-/// Cost of a step in floating-point operations: sums, products, quotients and comparisons.
+/// Cost of one step of a stepper, counted in floating-point operations: sums, products, quotients and comparisons.
 ///
 /// `tables` and `most` are upper bounds by construction. A step that uses only the constant tables costs at most
 /// `tables`, and any step costs at most `most`. On an emulated Cortex-M4F, in single precision and optimised for size,
@@ -46,30 +48,32 @@ pub struct Extent {
 /// instructions. `scripts/firmware` checks these bounds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Cost {
-    /// Cost of a step without a search for events, in operations.
+    /// Cost of a step without a search for events, in floating-point operations.
     pub tables: u64,
-    /// Cost of a step with one event, in operations. The estimate assumes [`Cost::WALK`] evaluations in each search,
-    /// and constant tables in all other sub-intervals.
+    /// Cost of a step with one event, in floating-point operations. The estimate assumes [`Cost::WALK`] evaluations in
+    /// each search, and constant tables in all sub-intervals without an event.
     pub one_event: u64,
-    /// Upper bound on the cost of any step, in operations. Without an event budget, the bound assumes [`MAX_STRETCHES`]
-    /// pieces in every sub-interval, and the largest permitted number of evaluations in each search. With a budget of n
-    /// events, it assumes searches for n + 1 events in every sub-interval, of [`Cost::SEARCH`] evaluations each.
+    /// Upper bound on the cost of any step, in floating-point operations. Without an event budget, the bound assumes
+    /// [`MAX_STRETCHES`] pieces of motion in every sub-interval, and the largest permitted number of evaluations in
+    /// each search. With a budget of n events, it assumes searches for n + 1 events in every sub-interval, with
+    /// [`Cost::SEARCH`] evaluations each.
     pub most: u64,
-    /// Upper bound on the cost of reading the motions of all masses, in operations.
+    /// Upper bound on the cost of reading the motions of all masses after a step, in floating-point operations.
     pub masses: u64,
 }
 
 impl Cost {
-    /// Upper bound on the processor instructions for one floating-point operation.
+    /// Upper bound on the processor instructions that one floating-point operation takes.
     pub const INSTRUCTIONS: u64 = 4;
     /// Upper bound on the processor instructions of a sub-interval that are not floating-point operations.
     pub const FIXED: u64 = 400;
     /// Usual upper bound on the evaluations of the contact's velocity or force in a search for one event.
     pub const WALK: u64 = 8;
-    /// Upper bound on the evaluations in a search for an event, in a step with an event budget.
+    /// Upper bound on the evaluations of the contact's velocity or force in one search for an event, if the step has an
+    /// event budget.
     pub const SEARCH: u64 = SEARCH as u64;
 
-    /// Computes the cost of a step with an event budget, or without one if `budget` is 0.
+    /// Computes the cost of a step with a budget of `budget` events, or without a budget if `budget` is 0.
     pub(super) const fn within(extent: &Extent, budget: u8) -> Self {
         let of = Self::of(extent);
         if budget == 0 {
@@ -148,8 +152,8 @@ impl Extent {
         (modes - driven) * mode + contact + 80 + 6 * inputs * d + reaction
     }
 
-    /// Returns the cost of the force in the stuck contact, without the contribution of the modes. The cost includes the
-    /// work of the base on which the contact sticks.
+    /// Returns the cost of computing the contribution of inputs and base to the force in the stuck contact. The cost
+    /// includes the work of the base on which the contact sticks.
     const fn still(&self) -> u64 {
         let d = self.coefficients;
         let base = if self.on_moving_base {
@@ -183,19 +187,19 @@ impl Extent {
         let moved = driven * (terms * (14 + 7 * d) + (8 * inputs + 9) * d + 12 + reaction);
         let rest = 4 * terms + (inputs + 1) * d * d + 60;
         let on_base = if self.on_moving_base { 50 + 20 * d } else { 0 };
-        // The last term, 8 · terms, is the cost of the bound on the third derivative.
+        // The summand 8 · terms is the cost of the bound on the third derivative.
         series + moved + rest + on_base + 8 * terms
     }
 
-    /// Returns the cost of the rule that ends a sub-interval without a search: the force in the stuck contact, two power
-    /// series, their integrals, a piece of motion, a change to sliding and one to sticking.
+    /// Returns the cost of the rule that ends a sub-interval without a search: the force in the stuck contact, two
+    /// power series, their integrals, a piece of motion, a change to sliding and one to sticking.
     const fn rest(&self) -> u64 {
         let changes = 2 * self.event() + self.held_force();
         2 * self.stretch() + changes + 12 * self.terms + 4 * self.driven + 40
     }
 
-    /// Returns the cost of the motions of all masses: the modes of the chain from those of the stuck chain, and the
-    /// product of the mode shapes with the modes.
+    /// Returns the cost of computing the motions of all masses. If the contact sticks, the modes of the chain follow
+    /// from those of the stuck chain. The product of the mode shapes with the modes gives the motions.
     const fn masses(&self) -> u64 {
         let Self {
             modes,
@@ -206,14 +210,15 @@ impl Extent {
         driven * (12 * (driven - lost) + 12) + modes * (4 * modes + 4)
     }
 
-    /// Returns the cost of one evaluation in a search: the series, two derivatives, and the length of the next step.
+    /// Returns the cost of one evaluation of a power series in a search for an event: the series, two derivatives, and
+    /// the length of the search's next step.
     const fn evaluation(&self) -> u64 {
         // The length of the next step takes at most twelve steps of Newton's method and one square root.
         6 * self.terms + 12 * 14 + 120
     }
 
     /// Returns the cost of a change between sliding and sticking. Each oscillator after the change is a sum over all
-    /// oscillators before it.
+    /// oscillators that existed until then.
     const fn event(&self) -> u64 {
         self.driven * (8 * self.driven + 2 * self.inputs + 12) + 40
     }
@@ -261,7 +266,8 @@ mod tests {
         }
     }
 
-    /// The bound on any step counts a few pieces of motion where the rule takes over. The rule must cost no more.
+    /// The bound on any step counts RULE pieces of motion for the rule that ends a sub-interval. The rule must cost no
+    /// more than these pieces.
     #[test]
     fn the_rule_costs_no_more_than_its_pieces() {
         for driven in 1..=64 {

@@ -3,8 +3,9 @@
 
 use crate::number::scalar::Float;
 
-/// Returns start + Σ a·b. The function sums the products first, because they cancel if an input changes its sign within
-/// a sub-interval. If each product were added to `start`, the rounding errors could exceed the sum of the products.
+/// Returns start + Σ a·b. The function sums the products a·b before it adds `start`. If an input changes its sign
+/// within a sub-interval, the products cancel. Rounding errors of a sum that begins with `start` could then exceed
+/// Σ a·b.
 #[inline(always)]
 pub(super) fn dot<S: Float, const D: usize>(start: S, a: &[S; D], b: &[S; D]) -> S {
     match (a.as_slice(), b.as_slice()) {
@@ -20,7 +21,7 @@ pub(super) fn dot<S: Float, const D: usize>(start: S, a: &[S; D], b: &[S; D]) ->
     }
 }
 
-/// Adds factor·terms to the coefficients in `sum`.
+/// Adds `factor` times `terms` to the coefficients in `sum`.
 #[inline(always)]
 pub(super) fn add<S: Float, const D: usize>(sum: &mut [S; D], factor: S, terms: &[S; D]) {
     match (sum.as_mut_slice(), terms.as_slice()) {
@@ -67,7 +68,8 @@ pub(super) fn sizes<S: Float, const D: usize>(drive: &[S; D]) -> (S, S) {
     }
 }
 
-/// Computes all moments except the first. `rows` has the rows of the constant table, one for each moment.
+/// Computes all moments ∫ sʲ y′ ds of an oscillator except the first, j = 0. `rows` has one row of the constant table
+/// for each moment.
 #[inline(always)]
 pub(super) fn later<S, R, const D: usize>(
     moments: &mut [S; D],

@@ -13,8 +13,8 @@ pub struct Sample<'i, S> {
     pub base: [S; 2],
     /// The forces, one for each loaded mass.
     pub forces: &'i [S],
-    /// The kinetic friction force F, not negative. With linear input, F acts over the step that ends at this sample.
-    /// With zero-order hold, F acts over the step that starts at this sample.
+    /// The kinetic friction force F, at least 0. With linear input, F acts during the step that ends at this sample.
+    /// With zero-order hold, F acts during the step that starts at this sample.
     pub friction: S,
 }
 

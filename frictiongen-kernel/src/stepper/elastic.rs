@@ -41,7 +41,7 @@ fn spring_terms<S: Float, const D: usize, K: StepContact<S>>(
 }
 
 impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> {
-    /// Returns true if the contact is elastic.
+    /// Returns true if the contact is elastic: a spring in series with the slider.
     #[inline]
     pub(super) fn is_elastic(&self) -> bool {
         0 < self.scene.dynamics.chain.remembered()
@@ -62,7 +62,8 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         }
     }
 
-    /// Lets the slider jump, so that the force of the spring changes.  Friction dissipates the energy of the difference.
+    /// Lets the slider jump, so that the force of the spring changes.  Friction dissipates the energy of the
+    /// difference.
     pub(super) fn drop_force(&mut self, from: S, to: S) {
         let half = S::constant(0.5);
         let compliance = self.scene.dynamics.chain.compliance();

@@ -1,8 +1,9 @@
 //! Detects grazes while a stepper carries derivatives.
 //!
-//! At an event a function g of the motion crosses zero. The derivative of the instant is −ġ/g′, where ġ is the derivative
-//! of g with respect to the variable. An error δ of g changes the slope g′ at the crossing by g″δ/g′, and the
-//! derivative by the fraction g″δ/g′². Near a graze g′ vanishes, and this fraction becomes large.
+//! At an event a function g of the motion crosses zero. The derivative of the event's instant with respect to a
+//! variable is −ġ/g′, where ġ is the derivative of g with respect to the variable, and g′ is the rate of g in time. An
+//! error δ of g shifts the instant by δ/g′, and therefore changes the slope g′ by g″δ/g′. The relative error of the
+//! derivative is g″δ/g′². In a graze, g′ almost vanishes at the crossing, and this relative error becomes large.
 
 use super::Store;
 use super::interval::StepInterval;
@@ -12,17 +13,17 @@ use super::types::Stepper;
 use crate::motion::{Law, Power};
 use crate::number::scalar::Float;
 
-/// Error δ of a function of the motion, relative to the sum of the absolute values of its terms: the rounding error of
-/// an input in `f64`.
+/// Error δ of a function of the motion, divided by the sum of the absolute values of the function's terms. It is the
+/// rounding error of an input in `f64`.
 const ROUNDED: f64 = f64::EPSILON;
-/// Largest permitted relative error of the derivative of an event's instant.
+/// Largest permitted relative error of the derivative of an event's instant. Above it, the event counts as a graze.
 const BOUND: f64 = 1e-6;
-/// Distance of a force from μF, relative to μF, within which rounding may decide whether the contact slides.
+/// Largest distance of a contact force from μF, divided by μF, at which rounding may decide whether the contact slides.
 const MARGINAL: f64 = 1e-12;
 
 impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> {
-    /// Notes a graze, if `sum` crosses its level at the instant `tau` so slowly that the derivative of this instant has
-    /// a relative error of more than [`BOUND`]. Numbers without derivatives need no check.
+    /// Notes a graze if `sum` crosses `level` at the instant `tau` so slowly that the derivative of this instant has a
+    /// relative error of more than [`BOUND`]. The function does nothing for numbers without derivatives.
     #[inline]
     pub(super) fn note_crossing(&mut self, sum: &Power<S>, level: S, tau: S) {
         if !S::CARRIES {
@@ -42,7 +43,7 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         self.status.grazed |= !is_steep;
     }
 
-    /// Notes a graze, if rounding may decide whether the contact at zero velocity sticks under `force` or slides.
+    /// Notes a graze if rounding may decide whether the contact, at zero velocity under `force`, sticks or slides.
     #[inline]
     pub(super) fn note_choice(&mut self, force: S) {
         if S::CARRIES {

@@ -26,13 +26,13 @@ use crate::number::scalar::Float;
 const NAME: [u8; 2] = *b"fs";
 /// Version of the form that [`Stepper::write_image`] writes.
 const VERSION: u8 = 1;
-/// Bytes before the counts: name, version, size of a scalar, hash.
+/// Number of bytes before the counts: name, version, size of a scalar, and hash of scene and step.
 const HEAD: usize = 12;
-/// Bytes of the counts and flags.
+/// Number of bytes of the counts and flags of an image.
 const COUNTS: usize = 24;
-/// Bytes of the checksum.
+/// Number of bytes of the checksum at the end of an image.
 const CHECKSUM: usize = 4;
-/// Number of scalars before those of the modes: dt and the status.
+/// Number of scalars that stand in an image before those of the modes: the step dt and the numbers of the status.
 const SCALARS: usize = 14;
 
 /// Returns the length of an image in bytes.  `scalar` is the size of the scalar in bytes.
@@ -54,7 +54,7 @@ pub fn image_step<S: Float>(bytes: &[u8]) -> Result<S, OutOfDomain> {
     Ok(reader.scalar())
 }
 
-/// Returns CRC-32 (IEEE 802.3) of bytes.  It detects every change of up to 32 neighbouring bits.
+/// Returns the checksum CRC-32 (IEEE 802.3) of bytes. It detects every change that is confined to 32 neighbouring bits.
 fn crc<'b>(bytes: impl Iterator<Item = &'b u8>) -> u32 {
     !bytes.fold(u32::MAX, |sum, byte| {
         (0..8).fold(sum ^ u32::from(*byte), |sum, _| {
@@ -63,7 +63,8 @@ fn crc<'b>(bytes: impl Iterator<Item = &'b u8>) -> u32 {
     })
 }
 
-/// Checks name, version, scalar and checksum.  The reader is then at the hash.
+/// Checks the name, the version, the size of a scalar and the checksum of an image. The returned reader stands at the
+/// hash.
 fn checked<S: Float>(bytes: &[u8]) -> Result<Reader<'_>, OutOfDomain> {
     let body = bytes.len().checked_sub(CHECKSUM);
     let (body, sum) = body
@@ -86,7 +87,7 @@ fn checked<S: Float>(bytes: &[u8]) -> Result<Reader<'_>, OutOfDomain> {
     Ok(reader)
 }
 
-/// Reads numbers one after the other.  Past the end it reads zeros.
+/// Reads numbers from bytes, one after the other. After the end of the bytes it reads zeros.
 #[derive(Clone)]
 struct Reader<'b>(core::slice::Iter<'b, u8>);
 
@@ -122,12 +123,13 @@ impl Reader<'_> {
     }
 }
 
-/// Writes numbers one after the other, as long as there is room.
+/// Writes numbers into bytes, one after the other, as long as there is room.
 struct Writer<'b>(core::slice::IterMut<'b, u8>);
 
 impl Writer<'_> {
     fn bytes(&mut self, bytes: &[u8]) {
-        // The bytes come first: `zip` would otherwise take one place too many.
+        // The bytes of the number come first in `zip`. In the other order, `zip` would take one byte too many from
+        // `self.0`.
         for (byte, to) in bytes.iter().zip(self.0.by_ref()) {
             *to = *byte;
         }
@@ -151,7 +153,7 @@ impl Writer<'_> {
 }
 
 impl<S: Float> Status<S> {
-    /// Returns the scalars of the status, in the order of an image.
+    /// Returns the scalars of the stepper's status in the order of an image.
     fn scalars(&self) -> [S; SCALARS - 1] {
         let [base, velocity] = self.base;
         let ([load, load_low], [lost, lost_low]) = (self.load.parts(), self.dissipated.parts());
@@ -172,7 +174,7 @@ impl<S: Float> Status<S> {
         ]
     }
 
-    /// Reads a status.  `None` stands for a value that no stepper writes.
+    /// Reads the status of a stepper from an image. Returns `None` for contents that no stepper writes.
     fn read(reader: &mut Reader<'_>, lines: usize) -> Option<Self> {
         let (steps, exceeded) = (reader.long(), reader.long());
         let line = usize::try_from(reader.word())

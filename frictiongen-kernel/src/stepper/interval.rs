@@ -7,10 +7,11 @@ use super::table::View;
 use crate::motion::ContactChain;
 use crate::number::scalar::Float;
 
-/// Bound on the rounding error of a sum over modes, in rounding units of the sum of the absolute values of its terms.
+/// Bound on the rounding error of a sum over modes, as a multiple of the rounding unit times the sum of the absolute
+/// values of its terms.
 pub(super) const ROUNDINGS: f64 = 8.0;
-/// Factor 1/8: over a unit of time, a function differs from its chord by at most this factor times its largest second
-/// derivative.
+/// Factor 1/8. Over a unit of time, a function differs from its chord by at most 1/8 of the largest absolute value of
+/// its second derivative.
 pub(super) const OFF_CHORD: f64 = 0.125;
 
 /// Data of a stepper during one sub-interval of a step. The unit of time is one sub-interval.
@@ -33,7 +34,7 @@ pub struct StepInterval<'t, 'a, S, const D: usize, K> {
 /// The contact at an instant at which it starts to slide from zero velocity.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Departure<S> {
-    /// Relative acceleration in the direction of sliding.
+    /// Relative acceleration of the contact in the direction of sliding.
     pub slope: S,
     /// Displacement at which the contact stuck until this instant, or `None` if it did not stick.
     pub stuck: Option<S>,
@@ -73,8 +74,7 @@ impl<S: Float, const D: usize, K: ContactChain<S>> StepInterval<'_, '_, S, D, K>
         self.status.dissipated = self.status.dissipated.plus(friction);
     }
 
-    /// Adds `tau` to the elapsed time of the sub-interval, and shifts the origin of the inputs' polynomials to the new
-    /// instant.
+    /// Advances the present instant by `tau`. Shifts the origin of the inputs' polynomials to the new instant.
     pub(super) fn shift_inputs(&mut self, tau: S) {
         let one = S::constant(1.0);
         let end = one - self.progress <= tau;

@@ -6,7 +6,7 @@ use crate::number::scalar::Float;
 
 /// A chain whose contact a stepper can follow.
 pub trait StepContact<S: Float>: ContactChain<S> {
-    /// Returns the force in the stuck contact over a sub-interval, as a polynomial. The result does not contain the
-    /// contribution of the modes.
+    /// Returns the force that keeps the contact stuck over a sub-interval, as a polynomial in time. The result does not
+    /// contain the contribution of the modes.
     fn stuck_force_terms<const D: usize>(interval: &StepInterval<'_, '_, S, D, Self>) -> [S; 4];
 }

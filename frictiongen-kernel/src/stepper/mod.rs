@@ -55,14 +55,16 @@ pub use state::{FixedStore, Store, StoreMut, StoreRef};
 pub use table::{Channel, FixedTables, HeldLoad, StepTables, View, fill, series_terms};
 pub use types::{ContactNow, DeclaredStepper, FixedStepper, MassNow, Stepped, Stepper};
 
-/// Upper bound on the events that the stepper follows in one sub-interval of a step, without an event budget.  After
-/// this number of events, a contact at rest stays stuck for the rest of the sub-interval. Otherwise the friction force
-/// is constant for the rest of the sub-interval, and moves the contact as little as possible.
+/// Upper bound on the events that the stepper follows in one sub-interval of a step without an event budget. After
+/// these events the stepper ends the sub-interval without a search. A contact at rest then stays stuck for the rest of
+/// the sub-interval. Otherwise the friction force is constant for the rest of the sub-interval, and moves the contact
+/// as little as possible.
 pub const MAX_EVENTS: u32 = 8;
 
-/// Upper bound on the pieces of motion that the stepper follows in one sub-interval of a step.  A piece ends at an
-/// event, or when the speed reaches the next straight line of the friction law.  It also ends where the power series of
-/// a steep law stops converging.  The rule that ends a sub-interval takes the time of up to four pieces.
+/// Upper bound on the pieces of motion that the stepper follows in one sub-interval of a step. A piece ends at an
+/// event, or when the speed reaches the next straight line of the friction law. A piece of motion under a steep law
+/// also ends where its power series stops converging. The rule that ends a sub-interval without a search counts as four
+/// pieces.
 pub const MAX_STRETCHES: u32 = 8 * MAX_EVENTS;
 
 /// Upper bound on the sub-intervals of one step.

@@ -1,5 +1,5 @@
-//! Results that a stepper returns: the motion of masses and contact at the end of the last step, and the friction
-//! force.
+//! Results that a stepper returns for the end of the last step: the motion of the masses and of the contact, and the
+//! friction force.
 
 use super::cost::Cost;
 use super::interval::ROUNDINGS;
@@ -13,8 +13,8 @@ use crate::number::scalar::Float;
 impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepContact<S>>
     Stepper<'_, S, D, T, V, K>
 {
-    /// Returns upper bounds on the cost of a step, in floating-point operations. With an event budget, the bound on any
-    /// step is much smaller.
+    /// Returns upper bounds on the cost of a step, in floating-point operations. With an event budget, the bound
+    /// [`Cost::most`] on any step is much smaller than without.
     #[must_use]
     pub fn cost(&self) -> Cost {
         let pace = self.tables.view().pace;
@@ -59,7 +59,8 @@ impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepConta
         self.status.stiction
     }
 
-    /// Derives the contact's state from its velocity. A velocity within the rounding of its terms counts as zero.
+    /// Derives the contact's state from its velocity. A velocity smaller than the rounding error of its sum counts as
+    /// zero.
     pub(super) fn direction(&self) -> Contact {
         let [_, velocity] = self.carrying();
         let (mut sum, mut size) = (-velocity, velocity.abs() + self.status.given);
@@ -75,7 +76,7 @@ impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepConta
         }
     }
 
-    /// Sums the relative motion of the contact over the modes.
+    /// Returns the relative displacement and velocity of the contact as sums over the modes.
     fn contact_sum(&self) -> MassNow<S> {
         let zero = S::constant(0.0);
         let modes = self.scene.dynamics.driven();
@@ -88,14 +89,14 @@ impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepConta
     }
 
     /// Returns displacement and velocity of the contact point while the contact sticks, including the motion of the
-    /// base. The velocity is in the time t√(k₁/m₁).
+    /// base. The velocity refers to the non-dimensional time t√(k₁/m₁).
     pub(super) fn lifted(&self) -> (S, S) {
         let [place, velocity] = self.carrying();
         (self.status.stuck_at + place, velocity)
     }
 
-    /// Returns displacement and velocity of the base on which the contact rubs, in the time t√(k₁/m₁).  Both are zero
-    /// if the contact does not rub on a moving base.
+    /// Returns displacement and velocity of the base on which the contact rubs. The velocity refers to the
+    /// non-dimensional time t√(k₁/m₁). Both numbers are zero if the contact does not rub on a moving base.
     fn carrying(&self) -> [S; 2] {
         if self.scene.rubs_on_base() {
             let [place, velocity] = self.status.base;
@@ -120,9 +121,9 @@ impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepConta
     }
 
     /// Writes the motions of all masses at the end of the last step, in the order of the description. The function
-    /// computes each mode once, so that it costs one product of the mode shapes with the modes
-    /// ([`Cost::masses`]). The results are those of [`mass`](Self::mass) to the last bit. Further entries
-    /// of `to` are at rest.
+    /// computes each mode once. It therefore costs one product of the mode shapes with the modes ([`Cost::masses`]).
+    /// The results equal those of [`mass`](Self::mass) to the last bit. Entries of `to` after the last mass become
+    /// motions at rest.
     pub fn read_masses(&self, to: &mut [MassNow<S>]) {
         let zero = S::constant(0.0);
         let dynamics = &self.scene.dynamics;
@@ -170,7 +171,8 @@ impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepConta
         }
     }
 
-    /// Returns a weighted sum of the modes' displacements, and the same sum of their velocities.
+    /// Returns the sum of the modes' displacements, and of their velocities, each multiplied by the `weight` of the
+    /// mode.
     pub(super) fn sum(&self, weight: impl Fn(usize) -> S) -> MassNow<S> {
         let zero = S::constant(0.0);
         let (mut displacement, mut velocity) = (zero, zero);
@@ -185,7 +187,7 @@ impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepConta
         }
     }
 
-    /// Returns the displacement of a mode, and its velocity in the time t√(k₁/m₁).
+    /// Returns the displacement of a mode and its velocity in the non-dimensional time t√(k₁/m₁).
     pub(super) fn mode(&self, index: usize) -> [S; 2] {
         let zero = S::constant(0.0);
         let dynamics = &self.scene.dynamics;

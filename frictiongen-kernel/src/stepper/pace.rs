@@ -9,14 +9,15 @@ pub struct Pace<S> {
     pub step: S,
     /// Number of sub-intervals in a step.
     pub parts: u32,
-    /// Length of a sub-interval in the time t√(k₁/m₁).
+    /// Length of a sub-interval in the non-dimensional time t√(k₁/m₁).
     pub span: S,
-    /// Angle by which the fastest oscillator advances in a sub-interval, including its damping, in rad. It is at most
-    /// 1.
+    /// Angle by which the fastest oscillator advances in a sub-interval, in rad. The angle includes the effect of
+    /// damping. It is at most 1.
     pub rate: S,
-    /// Number of terms that a power series needs over a sub-interval, so that the neglected terms are below rounding.
+    /// Number of terms of a power series over a sub-interval. The neglected terms are smaller than the rounding error.
     pub terms: u32,
-    /// wᵀK̄⁻¹w, the displacement of the contact per unit of steady force.
+    /// wᵀK̄⁻¹w, the displacement of the contact per unit of steady contact force, with the contact's direction vector w
+    /// and the stiffness matrix K̄ divided by k₁.
     pub receptance: S,
     /// Σ 2ζc/σ over the receptance: damping force per unit of velocity of the stuck contact, times the inverse
     /// effective mass m*.

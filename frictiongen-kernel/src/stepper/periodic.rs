@@ -81,9 +81,9 @@ impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepConta
         Ok(stepped)
     }
 
-    /// Calls `visit` with every number of the state that determines the later motion. These are the displacement and
-    /// the scaled velocity of each oscillator. If the contact sticks, its position is one more number. For an elastic
-    /// contact it is the position of the slider. All numbers are displacements.
+    /// Calls `visit` with every number that determines the later motion. All these numbers are displacements. They are
+    /// the displacement and the scaled velocity of each oscillator. While the contact sticks, the position of the
+    /// contact is one more number. For an elastic contact it is the position of the slider.
     pub fn visit_state(&mut self, mut visit: impl FnMut(&mut S)) {
         let sticks = self.status.contact == Contact::Stuck && !self.status.unknown;
         let driven = self.scene.dynamics.in_contact();
@@ -97,7 +97,7 @@ impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepConta
         if sticks {
             visit(&mut self.status.stuck_at);
         }
-        // A stop that the stepper has noted is not one of the changed state.
+        // The flag `wedged` belongs to the previous state, and does not apply to the changed state.
         self.status.wedged = false;
     }
 

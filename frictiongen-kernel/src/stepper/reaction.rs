@@ -1,8 +1,9 @@
 //! Work of damping forces on the moving base, if damping acts relative to the base.
 //!
-//! The damping load C·1·ẏ on the masses has an opposite reaction on the base. The damping force 1ᵀC1·ẏ also acts on the
-//! base. The work of the base against both forces is 1ᵀC1∫ẏ²dt − ∫ẏ·1ᵀC·ẋ dt. The sums over the inputs add ∫ẏ·1ᵀC·ẋ dt
-//! as work of the load on the masses. The code therefore subtracts twice this integral.
+//! Damping relative to the base gives the masses the load C·1·ẏ, where C is the damping matrix and ẏ is the velocity of
+//! the base. The opposite reaction acts on the base, and so does the damping force 1ᵀC1·ẏ. The work of the base against
+//! both forces is 1ᵀC1∫ẏ²dt − ∫ẏ·1ᵀC·ẋ dt. The sums over the inputs, however, add ∫ẏ·1ᵀC·ẋ dt as work of the load on
+//! the masses. The code therefore subtracts twice this integral.
 
 use super::dot::add;
 use super::drive::derived;
@@ -12,7 +13,8 @@ use crate::number::scalar::Float;
 use core::ops::Range;
 
 impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> {
-    /// Adds 1ᵀC1∫ẏ²dt over the sub-interval to the work of the base.
+    /// Adds 1ᵀC1∫ẏ²dt over the sub-interval to the work of the base. C is the damping matrix and ẏ is the velocity of
+    /// the base.
     pub(super) fn account_base(&mut self) {
         let one = S::constant(1.0);
         let velocity = derived(self.base);
@@ -20,8 +22,8 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         self.account(self.scene.base_drag() * squared, S::constant(0.0));
     }
 
-    /// Subtracts twice the work of the damping load on some modes in the sub-interval, before their states change.
-    /// `force` is the constant friction force in the contact.
+    /// Subtracts twice the work of the base's damping load on some modes in the sub-interval from the work of the load.
+    /// The caller has not yet changed the states of these modes. `force` is the constant friction force in the contact.
     pub(super) fn account_reaction(&mut self, modes: Range<usize>, force: S) {
         let mut work = S::constant(0.0);
         for index in modes {
@@ -40,7 +42,7 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         self.account(-(work + work), S::constant(0.0));
     }
 
-    /// Returns twice the work of a mode's damping load, from the moments of the mode's velocity.
+    /// Returns twice the work of the base's damping load on a mode, computed from the moments of the mode's velocity.
     pub(super) fn reaction(&self, mode: usize, rises: &[S; D]) -> S {
         let load = self.base_load(mode);
         let terms = load.iter().zip(rises);
@@ -50,7 +52,7 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         done + done
     }
 
-    /// Returns the contribution of the base's velocity, through damping, to the rate of a mode's scaled velocity u.
+    /// Returns the rate of a mode's scaled velocity u that the velocity of the base causes through damping.
     fn base_load(&self, mode: usize) -> [S; D] {
         let mut sum = [S::constant(0.0); D];
         let load = self.table.loads_of(mode).get(1);

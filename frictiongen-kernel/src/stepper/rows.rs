@@ -5,71 +5,71 @@ use super::dot::{add, dot};
 use crate::motion::TERMS;
 use crate::number::scalar::Float;
 
-/// One row of a mode's table. It has the weights of the mode's displacement y, of its scaled velocity u, and of the
-/// coefficients of its drive.
+/// One row of a mode's table. It has the weights of the mode's displacement y, of its scaled velocity u (y′ = Ωu), and
+/// of the coefficients of its drive.
 ///
 /// The first row of `moments` and the row `turn` are stored as three shears, so that rounded weights create no energy.
 /// First y increases by before·u, then u by turn·y + loss·u, then y by after·u. The `state` of the first moment is
 /// [before, after], and the `state` of `turn` is [turn, loss]. See docs/decisions/0001-passive-step.md.
 #[derive(Clone, Copy, Debug)]
 pub struct Row<S, const D: usize> {
-    /// Weights of y and u at the start of the sub-interval.
+    /// Weights of the displacement y and of the scaled velocity u at the start of the sub-interval.
     pub state: [S; 2],
     /// Weights of the coefficients of the mode's drive.
     pub drive: [S; D],
 }
 
-/// One row of the table of a mode of the chain with its contact stuck. It has the weights of the mode's state, and of
-/// the coefficients of the drives of y′ and u′. The first row of `moments` and the first of `turns` are stored as three
-/// shears, as in [`Row`].
+/// One row of the table of a mode of the chain with its contact stuck. It has the weights of the mode's state (y, u),
+/// and of the coefficients of the drives of y′ and u′. The first row of `moments` and the first row of `turns` are
+/// stored as three shears, as in [`Row`].
 #[derive(Clone, Copy, Debug)]
 pub struct HeldRow<S, const D: usize> {
-    /// Weights of y and u at the start of the sub-interval.
+    /// Weights of the displacement y and of the scaled velocity u at the start of the sub-interval.
     pub state: [S; 2],
     /// Weights of the coefficients of the drive of y′ and of the drive of u′.
     pub drive: [[S; D]; 2],
 }
 
-/// Table of a mode over a sub-interval of a step: y′ = Ωu, u′ = −Ω(y + 2ζu) + drive, with the sub-interval as the unit
-/// of time.
+/// Table of a mode over a sub-interval of a step. The mode obeys y′ = Ωu and u′ = −Ω(y + 2ζu) + drive. The unit of time
+/// is the sub-interval.
 #[derive(Clone, Copy, Debug)]
 pub struct ModeStep<S, const D: usize> {
     /// Ω, the phase by which the mode would advance in a sub-interval without damping, in rad.
     pub angle: S,
     /// ζ, the modal damping ratio.
     pub zeta: S,
-    /// Rate u′ per unit force on the mode: Ω/σ². σ is the natural frequency of the mode as a frequency ratio.
+    /// Rate u′ per unit of force on the mode: Ω/σ², where σ is the natural frequency of the mode as a frequency ratio.
     pub per_force: S,
     /// φᵀw, the component of the mode in the contact's displacement.
     pub contact: S,
-    /// Weights that give the increase of u over the sub-interval.
+    /// Weights that give the increase of the scaled velocity u over the sub-interval.
     pub turn: Row<S, D>,
-    /// Weights that give the moments ∫ sʲ y′ ds over the sub-interval, for j = 0, 1, …. The moment with
-    /// j = 0 is the increase of y. The moments together give the work of the drive.
+    /// Weights that give the moments ∫ sʲ y′ ds over the sub-interval, for j = 0, 1, …. The moment with j = 0 is the
+    /// increase of the displacement y. The moments multiplied by the coefficients of the drive give the work.
     pub moments: [Row<S, D>; D],
 }
 
-/// Table of a mode of the chain with its contact stuck, over a sub-interval of a step. The mode obeys y′ = Ωu + drive
-/// and u′ = −Ω(y + 2ζu) + drive, with two different drives.
+/// Table of a mode of the chain with its contact stuck, over a sub-interval of a step. The mode obeys y′ = Ωu + a and
+/// u′ = −Ω(y + 2ζu) + b, where a and b are its two drives. The unit of time is the sub-interval.
 #[derive(Clone, Copy, Debug)]
 pub struct HeldStep<S, const D: usize> {
     /// Ω, the phase by which the mode would advance in a sub-interval without damping, in rad.
     pub angle: S,
     /// ζ, the modal damping ratio.
     pub zeta: S,
-    /// Contact force per unit of the displacement y, with opposite sign.
+    /// Contact force per unit of the mode's displacement y, with the opposite sign.
     pub force: S,
-    /// Rates of the mode's displacement y and scaled velocity u while the contact sticks to a moving base. The first
-    /// pair is per unit of the base's velocity, the second per unit of its acceleration.
+    /// Rates of the mode's displacement y and of its scaled velocity u while the contact sticks to a moving base. The
+    /// first pair is per unit of the base's velocity. The second pair is per unit of the base's acceleration.
     pub from_base: [[S; 2]; 2],
-    /// Weights that give ∫ sʲ y′ ds over the sub-interval.
+    /// Weights that give the moments ∫ sʲ y′ ds of the displacement y over the sub-interval, for j = 0, 1, ….
     pub moments: [HeldRow<S, D>; D],
-    /// Weights that give ∫ sʲ u′ ds over the sub-interval.
+    /// Weights that give the moments ∫ sʲ u′ ds of the scaled velocity u over the sub-interval, for j = 0, 1, ….
     pub turns: [HeldRow<S, D>; D],
 }
 
 /// Returns the next coefficients of y and u in the power series of an oscillator, each multiplied by its order. The
-/// arguments are the present coefficients of y and u, and of the drives of y′ and u′.
+/// arguments are the present coefficients of y and u, and the present coefficients of the drives of y′ and u′.
 #[inline]
 pub(super) fn next<S: Float>(
     (angle, zeta): (S, S),
@@ -82,8 +82,8 @@ pub(super) fn next<S: Float>(
 }
 
 /// Computes the moments ∫ sʲ y′ ds for j < D and ∫ sʲ u′ ds for j < E, from 0 to `place`. y is the displacement of an
-/// oscillator, and u is its scaled velocity. `state` is their value at 0. `drive` gives the terms of the power series
-/// of the load.
+/// oscillator, and u is its scaled velocity. `state` gives y and u at 0. `drive` gives the power series of the load,
+/// term by term.
 // An array's `map` would cost more than its sums in code that is optimised for size.
 #[inline]
 pub(super) fn moments<S: Float, const D: usize, const E: usize>(
@@ -109,8 +109,8 @@ pub(super) fn moments<S: Float, const D: usize, const E: usize>(
     (rises, turns)
 }
 
-/// Computes the weights of a term of order n in the moments: n·p^(n+j)/(n+j) for j < D, where p is the end of the
-/// motion. `power` is pⁿ.
+/// Computes the weights with which a term of order n of the power series enters the moments with j < D. The weights are
+/// n·p^(n+j)/(n+j), where p is the end of the motion. `power` is pⁿ.
 #[inline(always)]
 fn weigh<S: Float, const D: usize>(weights: &mut [S; D], order: S, power: S, place: S) {
     let (one, two, three) = (S::constant(1.0), S::constant(2.0), S::constant(3.0));
@@ -141,10 +141,10 @@ fn weigh<S: Float, const D: usize>(weights: &mut [S; D], order: S, power: S, pla
 
 /// Rewrites the weights of y and u over a sub-interval as three shears.
 ///
-/// A product of shears has the determinant 1 for any weights. With these weights the product is a rotation in
-/// coordinates that equal y and u up to rounding errors. Without damping the product therefore conserves exactly a
-/// quadratic form that is nearly the energy. The weight `loss` makes the determinant e^(−2ζΩ), which is the factor by
-/// which damping reduces the energy.
+/// A product of shears has the determinant 1 for any weights. With these weights the product is a rotation, in
+/// coordinates that equal y and u except for rounding errors. Without damping the product therefore conserves exactly a
+/// quadratic form that is nearly the energy. The weight `loss` makes the determinant e^(−2ζΩ). By this factor damping
+/// reduces the energy in a sub-interval.
 fn shear<S: Float, const D: usize>((angle, zeta): (S, S), rows: &mut [[HeldRow<S, D>; D]; 2]) {
     let (zero, one) = (S::constant(0.0), S::constant(1.0));
     let [rises, turns] = rows;
@@ -220,8 +220,8 @@ impl<S: Float, const D: usize> HeldStep<S, D> {
         step
     }
 
-    /// Computes the weights of all moments. A weight is the moment of the motion that one quantity of size 1 causes.
-    /// This quantity is y, u or a coefficient of a drive.
+    /// Computes the weights of all moments of an oscillator. A weight is the moment of the motion that follows if one
+    /// quantity is 1 and all others are 0. The quantities are y, u and the coefficients of the drives.
     fn rows(of: (S, S)) -> [[HeldRow<S, D>; D]; 2] {
         let (zero, one) = (S::constant(0.0), S::constant(1.0));
         let mut rows = [[HeldRow::zero(); D]; 2];

@@ -13,8 +13,8 @@ use crate::motion::{Contact, steepest};
 use crate::number::scalar::Float;
 use core::marker::PhantomData;
 
-/// Upper bound on the relative change of the contact's velocity that a friction law may cause in a sub-interval. With a
-/// steeper law a power series would converge over only a small fraction of the sub-interval.
+/// Upper bound on the change of the contact's velocity that a friction law may cause in a sub-interval, divided by that
+/// velocity. With a steeper law a power series would converge over only a small fraction of the sub-interval.
 const STEEPEST: f64 = 16.0;
 
 impl<'a, S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepContact<S>>
@@ -26,7 +26,7 @@ impl<'a, S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepC
     /// `store` must be the storage of a stepper at rest.
     ///
     /// # Errors
-    /// [`OutOfDomain`] for a state that does not have one finite displacement and velocity for each mass.
+    /// [`OutOfDomain`] if the given state does not have one finite displacement and one finite velocity for each mass.
     pub fn new(
         scene: StepScene<'a, S, K>,
         tables: T,
@@ -155,7 +155,8 @@ impl<'a, S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepC
         let pace = self.tables.view().pace;
         let steep = steepest(self.scene.law);
         if S::constant(0.0) < steep {
-            // This is the relative change of the contact's velocity that the law causes within a sub-interval.
+            // `rate` is the change of the contact's velocity that the law causes within a sub-interval, divided by that
+            // velocity.
             let friction = sample.friction / self.scene.units.stiffness;
             let seconds = pace.step / S::constant(f64::from(pace.parts));
             let rate = self.scene.acceleration(&pace, friction * steep / seconds);
@@ -199,7 +200,7 @@ impl<'a, S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepC
         Ok(stepped)
     }
 
-    /// Advances through all sub-intervals of a step after the first.
+    /// Advances through the second and all later sub-intervals of a step.
     // The compiler must not inline this function and the next one. The inlined code would prepare addresses for further
     // sub-intervals in every step, although most steps have only one.
     #[inline(never)]
@@ -220,8 +221,8 @@ impl<'a, S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepC
         self.status.spent = 0;
     }
 
-    /// Advances through one sub-interval of a step. Returns the number of events. The flag is true if the stepper
-    /// followed no further events because of their bound.
+    /// Advances through one sub-interval of a step. Returns the number of events, and a flag. The flag is true if the
+    /// stepper reached the bound on events and followed no further events.
     #[inline(never)]
     fn advance_interval(
         &mut self,
@@ -255,8 +256,8 @@ impl<'a, S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepC
         }
     }
 
-    /// Applies a jump of the base at the start of a step with zero-order hold. A mass that slides on the base does not
-    /// jump with the base.
+    /// Applies the jump of the base at the start of a step with zero-order hold. A mass that slides on the base does
+    /// not jump with the base.
     fn jump_base(&mut self, [place, velocity]: [S; 2]) {
         if !self.scene.rubs_on_base() || self.status.unknown {
             return;
@@ -320,17 +321,17 @@ impl<'a, S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepC
         base
     }
 
-    /// Sets the event budget of a step, from the next step on: the number of events that the stepper follows in a step.
-    /// 0 removes the budget.
+    /// Sets the event budget, from the next step on. The budget is the number of events that the stepper follows in a
+    /// step. 0 removes the budget.
     ///
     /// A step with at most this number of events has the same result to the last bit as without a budget, unless a
-    /// search needs more than [`Cost::SEARCH`](super::Cost::SEARCH) evaluations. At the next event the stepper ends the
-    /// step by a rule without a search, and reports [`Stepped::exceeded`]. A contact at rest stays stuck. Otherwise the
-    /// friction force is constant for the rest of a sub-interval, at most the kinetic force, and moves the contact
-    /// as little as possible. It therefore does not create energy. [`cost`](Self::cost) returns the largest cost of a
-    /// step with the budget.
+    /// search needs more than [`Cost::SEARCH`](super::Cost::SEARCH) evaluations. At the next event after these, the
+    /// stepper ends the step by a rule without a search, and reports [`Stepped::exceeded`]. By this rule, a contact at
+    /// rest stays stuck. Otherwise the friction force is constant for the rest of a sub-interval. It is at most the
+    /// kinetic force, and moves the contact as little as possible. It therefore does not create energy.
+    /// [`cost`](Self::cost) returns the largest cost of a step with the budget.
     ///
-    /// [`save`](Self::save) and an image keep the budget.
+    /// [`save`](Self::save) and [`write_image`](Self::write_image) store the budget with the state.
     pub fn set_event_budget(&mut self, events: u8) {
         self.status.budget = events;
     }
@@ -338,7 +339,7 @@ impl<'a, S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepC
     /// Sets μ, the ratio of static to kinetic friction force, from the next step on.
     ///
     /// # Errors
-    /// [`OutOfDomain::Stiction`] for NaN, infinity, numbers beyond the scalar's safe range, and numbers less than 1.
+    /// [`OutOfDomain::Stiction`] for NaN, infinity, numbers outside the scalar's safe range, and numbers less than 1.
     pub fn set_stiction(&mut self, mu: S) -> Result<(), OutOfDomain> {
         let (_, most) = S::inverse_ratio_range();
         if !(S::constant(1.0) <= mu && mu <= most) {

@@ -13,7 +13,7 @@ use crate::number::scalar::Float;
 pub struct Saved<S, V> {
     pub(super) status: Status<S>,
     pub(super) store: V,
-    /// Hash of the scene and the step, computed by `Stepper::mark`.
+    /// Hash of the scene and of the step, which `Stepper::mark` computes.
     mark: u64,
 }
 
@@ -33,7 +33,7 @@ impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepConta
         }
     }
 
-    /// Restores a saved state. From this state, the same inputs give results with the same bits.
+    /// Restores a saved state. From this state, the same inputs give results that are equal to the last bit.
     ///
     /// # Errors
     /// [`OutOfDomain::Saved`] if the state comes from a stepper of another scene or step. A hash of both detects this.
@@ -93,8 +93,8 @@ impl<S: Float, const D: usize, T: StepTables<S, D>, V: Store<S, D>, K: StepConta
     }
 }
 
-/// A hash of numbers: FNV-1a over words of 64 bits.  After each word the code combines the upper half with the lower
-/// half.
+/// Hash of numbers by the algorithm FNV-1a, applied to words of 64 bits. After each word the code combines the upper
+/// half of the hash with the lower half.
 struct Hash(u64);
 
 impl Hash {

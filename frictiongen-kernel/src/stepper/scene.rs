@@ -7,14 +7,14 @@ use crate::contact::sums::Chain;
 use crate::motion::{ContactChain, Dynamics, TERMS};
 use crate::number::scalar::Float;
 
-/// Factors that convert non-dimensional groups to the units of the scene.
+/// Factors that convert a stepper's non-dimensional groups to the units of the scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Units<S> {
-    /// k₁, force over displacement.
+    /// k₁, the stiffness of the first spring, in the scene's unit of force divided by its unit of length.
     pub stiffness: S,
-    /// √(k₁/m₁), in rad/s, which converts frequencies.
+    /// √(k₁/m₁), in rad/s, the factor from a frequency ratio to an angular frequency.
     pub rate: S,
-    /// Sum of the stiffnesses of all springs between masses and base, over k₁.
+    /// Sum of the stiffnesses of all springs between masses and base, divided by k₁.
     pub support: S,
 }
 
@@ -54,7 +54,9 @@ impl<S: Float, K: ContactChain<S>> StepScene<'_, S, K> {
         channel == 1 && self.damped_from_base()
     }
 
-    /// Returns the load on a mode per unit velocity of the base in the time t√(k₁/m₁), 2ζ√λΓ.
+    /// Returns 2ζ√λΓ, the load on a mode per unit velocity of the base in the non-dimensional time t√(k₁/m₁). ζ is the
+    /// damping ratio of the mode, λ its squared frequency ratio, and Γ its participation factor φᵀΓ1
+    /// (docs/derivation.md, section 1).
     pub(super) fn drag(&self, mode: usize) -> S {
         let zero = S::constant(0.0);
         let loads = self.dynamics.quadratures().get(mode);
@@ -62,7 +64,8 @@ impl<S: Float, K: ContactChain<S>> StepScene<'_, S, K> {
         mode.map_or(zero, |([load, _], mode)| *load / mode.resonance)
     }
 
-    /// Returns 1ᵀC̄1, the force on the base per unit of its velocity in the time t√(k₁/m₁), if all masses are at rest.
+    /// Returns 1ᵀC̄1, the damping force on the base per unit of the base's velocity, if all masses are at rest. The
+    /// velocity refers to the non-dimensional time t√(k₁/m₁).
     pub(super) fn base_drag(&self) -> S {
         let (zero, two) = (S::constant(0.0), S::constant(2.0));
         let modes = self.dynamics.modes.iter().enumerate();
@@ -71,20 +74,20 @@ impl<S: Float, K: ContactChain<S>> StepScene<'_, S, K> {
             if drag.is_zero() {
                 return sum;
             }
-            // 2ζ√λΓ² is computed from the square of 2ζ√λΓ.
+            // The variable `drag` is 2ζ√λΓ. Its square, divided by 2ζ√λ, gives 2ζ√λΓ².
             sum + drag * drag / (two * mode.zeta * mode.resonance)
         })
     }
 
-    /// Returns the phase by which the fastest oscillator advances in a second, including its damping, in rad. A step dt
-    /// is divided into this rate times dt, rounded up, sub-intervals.
+    /// Returns the phase by which the fastest oscillator advances in a second, in rad. The phase includes the effect of
+    /// damping. A step dt is divided into n sub-intervals, where n is this rate times dt, rounded up.
     #[must_use]
     pub fn fastest(&self) -> S {
         self.turning() * self.units.rate
     }
 
-    /// Returns the phase by which the fastest oscillator advances in a unit of the time t√(k₁/m₁), including its
-    /// damping, in rad.
+    /// Returns the phase by which the fastest oscillator advances in a unit of the non-dimensional time t√(k₁/m₁), in
+    /// rad. The phase includes the effect of damping.
     pub(super) fn turning(&self) -> S {
         let (one, two) = (S::constant(1.0), S::constant(2.0));
         let turned = |frequency: S, zeta: S| frequency * (one + two * zeta);
@@ -95,8 +98,8 @@ impl<S: Float, K: ContactChain<S>> StepScene<'_, S, K> {
         modes.chain(held).fold(S::constant(0.0), S::max)
     }
 
-    /// Returns the number of coefficients of an input's polynomial over a step, as emitted tables have it. Tables of a
-    /// run-time system may have room for more.
+    /// Returns the number of coefficients of an input's polynomial over a step. Emitted tables have this number of
+    /// coefficients. Tables of a run-time system may have room for more.
     fn coefficients(&self) -> usize {
         match (self.input, self.on_base) {
             (Input::Hold, false) => 1,
@@ -105,16 +108,16 @@ impl<S: Float, K: ContactChain<S>> StepScene<'_, S, K> {
         }
     }
 
-    /// Returns the number of terms that the stepper takes of a power series. `enough` is the number that one oscillator
-    /// needs: its later terms are below rounding over a sub-interval.
+    /// Returns the number of terms that the stepper uses of a power series. `enough` is the number that one oscillator
+    /// needs, so that its further terms are below rounding over a sub-interval.
     pub(super) fn terms(&self, enough: u32) -> usize {
         let terms = if self.law.is_empty() {
             usize::try_from(enough).unwrap_or(TERMS)
         } else {
             TERMS
         };
-        // The last coefficient of an input's polynomial adds a power series to the motion, which begins that many
-        // orders later. The number of terms therefore increases by the number of coefficients.
+        // The last coefficient of an input's polynomial, of order n, contributes to the motion a power series that
+        // begins at order n. The number of terms therefore increases by the number of coefficients.
         (terms + self.coefficients()).clamp(5, TERMS)
     }
 

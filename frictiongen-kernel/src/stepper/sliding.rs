@@ -138,7 +138,7 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
             }
         };
         let mut rises = false;
-        // A piece of motion of length zero has no earlier crossing.
+        // A piece of motion of length zero cannot contain a crossing before its end.
         if let Some(high) = line.high.filter(|_| zero < tau) {
             let seen = velocity.seen(-sign, -high, tau).within(self.search());
             match first_zero(&seen, WalkStart::Anywhere, &mut steps) {
@@ -185,8 +185,9 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         })
     }
 
-    /// Returns the length over which a power series of the sliding motion converges, in sub-intervals. A steep friction
-    /// law makes the length shorter, because the motion then changes faster than the modes oscillate.
+    /// Returns the length of time over which a power series of the sliding motion converges, as a multiple of a
+    /// sub-interval. A steep friction law makes this length smaller, because the motion then changes faster than the
+    /// modes oscillate.
     fn series_reach(&self, slope: S) -> S {
         let left = S::constant(1.0) - self.progress;
         let pace = &self.table.pace;
@@ -219,8 +220,8 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         sum / self.scene.dynamics.chain().inverse_mass
     }
 
-    /// Returns the relative velocity as a power series about the present instant.  The friction force is level +
-    /// slope·velocity.
+    /// Returns the relative velocity of the contact as a power series about the present instant. The friction force is
+    /// level + slope·velocity.
     pub(super) fn velocity_series(&mut self, [level, slope]: [S; 2]) -> Power<S> {
         let zero = S::constant(0.0);
         let mut velocity = Power::zero(self.terms());
@@ -237,7 +238,7 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         let steps = self.table.modes.get(..driven).unwrap_or_default();
         let states = &mut *self.store.scratch;
         let (mut order, mut size) = (S::constant(1.0), zero);
-        // The term of the present order, and the sum of the absolute values of its summands.
+        // `sum` is the term of the present order. `sizes` is the sum of the absolute values of its summands.
         let mut sum = -base[0];
         let mut sizes = sum.abs();
         for (step, [_, u]) in steps.iter().zip(&*states) {
@@ -271,7 +272,7 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         velocity
     }
 
-    /// Advances the modes that the contact drives by a sliding motion of length `tau`, without an event.
+    /// Advances the modes that the contact drives by a sliding motion of duration `tau`, without an event.
     pub(super) fn move_modes(&mut self, velocity: &Power<S>, [level, slope]: [S; 2], tau: S) {
         let zero = S::constant(0.0);
         let mut work = zero;

@@ -43,7 +43,7 @@ pub struct StoreRef<'s, S> {
     pub modes: &'s [[S; 2]],
     /// Displacement y and scaled velocity u of each mode of the chain with its contact stuck.
     pub held: &'s [[S; 2]],
-    /// The forces at the last sample, over k₁.
+    /// The forces at the last sample, divided by k₁.
     pub last: &'s [S],
 }
 
@@ -127,29 +127,29 @@ pub struct Status<S> {
     /// True if the stepper must still derive the contact's state from its velocity and from its force.
     pub unknown: bool,
     /// True if the contact has just failed to start sliding. A contact force that exceeds μF only by rounding must then
-    /// not start sliding again.
+    /// not make the contact slide a second time.
     pub wedged: bool,
-    /// True if a stepper with derivatives has met an event whose derivative is unreliable.
+    /// True if a stepper with derivatives has met a graze: an event whose derivative is unreliable.
     pub grazed: bool,
-    /// Number of events that the stepper follows in a step, or 0 without this bound.
+    /// Event budget: number of events that the stepper follows in a step. 0 means that there is no budget.
     pub budget: u8,
     /// Number of events in the earlier sub-intervals of the present step. It is 0 between steps.
     pub spent: u8,
     /// Relative displacement of the contact while it sticks.  For an elastic contact it is the displacement of the
     /// slider.
     pub stuck_at: S,
-    /// Index of the line of the friction law on which the contact's speed lies.
+    /// Index of the straight line of the friction law that contains the contact's present speed.
     pub line: usize,
     /// Displacement and velocity of the base at the end of the last step.
     pub base: [S; 2],
-    /// The kinetic friction force over k₁.
+    /// The kinetic friction force, divided by k₁.
     pub level: S,
     /// Ratio μ of the static to the kinetic friction force.
     pub stiction: S,
     pub steps: u64,
     /// Number of steps in which a sub-interval reached the bound on events or pieces of motion.
     pub exceeded: u64,
-    /// Contact force at the end of the last step, over k₁, if the contact sticks or its state is unknown.  For an
+    /// Contact force at the end of the last step, divided by k₁, if the contact sticks or its state is unknown. For an
     /// elastic contact it is the force of the spring, also while the slider moves.
     pub contact_force: S,
     /// Work of the load since the start, divided by k₁.
@@ -159,8 +159,8 @@ pub struct Status<S> {
     /// Energy of the chain at the start of the first step, divided by k₁.
     pub energy: S,
     pub pull: S,
-    /// Sum of the absolute values of the terms of the contact's velocity in the given initial state. The rounding error
-    /// of this velocity is relative to this sum. After the first step it is zero.
+    /// Sum of the absolute values of the terms that make up the contact's velocity in the given initial state. The
+    /// rounding error of this velocity is proportional to the sum. After the first step the field is zero.
     pub given: S,
 }
 

@@ -55,7 +55,8 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         true
     }
 
-    /// Advances the motion while the contact sticks, until the contact force reaches μF or the sub-interval ends.
+    /// Advances the motion until the contact breaks away, because the contact force reaches μF, or until the
+    /// sub-interval ends.
     pub(super) fn stick_to_event(&mut self) -> Option<Departure<S>> {
         let zero = S::constant(0.0);
         let left = S::constant(1.0) - self.progress;
@@ -152,8 +153,8 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
     }
 
     /// Changes the state from sliding to sticking. Computes the modes of the chain with its contact stuck from the
-    /// chain's modes. The contact sticks at the displacement `place`, or at the displacement of the modes if `place` is
-    /// `None`.
+    /// modes of the sliding chain. The contact sticks at the displacement `place`, or at the displacement of the modes
+    /// if `place` is `None`.
     pub(super) fn start_sticking(&mut self, place: Option<S>) {
         if self.is_elastic() {
             return self.start_sticking_under(self.status.contact_force);
@@ -191,8 +192,8 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         dynamics.project(receptance, states, (zero, rate), held);
     }
 
-    /// Changes the state from sticking to sliding. Computes the modal coordinates of the sliding chain from those of the
-    /// chain with its contact stuck.
+    /// Changes the state from sticking to sliding. Computes the modal coordinates of the sliding chain from those of
+    /// the chain with its contact stuck.
     pub(super) fn start_sliding(&mut self) {
         let [base, rate] = self.base_now();
         let lifted = (self.status.stuck_at + base, rate);

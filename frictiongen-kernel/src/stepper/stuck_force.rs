@@ -11,8 +11,8 @@ use crate::number::scalar::Float;
 
 impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> {
     /// Returns the contribution of the inputs to the rates of one mode of the chain with its contact stuck, as
-    /// polynomials. The first rate belongs to the displacement y of the mode, the second to its scaled velocity u. The
-    /// base to which the contact sticks counts as an input.
+    /// polynomials. The first polynomial adds to the rate of the mode's displacement y, the second to the rate of its
+    /// scaled velocity u. The base to which the contact sticks counts as an input.
     #[inline]
     pub(super) fn held_load(&self, mode: usize, step: &HeldStep<S, D>) -> [[S; D]; 2] {
         let mut sum = [[S::constant(0.0); D]; 2];
@@ -34,14 +34,15 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         sum
     }
 
-    /// Returns velocity and acceleration of the base as polynomials, if the contact slides on the base.
+    /// Returns velocity and acceleration of the base as polynomials, if the contact rubs on the base.
     fn moving_base(&self) -> Option<[[S; 4]; 2]> {
         let velocity = derived(self.base);
         let motions = [velocity, derived(velocity)];
         self.scene.rubs_on_base().then_some(motions)
     }
 
-    /// Returns displacement and velocity of the base on which the contact rubs, in the time t√(k₁/m₁).
+    /// Returns displacement and velocity of the base on which the contact rubs. The velocity refers to the
+    /// non-dimensional time t√(k₁/m₁). Both numbers are zero if the contact does not rub on a moving base.
     pub(super) fn base_now(&self) -> [S; 2] {
         if self.scene.rubs_on_base() {
             let [place, velocity, ..] = self.base;
@@ -51,8 +52,9 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         }
     }
 
-    /// Returns the force in the stuck contact, without the contribution of the modes. The result is a polynomial, with
-    /// an upper bound on its second derivative over the sub-interval.
+    /// Returns two results for the stuck contact. The first is the contact force without the contribution of the modes,
+    /// as a polynomial. The second is an upper bound on the absolute value of this polynomial's second derivative over
+    /// the sub-interval.
     pub(super) fn force_without_modes(&self) -> ([S; 4], S) {
         let sum = K::stuck_force_terms(self);
         let [_, _, c, d] = sum;
@@ -71,7 +73,7 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
         let motions = self.moving_base();
         let states = &mut *self.store.scratch;
         let (mut order, mut size) = (S::constant(1.0), zero);
-        // The term of the present order, and the sum of the absolute values of its summands.
+        // `sum` is the term of the present order. `sizes` is the sum of the absolute values of its summands.
         let mut sum = still[0];
         let mut sizes = sum.abs();
         for (step, [y, _]) in self.table.held.iter().zip(&*states) {
@@ -157,7 +159,8 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
             }
         }
         if self.scene.rubs_on_base() {
-            // The integral −∫F b′ is integrated by parts, where b is the base's displacement minus its present value.
+            // This sum is the integral −∫F b′, integrated by parts. b is the base's displacement minus its present
+            // value.
             let rise = growth(&self.base, place);
             let mut sum = to * rise;
             for (term, moment) in self.base.iter().zip(moments).skip(1) {
@@ -170,7 +173,7 @@ impl<S: Float, const D: usize, K: StepContact<S>> StepInterval<'_, '_, S, D, K> 
 }
 
 /// Returns one coefficient of the inputs' contribution to the rates of one mode of the chain with its contact stuck.
-/// The first result belongs to the displacement y of the mode, the second to its scaled velocity u.
+/// The first number adds to the rate of the mode's displacement y, the second to the rate of its scaled velocity u.
 #[inline]
 fn held_load_term<S: Float, const D: usize>(
     loads: &[HeldLoad<S>],

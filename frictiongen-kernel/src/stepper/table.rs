@@ -8,31 +8,32 @@ use crate::errors::{Given, OutOfDomain, Slice};
 use crate::motion::{ContactChain, TERMS, lift};
 use crate::number::scalar::Float;
 
-/// Margin of a power series: the first neglected term is smaller than a rounding unit divided by this factor.
+/// Margin of a power series: the first neglected term is smaller than the rounding unit divided by this factor.
 const BELOW_ROUNDING: f64 = 16.0;
 
 /// Coupling of one input with one mode of the chain with its contact stuck.
 #[derive(Clone, Copy, Debug)]
 pub struct HeldLoad<S> {
-    /// Rates of the mode's displacement y and scaled velocity u per unit of the input.
+    /// Rates of the mode's displacement y and of its scaled velocity u, per unit of the input.
     pub drive: [S; 2],
-    /// Displacement of the input's point of action per unit of y, and per unit of u. The work of the input follows from
-    /// it. For the velocity of the base it has the opposite sign, because damping relative to the base has a reaction
-    /// on the base.
+    /// Displacement of the point on which the input acts, per unit of the mode's displacement y and per unit of its
+    /// scaled velocity u. The work of the input follows from these numbers. For the velocity of the base the numbers
+    /// have the opposite sign, because damping relative to the base has a reaction on the base.
     pub reach: [S; 2],
 }
 
 /// Coupling of one input with the contact.
 #[derive(Clone, Copy, Debug)]
 pub struct Channel<S> {
-    /// wᵀΓ⁻¹p, the contact's acceleration per unit of the input.
+    /// wᵀΓ⁻¹p, the contact's acceleration per unit of the input. w is the contact's direction vector, Γ is the mass
+    /// matrix divided by m₁, and p is the input's load vector.
     pub acceleration: S,
-    /// Displacement of the input's point of action per unit of displacement of the stuck contact. The sign is that of
-    /// [`HeldLoad::reach`].
+    /// Displacement of the point on which the input acts, per unit of displacement of the stuck contact. The sign
+    /// follows the rule of [`HeldLoad::reach`].
     pub lift: S,
 }
 
-/// View of the tables of a scene for one length of step.
+/// View of the tables of a scene for one length of the time step.
 #[derive(Clone, Copy, Debug)]
 pub struct View<'t, S, const D: usize> {
     /// Division of the step into sub-intervals.
@@ -76,7 +77,7 @@ pub trait StepTables<S, const D: usize> {
     fn view(&self) -> View<'_, S, D>;
 }
 
-/// The tables in arrays.
+/// The tables of a scene for one length of the time step, in arrays.
 #[derive(Clone, Copy, Debug)]
 pub struct FixedTables<
     S,
@@ -242,8 +243,8 @@ pub fn fill<S: Float, const D: usize, K: ContactChain<S>>(
 }
 
 /// Returns the number of terms that a power series needs over a sub-interval. `rate` is the angle by which the fastest
-/// oscillator advances in it, at most 1 rad. The neglected terms are below a sixteenth of the number type's rounding
-/// unit.
+/// oscillator advances in the sub-interval, at most 1 rad. The neglected terms are smaller than a sixteenth of the
+/// rounding unit `epsilon`.
 #[must_use]
 pub fn series_terms<S: Float>(rate: S, epsilon: f64) -> u32 {
     let one = S::constant(1.0);

@@ -9,10 +9,10 @@ use crate::motion::Contact;
 use crate::number::scalar::Float;
 use core::marker::PhantomData;
 
-/// Motion in time under an input that is known step by step.
+/// Motion of a chain in time, under an input that is known only step by step.
 ///
-/// `T` owns the tables and `V` the state: arrays or constants in emitted code, vectors at run time.  `D` is the number
-/// of coefficients of an input's polynomial over a step.  `K`, the constants of the chain, selects the law of the contact.
+/// `T` owns the tables and `V` the state: arrays or constants in emitted code, vectors at run time. `D` is the number
+/// of coefficients of an input's polynomial over a step. The constants `K` of the chain select the law of the contact.
 #[derive(Clone, Debug)]
 pub struct Stepper<'a, S, const D: usize, T, V, K = Chain<S>> {
     pub(super) scene: StepScene<'a, S, K>,
@@ -39,7 +39,8 @@ pub type FixedStepper<
     K,
 >;
 
-/// A stepper of an emitted solver for a declared step. It borrows its tables, which are constants of the program.
+/// A stepper of an emitted solver whose description declares the step. The stepper borrows its tables, which are
+/// constants of the program.
 pub type DeclaredStepper<
     S,
     const D: usize,

@@ -35,14 +35,14 @@ pub struct Inputs<'r> {
     dt: f64,
     len: usize,
     base: Option<Vec<[f64; 2]>>,
-    /// The recorded force on the excited mass, or `None`.
+    /// The recorded force on the excited mass, or `None` if it was not recorded.
     force: Option<SiChannel<'r>>,
     /// The recorded forces on other masses, each with the name of the mass.
     others: Vec<(&'r str, SiChannel<'r>)>,
     friction: DriveFriction<'r>,
 }
 
-/// A channel with conversion of its samples to SI units.
+/// A channel of a recording, with the factor that converts its samples to SI units.
 #[derive(Clone, Copy, Debug)]
 struct SiChannel<'r> {
     samples: &'r [f64],
@@ -136,7 +136,7 @@ impl<'r> Inputs<'r> {
         self.len == 0
     }
 
-    /// Returns the input at a sample, counted from 0.
+    /// Returns the stepper's input at a sample, counted from 0.
     pub fn at(&self, sample: usize) -> SystemInput<'r> {
         let mut input = match &self.base {
             Some(base) => {
@@ -159,22 +159,23 @@ impl<'r> Inputs<'r> {
     }
 }
 
-/// Input at one sample, without the names that only a scene knows.
+/// Input of a scene with several contacts at one sample. It has the names of the recording, not yet checked against the
+/// scene.
 #[doc(hidden)]
 #[derive(Clone, Debug)]
 pub struct DriveSample<'r> {
-    /// Displacement and velocity of the base.
+    /// Displacement and velocity of the base, in m and m/s.
     pub base: [f64; 2],
-    /// Force on the excited mass.
+    /// Force on the excited mass, N.
     pub force: f64,
-    /// Forces on masses, each with the name of its mass.
+    /// Forces on other masses in N, each with the name of its mass.
     pub others: Vec<(&'r str, f64)>,
-    /// The kinetic friction force.
+    /// The kinetic friction force, N.
     pub friction: f64,
 }
 
 impl<'r> Inputs<'r> {
-    /// Returns the input at a sample, for a scene with several contacts.
+    /// Returns the input at a sample, counted from 0, for a scene with several contacts.
     #[doc(hidden)]
     #[must_use]
     pub fn sample(&self, sample: usize) -> DriveSample<'r> {
@@ -249,8 +250,8 @@ fn base(channel: &Channel, dt: f64) -> Result<Vec<[f64; 2]>, MeasureError> {
     })
 }
 
-/// Returns the acceleration of the base at the start and the end of every step between two samples, in m/s². The
-/// acceleration changes linearly within a step.
+/// Returns the acceleration of the base, in m/s², at the start and at the end of every step from one sample to the
+/// next. The acceleration changes linearly within a step.
 pub(super) fn accelerations(channel: &Channel, dt: f64) -> Result<Vec<[f64; 2]>, MeasureError> {
     let scale = channel.unit.scale();
     let pairs = channel.samples.windows(2);

@@ -7,7 +7,7 @@ use crate::{Error, OutOfDomain};
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum MeasureError {
-    /// A cell of a file is not a finite number.
+    /// A cell of a recording's file is not a finite number.
     NotANumber {
         /// Number of the line in the file, from 1.
         line: usize,
@@ -16,7 +16,7 @@ pub enum MeasureError {
         /// The text of the cell.
         text: String,
     },
-    /// A file is neither a table of numbers nor a UFF58 file.
+    /// A file is neither a table of numbers nor a UFF58 file (Universal File Format, data set 58).
     Format {
         /// Number of the line in the file, from 1.
         line: usize,
@@ -25,11 +25,11 @@ pub enum MeasureError {
     },
     /// A channel has no unit. The field has the name of the channel.
     NoUnit(String),
-    /// A unit with this name is unknown.
+    /// A recording or a request names a unit that is unknown.
     UnknownUnit(String),
     /// Two channels have the same name, which is the field.
     Twice(String),
-    /// The sampling rate is not known.
+    /// The sampling rate of a recording is not known.
     NoRate,
     /// The samples are not evenly spaced in time.
     MixedRates {
@@ -42,7 +42,7 @@ pub enum MeasureError {
     },
     /// Two channels have different numbers of samples. The field has the name of one of them.
     Lengths(String),
-    /// The recording is too short to find the frequency.
+    /// The recording is too short to find the frequency of the excitation.
     TooShort {
         /// The length of the recording, as text.
         found: String,
@@ -78,9 +78,9 @@ pub enum MeasureError {
     NoDrive(&'static str),
     /// The friction force was neither given nor recorded.
     NoFriction,
-    /// The friction force was both given and recorded.
+    /// The friction force was given by the caller and also recorded.
     TwoFrictions,
-    /// No mass was recorded.
+    /// No channel of the recording is the motion of a mass.
     NoMass,
     /// The unit of a channel does not fit the quantity of the channel.
     WrongDimension {
@@ -98,7 +98,7 @@ pub enum MeasureError {
         /// Frequency at the end, Hz.
         to: f64,
     },
-    /// The amplitude of the excitation is not constant. The number is the relative change.
+    /// The amplitude of the excitation is not constant during the recording. The number is the relative change.
     Swells(f64),
     /// The motion in this channel is never steady.
     NotSteady(String),
@@ -109,7 +109,7 @@ pub enum MeasureError {
         /// The driving frequency, Hz.
         hertz: f64,
     },
-    /// No observation contains the requested quantities.
+    /// No observation contains the quantities that the request needs.
     NoObservation,
     /// The measured amplitude differs by a power of 1000 from every amplitude that the scene can have. A unit is
     /// therefore wrong.
@@ -145,11 +145,11 @@ pub enum MeasureError {
         /// Number of unknowns that the fit has to find.
         unknowns: usize,
     },
-    /// The fit does not converge.
+    /// The least-squares fit does not converge.
     NoFit,
     /// The request does not apply to this scene, or one of its arguments is out of range.
     Asked(&'static str),
-    /// A free decay has too few peaks. The field is the number of peaks found.
+    /// A free decay has too few peaks above the noise. The field is the number of peaks found.
     FewPeaks(usize),
     /// The peaks of a free decay do not decrease.
     NoDecay,
@@ -332,7 +332,7 @@ impl From<InvalidScene> for MeasureError {
     }
 }
 
-/// Rounds a number to seven digits, so that it prints without trailing zeros.
+/// Rounds a number to seven significant digits, so that it prints without trailing zeros.
 fn short(value: f64) -> f64 {
     format!("{value:.6e}").parse().unwrap_or(value)
 }

@@ -1,26 +1,28 @@
 //! Least squares by the damped Gauss–Newton steps of Levenberg and Marquardt, with exact Jacobians.
 //!
-//! The crate `levenberg-marquardt` offers the same method over nalgebra 0.34. It would add a second nalgebra (16
-//! crates in all), because this crate uses nalgebra 0.35. The crate argmin would add 21 crates. This file needs only
-//! the nalgebra that is already a dependency.
+//! The crate `levenberg-marquardt` offers the same method for nalgebra 0.34. It would add a second version of nalgebra
+//! (16 crates in all), because this crate uses nalgebra 0.35. The crate argmin would add 21 crates. This module needs
+//! only nalgebra 0.35, which is already a dependency.
 
 use nalgebra::{DMatrix, DVector};
 
 /// Largest number of steps of a fit, including rejected steps.
 const MOST_STEPS: usize = 200;
-/// The fit ends in two cases: the last step changes every parameter by less than this fraction of its value, or it
-/// changes all residuals together by less than this fraction of a standard deviation.
+/// Limit of a step at which the fit ends. The fit ends if the last step, divided by the value of the parameter, is
+/// below this limit for every parameter. It also ends if the step changes all residuals together by less than this
+/// fraction of a standard deviation.
 const SMALL: f64 = 1e-10;
-/// Factor by which the damping grows after a rejected step, and by which it shrinks after an accepted step (Marquardt's
-/// choice).
+/// Factor by which the damping of the Gauss–Newton steps grows after a rejected step, and by which it shrinks after an
+/// accepted step (Marquardt's choice).
 const GROWTH: f64 = 10.0;
-/// The data do not determine a direction in parameter space if its singular value is below this fraction of the largest
-/// singular value.
+/// Limit of a singular value, divided by the largest singular value. The data do not determine a direction in parameter
+/// space whose singular value is below this limit.
 const RANK: f64 = 1e-12;
-/// The data determine a parameter if its component in every undetermined direction of length 1 is at most this value.
+/// Largest component of a parameter in the undetermined directions, which have length 1. The data determine the
+/// parameter if none of its components exceeds this value.
 const APART: f64 = 1e-6;
 
-/// Residuals of a fit, and their derivatives with respect to the parameters: one column of the Jacobian for each
+/// Residuals of a fit, and their derivatives with respect to the parameters. The Jacobian has one column for each
 /// parameter.
 pub(super) struct Linearised {
     pub(super) residuals: DVector<f64>,
@@ -33,7 +35,7 @@ pub(super) struct Fit {
     pub(super) parameters: Vec<f64>,
     /// True if the steps converged.
     pub(super) settled: bool,
-    /// The sum of squares of the residuals.
+    /// The sum of squares of the residuals at the fitted parameters.
     pub(super) squares: f64,
     /// Number of independent directions in parameter space that the data determine. It equals the number of parameters
     /// if the data determine all of them.
@@ -49,8 +51,9 @@ pub(super) struct Fit {
 }
 
 impl Fit {
-    /// Returns the variance of a quantity for residuals of standard deviation 1. `gradient` contains the derivatives of
-    /// the quantity with respect to the parameters. The variance is infinite if the data do not determine the quantity.
+    /// Returns the variance of a quantity, if the residuals have the standard deviation 1. `gradient` contains the
+    /// derivatives of the quantity with respect to the parameters. The variance is infinite if the data do not
+    /// determine the quantity.
     pub(super) fn variance(&self, gradient: &DVector<f64>) -> f64 {
         if self.directions.is_empty() {
             return f64::INFINITY;
@@ -85,8 +88,8 @@ impl Fit {
 }
 
 /// Returns the scale of each parameter, by which the fit divides changes of the parameter. The scale is the larger of
-/// two numbers: the parameter itself, and the change that shifts the residuals by one standard deviation. The second
-/// number is for a parameter that tends to zero.
+/// two numbers: the absolute value of the parameter, and the change that shifts the residuals by one standard
+/// deviation. For a parameter that tends to zero, the second number is the larger one.
 fn sizes(parameters: &[f64], jacobian: &DMatrix<f64>) -> Vec<f64> {
     let columns = jacobian.column_iter();
     let sizes = parameters.iter().zip(columns).map(|(value, column)| {
@@ -123,7 +126,8 @@ pub(super) fn minimise(
         let mut damped = normal.clone();
         for index in 0..damped.nrows() {
             if let Some(value) = damped.get_mut((index, index)) {
-                // The damping keeps a parameter constant on which no residual depends.
+                // Without this damping, a parameter that no residual depends on would make the equations singular. The
+                // damping keeps the parameter constant.
                 *value += damping * value.max(f64::MIN_POSITIVE);
             }
         }
@@ -142,8 +146,8 @@ pub(super) fn minimise(
             .iter()
             .zip(&at)
             .all(|(new, old)| (new - old).abs() <= SMALL * old.abs().max(SMALL));
-        // The step of a parameter that tends to 0 never becomes small relative to the parameter. In this case the
-        // change of the residuals decides.
+        // If a parameter tends to 0, its steps never become small compared with the parameter. In this case the change
+        // of the residuals decides.
         let small = small || (&lines.jacobian * &step).norm() <= SMALL;
         let new = residuals(&moved).map(|values| values.norm_squared());
         if let Some(new) = new.filter(|new| *new <= squares) {

@@ -1,4 +1,4 @@
-//! Steady motion in a recording: driving frequency, transmissibilities, phases and harmonics.
+//! The steady motion in a recording: driving frequency, transmissibilities, phases and harmonics.
 
 use super::recording::Dimension;
 use super::tone::{FEWEST_CYCLES, HARMONICS, Tone, ToneBasis, frequency};
@@ -8,7 +8,7 @@ use crate::study::scene::{Excitation, Scene};
 use crate::study::units::polar;
 use std::f64::consts::TAU;
 
-/// Smallest number of samples in a cycle of the driving frequency.
+/// Smallest number of samples that a recording must have in a cycle of the driving frequency.
 const FEWEST_SAMPLES: f64 = 5.0;
 
 /// The steady motion found in a recording: driving frequency, excitation, and displacements of the masses.
@@ -55,7 +55,7 @@ pub struct Measured {
 pub struct Transmissibility {
     /// The complex ratio X/Y for base motion, or X/P in m/N for a force.
     pub value: Complex<f64>,
-    /// Standard deviation of the real part, and also of the imaginary part.
+    /// Standard deviation of the real part and of the imaginary part of [`value`](Self::value).
     pub deviation: f64,
 }
 
@@ -156,8 +156,8 @@ impl Measured {
         })
     }
 
-    /// Returns the complex amplitude X_n of harmonic n of a mass, divided by the amplitude of the excitation. τ = 0 is
-    /// a maximum of the excitation. Returns `None` if the recording does not contain the mass.
+    /// Returns the complex amplitude X_n of harmonic n of a mass, divided by the amplitude of the excitation. The phase
+    /// τ is 0 at a maximum of the excitation. Returns `None` if the recording does not contain the mass.
     #[must_use]
     pub fn harmonic(&self, mass: usize, n: u32) -> Option<Complex<f64>> {
         let tone = self.tone(mass)?;
@@ -228,7 +228,8 @@ fn places<'r>(
     Ok(AssignedChannels { drive, masses })
 }
 
-/// Converts mean and harmonics of a channel to displacements in m, or to a force in N.
+/// Converts mean and harmonics of a channel to displacements in m, or to forces in N. `omega` is the driving frequency
+/// in rad/s.
 fn in_metres(tone: Tone, channel: &Channel, omega: f64) -> Tone {
     let scale = channel.unit.scale();
     let derivatives = match channel.unit.dimension() {

@@ -1,11 +1,13 @@
 //! Finds mass, viscous and Coulomb friction of an axis without a spring by linear regression.
 //!
-//! The equation M q̈ + F_v q̇ + F_c sgn q̇ + offset = force is linear in all four unknowns. This is the identification
-//! of a drive, as in the EMPS benchmark (Janot, Gautier and Brunot, Data set and reference models of EMPS, 2019).
+//! The equation M q̈ + F_v q̇ + F_c sgn q̇ + offset = force is linear in the four unknowns M, F_v, F_c and offset. q is
+//! the position of the axis. Drives are identified by this equation, as in the EMPS benchmark (Janot, Gautier and
+//! Brunot, Data set and reference models of EMPS, 2019).
 //!
-//! The method differentiates no signal. It multiplies the equation by a bump function, which is zero with zero slope at
-//! both ends of a window, and integrates by parts (modulating functions, Shinbrot 1957). The alternative is a
-//! derivative of a smoothed position. It would be too small, and the mass would be too large by the same factor.
+//! The method differentiates no signal. It multiplies the equation by a bump function and integrates by parts
+//! (modulating functions, Shinbrot 1957). The bump function is zero with zero slope at both ends of a window. The
+//! alternative would be the derivative of a smoothed position. Smoothing makes this derivative too small, and therefore
+//! the mass too large by the same factor.
 
 use super::identify::Estimate;
 use super::recording::{Channel, Dimension};
@@ -13,9 +15,9 @@ use super::statistics::student;
 use super::{MeasureError, Recording};
 use nalgebra::{DMatrix, DVector};
 
-/// The direction of sliding counts as uncertain below this fraction of the largest speed.
+/// The direction of sliding counts as uncertain at speeds below this fraction of the largest speed.
 const SLOW: f64 = 0.02;
-/// Smallest number of windows that determines the four unknowns and their scatter.
+/// Smallest number of windows from which the regression determines the four unknowns and their scatter.
 const FEWEST: usize = 12;
 
 /// Mass, viscous friction, Coulomb friction and constant force of an axis, found by regression.
@@ -31,7 +33,7 @@ pub struct Regression {
     pub offset: Estimate,
     /// Root mean square of the force that the equation does not explain, in N.
     pub residual: f64,
-    /// Condition number of the regression, with each column scaled to unit length.
+    /// Condition number of the regression's matrix, with each column scaled to unit length.
     pub condition: f64,
 }
 
@@ -111,9 +113,9 @@ impl Recording {
     }
 }
 
-/// Returns three weights for each sample of a window: φ, φ̇ and φ̈, each multiplied by the step. φ = (1 − s²)⁵ is the
-/// bump function, with s from −1 to 1. It is so flat at both ends that a sum over the samples is as accurate as an
-/// integral.
+/// Returns three weights for each sample of a window: φ, φ̇ and φ̈, each multiplied by the time step. φ = (1 − s²)⁵ is
+/// the bump function, where s runs from −1 to 1 over the window. φ is so flat at both ends that a sum over the samples
+/// is as accurate as an integral.
 fn bump(length: usize, step: f64) -> Vec<[f64; 3]> {
     let half = 0.5 * length as f64 * step;
     let places = (0..length).map(|i| (2.0 * i as f64 + 1.0) / length as f64 - 1.0);
@@ -142,8 +144,8 @@ struct Window {
 }
 
 impl Window {
-    /// Integrates the equation over the samples of position and force. Each list of samples comes with the factor that
-    /// converts it to the SI unit.
+    /// Integrates the equation of motion over the samples of position and force. Each list of samples comes with the
+    /// factor that converts it to the SI unit.
     fn of(
         (motion, metres): (&[f64], f64),
         (push, newtons): (&[f64], f64),

@@ -3,12 +3,12 @@
 use super::drive::accelerations;
 use super::{MeasureError, Recording};
 
-/// Name of the channel with the motion of the base.
+/// Name of the recording's channel with the motion of the base.
 const BASE: &str = "base";
-/// Smallest number of steps in a period of the oscillator. The code interpolates the displacement at a reversal between
-/// two steps, with a relative error below ((2π/40)²/8)²/2, about 5e-6.
+/// Smallest number of time steps in a period of the oscillator. The code interpolates the displacement at a reversal
+/// between two steps. The relative error is below ((2π/40)²/8)²/2, about 5e-6.
 const STEPS: f64 = 40.0;
-/// Number of periods in a decade of [`periods`].
+/// Number of periods that [`periods`] returns in a decade.
 const DECADE: f64 = 60.0;
 
 /// Peak response of an oscillator to a recorded motion of its base.
@@ -29,7 +29,8 @@ impl PeakResponse {
     }
 }
 
-/// Returns periods for the spectrum of a record, in s: 60 in a decade, from two samples to the length of the record.
+/// Returns the periods of the oscillators for the spectrum of a record, in s. The list has 60 periods in a decade, from
+/// two samples to the length of the record.
 #[doc(hidden)]
 #[must_use]
 pub fn periods(recording: &Recording) -> Vec<f64> {
@@ -42,8 +43,8 @@ pub fn periods(recording: &Recording) -> Vec<f64> {
         .collect()
 }
 
-/// Returns the peak response of an oscillator for each period. The oscillator starts at rest and has the damping ratio
-/// ζ, below 1. Its base follows the channel `base` of the recording.
+/// Returns the peak response of an oscillator for each period in `periods`, in s. The oscillator starts at rest and has
+/// the damping ratio ζ, which must be less than 1. Its base follows the channel `base` of the recording.
 ///
 /// # Errors
 /// [`MeasureError`] if the recording has no channel `base`, or if the unit of the channel is not that of a motion.
@@ -69,12 +70,12 @@ pub fn response_spectrum(
 struct Oscillator {
     omega: f64,
     zeta: f64,
-    /// Angular frequency of the free damped vibration.
+    /// Angular frequency of the free damped vibration, rad/s.
     damped: f64,
 }
 
-/// One step of an oscillator, as a linear map. [u, u′] at the end of the step is the sum of `state` times [u, u′] at
-/// the start, and of `load` times the accelerations of the base at start and end.
+/// One time step of an oscillator, as a linear map. The state [u, u′] at the end of the step is a sum of two products:
+/// `state` times the state at the start, and `load` times the accelerations of the base at start and end.
 #[derive(Clone, Copy, Debug)]
 struct Step {
     state: [[f64; 2]; 2],
@@ -101,8 +102,8 @@ impl Oscillator {
         }
     }
 
-    /// Returns the state [u, u′] after a time t. During this time the acceleration of the base is a + s·t′, where t′
-    /// runs from 0 to t (Nigam and Jennings).
+    /// Returns the state [u, u′] of the oscillator after a time t. During this time the acceleration of the base is a +
+    /// s·t′, where t′ runs from 0 to t (Nigam and Jennings).
     fn moved(&self, [u, v]: [f64; 2], a: f64, s: f64, t: f64) -> [f64; 2] {
         let (omega, decay) = (self.omega, self.zeta * self.omega);
         let stiffness = omega * omega;
@@ -128,8 +129,8 @@ impl Oscillator {
         }
     }
 
-    /// Returns the largest |u|. In each step of length `dt`, the acceleration of the base changes linearly between the
-    /// two numbers of the step in `steps`.
+    /// Returns the largest |u| of the oscillator, in m. In each time step of length `dt`, the acceleration of the base
+    /// changes linearly between the two numbers of the step in `steps`.
     fn peak(&self, steps: &[[f64; 2]], dt: f64) -> f64 {
         let parts = (STEPS * self.omega * dt / std::f64::consts::TAU)
             .ceil()

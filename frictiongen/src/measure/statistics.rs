@@ -1,17 +1,17 @@
-//! Quantiles for intervals at the 95 % level.
+//! Quantiles for confidence intervals at the 95 % level.
 
 /// Two-sided 95 % quantile of the normal distribution.
 pub(super) const NORMAL: f64 = 1.959_963_984_540_054;
 /// 95 % quantile of χ² with one degree of freedom, the square of [`NORMAL`].
 pub(super) const CHI: f64 = NORMAL * NORMAL;
 
-/// Value that a normally distributed number exceeds with probability 1/1000.
+/// Number that a variable with the standard normal distribution exceeds with probability 1/1000.
 const RARE: f64 = 3.090_232_306_167_813;
 
-/// Returns an upper bound on the misfit, which is the sum of squared residuals divided by the degrees of freedom, for
-/// noise of known deviations. By chance, one of 1000 recordings exceeds the bound. The bound is the χ² quantile by
-/// Wilson and Hilferty's approximation (Abramowitz and Stegun, 26.4.17). It is 3 % above the exact quantile for one
-/// degree of freedom, and 0.6 % above it for ten.
+/// Returns an upper bound on the misfit of a fit to data with noise of known deviations. The misfit is the sum of
+/// squared residuals divided by the degrees of freedom. By chance, one of 1000 recordings exceeds the bound. The bound
+/// is the χ² quantile by Wilson and Hilferty's approximation (Abramowitz and Stegun, 26.4.17). It is 3 % above the
+/// exact quantile for one degree of freedom, and 0.6 % above it for ten.
 fn most_by_chance(freedom: usize) -> f64 {
     let spread = 2.0 / (9.0 * freedom.max(1) as f64);
     (1.0 - spread + RARE * spread.sqrt()).powi(3)
@@ -23,14 +23,14 @@ pub(super) fn is_chance(misfit: Option<f64>, freedom: usize) -> bool {
     misfit.is_none_or(|misfit| misfit <= most_by_chance(freedom))
 }
 
-/// Returns the factor by which the variances of a fit are multiplied. If noise does not explain the misfit, the factor
-/// is the misfit. Otherwise it is 1, because the deviations are known.
+/// Returns the factor by which the variances of a fit are multiplied. The factor is the misfit if noise does not
+/// explain the misfit. Otherwise the factor is 1, because the deviations of the data are known.
 pub(super) fn excess(misfit: Option<f64>, freedom: usize) -> f64 {
     let unexplained = misfit.filter(|misfit| !is_chance(Some(*misfit), freedom));
     unexplained.unwrap_or(1.0)
 }
 
-/// Returns the two-sided 95 % quantile of Student's distribution for a number of degrees of freedom.
+/// Returns the two-sided 95 % quantile of Student's t distribution for a number of degrees of freedom.
 pub(super) fn student(freedom: usize) -> f64 {
     if freedom == 0 {
         return f64::INFINITY;
@@ -48,7 +48,8 @@ pub(super) fn student(freedom: usize) -> f64 {
     0.5 * (low + high)
 }
 
-/// Number of degrees of freedom beyond which the normal distribution replaces Student's, with an error of 2e-4.
+/// Number of degrees of freedom above which the code uses the normal distribution instead of Student's. The error is
+/// 2e-4.
 const MANY: usize = 10_000;
 
 fn within(t: f64, freedom: usize) -> f64 {
@@ -56,8 +57,8 @@ fn within(t: f64, freedom: usize) -> f64 {
     let angle = (t / n.sqrt()).atan();
     let cosine_squared = angle.cos().powi(2);
     let odd = !freedom.min(MANY).is_multiple_of(2);
-    // The series is 1 + (1/2)c² + (1·3/2·4)c⁴ + …, or c + (2/3)c³ + … for an odd number of degrees of freedom, where c
-    // is the cosine of the angle.
+    // The series for an even number of degrees of freedom is 1 + c²/2 + 3c⁴/8 + …, where c is the cosine of the angle.
+    // For an odd number it is c + 2c³/3 + ….
     let (mut term, mut k) = if odd { (angle.cos(), 1.0) } else { (1.0, 0.0) };
     let mut sum = 0.0;
     while k <= n - 2.0 {
@@ -76,7 +77,8 @@ fn within(t: f64, freedom: usize) -> f64 {
 mod tests {
     use super::{most_by_chance, student};
 
-    /// Compares the bound with a textbook table of χ² values that noise exceeds with probability 0.001.
+    /// Compares the upper bound on the misfit with a textbook table of χ². Noise exceeds the values of this table with
+    /// probability 0.001.
     #[test]
     fn rare_sums_of_squares() {
         for (freedom, expected, apart) in [

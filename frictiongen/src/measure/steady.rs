@@ -7,25 +7,26 @@ use std::f64::consts::TAU;
 
 /// Smallest number of excitation cycles in a block of samples.
 const BLOCK: f64 = 2.0;
-/// Largest number of blocks into which a recording is divided.
+/// Largest number of blocks of samples into which the code divides a recording.
 const MOST_BLOCKS: usize = 40;
-/// Smallest number of blocks from which the code decides that the motion is steady.
+/// Smallest number of blocks of samples from which the code decides that the motion is steady.
 const FEWEST_BLOCKS: usize = 4;
-/// The frequency of the excitation counts as constant if its phase deviates from the phase of a constant frequency by
-/// at most this value, in rad. This corresponds to a variation of the frequency by 1/30 of the width of a spectral
-/// line.
+/// Largest deviation of the excitation's phase from the phase of a constant frequency, in rad, for which the frequency
+/// counts as constant. It corresponds to a variation of the frequency by 1/30 of the width of a spectral line.
 const STRAY: f64 = 0.05;
-/// The excitation counts as steady if its amplitude changes by at most this fraction.
+/// Largest relative change of the excitation's amplitude for which the excitation counts as steady.
 const SWELL: f64 = 0.05;
-/// A change counts as noise up to this number of standard deviations.
+/// Largest change that counts as noise, in standard deviations of the noise.
 const SURE: f64 = 6.0;
-/// The motion counts as steady if its fundamental changes by at most one of these fractions. The search first tries the
-/// smaller fraction. The larger fraction allows for friction that changes slowly.
+/// Largest relative changes of a motion's fundamental for which the motion counts as steady. The search first tries the
+/// smaller one. The larger one permits a friction force that changes slowly.
 const STEADY: [f64; 2] = [2e-3, 2e-2];
-/// The motion counts as steady if its fundamental scatters about its mean by at most this fraction.
+/// Largest scatter of a motion's fundamental about its mean, divided by the mean, for which the motion counts as
+/// steady.
 const SCATTER: f64 = 0.1;
 
-/// Complex fundamental of a channel in each block of samples. All blocks have the same origin of time for their phases.
+/// Complex fundamental of a channel in each block of samples. The phases of all blocks refer to the same origin of
+/// time.
 struct Blocks {
     values: Vec<Complex<f64>>,
     deviation: f64,
@@ -42,7 +43,7 @@ fn blocks(samples: &[f64], per_sample: f64, length: usize) -> Option<Blocks> {
         values.push(tone.fundamental() * Complex::new(cos, -sin));
         deviations.push(tone.deviation);
     }
-    // The noise is estimated from the last third, because a transient at the start is not noise.
+    // The last third of the blocks gives the noise. At the start, a transient would count as noise.
     let last = deviations.len().div_ceil(3);
     let deviation = deviations.iter().rev().take(last).sum::<f64>() / last as f64;
     Some(Blocks { values, deviation })
@@ -84,7 +85,8 @@ pub(super) fn start(
     Ok(first * length)
 }
 
-/// Fails unless frequency and amplitude of the excitation are constant. The check ignores a start from rest.
+/// Fails unless frequency and amplitude of the excitation are constant. The check ignores the start of an excitation
+/// that begins at rest.
 fn steady_drive(name: &str, blocks: &Blocks, hertz: f64, seconds: f64) -> Result<(), MeasureError> {
     let skip = blocks.values.len() / 4;
     let kept = blocks.values.get(skip..).unwrap_or(&[]);
@@ -92,7 +94,7 @@ fn steady_drive(name: &str, blocks: &Blocks, hertz: f64, seconds: f64) -> Result
     if !(5.0 * blocks.deviation < size * (kept.len() as f64).sqrt()) {
         return Err(MeasureError::Silent(name.to_owned()));
     }
-    // Phases are unwrapped, so that they have no jumps of 2π.
+    // The loop unwraps the phases, so that they have no jumps of 2π.
     let mut phases: Vec<f64> = Vec::new();
     for value in kept {
         let angle = value.im.atan2(value.re);
@@ -116,8 +118,8 @@ fn steady_drive(name: &str, blocks: &Blocks, hertz: f64, seconds: f64) -> Result
     Ok(())
 }
 
-/// Returns three numbers: the slope over the first half of the phases, the slope over the second half, and the largest
-/// distance of a phase from a straight line.
+/// Fits straight lines to the phases of the blocks. Returns three numbers: the slope over the first half, the slope
+/// over the second half, and the largest distance of a phase from the line through all phases.
 fn bend(phases: &[f64]) -> (f64, f64, f64) {
     let line = |part: &[f64]| {
         let n = part.len().max(1) as f64;
@@ -139,15 +141,15 @@ fn bend(phases: &[f64]) -> (f64, f64, f64) {
     (line(early).0, line(late).0, away.fold(0.0, f64::max))
 }
 
-/// Returns the index of the first block after which the fundamental of a channel is constant.
+/// Returns the index of the first block from which on the fundamental of a channel is constant.
 fn settled(name: &str, blocks: &Blocks) -> Result<usize, MeasureError> {
     let values = &blocks.values;
     let last = values
         .get(values.len() - values.len().div_ceil(3)..)
         .unwrap_or(&[]);
     let middle = mean(last);
-    // The scatter is computed from the differences of neighbouring blocks, after their mean is subtracted. A trend
-    // therefore does not increase the scatter.
+    // The code computes the scatter from the differences of neighbouring blocks, after it has subtracted the mean of
+    // these differences. A trend therefore does not increase the scatter.
     let pairs = last
         .windows(2)
         .filter_map(|pair| Some(pair.last()? - pair.first()?));

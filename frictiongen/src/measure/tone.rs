@@ -1,36 +1,37 @@
 //! Finds one frequency in samples, and the amplitudes of its harmonics with their uncertainty.
 //!
-//! Thesis 4.3.3 takes the peak of a spectrum under a Hann window with zero padding. This file uses the same window, but
-//! avoids two errors of that method. It solves the sums under the window for the mean and all harmonics together, so
-//! that no harmonic affects another. It also finds frequencies between the lines of a spectrum.
+//! Thesis 4.3.3 takes the peak of a spectrum under a Hann window with zero padding. This module uses the same window,
+//! but avoids two errors of that method. It solves one system of equations for the mean and all harmonics, so that no
+//! harmonic affects another. It also finds frequencies between the lines of a spectrum.
 
 use crate::Complex;
 use nalgebra::{DMatrix, DVector};
 use rustfft::FftPlanner;
 use std::f64::consts::TAU;
 
-/// Largest number of harmonics. With few samples the number is lower.
+/// Largest number of harmonics that the code computes. With few samples in a cycle the number is smaller.
 pub const HARMONICS: usize = 5;
 /// Half-width of the frequency band in which the code estimates the noise, divided by the driving frequency. A wider
-/// band would include 0.5 and 1.5 times the driving frequency, where a contact may cause components.
+/// band would include 0.5 and 1.5 times the driving frequency, at which a contact may cause components of the motion.
 const BESIDE: f64 = 0.45;
-/// A bin of the spectrum belongs to a harmonic, and not to the noise, if its distance from the harmonic is at most this
-/// number of bins.
+/// Largest distance of a spectral bin from a harmonic, in bins, at which the bin counts as part of the harmonic and not
+/// as noise.
 const LINE: f64 = 3.0;
-/// Number of bins for which the error of the noise estimate is below a tenth. If the band has fewer bins, the code also
-/// uses the bins between the harmonics.
+/// Number of bins from which the error of the noise estimate is below a tenth. If the band near the driving frequency
+/// has fewer bins, the code also uses the bins between the harmonics.
 const ENOUGH_BINS: usize = 64;
-/// Smallest number of bins from which the noise is estimated.
+/// Smallest number of spectral bins from which the code estimates the noise.
 const FEWEST_BINS: usize = 12;
 
-/// Mean and harmonics of a channel at one frequency: x = mean + Re Σ X_n e^{inωt}. t = 0 is the middle of the samples.
+/// Mean and harmonics of a channel at one frequency: x = mean + Re Σ X_n e^{inωt}. The time t is 0 in the middle of the
+/// samples.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tone {
     /// Mean of the samples, the component at zero frequency.
     pub mean: f64,
     /// Complex amplitudes X_1, X_2, … of the harmonics.
     pub harmonics: Vec<Complex<f64>>,
-    /// Standard deviation of the real part, and also of the imaginary part, of each harmonic's complex amplitude.
+    /// Standard deviation of the real part and of the imaginary part of each harmonic's complex amplitude.
     pub deviation: f64,
     /// Root mean square of the samples after mean and harmonics are subtracted.
     pub residual: f64,
@@ -45,16 +46,16 @@ impl Tone {
     }
 }
 
-/// The Hann window and the rotations e^{iωt} of a frequency over a number of samples.
+/// The weights of the Hann window, and the factors e^{iωt} of a frequency, for a number of samples.
 pub(super) struct ToneBasis {
     /// Weights w_t of the Hann window, one for each sample.
     window: Vec<f64>,
-    /// Rotations e^{iωt}, one for each sample.
+    /// Factors e^{iωt}, one for each sample.
     turns: Vec<Complex<f64>>,
     harmonics: usize,
-    /// Cholesky factor of the normal equations for mean and harmonics.
+    /// Cholesky factor of the normal equations whose unknowns are the mean and the harmonics.
     normal: Option<nalgebra::Cholesky<f64, nalgebra::Dyn>>,
-    /// Number of cycles of the frequency in the samples.
+    /// Number of cycles of the frequency within the samples.
     cycles: f64,
 }
 
@@ -94,7 +95,7 @@ impl ToneBasis {
         }
     }
 
-    /// Returns mean and complex harmonics of samples. Returns `None` if the samples do not separate mean and harmonics.
+    /// Returns mean and complex harmonics of samples. Returns `None` if the samples do not determine them.
     fn components(&self, samples: &[f64]) -> Option<(f64, Vec<Complex<f64>>)> {
         let mut sums = vec![Complex::new(0.0, 0.0); self.harmonics + 1];
         for ((value, weight), turn) in samples.iter().zip(&self.window).zip(&self.turns) {
@@ -104,7 +105,7 @@ impl ToneBasis {
                 power *= turn.conj();
             }
         }
-        // The unknowns are the mean, then cosine and sine of each harmonic.
+        // The unknowns are the mean, then the cosine part and the sine part of each harmonic.
         let parts = sums.iter().enumerate().flat_map(|(n, sum)| {
             let sine = (n > 0).then_some(-sum.im);
             std::iter::once(sum.re).chain(sine)
@@ -141,14 +142,15 @@ impl ToneBasis {
         Some(Tone {
             mean,
             harmonics,
-            // The amplitude is X = 2D/Σw. The real and the imaginary part of D each contribute half of |D|².
+            // The amplitude of a harmonic is X = 2D/Σw. The real and the imaginary part of D each contribute half of
+            // |D|².
             deviation: (2.0 * floor).sqrt() / whole,
             residual,
         })
     }
 
-    /// Returns the noise, which is the mean of |D|² near the driving frequency. D = Σ w x e^{−iωt} is the spectrum of
-    /// `left`, the samples without mean and harmonics.
+    /// Returns the noise: the mean of |D|² near the driving frequency. D = Σ w x e^{−iωt} is the spectrum, with the
+    /// weights w of the window. x are the samples `left`, from which mean and harmonics are subtracted.
     fn floor(&self, left: &[f64], residual: f64) -> f64 {
         let count = left.len();
         let windowed = left.iter().zip(&self.window).map(|(x, w)| x * w);
@@ -186,7 +188,7 @@ impl ToneBasis {
     }
 }
 
-/// Returns the matrix of the weighted least squares fit, from the sums Σ w e^{imωt}.
+/// Returns the matrix of the normal equations for mean and harmonics, computed from the sums Σ w e^{imωt}.
 fn normal(sums: &[Complex<f64>], harmonics: usize) -> DMatrix<f64> {
     let at = |m: isize| {
         let sum = sums
@@ -196,7 +198,7 @@ fn normal(sums: &[Complex<f64>], harmonics: usize) -> DMatrix<f64> {
         if m < 0 { sum.conj() } else { sum }
     };
     let size = 2 * harmonics + 1;
-    // The columns are 1, cos ωt, sin ωt, cos 2ωt, …
+    // The columns belong to 1, cos ωt, sin ωt, cos 2ωt, …
     let order = |index: usize| {
         (
             index.div_ceil(2) as isize,
@@ -215,13 +217,14 @@ fn normal(sums: &[Complex<f64>], harmonics: usize) -> DMatrix<f64> {
     })
 }
 
-/// Factor by which zeros lengthen the samples before the code computes the spectrum.
+/// Factor by which appended zeros lengthen the samples before the code computes their spectrum.
 const PADDING: usize = 4;
-/// Number of samples above which the code appends no zeros.
+/// Number of samples from which on the code appends no zeros.
 const LONG: usize = 1 << 20;
-/// Number of steps that refine a frequency. A step compares the phases of the first and the second half of the samples.
+/// Number of steps that refine a frequency. A step compares the phase of the first half of the samples with the phase
+/// of the second half.
 const STEPS: usize = 4;
-/// Smallest number of cycles with which a frequency can be determined.
+/// Smallest number of cycles in the samples from which the code determines a frequency.
 pub(super) const FEWEST_CYCLES: f64 = 4.0;
 
 /// Returns the dominant frequency of samples in cycles per sample. Returns `None` if the samples have fewer than
@@ -259,7 +262,8 @@ pub(super) fn frequency(samples: &[f64]) -> Option<f64> {
             let (_, harmonics) = basis.components(part)?;
             harmonics.first().map(|x| x.im.atan2(x.re))
         };
-        // The middles of the two halves are half of the samples apart. The phase of a half refers to its middle.
+        // The phase of a half refers to its middle. The middles of the two halves are apart by half of the number of
+        // samples.
         let apart = 0.5 * count as f64;
         let turns = (phase(second)? - phase(first)?) / TAU - found * apart;
         found += (turns - turns.round()) / apart;

@@ -123,7 +123,7 @@ impl<S: Float> Scene for &System<S> {
     }
 }
 
-/// Returns a function that writes each of its arguments to the next element of the slice `room`.
+/// Returns a function that writes its argument to the next element of the slice `room` at each call.
 fn into<T>(room: &mut [T]) -> impl FnMut(T) {
     let mut places = room.iter_mut();
     move |value| {
@@ -162,11 +162,12 @@ impl<'a, S: Plain> ProvidesOrbit for &'a System<S> {
 }
 
 impl<S: Float> System<S> {
-    /// Returns β_lim and β*_lim without search, and the real part of r²EH. H is the receptance of the contact, and E is
-    /// the scale of the modal sums. The function is for damped chains, and for chains with many modes.
+    /// Returns two results without a search: the limits β_lim and β*_lim, and the real part of r²EH. H is the
+    /// receptance of the contact, and E is the scale of the modal sums. The function is for damped chains, and for
+    /// chains with many modes.
     ///
-    /// The compiler must not inline this function. The caller is then shorter, and faster for an undamped chain with
-    /// one mass.
+    /// The compiler must not inline this function. Otherwise the caller is longer, and slower for an undamped chain
+    /// with one mass.
     #[inline(never)]
     fn limits_of_sums(&self, inverse_r: S) -> (Limits<S>, S) {
         limits_of_sums(&self, inverse_r)

@@ -101,8 +101,8 @@ impl Builder {
         self
     }
 
-    /// Adds one of several contacts, with its name, its two sides and its law. Use this method instead of `contact`.
-    /// `System::joined` then solves the scene.
+    /// Adds one of several contacts, with its name, its two nodes and its law. Use this method instead of `contact` if
+    /// the scene has several contacts. `System::joined` then solves the scene.
     #[doc(hidden)]
     pub fn contact_named(mut self, name: &str, from: &str, to: &str, law: JointLaw) -> Self {
         let sides = (from.to_owned(), to.to_owned());
@@ -110,7 +110,7 @@ impl Builder {
         self
     }
 
-    /// Adds a dashpot between two nodes. The coefficient is force divided by relative velocity, in N·s/m.
+    /// Adds a dashpot between two nodes. Its coefficient is the force divided by the relative velocity, in N·s/m.
     #[doc(hidden)]
     pub fn damper(mut self, from: &str, to: &str, coefficient: f64) -> Self {
         self.dampers
@@ -124,14 +124,14 @@ impl Builder {
         self
     }
 
-    /// Sets the damping of the modes. The default is no damping.
+    /// Sets the modal or Rayleigh damping of the chain. The default is no damping.
     pub fn damping(mut self, damping: Damping) -> Self {
         self.damping = damping;
         self
     }
 
-    /// Selects the velocities on which the damping acts if the base moves. The default is absolute velocities. The
-    /// alternative is velocities relative to the base.
+    /// Selects the velocities on which the damping acts if the base moves: absolute velocities (the default), or
+    /// velocities relative to the base.
     pub fn damping_from(mut self, damping_from: DampingFrom) -> Self {
         self.damping_from = damping_from;
         self
@@ -225,7 +225,8 @@ impl Builder {
                 }
             }
         };
-        // The further checks leave out a spring or contact with an unknown name, so that they can find other faults.
+        // The further checks leave out a spring or a contact with an unknown name. They can then find other faults of
+        // the scene.
         let mut springs = Vec::with_capacity(self.springs.len());
         for (from, to, stiffness) in &self.springs {
             let place = || format!("the spring `{from} - {to}`");

@@ -1,7 +1,7 @@
 //! Motions that combine masses and base: relative displacements, spring forces and the base shear.
 //!
-//! A spring force divided by P equals the spring's elongation x̄, multiplied by k/k₁. Every method for displacements
-//! therefore also returns forces.
+//! A spring force divided by P equals the non-dimensional elongation x̄ of the spring, multiplied by k/k₁. Every method
+//! for displacements can therefore also return forces.
 
 use super::held::{SystemHeld, static_share};
 use super::motion::{SystemMotion, SystemSteady, SystemStuck};
@@ -31,7 +31,8 @@ pub(super) struct Combined<S> {
     base: S,
 }
 
-/// A motion of a steady state (contact, mass, or a combination of masses and base), with the necessary data.
+/// A motion of a steady state, with the data that its evaluation needs. The motion is that of the contact, of a mass,
+/// or of a combination of masses and base.
 #[derive(Clone, Debug)]
 pub(super) enum InOrbit<S> {
     Contact,
@@ -42,7 +43,7 @@ pub(super) enum InOrbit<S> {
 }
 
 impl<S: Float> InOrbit<S> {
-    /// Returns a motion of a steady state. The caller must have checked that the mass exists.
+    /// Returns a motion of a steady state. The caller must have checked that the scene has the mass.
     pub(super) fn motion<'o, 'a>(
         &'o self,
         orbit: &'o SystemOrbit<'a, S>,
@@ -73,7 +74,7 @@ impl Terms {
         }
     }
 
-    /// Adds the displacement of a mass, of the base or of the wall, times a coefficient.
+    /// Adds the displacement of a mass, of the base or of the wall to the sum, multiplied by a coefficient.
     fn add(&mut self, node: Node, coefficient: Dd) {
         match node {
             Node::Mass(index) => self.masses.push((index, coefficient)),
@@ -82,8 +83,9 @@ impl Terms {
         }
     }
 
-    /// Returns Σ c_k x_k + b y for `N` numbers at once. `base` contains the numbers y of the base, and `mass` returns
-    /// the numbers x_k of a mass. Returns `None` if `mass` returns `None` for one of the masses.
+    /// Returns Σ c_k x_k + b y for `N` numbers at once, with the coefficients c_k and b of this sum. `base` contains
+    /// the numbers y of the base. `mass` returns the numbers x_k of a mass. Returns `None` if `mass` returns `None` for
+    /// one of the masses.
     fn sum<S: Float, const N: usize>(
         &self,
         base: [S; N],
@@ -100,7 +102,8 @@ impl Terms {
         Some(sum)
     }
 
-    /// Returns Σ c_k φ_k for every mode, from the components of all masses.
+    /// Returns Σ c_k φ_k for every mode, where c_k are the coefficients of this sum and φ_k are the components of the
+    /// masses in the mode.
     fn shape<S: Scalar>(
         &self,
         shapes: &[S],
@@ -131,14 +134,15 @@ impl<S: Float> System<S> {
         }
     }
 
-    /// Returns the simplest motion with the same displacement. It is the motion of the contact or of a mass, if the
-    /// given combination equals one of these.
+    /// Returns the simplest description of a motion. If a combination of masses and base moves like the contact or like
+    /// a single mass, the result is the contact or this mass.
     pub(super) fn simplest(&self, of: Of) -> Of {
         let contact = self.scene.contact;
         let sides = [contact.from, contact.to];
         let base_moves = self.scene.excitation == Excitation::Base;
         match of {
-            // The contact's motion is that of the later mass relative to the earlier one.
+            // The contact's motion is that of the later mass minus that of the earlier mass, by their order in the
+            // description.
             Of::Relative(of, to)
                 if to < of
                     && [of, to]
@@ -157,14 +161,14 @@ impl<S: Float> System<S> {
         }
     }
 
-    /// Returns true if a motion is the contact's relative motion with the opposite sign. This is the motion of the
-    /// earlier mass relative to the later mass.
+    /// Returns true if a motion is the contact's relative motion with the opposite sign: the motion of the earlier mass
+    /// minus that of the later mass.
     fn is_reversed_contact(&self, of: Of) -> bool {
         matches!(of, Of::Relative(of, to) if self.simplest(Of::Relative(to, of)) == Of::Contact)
     }
 
-    /// Returns true if a motion equals the contact's relative motion up to its sign. This is also true for a mass whose
-    /// contact has its other side at rest.
+    /// Returns true if a motion equals the contact's relative motion or its negative. This is also true for a mass that
+    /// rubs on a side at rest.
     pub(super) fn moves_as_contact(&self, of: Of) -> bool {
         let ends = [self.scene.contact.from, self.scene.contact.to];
         let base_moves = self.scene.excitation == Excitation::Base;
@@ -220,12 +224,12 @@ impl<S: Float> System<S> {
         terms
     }
 
-    /// Returns k/k₁ of a spring.
+    /// Returns the stiffness k of a spring divided by k₁.
     fn stiffness_ratio(&self, spring: &Spring) -> Dd {
         Dd::constant(spring.stiffness) / Dd::constant(self.scene.first_stiffness())
     }
 
-    /// Returns a combination of masses and base in the modes of the closed forms.
+    /// Returns a combination of masses and base, with its component in each mode of the sliding chain.
     fn in_sliding_modes(&self, of: Of) -> Combined<S> {
         let reduced = &self.reduced;
         let (own, modes) = (&reduced.shapes, reduced.modes.len());
@@ -233,8 +237,8 @@ impl<S: Float> System<S> {
     }
 
     /// Returns a weighted sum of the motions of masses and base, with its component in each mode. `own` contains the
-    /// components of the first mass, then those of the second, and so on. `exact` returns the same components to about
-    /// 30 digits. With these digits, the difference of two nearly equal motions stays accurate.
+    /// components of the first mass in all modes, then those of the second mass, and so on. `exact` returns the same
+    /// components to about 30 digits. With these digits, the difference of two nearly equal motions stays accurate.
     fn combined<'e>(
         &self,
         terms: &Terms,
@@ -243,7 +247,7 @@ impl<S: Float> System<S> {
         exact: impl FnOnce() -> &'e [Dd],
     ) -> Combined<S> {
         let shape = if S::CARRIES {
-            // Components with derivatives have about 30 digits.
+            // Components that carry derivatives already have about 30 digits.
             terms.shape(own, modes, rounded)
         } else {
             let shape = terms.shape(exact(), modes, |value| value);
@@ -285,18 +289,18 @@ impl<'a, S: Float> SystemOrbit<'a, S> {
         Some(question(&motion.motion(self)))
     }
 
-    /// Returns a motion with the necessary data, or `None` if the scene has no such motion.
+    /// Returns a motion with the data that its evaluation needs, or `None` if the scene has no such motion.
     pub(super) fn prepared(&self, of: Of) -> Option<InOrbit<S>> {
         let system = self.system;
         let known = system.has_motion(of);
         known.then(|| match system.simplest(of) {
             Of::Contact => InOrbit::Contact,
             Of::Mass(index) => InOrbit::Mass(index),
-            // If the contact stops, its lag is the lag at the beginning of the stop. Only the motion of the contact
-            // itself has this lag.
+            // If the contact stops at its extreme, its lag is that of the beginning of the stop. Only the motion of the
+            // contact itself has this lag.
             of if system.is_reversed_contact(of) => InOrbit::Reversed,
             of => {
-                // Only the components of the steady state itself carry its derivatives.
+                // Only the mode shapes of the steady state itself carry its derivatives.
                 let (own, modes) = self.orbit.shapes();
                 let terms = system.terms(of);
                 InOrbit::Combined(
@@ -345,9 +349,9 @@ impl SystemHeld<'_> {
 }
 
 impl System {
-    /// Returns displacement and velocity of a motion of masses and base, in the scene's units, from those of the base and
-    /// of every mass. For a force, returns the force and its derivative in time. Returns `None` if the scene has no such
-    /// motion, and for the motion of a contact.
+    /// Returns displacement and velocity of a combination of masses and base, in the scene's units. `base` and `masses`
+    /// give displacement and velocity of the base and of every mass. For a force, returns the force and its derivative
+    /// in time. Returns `None` if the scene has no such motion, and for the motion of a contact.
     #[doc(hidden)]
     #[must_use]
     pub fn combination_of(&self, of: Of, base: [f64; 2], masses: &[[f64; 2]]) -> Option<[f64; 2]> {
@@ -355,7 +359,7 @@ impl System {
             return None;
         }
         let sum = self.terms(of).sum(base, |mass| masses.get(mass).copied())?;
-        // The terms of a force are over k₁.
+        // The terms of a force are divided by k₁.
         let unit = match of.is_force() {
             true => self.scene.first_stiffness(),
             false => 1.0,
@@ -395,7 +399,8 @@ impl SystemStepper<'_> {
 }
 
 impl SystemSimulation<'_> {
-    /// Returns the present displacement and velocity of a motion, or `None` if the scene has no such motion.
+    /// Returns the present displacement and velocity of a motion, as non-dimensional groups. Returns `None` if the
+    /// scene has no such motion.
     #[must_use]
     pub fn motion_of(&self, of: Of) -> Option<(f64, f64)> {
         let system = self.system;

@@ -1,4 +1,4 @@
-//! A run-time system with tables. The tables correspond to those that the macro emits for the field `accuracy` of a
+//! A run-time system with tables. They correspond to the tables that the macro emits for the field `accuracy` of a
 //! description.
 
 pub use super::compiled_stuck::CompiledStuck;
@@ -18,10 +18,11 @@ use frictiongen_model::table::ProofWork;
 use frictiongen_model::table::{Fitted, Proof, Request, TableError, Tables};
 use std::ops::{Deref, Range};
 
-/// Number of functions of frequency in one set of polynomial pieces: β_lim, the coefficients a and g, arg V and |V|.
+/// Number of functions of frequency in a table: β_lim, a, g, arg V and |V|. With a and g, the motion of the contact
+/// follows for any β. V is the amplitude of the contact without friction.
 const FUNCTIONS: usize = 5;
 
-/// The polynomial pieces of a table, in one variant for each polynomial degree.
+/// The polynomial pieces of a table. The variant gives the degree of the polynomials.
 #[derive(Clone, Debug)]
 enum TablePieces<S> {
     Cubic(Vec<Piece<S, FUNCTIONS, 4>>),
@@ -30,7 +31,8 @@ enum TablePieces<S> {
     Nonic(Vec<Piece<S, FUNCTIONS, 10>>),
 }
 
-/// A system with tables of its limits and of its contact's motion, to a declared accuracy over a range of r.
+/// A system with tables of its limits and of its contact's motion. The tables have a declared accuracy over a range of
+/// frequency ratios r.
 ///
 /// Within this range a `CompiledSystem` has the same methods as the system. The exact formulas compute the results that
 /// the tables do not contain, such as the motions of masses while the contact slides.
@@ -61,8 +63,8 @@ pub struct CompiledSystem<'s, S: Float = f64> {
 }
 
 impl<S: Float> System<S> {
-    /// Creates tables of β_lim, of the contact's motion and of the stuck responses over a range of r. `accuracy` is the
-    /// largest relative error of a number in a table. For a phase it is the largest error in radians.
+    /// Creates tables of β_lim, of the contact's motion and of the stuck responses over a range of frequency ratios r.
+    /// `accuracy` is the largest relative error of a number from a table. For a phase it is the largest error in rad.
     ///
     /// # Errors
     /// [`TableError`] for an invalid range or accuracy, and if no table reaches the accuracy.
@@ -97,7 +99,8 @@ impl<S: Float> System<S> {
     }
 }
 
-/// Converts the fitted polynomial pieces to arrays of C coefficients. Functions outside the request are 0.
+/// Converts the fitted polynomial pieces to arrays of C coefficients. A function that the request does not include is
+/// 0.
 fn arrays<S: Float, const C: usize>(pieces: &[Fitted<S>]) -> Vec<Piece<S, FUNCTIONS, C>> {
     let array = |piece: &Fitted<S>| {
         let mut coefficients = [[S::constant(0.0); C]; FUNCTIONS];
@@ -134,14 +137,14 @@ impl<'s, S: Float> CompiledSystem<'s, S> {
         self.system
     }
 
-    /// Returns the tables. They contain the request, and the comparison with the exact functions.
+    /// Returns the tables. They contain the request, and the result of their comparison with the exact functions.
     #[must_use]
     pub fn tables(&self) -> &Tables<S> {
         &self.tables
     }
 
-    /// Returns the tables with proofs for β_lim and the contact's motion, as far as the permitted `work` suffices.
-    /// [`ProofWork::WHOLE`] takes a few seconds.
+    /// Returns the tables with proofs of their error bounds for β_lim and for the contact's motion, as far as the
+    /// permitted `work` suffices. [`ProofWork::WHOLE`] takes a few seconds.
     #[cfg(feature = "proof")]
     #[must_use]
     pub fn proven(mut self, work: ProofWork) -> Self {
@@ -149,8 +152,8 @@ impl<'s, S: Float> CompiledSystem<'s, S> {
         self
     }
 
-    /// Returns the proof for β_lim. `proven`, which needs the feature `proof`, makes this proof. If there is no proof,
-    /// the tables were only compared with exact values at points.
+    /// Returns the proof of the error bound for β_lim. The method `proven`, which needs the feature `proof`, makes this
+    /// proof. If there is no proof, the tables were only compared with exact values at points.
     ///
     /// `tables().motion_proof` is the proof for the contact's motion. `tables().sliding_proof` is the proof for β*_lim,
     /// which needs no evaluations.

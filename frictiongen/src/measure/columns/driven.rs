@@ -10,7 +10,7 @@ use frictiongen_kernel::simulation::Contact;
 pub struct Driven {
     /// Times of the samples, s.
     pub time: Vec<f64>,
-    /// Displacements in m and velocities in m/s, as a pair of lists for each requested mass or contact.
+    /// Displacement in m and velocity in m/s at every sample, as a pair of lists for each requested mass or contact.
     pub motions: Vec<[Vec<f64>; 2]>,
     /// Friction force at every sample, N.
     pub force: Vec<f64>,
@@ -38,8 +38,8 @@ impl Driven {
     }
 
     /// Adds the present state of a stepper to the table. `parts` are the masses and the contact of the table. `events`
-    /// is the number of events since the previous sample. If `turned` is true, the table contains the contact's motion
-    /// and force with opposite signs.
+    /// is the number of events of the contact since the previous sample. If `turned` is true, the contact's motion and
+    /// force enter the table with opposite signs.
     pub fn push(&mut self, stepper: &SystemStepper<'_>, parts: &[Part], turned: bool, events: u32) {
         let signed = |value: f64| if turned { 0.0 - value } else { value };
         let contact = stepper.contact();

@@ -4,10 +4,10 @@ use crate::study::System;
 use crate::study::columns::{Column, Columns, Dimension, Head, Measure, Part, Row};
 use crate::study::joined::{Joined, JoinedContactNow, JoinedStepper};
 
-/// A motion in the table.
+/// A part of a scene with several contacts whose motion the table contains.
 #[derive(Clone, Debug)]
 pub enum JoinedPart {
-    /// A contact, by its index in the description.
+    /// A contact, by its index in the description, from 0.
     Contact(usize),
     /// A mass, or a combination of masses and base.
     Mass(Part),
@@ -18,10 +18,10 @@ pub enum JoinedPart {
 pub struct JoinedDriven {
     /// Times of the samples, s.
     pub time: Vec<f64>,
-    /// Displacements in m and velocities in m/s of the requested masses and combinations. For forces of springs, the
-    /// forces in N and their derivatives.
+    /// Displacement in m and velocity in m/s of each requested mass or combination, at every sample. For the force of a
+    /// spring, the lists contain the force in N and its time derivative.
     pub motions: Vec<[Vec<f64>; 2]>,
-    /// States of all contacts, for each sample.
+    /// States of all contacts at each sample.
     pub contacts: Vec<Vec<JoinedContactNow>>,
     events: Vec<usize>,
 }
@@ -36,7 +36,7 @@ pub struct JoinedDrivenRow<'d> {
 impl Row for JoinedDrivenRow<'_> {}
 
 impl JoinedPart {
-    /// Returns the mass or the combination. A contact returns `None`.
+    /// Returns the mass or the combination of masses and base. Returns `None` for a contact.
     #[must_use]
     pub fn mass(&self) -> Option<&Part> {
         match self {
@@ -47,8 +47,8 @@ impl JoinedPart {
 }
 
 impl JoinedDriven {
-    /// Adds the present state of a stepper to the table. `base` is the displacement and the velocity of the base.
-    /// `events` is the number of events since the previous sample.
+    /// Adds the present state of a stepper to the table. `base` is the displacement and the velocity of the base, in m
+    /// and m/s. `events` is the number of events since the previous sample.
     pub fn push(
         &mut self,
         stepper: &JoinedStepper<'_>,

@@ -10,7 +10,7 @@ use crate::study::units::{hertz, polar};
 use crate::study::{System, words};
 use std::f64::consts::TAU;
 
-/// Row of the table: one quantity with its value, interval and unit.
+/// Row of the table of results: one quantity with its value, interval and unit.
 #[derive(Clone, Debug)]
 pub struct QuantityLine {
     /// Number of the recording to which the quantity belongs, counted from 1.
@@ -19,9 +19,9 @@ pub struct QuantityLine {
     pub key: String,
     /// The quantity, in words.
     pub label: String,
-    /// The value.
+    /// The value of the quantity, in the unit `unit`.
     pub value: Cell<'static>,
-    /// Lower and upper bound of the 95 % interval.
+    /// Lower and upper bound of the 95 % confidence interval of the value.
     pub interval: Option<(f64, f64)>,
     /// Unit of the value.
     pub unit: &'static str,
@@ -29,7 +29,7 @@ pub struct QuantityLine {
 
 impl Row for QuantityLine {}
 
-/// A list of lines, to which functions add lines.
+/// A list of result lines, to which the functions of this module add lines.
 #[derive(Default)]
 struct QuantityLines {
     recording: Option<usize>,
@@ -68,7 +68,7 @@ impl QuantityLines {
     }
 }
 
-/// Returns the columns of a table of lines.
+/// Returns the columns of a table whose rows are quantities.
 #[must_use]
 pub fn line_columns<'a>(system: &System, lines: &[QuantityLine]) -> Vec<Column<'a, QuantityLine>> {
     let widest = lines.iter().map(|line| line.label.as_str());
@@ -114,7 +114,7 @@ pub fn fit_lines(system: &System, found: &SweepFit, points: usize) -> Vec<Quanti
     let mut lines = QuantityLines::default();
     let scene = system.scene();
     lines.estimate("reference_Hz", "sqrt(k1/m1)", found.reference, "Hz");
-    // The next two lines are r/f, with f in Hz, and r/ω, with ω in rad/s.
+    // The next two lines of the table are r/f, with f in Hz, and r/ω, with ω in rad/s.
     let inverse = Estimate {
         value: 1.0 / found.reference.value,
         from: 1.0 / found.reference.to,
@@ -154,7 +154,7 @@ fn natural_frequency(lines: &mut QuantityLines, mode: usize, found: Estimate) {
     lines.estimate(&key, &format!("natural frequency {mode}"), found, "Hz");
 }
 
-/// Adds the numbers of the fitted description. The first mass keeps its value.
+/// Adds the masses and springs of the fitted description as lines. The first mass keeps its value.
 fn described(lines: &mut QuantityLines, system: &System) {
     let scene = system.scene();
     for mass in &scene.masses {
@@ -169,7 +169,7 @@ fn described(lines: &mut QuantityLines, system: &System) {
     }
 }
 
-/// Returns the result of an identification as lines.
+/// Returns the result of an identification of the friction force as lines.
 #[must_use]
 pub fn identify_lines(
     system: &System,
@@ -218,7 +218,7 @@ pub fn identify_lines(
     lines.all
 }
 
-/// Adds the lines of one recording.
+/// Adds the lines that describe one recording.
 fn recording(
     lines: &mut QuantityLines,
     system: &System,
@@ -238,7 +238,7 @@ fn recording(
     lines.word("regime", "  regime", words::regime(point.regime));
 }
 
-/// Adds the lines of the motions of one recording.
+/// Adds the lines with the measured motions of one recording.
 fn motions(
     lines: &mut QuantityLines,
     system: &System,

@@ -24,7 +24,7 @@ use crate::study::System;
 use crate::study::columns::{Columns, Dimension, Head, Measure, Row};
 use crate::study::scene::Excitation;
 
-/// Returns the name and the physical quantity of the excitation.
+/// Returns the name of the excitation in the table, and its physical quantity: displacement or force.
 fn drive(system: &System) -> (&'static str, Dimension) {
     match system.scene().excitation {
         Excitation::Base => ("base", Dimension::Length),
@@ -32,7 +32,7 @@ fn drive(system: &System) -> (&'static str, Dimension) {
     }
 }
 
-/// Adds the column with the amplitude of the excitation.
+/// Adds the column with the amplitude of the excitation, in m or N.
 fn drive_amplitude<'a, R: Row + 'a>(
     columns: &mut Columns<'a, R>,
     system: &System,

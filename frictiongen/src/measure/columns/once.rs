@@ -10,7 +10,7 @@ pub type Keyed = (&'static str, SingleValue);
 /// A single value of a measurement.
 #[derive(Clone, Debug)]
 pub enum SingleValue {
-    /// A number, if it is known.
+    /// A number, or `None` if it is unknown.
     Number(Option<f64>),
     /// A number of items.
     Count(usize),
@@ -18,13 +18,13 @@ pub enum SingleValue {
     Flag(bool),
     /// A word or a sentence.
     Text(String),
-    /// A number with its interval, if it is known.
+    /// A number with its 95 % interval, or `None` if it is unknown.
     Estimate(Option<Estimate>),
-    /// Numbers with their intervals.
+    /// Numbers, each with its 95 % interval.
     Estimates(Vec<Estimate>),
-    /// Numbers with their intervals, by name.
+    /// Numbers with their 95 % intervals, each with a name.
     Named(Vec<(String, Estimate)>),
-    /// Names.
+    /// A list of names.
     Names(Vec<String>),
 }
 

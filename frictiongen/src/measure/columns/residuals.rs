@@ -7,7 +7,7 @@ use crate::study::columns::{Column, Columns, Dimension, Head, Measure, Row};
 use crate::study::units::polar;
 use crate::study::{System, words};
 
-/// The quantities of a motion that were measured.
+/// The quantities of a motion that a measurement contains.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MotionKnown {
     /// Amplitude and phase.
@@ -53,8 +53,8 @@ impl Row for FittedRow<'_> {}
 impl Row for ExtremeRow {}
 
 impl ResidualRow<'_> {
-    /// Returns the residual of the measured quantity (complex value, amplitude or phase), divided by its standard
-    /// deviation.
+    /// Returns the residual of the measured quantity (complex value, amplitude or phase), divided by the standard
+    /// deviation of that quantity.
     fn over_deviation(&self) -> f64 {
         let apart = match self.known {
             MotionKnown::Amplitude => (self.datum.value.norm() - self.model.norm()).abs(),
@@ -64,8 +64,8 @@ impl ResidualRow<'_> {
         apart / self.datum.deviation
     }
 
-    /// Returns a residual divided by its standard deviation. Returns `None` unless the amplitude and the phase were
-    /// measured.
+    /// Returns a residual of the complex motion, divided by its standard deviation. Returns `None` unless both the
+    /// amplitude and the phase were measured.
     fn whole(&self, residual: f64) -> Option<f64> {
         (self.known == MotionKnown::Both).then(|| residual / self.datum.deviation)
     }
@@ -76,8 +76,8 @@ fn name(system: &System, mass: usize) -> &str {
     mass.map_or("", |mass| mass.name.as_str())
 }
 
-/// Returns the rows of all motions of all observations. `known` has one entry for each observation: the quantities that
-/// were measured.
+/// Returns the table rows of all motions of all observations. `known` has one entry for each observation: the
+/// quantities that were measured.
 #[must_use]
 pub fn residuals<'o>(
     system: &'o System,
@@ -104,7 +104,7 @@ pub fn residuals<'o>(
     rows
 }
 
-/// Returns the columns of [`residuals`].
+/// Returns the columns of the table of [`residuals`].
 #[must_use]
 pub fn residual_columns<'o>(system: &System) -> Vec<Column<'o, ResidualRow<'o>>> {
     use Dimension::Angle;
@@ -137,7 +137,7 @@ pub fn residual_columns<'o>(system: &System) -> Vec<Column<'o, ResidualRow<'o>>>
     columns.done()
 }
 
-/// Returns the rows of the points of a sweep.
+/// Returns the table rows of the points of a sweep, each with the amplitude of the fitted scene.
 #[must_use]
 pub fn fitted<'o>(
     system: &'o System,
@@ -153,7 +153,7 @@ pub fn fitted<'o>(
     rows.collect()
 }
 
-/// Returns the columns of [`fitted`].
+/// Returns the columns of the table of [`fitted`].
 #[must_use]
 pub fn fitted_columns<'o>(system: &System) -> Vec<Column<'o, FittedRow<'o>>> {
     let mut columns = Columns::new(&Measure::si(system));
@@ -166,7 +166,7 @@ pub fn fitted_columns<'o>(system: &System) -> Vec<Column<'o, FittedRow<'o>>> {
     columns.done()
 }
 
-/// Returns the rows of the extremes of a free vibration.
+/// Returns the table rows of the extremes of a free vibration.
 #[must_use]
 pub fn extremes(found: &FreeDecay) -> Vec<ExtremeRow> {
     let all = found.extremes.iter();
@@ -177,7 +177,7 @@ pub fn extremes(found: &FreeDecay) -> Vec<ExtremeRow> {
     rows.collect()
 }
 
-/// Returns the columns of [`extremes`].
+/// Returns the columns of the table of [`extremes`].
 #[must_use]
 pub fn extreme_columns<'o>(system: &System) -> Vec<Column<'o, ExtremeRow>> {
     let mut columns = Columns::new(&Measure::si(system));

@@ -7,9 +7,9 @@ use crate::study::columns::{Column, Columns, Dimension, Head, Measure, Row};
 /// Row of the table: the peak response of one oscillator.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpectrumRow {
-    /// Number of the mode of the scene that has this period, from 1. `None` for another period.
+    /// Number of the scene's mode whose period the oscillator has, from 1. `None` if no mode has this period.
     pub mode: Option<usize>,
-    /// Period and largest displacement of the oscillator.
+    /// Period and largest relative displacement of the oscillator.
     pub peak: PeakResponse,
 }
 

@@ -5,7 +5,7 @@ use crate::measure::Measured;
 use crate::study::System;
 use crate::study::columns::{Column, Columns, Dimension, Head, Measure, Row};
 
-/// The table of transmissibilities. It has one row for each recording.
+/// The table of measured displacement transmissibilities. It has one row for each recording.
 #[derive(Clone, Debug)]
 pub struct TransmissibilityTable<'a> {
     system: &'a System,

@@ -7,20 +7,21 @@ use crate::measure::statistics::student;
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::PI;
 
-/// Step of a finite difference, divided by the scale of the parameter.
+/// Step of the finite difference for a derivative, divided by the scale of the parameter.
 const DIFFERENCE: f64 = 1e-6;
 /// Index of the parameter “number of samples in a half cycle” in [`Shape`].
 const HALF: usize = 3;
 /// Index of the parameter “decrement of a half cycle” in [`Shape`].
 const DECREMENT: usize = 4;
-/// Index of the parameter F/k in [`Shape`].
+/// Index of the parameter F/k in [`Shape`]: friction force F divided by stiffness k.
 const LENGTH: usize = 5;
 
-/// Parameters of the decay, in samples and m: position and value of the first extreme, the middle, the half cycle, the
-/// decrement of a half cycle, and F/k.
+/// Parameters of a decaying vibration, in this order: instant of the first extreme (in samples), its displacement (m),
+/// the middle of the vibration (m), the duration of a half cycle (in samples), the decrement of a half cycle, and F/k
+/// (m).
 type Shape = [f64; 6];
 
-/// Returns the displacement at each sample from the first extreme to the last.
+/// Computes the displacement at each sample from the first extreme to the last, for the parameters `shape`.
 fn wave(shape: &[f64], from: usize, count: usize) -> Option<Vec<f64>> {
     let &[start, first, middle, half, decrement, length] = shape else {
         return None;
@@ -132,7 +133,7 @@ impl<'s> DecayFit<'s> {
         })
     }
 
-    /// Returns the lower and the upper bound of a parameter.
+    /// Returns the lower and the upper bound of a parameter in the fit.
     fn bounds(&self, part: usize) -> (f64, f64) {
         let [_, _, _, half, _, size] = self.scales;
         match part {
@@ -143,8 +144,8 @@ impl<'s> DecayFit<'s> {
         }
     }
 
-    /// Returns all parameters. `free` has the values of the fitted parameters. All others have the values of the first
-    /// guess.
+    /// Returns all parameters of the decay. `free` gives the fitted parameters. The other parameters keep the values of
+    /// the first guess.
     fn shape(&self, free: &[f64]) -> Option<Shape> {
         let mut shape = self.start;
         for (part, value) in self.free.iter().zip(free) {
@@ -153,7 +154,7 @@ impl<'s> DecayFit<'s> {
         Some(shape)
     }
 
-    /// Returns the computed minus the recorded displacements.
+    /// Returns the computed minus the recorded displacements at all samples.
     fn residuals(&self, free: &[f64]) -> Option<DVector<f64>> {
         let count = self.window.len();
         let values = wave(&self.shape(free)?, self.from, count)?;
@@ -161,7 +162,7 @@ impl<'s> DecayFit<'s> {
         Some(DVector::from_iterator(count, pairs.map(|(a, b)| a - b)))
     }
 
-    /// Returns the residuals with their derivatives, by central differences.
+    /// Returns the residuals and their derivatives with respect to the fitted parameters, by central differences.
     fn linearised(&self, free: &[f64]) -> Option<Linearised> {
         let residuals = self.residuals(free)?;
         let mut jacobian = DMatrix::zeros(self.window.len(), free.len());

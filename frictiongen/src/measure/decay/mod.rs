@@ -21,8 +21,8 @@ use fit::DecayFit;
 use std::f64::consts::PI;
 use swings::{Swings, noise};
 
-/// A decrease in a half cycle counts as rounding error if the decrease, divided by the largest swing, is at most this
-/// value.
+/// Upper bound on a decrease in a half cycle that counts as a rounding error, divided by the largest swing (distance
+/// from one extreme to the next).
 const ROUNDING: f64 = 1e-9;
 
 /// Friction, damping and natural frequency found in a free vibration.
@@ -36,17 +36,19 @@ pub struct FreeDecay {
     pub damping: Estimate,
     /// Undamped natural frequency, Hz.
     pub hertz: Estimate,
-    /// F/k by the linear decrement, m: the mean of (x⁽¹⁾ − x⁽²⁾)/4 over the extremes (4.2).
+    /// F/k by the linear decrement, m: the mean of (x⁽¹⁾ − x⁽²⁾)/4 over the extremes, where x⁽¹⁾ and x⁽²⁾ are extremes
+    /// one cycle apart (4.2).
     pub linear_decrement: f64,
-    /// The extremes that the fit has used. Each is a pair: time from the first sample in s, and displacement in m.
+    /// The extremes that the fit has used. Each pair is the time from the first sample, in s, and the displacement, in
+    /// m.
     pub extremes: Vec<(f64, f64)>,
-    /// Standard deviation of the residuals, divided by the standard deviation of the noise. If this quotient is far
-    /// above 1, the model does not describe the motion of the mass.
+    /// Standard deviation of the fit's residuals, divided by the standard deviation of the recording's noise. If this
+    /// quotient is far above 1, the model does not describe the motion of the mass.
     pub misfit: f64,
 }
 
 impl FreeDecay {
-    /// Returns β for a base motion of amplitude Y in m (4.3).
+    /// Returns the friction ratio β = F/(k₁Y) for a base motion of amplitude Y = `amplitude`, in m (4.3).
     #[must_use]
     pub fn friction_ratio(&self, amplitude: f64) -> f64 {
         self.length.value / amplitude
@@ -54,8 +56,8 @@ impl FreeDecay {
 }
 
 impl System {
-    /// Returns ζ of the first mode, if the description gives damping ratios. Use it as the known damping in
-    /// [`free_decay`](Self::free_decay).
+    /// Returns the damping ratio ζ of the first mode, if the description gives damping ratios. It can serve as the
+    /// known damping in [`free_decay`](Self::free_decay).
     #[must_use]
     pub fn described_damping(&self) -> Option<f64> {
         match &self.scene().damping {
@@ -67,7 +69,8 @@ impl System {
 
     /// Finds friction, damping and natural frequency from a free vibration of a scene with one mass.
     ///
-    /// `damping` is ζ if it is known. If `damping` is `None`, the call fits ζ together with the other unknowns.
+    /// `damping` is the damping ratio ζ if it is known. If `damping` is `None`, the call fits ζ together with the other
+    /// unknowns.
     ///
     /// ```
     /// use frictiongen::measure::{Channel, Recording, Unit};
@@ -93,8 +96,8 @@ impl System {
     /// ```
     ///
     /// # Errors
-    /// [`MeasureError`] for more than one mass, for an elastic contact, and for a channel that is not the displacement of the mass.
-    /// [`MeasureError`] also for too few extremes above the noise, and for extremes that do not decrease.
+    /// [`MeasureError`] for more than one mass, for an elastic contact, and for a channel that is not the displacement
+    /// of the mass. [`MeasureError`] also for too few extremes above the noise, and for extremes that do not decrease.
     pub fn free_decay(
         &self,
         recording: &Recording,
@@ -135,7 +138,8 @@ fn of(
     let noise = noise(samples);
     let swings = Swings::of(samples, noise)?;
     let fit = DecayFit::new(samples, &swings, damping)?.solved()?;
-    // The sampled extremes may seem to decrease, although the extremes of the motion between the samples do not.
+    // The sampled extremes may seem to decrease, although the true extremes between the samples do not. The fitted
+    // parameters decide.
     if !(ROUNDING < fit.length.0 / swings.largest + fit.decrement.0) {
         return Err(MeasureError::NoDecay);
     }
@@ -156,8 +160,8 @@ fn of(
     })
 }
 
-/// Returns the estimate of a quantity with its interval. The quantity is a monotone function `of` a fitted parameter.
-/// The pair contains the value of that parameter and the half width of its confidence interval.
+/// Returns the estimate of a quantity that is a monotone function `of` a fitted parameter. The pair contains the value
+/// of the parameter and the half width of its confidence interval.
 fn between((value, reach): (f64, f64), of: &dyn Fn(f64) -> f64) -> Estimate {
     let (a, b) = if reach.is_finite() {
         (of(value - reach), of(value + reach))

@@ -3,7 +3,7 @@
 use super::ROUNDING;
 use crate::measure::MeasureError;
 
-/// Smallest number of extremes, which is one more than the number of unknowns of the decay.
+/// Smallest number of extremes that a decay must have. It is one more than the number of the decay's unknowns.
 const FEWEST: usize = 4;
 /// A swing (the motion from one extreme to the next) ends when the mass has moved back by more than this number of
 /// standard deviations of the noise, and by more than the fraction [`PART`] of the range.
@@ -14,13 +14,13 @@ const PART: f64 = 0.02;
 
 /// Swings of a free vibration. A swing is the motion from one extreme to the next.
 pub(super) struct Swings {
-    /// Index and value of the sample at each extreme.
+    /// Index of the sample, and displacement in m, at each extreme.
     pub(super) turns: Vec<(usize, f64)>,
-    /// The first and the last extreme.
+    /// The first and the last extreme, each as index of the sample and displacement in m.
     pub(super) ends: [(usize, f64); 2],
     /// Distance between the first two extremes, m.
     pub(super) largest: f64,
-    /// F/k by the linear decrement, m.
+    /// F/k by the linear decrement, m, where F is the friction force and k the stiffness.
     pub(super) linear_decrement: f64,
 }
 
@@ -74,8 +74,8 @@ pub(super) fn noise(samples: &[f64]) -> f64 {
     (thirds.sum::<f64>() / (20.0 * count)).sqrt()
 }
 
-/// Returns the index and the value of each sample at which the motion reverses. The result contains neither the first
-/// sample nor reversals within the noise.
+/// Returns the index and the value of each sample at which the motion reverses. The result leaves out the first sample,
+/// and reversals that noise may cause.
 fn extremes(samples: &[f64], turn: f64) -> Vec<(usize, f64)> {
     let mut found = Vec::new();
     let Some(first) = samples.first() else {
@@ -116,9 +116,9 @@ mod tests {
     use rand_distr::{Distribution, StandardNormal};
     use std::f64::consts::TAU;
 
-    /// Checks the estimate for white noise with a standard deviation of 1, alone and on a motion a hundred times as
-    /// large. The estimate from 40,000 samples has a standard deviation of 0.54 %, and the tolerance is five times this
-    /// value. The third differences of the motion are 100 (2π/2000)³, about 3e-6.
+    /// Checks the estimate of the noise for white noise with a standard deviation of 1, first alone and then added to a
+    /// motion of amplitude 100. The estimate from 40,000 samples has a standard deviation of 0.54 %. The tolerance is
+    /// five times this percentage. The third differences of the motion are 100 (2π/2000)³, about 3e-6.
     #[test]
     fn white_noise_has_its_deviation() {
         let mut random = ChaCha8Rng::seed_from_u64(1);

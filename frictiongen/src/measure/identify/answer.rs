@@ -6,10 +6,10 @@ use crate::measure::statistics::is_chance;
 use crate::study::System;
 use crate::{Complex, Regime};
 
-/// A number with its 95 % interval.
+/// An estimated quantity: a number with its 95 % confidence interval.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Estimate {
-    /// The best estimate.
+    /// The best estimate of the quantity.
     pub value: f64,
     /// Lower bound of the interval.
     pub from: f64,
@@ -25,7 +25,7 @@ impl Estimate {
     }
 }
 
-/// Conclusion about the friction force that a measurement allows.
+/// The conclusion that a measurement allows about the friction force.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Verdict {
     /// The description does not explain the measurement. If the description were right, noise of the given deviations

@@ -15,16 +15,16 @@ const GROSS: f64 = 0.5;
 /// A measurement with a corrected unit counts as explained if the root mean square of the unexplained motion, divided
 /// by that of the measured motion, is at most this value.
 const MENDED: f64 = 0.2;
-/// The unit of a measured motion may be wrong if the motion is below this fraction of the scene's largest motion at any
-/// friction force.
+/// The unit of a measured motion may be wrong if the measured amplitude, divided by the largest amplitude that the
+/// scene has at any friction force, is less than this value.
 const TINY: f64 = 0.01;
-/// Phases count as not explained if the root mean square of the differences between measured and computed phases is at
-/// least this value, in rad (15°).
+/// Measured phases count as not explained if the root mean square of the differences between measured and computed
+/// phases is at least this value, in rad (15°).
 const TURNED: f64 = PI / 12.0;
 
 impl IdentifyProblem<'_> {
-    /// Returns the unexplained fraction of the motion at this friction force. Also returns the mass with the largest
-    /// unexplained motion, and the measured and computed amplitude of this mass.
+    /// Returns the unexplained fraction of the motion at the friction force `friction`, in N. Also returns the mass
+    /// with the largest unexplained motion, and the measured and computed amplitude of this mass.
     fn unexplained(&self, friction: f64, factor: f64) -> Option<(f64, usize, f64, f64)> {
         let (mut left, mut all) = (0.0, 0.0);
         let mut worst = (0.0, 0, 0.0, 0.0);
@@ -37,7 +37,7 @@ impl IdentifyProblem<'_> {
                     Using::Complex => (measured - value).norm(),
                     _ => (measured.norm() - value.norm()).abs(),
                 };
-                // A difference that the noise can cause counts as explained.
+                // A difference between measured and computed motion that the noise can cause counts as explained.
                 let apart = (apart - 5.0 * datum.deviation / factor.abs()).max(0.0);
                 left += apart * apart;
                 all += size * size;
@@ -54,7 +54,7 @@ impl IdentifyProblem<'_> {
         ))
     }
 
-    /// Fails if the scene does not explain the measurement at this friction force.
+    /// Fails if the scene does not explain the measurement at the friction force `friction`, in N.
     pub(super) fn explains(&self, friction: f64) -> Result<(), MeasureError> {
         if self.using == Using::PhaseAlone {
             return self.turns_alike(friction);
@@ -85,13 +85,13 @@ impl IdentifyProblem<'_> {
         })
     }
 
-    /// Returns the friction forces of the scan over the range.
+    /// Returns the friction forces of the scan over the range of forces, in N.
     fn forces(&self) -> impl Iterator<Item = f64> {
         let end = self.range.1;
         (0..=PLACES).map(move |i| end * f64::from(i) / f64::from(PLACES))
     }
 
-    /// Returns true if some friction force explains the motion after its unit is corrected by `factor`.
+    /// Returns true if some friction force explains the motion after the measured amplitudes are divided by `factor`.
     fn mends(&self, factor: f64) -> bool {
         let parts = self
             .forces()
@@ -99,9 +99,9 @@ impl IdentifyProblem<'_> {
         parts.fold(f64::INFINITY, f64::min) < MENDED
     }
 
-    /// Returns true if the unit of measured amplitudes without phases is in doubt. There are two conditions: the
-    /// amplitudes are as small as with an almost stuck contact, and amplitudes larger by a power of 1000 would be
-    /// explained as well.
+    /// Returns true if the unit of amplitudes that were measured without phases is in doubt. It is in doubt under two
+    /// conditions: the amplitudes are as small as with an almost stuck contact, and amplitudes larger by a power of
+    /// 1000 would also be explained.
     pub(super) fn doubts_unit(&self) -> bool {
         if self.using != Using::Amplitude {
             return false;
@@ -122,7 +122,7 @@ impl IdentifyProblem<'_> {
         is_tiny && [1e-3, 1e-6].into_iter().any(|factor| self.mends(factor))
     }
 
-    /// Fails if the root mean square of the unexplained phases is at least [`TURNED`].
+    /// Fails if the root mean square of the differences between measured and computed phases is at least [`TURNED`].
     fn turns_alike(&self, friction: f64) -> Result<(), MeasureError> {
         let (mut squares, mut count) = (0.0, 0.0);
         let mut worst = (0.0, 0, 0.0, 0.0);
@@ -132,7 +132,7 @@ impl IdentifyProblem<'_> {
                 // A motion of zero amplitude has no phase, so that it explains no measured phase.
                 let (size, lag) = polar(value * datum.value.conj());
                 let apart = if 0.0 < size { lag.abs() } else { PI };
-                // A difference that the noise can cause counts as explained.
+                // A difference of phases that the noise can cause counts as explained.
                 let noise = 5.0 * datum.deviation / datum.value.norm();
                 let apart = (apart - noise).max(0.0);
                 squares += apart * apart;
@@ -153,7 +153,7 @@ impl IdentifyProblem<'_> {
         })
     }
 
-    /// Returns the scene's response at each observation.
+    /// Returns the scene's response at each observation, with β, r and the regime.
     pub(super) fn explained(
         &self,
         system: &System,

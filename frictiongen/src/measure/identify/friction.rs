@@ -1,4 +1,5 @@
-//! Finds the friction force without other unknowns, by a scan of the sum of squares over the whole range of forces.
+//! Finds the friction force without other unknowns. The code scans the sum of squared residuals over the whole range of
+//! forces.
 
 use super::answer::{Estimate, Explained, Identified, Verdict};
 use super::data::Weighed;
@@ -10,18 +11,20 @@ use crate::measure::statistics::{CHI, excess, is_chance};
 use crate::study::System;
 use crate::{Complex, Regime};
 
-/// Number of intervals into which the scan divides the range of forces. The intervals are shorter near the start of the
-/// range.
+/// Number of intervals into which the scan divides the range of friction forces. The intervals are shorter near the
+/// start of the range.
 pub(super) const PLACES: u32 = 96;
-/// Number of steps of a golden-section search. The steps narrow an interval to 1e-9 of its width.
+/// Number of steps of a golden-section search for the friction force. The steps narrow an interval of forces to 1e-9 of
+/// its width.
 const SECTIONS: usize = 44;
-/// Number of steps of a bisection. The steps narrow an interval to 1e-12 of its width.
+/// Number of steps of a bisection for a bound of the friction force. The steps narrow an interval of forces to 1e-12 of
+/// its width.
 const HALVINGS: usize = 40;
-/// The measurement determines the friction force if the width of the 95 % interval is at most this multiple of the
-/// force.
+/// Largest width of the 95 % interval of the friction force, divided by the force, for which the measurement determines
+/// the force.
 const WIDE: f64 = 1.0;
 
-/// Measurements, and the scene for the comparison with them.
+/// The measurements of an identification, and the scene with which the fit compares them.
 pub(super) struct IdentifyProblem<'a> {
     pub(super) system: &'a System,
     pub(super) observations: &'a [Observation],
@@ -82,7 +85,8 @@ impl<'a> IdentifyProblem<'a> {
         })
     }
 
-    /// Returns the compared quantities of all observations, with weights for this friction force.
+    /// Returns the compared quantities of all observations, weighted by their errors. The errors of the load are those
+    /// at the friction force `friction`, in N.
     pub(super) fn weighed(
         &self,
         system: &System,
@@ -123,7 +127,8 @@ impl<'a> IdentifyProblem<'a> {
         )
     }
 
-    /// Returns the sum of squared residuals. Returns infinity if the scene has no response at this force.
+    /// Returns the sum of squared residuals at a friction force in N. Returns infinity if the scene has no response at
+    /// this force.
     fn squares(&self, weighed: &[Weighed<'_>], friction: f64) -> f64 {
         let sums = self
             .observations
@@ -136,7 +141,7 @@ impl<'a> IdentifyProblem<'a> {
         sums.sum::<Option<f64>>().unwrap_or(f64::INFINITY)
     }
 
-    /// Finds the friction force without other unknowns.
+    /// Finds the friction force, without other unknowns, with its interval.
     pub(super) fn friction(&self) -> Result<Alone, MeasureError> {
         let weighed = self.weighed(self.system, None)?;
         let data: usize = weighed.iter().map(Weighed::len).sum();
@@ -152,8 +157,8 @@ impl<'a> IdentifyProblem<'a> {
             .map(|i| (place(i), self.squares(&weighed, place(i))))
             .collect();
         let best = self.lowest(&weighed, &scanned)?;
-        // The second pass needs the errors of the load at a friction force. It takes the force that the first pass has
-        // found.
+        // The errors of the load depend on the friction force. The second pass takes them at the force that the first
+        // pass has found.
         let weighed = self.weighed(self.system, Some(best))?;
         let scanned: Vec<(f64, f64)> = scanned
             .iter()
@@ -198,7 +203,7 @@ impl<'a> IdentifyProblem<'a> {
         best.map(|(force, _)| force).ok_or(MeasureError::NoFit)
     }
 
-    /// Returns the local minima of the scan, each refined by golden sections.
+    /// Returns the local minima of the scanned sum of squares, each refined by a golden-section search.
     fn minima(&self, weighed: &[Weighed<'_>], scanned: &[(f64, f64)]) -> Vec<(f64, f64)> {
         let mut found = Vec::new();
         for (index, (force, squares)) in scanned.iter().enumerate() {
@@ -238,8 +243,8 @@ impl<'a> IdentifyProblem<'a> {
         if left.1 <= right.1 { left } else { right }
     }
 
-    /// Returns the force at which the sum of squares reaches `most`, on one side of the force at the minimum. The sign
-    /// of `side` selects the side.
+    /// Returns the friction force at which the sum of squares reaches `most`, on one side of the force of the minimum.
+    /// The sign of `side` selects the side.
     fn edge(&self, weighed: &[Weighed<'_>], force: f64, most: f64, side: f64) -> f64 {
         let end = if side < 0.0 {
             self.range.0
@@ -293,7 +298,7 @@ impl Alone {
             .ok_or(MeasureError::NoFit)
     }
 
-    /// Fails if the best force does not explain the measurement.
+    /// Fails if the best friction force does not explain the measurement.
     pub(super) fn checked(&self, problem: &IdentifyProblem<'_>) -> Result<(), MeasureError> {
         problem.explains(self.best()?.value)
     }
@@ -307,7 +312,7 @@ impl Alone {
             verdict = Verdict::AlmostStuck;
         }
         if verdict == Verdict::Stuck {
-            // Every force above the lower bound fits equally well, so the lower bound is the answer.
+            // Every friction force above the lower bound fits equally well. The lower bound is therefore the answer.
             friction.value = friction.from;
         }
         if !is_chance(self.misfit, self.freedom) {
@@ -327,8 +332,8 @@ impl Alone {
     }
 }
 
-/// Returns the conclusion about the friction force from its interval, the number of forces that fit, and the regimes of
-/// the contact.
+/// Returns the conclusion about the friction force. It follows from the interval of the force, the number of forces
+/// that fit, and the regimes of the contact.
 pub(super) fn verdict(friction: &Estimate, levels: usize, explained: &[Explained]) -> Verdict {
     let stuck = explained.iter().all(|point| point.regime == Regime::Stuck);
     let width = friction.to - friction.from;
@@ -343,8 +348,8 @@ pub(super) fn verdict(friction: &Estimate, levels: usize, explained: &[Explained
     }
 }
 
-/// Returns the condition number: a relative change of the friction force, divided by the relative change of the motion
-/// that it causes.
+/// Returns the condition number of the identification: a relative change of the friction force, divided by the relative
+/// change of the motion that it causes.
 fn condition(problem: &IdentifyProblem<'_>, friction: &Estimate, explained: &[Explained]) -> f64 {
     let Some(along) = Along::new(problem.system, Direction::Friction) else {
         return f64::INFINITY;

@@ -21,18 +21,19 @@ impl System {
     ///
     /// For the friction force alone, the call scans the sum of squared residuals over the whole range of forces. The
     /// interval contains the forces at which the sum exceeds its minimum by less than χ² allows. The scan finds
-    /// different forces with the same response, and detects a response that hardly depends on the force. With more
-    /// unknowns, damped Gauss–Newton steps with exact sensitivities follow. The intervals then come from the
-    /// covariance.
+    /// different forces with the same response. It also detects a response that hardly depends on the force. With more
+    /// unknowns, damped Gauss–Newton steps with exact sensitivities follow the scan. The intervals then come from the
+    /// covariance of the fit.
     ///
     /// The stiffness of an elastic contact can also be an unknown ([`Quantity::ContactStiffness`]). A contact that
     /// never slides determines this stiffness, but not the friction force.
     ///
     /// [`Quantity::ContactStiffness`]: crate::study::sensitivity::Quantity::ContactStiffness
     ///
-    /// If the contact slides all the time, the fundamental of one mass gives β directly: |X₁ − V| = 4β|H|/π. The
-    /// two-amplitude method at resonance (Liang and Feeny, J. Vib. Acoust. 126 (2004) 118) corresponds to observations
-    /// at two loads with [`Unknown::Damping`].
+    /// If the contact slides all the time, the fundamental of one mass gives β directly: |X₁ − V| = 4β|H|/π. V is the
+    /// amplitude of the mass without friction, and H its amplitude under a unit force in the contact. The two-amplitude
+    /// method at resonance (Liang and Feeny, J. Vib. Acoust. 126 (2004) 118) corresponds to observations at two loads
+    /// with [`Unknown::Damping`].
     ///
     /// ```
     /// use frictiongen::measure::{Datum, IdentifyRequest, Observation, Verdict};

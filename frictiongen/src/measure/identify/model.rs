@@ -14,7 +14,7 @@ use crate::{Complex, Of, Regime};
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::number::dual::Dual;
 
-/// The response of a scene to the load of an observation.
+/// The computed response of a scene to the load of an observation.
 pub(super) struct ComputedResponse {
     pub(super) r: f64,
     pub(super) beta: f64,
@@ -23,8 +23,8 @@ pub(super) struct ComputedResponse {
     pub(super) values: Vec<Complex<f64>>,
 }
 
-/// Returns the factor that converts x̄ to the response divided by the load: x/Y for base motion, or x/P in m/N for a
-/// force.
+/// Returns the factor that converts a non-dimensional displacement x̄ to the displacement divided by the load: x/Y for
+/// base motion, or x/P in m/N for a force.
 fn over_load(system: &System, load: Load) -> f64 {
     if load.is_base_motion() {
         1.0
@@ -33,7 +33,7 @@ fn over_load(system: &System, load: Load) -> f64 {
     }
 }
 
-/// Returns the friction force in N that corresponds to β = 1.
+/// Returns the friction force in N that corresponds to the friction ratio β = 1.
 pub(super) fn force_scale(system: &System, load: Load) -> f64 {
     if load.is_base_motion() {
         system.scene().first_stiffness() * load.amplitude()
@@ -42,7 +42,7 @@ pub(super) fn force_scale(system: &System, load: Load) -> f64 {
     }
 }
 
-/// Returns the response at a friction force in N, or `None` if the scene has no steady response at this force.
+/// Returns the scene's response at a friction force in N, or `None` if the scene has no steady response at this force.
 pub(super) fn answer(
     system: &System,
     seen: &Observation,
@@ -65,12 +65,12 @@ pub(super) fn answer(
     })
 }
 
-/// Upper bound of the scan, as a multiple of the largest β*_lim at 0, at the resonances and at ∞. The scan needs this
-/// bound because no finite force makes the contact stick at its antiresonance.
+/// Upper bound of the scanned friction forces, as a multiple of the largest β*_lim at r = 0, at the resonances and at r
+/// → ∞. The scan needs this bound because no finite force makes the contact stick at its antiresonance.
 const FAR: f64 = 20.0;
 
-/// Returns two forces in N: the smallest force at which the contact is stuck, and the upper bound of the scan. The
-/// bound equals the smallest force, unless the smallest force is beyond the bound that [`FAR`] gives.
+/// Returns two friction forces in N: the smallest force at which the contact is stuck, and the upper bound of the scan.
+/// The two forces are equal, unless the first one exceeds the bound that [`FAR`] gives.
 pub(super) fn sticks_from(system: &System, seen: &Observation) -> Option<(f64, f64)> {
     let r = system.frequency_ratio_at_hertz(seen.hertz);
     let limit = system.at(r).ok()?.sliding_limit();
@@ -88,7 +88,7 @@ pub(super) fn sticks_from(system: &System, seen: &Observation) -> Option<(f64, f
     sought.is_finite().then_some((limit * scale, sought))
 }
 
-/// Returns the value of an unknown in a scene.
+/// Returns the value that an unknown of the fit has in a scene.
 pub(super) fn value(system: &System, unknown: Unknown) -> Option<f64> {
     let scene = system.scene();
     Some(match unknown {
@@ -116,7 +116,7 @@ pub(super) fn value(system: &System, unknown: Unknown) -> Option<f64> {
     })
 }
 
-/// Sets an unknown of a scene.
+/// Sets an unknown of the fit to a value in a scene.
 fn set(scene: &mut Scene, unknown: Unknown, value: f64) -> Option<()> {
     let count = scene.masses.len();
     match unknown {
@@ -148,7 +148,7 @@ fn set(scene: &mut Scene, unknown: Unknown, value: f64) -> Option<()> {
     Some(())
 }
 
-/// Returns the scene with other values of its unknowns. Returns `None` if the scene is then invalid.
+/// Returns the scene with other values of the fit's unknowns. Returns `None` if the scene is then invalid.
 pub(super) fn changed(system: &System, unknowns: &[Unknown], values: &[f64]) -> Option<System> {
     let mut scene = system.scene().clone();
     for (unknown, value) in unknowns.iter().zip(values) {
@@ -162,13 +162,13 @@ pub(super) fn changed(system: &System, unknowns: &[Unknown], values: &[f64]) -> 
 pub(super) enum Direction {
     /// The friction force, N.
     Friction,
-    /// A factor on all frequencies, whose value is 1.
+    /// A common factor on all natural frequencies. Its value is 1.
     Frequencies,
     /// A number of the description.
     Quantity(Quantity),
 }
 
-/// A scene whose results have the derivative with respect to one variable.
+/// A scene whose results carry the derivative with respect to one variable.
 pub(super) struct Along<'s> {
     system: &'s System,
     direction: Direction,
@@ -188,7 +188,7 @@ impl<'s> Along<'s> {
         })
     }
 
-    /// Returns the derivatives of the values of [`answer`], or `None` if no derivative exists.
+    /// Returns the derivatives of the motions that [`answer`] returns, or `None` if no derivative exists.
     pub(super) fn slopes(&self, seen: &Observation, friction: f64) -> Option<Vec<Complex<f64>>> {
         let number = |value: f64, own: bool| -> Sensitive {
             let value = Dd::from(value);

@@ -14,7 +14,7 @@ pub struct Observation {
     pub load: Load,
     /// Standard deviation of the load's amplitude, in the unit of the load.
     pub load_deviation: f64,
-    /// The measured motions.
+    /// The measured motions of the masses.
     pub motions: Vec<Datum>,
 }
 
@@ -25,15 +25,17 @@ pub struct Datum {
     pub mass: usize,
     /// Order n of the harmonic.
     pub harmonic: u32,
-    /// Complex amplitude X_n divided by the amplitude of the load, in m/m or m/N. τ = 0 is a maximum of the load.
+    /// Complex amplitude X_n divided by the amplitude of the load, in m/m or m/N. The phase τ is 0 at a maximum of the
+    /// load.
     pub value: Complex<f64>,
-    /// Standard deviation of the real part, and of the imaginary part, from the noise of the mass's own channel.
+    /// Standard deviation of the real part and of the imaginary part of [`value`](Self::value), due to the noise of the
+    /// mass's own channel.
     pub deviation: f64,
 }
 
 impl Observation {
-    /// Creates the observation from the steady interval of a recording. It contains the fundamental of each mass, and
-    /// the odd harmonics up to order `harmonics`.
+    /// Creates the observation from the steady interval of a recording. The observation contains the fundamental of
+    /// each mass, and the odd harmonics up to order `harmonics`.
     #[must_use]
     pub fn of(measured: &Measured, system: &System, harmonics: u32) -> Self {
         let amplitude = measured.drive_amplitude();
@@ -64,14 +66,15 @@ impl Observation {
 /// The quantities of a motion that a fit compares.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
 pub enum Using {
-    /// Amplitude and phase.
+    /// The fit compares amplitude and phase of each motion.
     #[default]
     Complex,
-    /// The amplitude alone.
+    /// The fit compares the amplitude alone.
     Amplitude,
-    /// The phase. The fit uses the amplitude only to check that the motion is plausible.
+    /// The fit compares the phase. It uses the amplitude only to check that the motion is plausible.
     Phase,
-    /// The phase, for motions without a measured amplitude. The code uses only the argument of [`Datum::value`].
+    /// The fit compares the phase of motions without a measured amplitude. The code uses only the argument of
+    /// [`Datum::value`].
     PhaseAlone,
 }
 

@@ -8,11 +8,11 @@ use crate::study::{System, sensitivity::Quantity};
 pub enum Unknown {
     /// Ratio μ of static to kinetic friction. Only motions with stops depend on it.
     Stiction,
-    /// A factor on all natural frequencies. The masses keep their values.
+    /// A common factor on all natural frequencies. The masses keep their values.
     Frequencies,
     /// One damping ratio for all modes.
     Damping,
-    /// A number of the description.
+    /// A number of the description, such as a mass or a stiffness.
     Quantity(Quantity),
 }
 

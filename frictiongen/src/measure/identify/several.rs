@@ -12,14 +12,16 @@ use crate::measure::statistics::{NORMAL, excess, is_chance};
 use crate::study::{System, sensitivity::Quantity};
 use nalgebra::{DMatrix, DVector};
 
-/// Step of a finite difference, relative to the value. The fit uses it if no exact derivative exists.
+/// Step of a finite difference, divided by the value of the unknown. The fit uses finite differences if no exact
+/// derivative exists.
 const DIFFERENCE: f64 = 1e-6;
-/// Starting value of the damping ratio if the scene has no damping.
+/// Starting value of the damping ratio ζ in the fit if the scene has no damping.
 const SOME_DAMPING: f64 = 0.01;
-/// Number of friction forces that serve as starting points. They come from the search for the friction force alone.
+/// Number of friction forces that serve as starting points of the fit. They come from the search for the friction force
+/// alone.
 const STARTS: usize = 3;
 
-/// Returns the lower and the upper bound of an unknown.
+/// Returns the lower and the upper bound of an unknown in the fit.
 fn bounds(unknown: Unknown, start: f64) -> (f64, f64) {
     match unknown {
         Unknown::Stiction | Unknown::Quantity(Quantity::Stiction) => (1.0, 10.0),
@@ -35,7 +37,7 @@ fn is_contact_stiffness(unknown: Unknown) -> bool {
     matches!(unknown, Unknown::Quantity(Quantity::ContactStiffness))
 }
 
-/// Returns the variables whose derivatives add up to the derivative with respect to an unknown.
+/// Returns the variables whose derivatives add up to the derivative with respect to an unknown of the fit.
 fn directions(unknown: Unknown, masses: usize) -> Vec<Direction> {
     match unknown {
         Unknown::Stiction => vec![Direction::Quantity(Quantity::Stiction)],
@@ -84,7 +86,7 @@ impl SeveralFit<'_, '_> {
         })
     }
 
-    /// Returns the derivatives of the residuals with respect to one unknown, by dual numbers.
+    /// Returns the derivatives of the residuals with respect to one unknown of the fit, by dual numbers.
     fn exact(&self, parameters: &[f64], index: usize) -> Option<DVector<f64>> {
         let system = self.system(parameters)?;
         let friction = *parameters.first()?;
@@ -93,9 +95,9 @@ impl SeveralFit<'_, '_> {
             None => vec![Direction::Friction],
             Some(place) => directions(*self.unknowns.get(place)?, masses),
         };
-        // The unknown is the whole factor on the frequencies, which the changed scene already contains. `Along`
-        // differentiates with respect to a further factor, whose value is 1. By the chain rule, the derivative is
-        // divided by the whole factor.
+        // The unknown is the total factor on the frequencies, which the changed scene already contains. `Along`
+        // differentiates with respect to a further factor, whose value is 1. By the chain rule, the code divides the
+        // derivative by the total factor.
         let factor = match index
             .checked_sub(1)
             .and_then(|place| self.unknowns.get(place))
@@ -121,8 +123,8 @@ impl SeveralFit<'_, '_> {
         Some(DVector::from_vec(all))
     }
 
-    /// Returns the derivatives of the residuals by finite differences. The fit uses finite differences where dual
-    /// numbers give no derivative, because an event is about to appear or vanish.
+    /// Returns the derivatives of the residuals with respect to one unknown of the fit, by finite differences. Dual
+    /// numbers give no derivative if an event is about to appear or vanish.
     fn difference(&self, parameters: &[f64], index: usize) -> Option<DVector<f64>> {
         let value = *parameters.get(index)?;
         let step = DIFFERENCE * value.abs().max(DIFFERENCE);
@@ -131,7 +133,7 @@ impl SeveralFit<'_, '_> {
             *moved.get_mut(index)? += by;
             self.residuals(&moved)
         };
-        // The step goes towards larger values, because the value may be at its lower bound.
+        // The step increases the value, because the value may be at its lower bound.
         Some((moved(step)? - moved(0.0)?) / step)
     }
 }

@@ -5,10 +5,10 @@ use super::csv::{CsvRequest, CsvTable};
 use super::unit::Unit;
 use crate::measure::MeasureError;
 
-/// The possible formats of a recording, as text for a message.
+/// The possible formats of a file with a recording, as text for a message.
 const FORMATS: &str = "CSV with a line of names and units, columns of numbers alone with --channel NAME=COLUMN:UNIT, and PEER AT2 in g";
 
-/// Number of lines at the start of an AT2 record that may contain its number of samples and its time step.
+/// Number of lines at the start of an AT2 record in which its number of samples and its time step may stand.
 const HEADER: usize = 6;
 
 /// Parses a finite number. If `comma` is true, the number may have a decimal comma.
@@ -36,8 +36,8 @@ fn cells(line: &str, commas_separate: bool) -> Option<Vec<f64>> {
 /// Reads columns that contain only numbers. Returns `None` if the first line is not a line of numbers. Without a rate,
 /// the first of several columns contains the time in s.
 ///
-/// If the rate is given, a line such as `0,5` is one number with a decimal comma. Without a rate, the line has two
-/// numbers.
+/// If the rate is given, a line such as `0,5` is one number with a decimal comma. If the rate is not given, the line
+/// contains the two numbers 0 and 5.
 pub(super) fn columns(text: &str, rate: Option<f64>) -> Result<Option<CsvTable>, MeasureError> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let lines = text.lines().map(str::trim).enumerate();
@@ -84,8 +84,8 @@ pub(super) fn columns(text: &str, rate: Option<f64>) -> Result<Option<CsvTable>,
     Ok(Some(table))
 }
 
-/// Returns the error for a text that contains no line of numbers. The message says where the function stopped reading,
-/// and names the possible formats.
+/// Returns the error for a text that contains no line of numbers. Its message says at which line the function stopped
+/// reading, and names the possible formats.
 pub(super) fn foreign(text: &str, error: MeasureError) -> MeasureError {
     let (line, what) = match &error {
         MeasureError::Format { line, what } => (*line, what.clone()),
@@ -164,7 +164,8 @@ fn header(text: &str) -> Option<Result<At2, MeasureError>> {
     }
 }
 
-/// Reads a PEER AT2 record, the acceleration of the base in g. Returns `None` if the text has no line with NPTS and DT.
+/// Reads a PEER AT2 record: the acceleration of the base in units of g. Returns `None` if the text has no line with
+/// NPTS and DT.
 pub(super) fn at2(
     text: &str,
     request: &CsvRequest,

@@ -1,4 +1,4 @@
-//! Checks that reject unusable recordings.
+//! Checks of the samples, which reject unusable recordings.
 
 use super::channel::Channel;
 use super::unit::Dimension;
@@ -7,24 +7,24 @@ use std::f64::consts::PI;
 
 /// Smallest number of samples in a usable recording.
 const FEWEST: usize = 16;
-/// An interval of a signal counts as flat if it has this number of equal successive samples.
+/// Number of equal successive samples that make an interval of a signal flat.
 const FLAT: usize = 4;
-/// A channel counts as clipped if it has this number of flat intervals at one value. Fewer flat intervals may be due to
-/// chance.
+/// Number of flat intervals at one value that a clipped channel must have. Fewer flat intervals may be due to chance.
 const PLACES: i32 = 2;
-/// Length of the interval from which the code computes the slope before a flat interval, as a fraction of a cycle.
+/// Length of the interval just before a flat interval from which the code computes the slope of the signal, as a
+/// fraction of a cycle.
 const BEFORE: f64 = 0.02;
-/// A channel can be clipped only if the slope before a flat interval, divided by the largest slope in a cycle, is at
-/// least this value.
+/// Smallest slope of a signal just before a flat interval, divided by the largest slope in a cycle, for which the
+/// channel can be clipped.
 const STEEP: f64 = 0.1;
-/// A channel counts as clipped if the slope over the interval [`BEFORE`] just before a flat interval, divided by the
-/// slope over twice this interval, is at least this value. Before a stop of the contact the quotient is a half, because
-/// the motion is then a parabola. Before clipping it is nearly 1. For a sinusoid clipped at 0.99 of its amplitude it is
-/// 0.75.
+/// Smallest quotient of two slopes for which a channel counts as clipped. The first slope is that over the interval
+/// [`BEFORE`] just before a flat interval. The second slope is that over twice this interval. Before a stop of the
+/// contact the quotient is 0.5, because the motion is then a parabola. Before clipping it is nearly 1. For a sinusoid
+/// clipped at 0.99 of its amplitude it is 0.75.
 const STRAIGHT: f64 = 0.7;
-/// Largest acceleration next to a flat interval that rounding of the samples can explain, divided by ω²A, for a
-/// sinusoid of amplitude A. With this acceleration a, the signal approaches the interval on a parabola, with the slope
-/// √(2ag/A) at the distance g of the next rounded value. Only a larger slope counts as clipping.
+/// Largest acceleration a next to a flat interval that rounding of the samples can explain, divided by ω²A, for a
+/// sinusoid of amplitude A. With this acceleration, the signal approaches the flat interval on a parabola. At the
+/// distance g of the next rounded value, its slope is √(2ag/A). Only a larger slope counts as clipping.
 const HARD: f64 = 10.0;
 
 /// Fails unless the channels are a usable recording: enough finite samples, no constant channel and no clipped channel.
@@ -99,8 +99,8 @@ fn samples(channel: &Channel) -> Result<(), MeasureError> {
 /// Returns the fraction of the samples that are clipped at the value `extreme`. Returns `None` if the channel is not
 /// clipped.
 ///
-/// Rounding of the samples or a stop of the contact also makes a signal flat at an extreme. In these cases the signal
-/// approaches the extreme slowly.
+/// Rounding of the samples and a stop of the contact can also make a signal flat at an extreme. In these two cases the
+/// signal approaches the extreme slowly.
 fn clipped(values: &[f64], extreme: f64, middle: f64) -> Option<f64> {
     let crossings = values
         .windows(2)

@@ -8,7 +8,7 @@ use super::unit::{Dimension, Unit};
 use crate::measure::MeasureError;
 use std::fmt::Write as _;
 
-/// Information about a CSV file that the file itself does not contain, such as the sampling rate.
+/// Information for reading a CSV file that the file itself does not contain, such as the sampling rate.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct CsvRequest {
     /// Sampling rate, in samples per second. It is necessary if no column contains the time.
@@ -32,9 +32,9 @@ pub struct Column {
 #[derive(Debug)]
 pub(crate) struct CsvTable {
     pub(crate) names: Vec<String>,
-    /// Line number of each row in the file, from 1.
+    /// Line number of each row in the file, counted from 1.
     pub(crate) lines: Vec<usize>,
-    /// Cells of each row. An empty cell is `None`.
+    /// The cells of each row. An empty cell is `None`.
     pub(crate) rows: Vec<Vec<Option<f64>>>,
 }
 
@@ -167,11 +167,12 @@ fn is_time(name: &str, unit: Option<Unit>) -> bool {
 impl Recording {
     /// Reads a recording from CSV text: a line of names with their units, then numbers.
     ///
-    /// The units are endings of the names, as in `time_s,base_mm,upper_m_s2`, or a second line. Commas, semicolons or tabs
-    /// separate the cells. Between semicolons or tabs, a number may have a decimal comma.
+    /// The units are endings of the names, as in `time_s,base_mm,upper_m_s2`, or a second line. Commas, semicolons or
+    /// tabs separate the cells. Between semicolons or tabs, a number may have a decimal comma.
     ///
-    /// The text may also have numbers alone, in columns that [`CsvRequest::columns`] names. Without a rate the first of
-    /// several columns is then the time in s. A PEER AT2 record in g is the channel `base`.
+    /// The text may also contain numbers alone. [`CsvRequest::columns`] then names the columns. Without a rate, the
+    /// first of several columns is then the time in s. A text may also be a PEER AT2 record in g, which becomes the
+    /// channel `base`.
     ///
     /// # Errors
     /// [`MeasureError`] for everything that [`new`](Self::new) rejects, and for a missing unit, rate or column.
@@ -181,7 +182,7 @@ impl Recording {
         Self::new(rate, channels)
     }
 
-    /// Reads the inputs that drive a scene from CSV text. One channel is enough, and it may be constant.
+    /// Reads from CSV text the inputs that drive a scene. One channel is enough, and it may be constant.
     ///
     /// # Errors
     /// Same errors as [`from_csv`](Self::from_csv), and those of [`inputs`](Self::inputs).
@@ -211,7 +212,7 @@ impl Recording {
     }
 }
 
-/// Returns sampling rate and channels of CSV text.
+/// Returns the sampling rate, in samples per second, and the channels of CSV text.
 fn read(text: &str, request: &CsvRequest) -> Result<(f64, Vec<Channel>), MeasureError> {
     if let Some(record) = bare::at2(text, request) {
         return record;

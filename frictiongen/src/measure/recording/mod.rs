@@ -19,7 +19,7 @@ pub use unit::{Dimension, Unit};
 use super::MeasureError;
 
 impl Recording {
-    /// Reads a recording from the text of a file. The call detects whether the text is a universal file or CSV.
+    /// Reads a recording from the text of a file. The call detects whether the text is a universal file (UFF58) or CSV.
     ///
     /// # Errors
     /// Same errors as [`from_csv`](Self::from_csv) and [`from_uff58`](Self::from_uff58).

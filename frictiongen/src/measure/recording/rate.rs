@@ -2,12 +2,12 @@
 
 use crate::measure::MeasureError;
 
-/// Two time steps count as equal if they differ by at most this fraction of the mean step. The rounding of a clock with
-/// six digits causes such differences.
+/// Largest difference of two time steps that count as equal, divided by the mean step. The rounding of a clock with six
+/// digits causes such differences.
 const EVEN: f64 = 1e-2;
 
-/// Returns the sampling rate of times in s. Fails if the times are not evenly spaced. `place` returns the name of a
-/// sample for the error.
+/// Returns the sampling rate, in samples per second, of samples at the given times in s. Fails if the times are not
+/// evenly spaced. `place` returns the name of a sample for the error.
 pub(super) fn even_rate(
     time: &[f64],
     place: impl Fn(usize) -> String,
@@ -19,7 +19,8 @@ pub(super) fn even_rate(
         });
     };
     let steps = time.len().saturating_sub(1).max(1) as f64;
-    // Steps are compared with the first step as well, because the mean step alone would hide a change of the step.
+    // The code also compares each step with the first step. The mean step alone would hide a change of the step within
+    // the record.
     let usual = time.get(1).map_or(0.0, |second| second - first);
     let mean = (last - first) / steps;
     let apart = |step: f64, other: f64| !((step - other).abs() <= EVEN * other.abs());
@@ -34,8 +35,8 @@ pub(super) fn even_rate(
         }
     }
     if apart(mean, usual) {
-        // Rounding of the times makes single steps uneven, but its error does not grow over the record. The mean of ten
-        // steps is therefore compared with the mean of all steps.
+        // Rounding of the times makes single steps uneven, but the error of a time does not grow during the record. The
+        // code therefore compares the mean of ten steps with the mean of all steps.
         let ten = time.len().min(11) - 1;
         let early = time
             .get(ten)

@@ -1,5 +1,5 @@
-//! Reads and writes the Universal File Format, data set 58 in its text form: functions of time at nodes, one data set
-//! for each channel.
+//! Reads and writes data set 58 of the Universal File Format in its text form. A file contains functions of time at
+//! nodes. Each channel of a recording is one data set.
 //!
 //! No crate reads this format. The reader accepts real data, evenly or unevenly spaced, in single or double precision.
 //! The writer writes evenly spaced data in double precision. A file contains 13 digits of each sample and 6 digits of
@@ -9,15 +9,14 @@ use super::{Channel, Column, CsvRequest, Dimension, Recording, Unit};
 use crate::measure::MeasureError;
 use std::fmt::Write as _;
 
-/// Function type 1: a response over time.
+/// Function type 1 of a data set 58: a response over time.
 const TIME_RESPONSE: i64 = 1;
-/// Abscissa type 17: time.
+/// Abscissa type 17 of a data set 58: time.
 const TIME: i64 = 17;
-/// Two time steps count as equal if their relative difference is at most this value. The file contains six digits of
-/// each time.
+/// Largest relative difference of two time steps that count as equal. The file contains six digits of each time.
 const SAME: f64 = 2e-5;
 
-/// One data set of the file. It contains one channel.
+/// One data set 58 of a file. It contains one channel.
 struct Set {
     line: usize,
     channel: Channel,
@@ -68,9 +67,9 @@ fn number<T: std::str::FromStr>(
 impl Recording {
     /// Reads a recording from the functions of time in a universal file: the data sets 58 in text form.
     ///
-    /// The response entity of a data set is the name of its channel. Without an entity, it is the first line of the
-    /// data set. The unit is the label of the ordinate, or the unit that `request` gives for the column of this name.
-    /// Type codes alone do not count as a unit.
+    /// The response entity of a data set is the name of its channel. Without an entity, the first line of the data set
+    /// is the name. The unit is the label of the ordinate, or the unit that `request` gives for the column of this
+    /// name. The type code of the ordinate alone does not count as a unit.
     ///
     /// # Errors
     /// [`MeasureError`] for everything that [`new`](Self::new) rejects, and for a data set that is not in this form.
@@ -262,8 +261,8 @@ fn set(lines: &mut FileLines<'_>, request: &CsvRequest) -> Result<Option<Set>, M
     }))
 }
 
-/// Reads the numbers up to the end of the data set. A number occupies 13 or 20 characters, usually with blanks in
-/// between.
+/// Reads the numbers until the end of the data set. A number occupies 13 or 20 characters. Blanks usually separate the
+/// numbers.
 fn values(lines: &mut FileLines<'_>) -> Result<Vec<f64>, MeasureError> {
     let mut values = Vec::new();
     loop {
@@ -278,8 +277,8 @@ fn values(lines: &mut FileLines<'_>) -> Result<Vec<f64>, MeasureError> {
     }
 }
 
-/// Returns the numbers of a line as text. A negative number may follow the previous number without a blank. The end of
-/// the exponent of the previous number then separates the two.
+/// Returns the numbers of a line as texts. A negative number may follow the previous number without a blank. The end of
+/// the previous number's exponent then separates the two numbers.
 fn cells(line: &str) -> impl Iterator<Item = &str> {
     line.split_whitespace().flat_map(|word| {
         let mut parts = Vec::new();

@@ -4,7 +4,8 @@ use super::{Oscillator, Recording, periods, response_spectrum};
 use crate::measure::CsvRequest;
 use std::f64::consts::{PI, TAU};
 
-/// Integrates u″ + 2ζωu′ + ω²u = −a(t) by the classical Runge-Kutta method. Each step is divided into `parts` parts.
+/// Integrates u″ + 2ζωu′ + ω²u = −a(t) by the classical Runge-Kutta method, with `parts` Runge-Kutta steps in each step
+/// of length `dt`.
 fn integrated(omega: f64, zeta: f64, steps: &[[f64; 2]], dt: f64, parts: u32) -> Vec<[f64; 2]> {
     let mut state = [0.0, 0.0];
     let mut all = Vec::new();
@@ -28,8 +29,9 @@ fn integrated(omega: f64, zeta: f64, steps: &[[f64; 2]], dt: f64, parts: u32) ->
     all
 }
 
-/// Compares one step with the classical Runge-Kutta method. The step is exact. The difference is therefore rounding
-/// plus the error of Runge-Kutta, which is (ωh)⁴ for parts of length h, or 1e-10.
+/// Compares one step of an oscillator with the classical Runge-Kutta method. The step is exact. The difference is
+/// therefore the sum of rounding and the error of Runge-Kutta. This error is (ωh)⁴ for Runge-Kutta steps of length h,
+/// or 1e-10.
 #[test]
 fn a_step_is_exact_for_a_line() {
     let values = [0.0, 3.0, -1.0, 4.0, 4.0, -2.5, 0.0];
@@ -72,8 +74,9 @@ fn half_sine(samples: u32, rest: u32) -> Recording {
     Recording::inputs_from_csv(&text, &CsvRequest::default()).unwrap()
 }
 
-/// Compares the undamped response to a half sine of length 1 and amplitude 1 with its closed form. With Ω = π, the
-/// closed form is u = (sin Ωt − (Ω/ω) sin ωt)/(Ω² − ω²) during the pulse, and a free vibration after the pulse.
+/// Compares the undamped response to a half sine of length 1 s and amplitude 1 m/s² with its closed form. With Ω = π
+/// rad/s, the closed form is u = (sin Ωt − (Ω/ω) sin ωt)/(Ω² − ω²) during the pulse, and a free vibration after the
+/// pulse.
 #[test]
 fn a_half_sine_has_its_shock_spectrum() {
     let samples = 4000;
@@ -84,7 +87,7 @@ fn a_half_sine_has_its_shock_spectrum() {
         let u = |t: f64| scale * ((PI * t).sin() - PI / omega * (omega * t).sin());
         let v = |t: f64| scale * PI * ((PI * t).cos() - (omega * t).cos());
         let residual = u(1.0).hypot(v(1.0) / omega);
-        // The extremes during the pulse are where cos Ωt = cos ωt: t = 2πn/(ω ± Ω).
+        // The displacement has extremes during the pulse where cos Ωt = cos ωt: t = 2πn/(ω ± Ω).
         let within = (1..200_u32).flat_map(|n| [omega + PI, omega - PI].map(|sum| (n, sum)));
         let within = within
             .map(|(n, sum)| TAU * f64::from(n) / sum.abs())
@@ -101,9 +104,9 @@ fn a_half_sine_has_its_shock_spectrum() {
     }
 }
 
-/// Checks that a motion of the base has the same spectrum if it is recorded as velocity or as displacement. The code
-/// takes the acceleration as constant between two samples of a velocity, which changes a half sine by (π/4000)²/12. The
-/// spline through displacements changes the half sine by less.
+/// Checks that a motion of the base has the same spectrum if it is recorded as velocity or as displacement. From a
+/// recorded velocity, the code takes the acceleration as constant between two samples. This approximation changes a
+/// half sine by (π/4000)²/12. The spline through recorded displacements changes the half sine by less.
 #[test]
 fn velocities_and_displacements_give_the_same_spectrum() {
     let samples = 4000_u32;

@@ -1,10 +1,11 @@
-//! Result of the fit of a scene to a sweep.
+//! Result of the fit of a scene's parameters to a sweep.
 
 use crate::measure::identify::Estimate;
 use crate::measure::statistics::is_chance;
 use crate::study::System;
 
-/// Frequencies, mass and stiffness ratios, and damping, found in a sweep without friction.
+/// Parameters of a scene found in a sweep without friction: reference frequency, mass and stiffness ratios, and
+/// damping.
 #[derive(Clone, Debug)]
 pub struct SweepFit {
     /// Reference frequency √(k₁/m₁)/2π, in Hz. The frequency ratio r is the frequency divided by the reference
@@ -18,13 +19,13 @@ pub struct SweepFit {
     pub damping: Option<Estimate>,
     /// The natural frequencies of the fitted scene, Hz.
     pub natural: Vec<Estimate>,
-    /// Sum of squared residuals, divided by the degrees of freedom. `None` if the points have no deviations.
+    /// Sum of squared residuals, divided by the degrees of freedom. `None` if the measured points have no deviations.
     pub misfit: Option<f64>,
-    /// Degrees of freedom: number of points minus the number of parameters that the points determine.
+    /// Degrees of freedom: number of measured points minus the number of parameters that the points determine.
     pub freedom: usize,
     /// Root mean square of the relative residuals of the amplitudes.
     pub scatter: f64,
-    /// Condition number of the fit. A large number means that the points hardly separate the parameters.
+    /// Condition number of the fit. A large number means that the measured points hardly separate the parameters.
     pub condition: f64,
     /// Measured minus computed amplitude of each point, in the order of the points.
     pub residuals: Vec<f64>,
@@ -33,8 +34,8 @@ pub struct SweepFit {
 }
 
 impl SweepFit {
-    /// Returns true if the given deviations of the points explain the residuals. Without deviations or degrees of
-    /// freedom the result is true, because nothing contradicts the fit.
+    /// Returns true if the given deviations of the measured points explain the residuals. Without deviations or degrees
+    /// of freedom the result is true, because nothing contradicts the fit.
     #[must_use]
     pub fn is_explained(&self) -> bool {
         is_chance(self.misfit, self.freedom)

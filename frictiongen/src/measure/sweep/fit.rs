@@ -1,30 +1,30 @@
-//! Finds starting points for the fit to a sweep, and makes the fits.
+//! Finds starting points for the fit of a scene to a sweep, and runs the fits.
 
 use super::model::{AmplitudeScale, Sweep};
 use crate::measure::MeasureError;
 use crate::measure::least_squares::{Fit, minimise};
 
-/// Range of the factors by which the starting points multiply the scene's own frequencies.
+/// Smallest and largest factor by which the starting points of a fit multiply the scene's own frequencies.
 const FACTORS: [f64; 2] = [0.5, 2.0];
-/// Number of equal intervals into which the code divides the range [`FACTORS`].
+/// Number of equal intervals into which the code divides the range [`FACTORS`] for the starting points.
 const TRIED: u32 = 40;
-/// Factors by which the starting points multiply the scene's own mass and stiffness ratios. `TWO` is for two storeys,
-/// and `THREE` for three.
+/// Factors by which the starting points of a fit multiply the scene's own mass and stiffness ratios. `TWO` is for
+/// scenes with two storeys, and `THREE` for scenes with three.
 const TWO: [f64; 7] = [0.3, 0.5, 0.7, 1.0, 1.4, 2.0, 3.3];
 const THREE: [f64; 3] = [0.7, 1.0, 1.4];
-/// Number of starting points from which the code makes a fit. They have the smallest sums of squares.
+/// Number of starting points from which the code runs a fit: those with the smallest sums of squared residuals.
 const STARTS: usize = 6;
-/// The code accepts a fit from the scene's own parameters if its misfit is below this value. The misfit is the sum of
-/// squared residuals, divided by the degrees of freedom.
+/// Largest misfit with which the code accepts a fit from the scene's own parameters. The misfit is the sum of squared
+/// residuals, divided by the degrees of freedom.
 const GOOD: f64 = 2.0;
-/// Factors that give further starting points. Each starting point has one parameter of the best fit multiplied by one
-/// of these factors. The code repeats the fits from these points at most [`ROUNDS`] times, as long as the result
-/// improves.
+/// Factors that give further starting points near the best fit. Each of these points has one parameter of the best fit
+/// multiplied by one of the factors. The code repeats the fits from these points as long as the result improves, at
+/// most [`ROUNDS`] times.
 const HOPS: [f64; 4] = [0.97, 0.99, 1.01, 1.03];
 const ROUNDS: usize = 4;
 const BETTER: f64 = 0.999;
-/// A fit ends early if its parameters come within this relative distance of the best fit so far, because it would only
-/// find the best fit again.
+/// Relative distance from the best fit so far at which a further fit ends early. Such a fit would only find the best
+/// fit a second time.
 const BACK: f64 = 1e-5;
 
 impl Sweep<'_> {
@@ -103,8 +103,8 @@ impl Sweep<'_> {
                 |at| self.linearise(at, form),
             )
         };
-        // Amplitudes have poles. Near a pole, the slope of the sum of squared amplitude differences does not lead to
-        // the minimum. The slope for the logarithms of the amplitudes does.
+        // The amplitudes have poles at the resonances. Near a pole, the slope of the sum of squared differences does
+        // not lead to the minimum. The slope for the logarithms of the amplitudes does.
         let from = |start: &[f64]| {
             let rough = run(start, AmplitudeScale::Log)?;
             run(&rough.parameters, AmplitudeScale::Plain).filter(|fit| fit.settled)
@@ -121,8 +121,8 @@ impl Sweep<'_> {
         let best = fits
             .min_by(|a, b| a.squares.total_cmp(&b.squares))
             .ok_or(MeasureError::NoFit)?;
-        // Amplitudes have no sign. A resonance on the wrong side of a data point therefore gives a false minimum next
-        // to the right minimum.
+        // Amplitudes have no sign. If a resonance lies on the wrong side of a measured point, the sum of squares
+        // therefore has a false minimum next to the right one.
         let mut best = best;
         for _ in 0..ROUNDS {
             let places = 0..best.parameters.len();

@@ -1,4 +1,4 @@
-//! Converts a fit to the result with 95 % intervals.
+//! Converts a fit to a sweep into the result with 95 % intervals.
 
 use super::answer::SweepFit;
 use super::model::Sweep;
@@ -10,9 +10,9 @@ use crate::measure::{MeasureError, SweepPoint};
 use crate::study::units::hertz;
 use nalgebra::DVector;
 
-/// The fit has failed if more than this fraction of the amplitudes remains unexplained.
+/// Largest fraction of the measured amplitudes that may remain unexplained. With a larger fraction, the fit has failed.
 const GROSS: f64 = 0.5;
-/// Step of a finite difference, divided by the parameter that it changes.
+/// Step of the finite difference for a derivative, divided by the parameter that it changes.
 const DIFFERENCE: f64 = 1e-6;
 
 pub(super) fn answer(sweep: &Sweep<'_>, fit: &Fit) -> Result<SweepFit, MeasureError> {
@@ -48,7 +48,7 @@ pub(super) fn answer(sweep: &Sweep<'_>, fit: &Fit) -> Result<SweepFit, MeasureEr
     } else {
         reduced.map_or(f64::INFINITY, |reduced| student(freedom) * reduced.sqrt())
     };
-    // Returns the interval of a quantity, from its derivatives with respect to the parameters.
+    // Returns the 95 % interval of a quantity from the quantity's derivatives with respect to the parameters.
     let interval = |value: f64, gradient: &DVector<f64>| {
         let reach = reach * fit.variance(gradient).sqrt();
         Estimate {

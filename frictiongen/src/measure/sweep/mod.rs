@@ -40,9 +40,9 @@ impl System {
     /// Fits the scene's frequencies, mass ratios and stiffness ratios to the amplitudes of a sweep without friction,
     /// by least squares.
     ///
-    /// One storey gives its natural frequency f_n (4.1). Two storeys give r₁/ω, γ and κ, as in (6.15) to (6.20). More
-    /// storeys use the same method. The description gives the connections and the starting point, and its first mass
-    /// keeps its value. Without `damping` the scene keeps its own damping.
+    /// One storey gives its natural frequency f_n (4.1). Two storeys give r₁/ω, γ and κ, as in (6.15) to (6.20). The
+    /// fit of more storeys uses the same method. The description gives the connections and the starting point of the
+    /// fit. Its first mass keeps its value. If `damping` is false, the scene keeps its own damping.
     ///
     /// ```
     /// use frictiongen::measure::SweepPoint;
@@ -65,8 +65,8 @@ impl System {
     /// ```
     ///
     /// # Errors
-    /// [`MeasureError`] for fewer points than unknowns, and for a scene driven by a force. [`MeasureError`] also for a
-    /// fit that does not converge or that leaves half of the motion unexplained.
+    /// [`MeasureError`] for fewer points than unknowns, and for a scene that a force excites. [`MeasureError`] also for
+    /// a fit that does not converge or that leaves half of the motion unexplained.
     pub fn fit_sweep(
         &self,
         points: &[SweepPoint],

@@ -1,4 +1,4 @@
-//! Compares a sweep with the scene for given parameters: amplitudes and their derivatives.
+//! Compares a sweep with a scene of given parameters: amplitudes and their derivatives.
 
 use super::SweepPoint;
 use crate::Complex;
@@ -12,13 +12,14 @@ use frictiongen_kernel::{Float, Scalar};
 use frictiongen_model::modal::Modal;
 use nalgebra::{DMatrix, DVector};
 
-/// Upper bound on the difference of the logarithms of two amplitudes. The fit replaces a larger difference by this
-/// bound, so that no single point dominates.
+/// Upper bound on the difference of the logarithms of a measured and a computed amplitude. The fit replaces a larger
+/// difference by this bound, so that no single point dominates.
 const FAR: f64 = 3.0;
-/// Starting value of the damping ratio if the scene has no damping.
+/// Starting value of the damping ratio ζ in the fit if the scene has no damping.
 const SOME_DAMPING: f64 = 0.005;
 
-/// A sweep and the scene to fit. The parameters are a factor on all frequencies, then γ₂ …, κ₂ …, and optionally ζ.
+/// A sweep and the scene to fit. The parameters are a factor on all frequencies, then the mass ratios γ₂, …, then the
+/// stiffness ratios κ₂, …, and optionally the damping ratio ζ.
 pub(super) struct Sweep<'a> {
     pub(super) system: &'a System,
     pub(super) points: &'a [SweepPoint],
@@ -71,7 +72,7 @@ impl<'a> Sweep<'a> {
             .map_or(1.0, |spring| spring.stiffness)
     }
 
-    /// Returns the scene with the given parameters. Returns `None` if the scene is then invalid.
+    /// Returns the scene with the given values of the fit's parameters. Returns `None` if the scene is then invalid.
     pub(super) fn at(&self, parameters: &[f64]) -> Option<System> {
         let mut scene = self.system.scene().clone();
         let factor = *parameters.first()?;
@@ -89,8 +90,8 @@ impl<'a> Sweep<'a> {
         System::try_from(scene).ok()
     }
 
-    /// Returns the quantities of the description that a parameter changes, each with its factor. The list of the first
-    /// parameter is empty, because this parameter changes r.
+    /// Returns the quantities of the description that a parameter of the fit changes, each with its factor. The list is
+    /// empty for the first parameter, because this parameter changes only r.
     fn directions(&self, index: usize, system: &System) -> Vec<(Quantity, f64)> {
         let masses = self.masses();
         let scene = system.scene();
@@ -107,8 +108,8 @@ impl<'a> Sweep<'a> {
             .collect()
     }
 
-    /// Returns the complex amplitude of each point. The frequencies of the scene are multiplied by `factor`. Returns
-    /// `None` on a resonance without damping.
+    /// Returns the complex amplitude of the measured mass at each point of the sweep. The frequencies of the scene are
+    /// multiplied by `factor`. Returns `None` if a point lies on a resonance without damping.
     pub(super) fn values(&self, system: &System, factor: f64) -> Option<Vec<Complex<f64>>> {
         let values = self.points.iter().map(|point| {
             let r = ratio(system, point) / factor;
@@ -118,8 +119,8 @@ impl<'a> Sweep<'a> {
         values.collect()
     }
 
-    /// Returns the divisor of the residual of a point. It is the standard deviation of the point if known, otherwise
-    /// its amplitude.
+    /// Returns the number by which the residual of a point is divided. It is the standard deviation of the point if
+    /// known, otherwise the amplitude of the point.
     fn weight(point: &SweepPoint) -> f64 {
         point.deviation.unwrap_or(point.amplitude)
     }
@@ -132,8 +133,8 @@ impl<'a> Sweep<'a> {
         Some(self.compared(&self.values(&self.at(parameters)?, 1.0)?, form))
     }
 
-    /// Returns the residuals of the points: measured minus computed amplitudes, or the differences of their logarithms,
-    /// as `form` selects.
+    /// Returns the residuals of all points. A residual is the measured minus the computed amplitude, or the difference
+    /// of the logarithms of the two amplitudes, as `form` selects.
     pub(super) fn compared(&self, values: &[Complex<f64>], form: AmplitudeScale) -> DVector<f64> {
         let residuals = self
             .points
@@ -163,7 +164,8 @@ impl<'a> Sweep<'a> {
             };
             for (row, (point, value)) in self.points.iter().zip(&values).enumerate() {
                 let r = ratio(&system, point);
-                // If the scene's frequencies increase, the frequency ratio r decreases.
+                // The first parameter multiplies the frequencies of the scene. If it increases, the frequency ratio r
+                // decreases.
                 let slope = if index == 0 { -r / parameter } else { 0.0 };
                 let r = Dual { value: r, slope };
                 let far = residuals
@@ -195,7 +197,7 @@ pub(super) enum AmplitudeScale {
     Log,
 }
 
-/// Returns the frequency ratio of a point in a scene.
+/// Returns the frequency ratio r of a measured point in a scene.
 fn ratio(system: &System, point: &SweepPoint) -> f64 {
     system.frequency_ratio(angular_frequency(point.hertz))
 }
@@ -208,7 +210,8 @@ fn plain(number: Dual<Dd>) -> Dual<f64> {
     }
 }
 
-/// Returns X/Y of a mass without friction, as real and imaginary part of the modal sum Σ φ φᵀp/(λ − r² + 2iζ√λ r).
+/// Returns X/Y of a mass without friction, as real and imaginary part. The result is the modal sum Σ φ φᵀp/(λ − r² +
+/// 2iζ√λ r) over the modes.
 fn free<F: Float, T: Scalar>(
     modal: &Modal<F>,
     mass: usize,
@@ -244,7 +247,7 @@ mod tests {
     };
     use frictiongen_kernel::number::dual::Dual;
 
-    /// Compares the modal sum, and its derivatives, with the fundamental of the continuous motion.
+    /// Compares the modal sum and its derivatives with the fundamental of the continuous motion at zero friction.
     #[test]
     fn the_motion_without_friction() {
         let system: System = "struct Frame {

@@ -13,7 +13,8 @@ pub struct SweepPoint {
     pub mass: usize,
     /// Amplitude |X/Y| for base motion, or |X/P| in m/N for a force.
     pub amplitude: f64,
-    /// Standard deviation of the amplitude. If it is `None`, all amplitudes have the same relative error, as in (6.16).
+    /// Standard deviation of the amplitude. If it is `None`, the fit assumes the same relative error for all
+    /// amplitudes, as in (6.16).
     pub deviation: Option<f64>,
 }
 

@@ -35,7 +35,7 @@ impl<'a, R: Row + 'a> Columns<'a, R> {
         &self.measure
     }
 
-    /// Sets the contact or mass that owns the columns of all later calls.
+    /// Names the contact or mass to which the columns of all later calls belong.
     pub fn begin_part(&mut self, part: &str) {
         self.part = Some(part.to_owned());
         self.order = None;
@@ -52,18 +52,18 @@ impl<'a, R: Row + 'a> Columns<'a, R> {
         self.order = Some(order);
     }
 
-    /// Sets the outputs (text, CSV, JSON, Python) for the columns of later calls.
+    /// Selects the outputs (text, CSV, JSON, Python) that contain the columns of later calls.
     pub fn show(&mut self, shown: Shown) {
         self.shown = shown;
     }
 
-    /// Sets the arguments on which the columns of later calls depend: frequency or friction.
+    /// Sets the arguments on which the values of later columns depend: frequency, friction or the whole row.
     pub fn along(&mut self, axis: Axis) {
         self.axis = axis;
     }
 
-    /// Adds a column of numbers. `read` returns each number as a non-dimensional group, and the column converts it to
-    /// its unit.
+    /// Adds a column of numbers. `read` returns each number as a non-dimensional group. The column converts this number
+    /// to the unit of the table.
     pub fn number(&mut self, head: impl Into<Head>, read: impl Fn(&R) -> Option<f64> + 'a) {
         let (head, measure) = (head.into(), self.measure);
         let dimension = head.dimension;
@@ -74,8 +74,9 @@ impl<'a, R: Row + 'a> Columns<'a, R> {
         self.push(head, Kind::Number, Box::new(move |row| convert(row).into()));
     }
 
-    /// Adds a column of numbers that are known only to lie within an interval. `width` returns the width of the
-    /// interval. `read` and `width` return non-dimensional groups. If the width is missing or 0, all digits are valid.
+    /// Adds a column of numbers, each of which is known only to lie within an interval. `width` returns the width of
+    /// the interval. `read` and `width` return non-dimensional groups. If the width is missing or 0, all digits of the
+    /// number are valid.
     pub fn number_within(
         &mut self,
         head: impl Into<Head>,
@@ -100,12 +101,12 @@ impl<'a, R: Row + 'a> Columns<'a, R> {
         );
     }
 
-    /// Adds a column of numbers that already have their unit.
+    /// Adds a column of numbers that `read` returns in the unit of the column.
     pub fn converted(&mut self, head: impl Into<Head>, read: impl Fn(&R) -> Option<f64> + 'a) {
         self.given(head, &[], read);
     }
 
-    /// Adds a column of numbers that the user gave, in the unit of the column. `grid` contains all these numbers.
+    /// Adds a column of numbers that the user gave, in the unit of the column. `grid` contains all given numbers.
     pub fn given(
         &mut self,
         head: impl Into<Head>,
@@ -128,7 +129,7 @@ impl<'a, R: Row + 'a> Columns<'a, R> {
         );
     }
 
-    /// Adds a column of words. `widest` is the longest of the usual words.
+    /// Adds a column of words. `widest` is the longest of the usual words, from which a printed table takes the width.
     pub fn word(
         &mut self,
         head: impl Into<Head>,
@@ -168,21 +169,21 @@ impl<'a, R: Row + 'a> Columns<'a, R> {
         self.push(head.into(), kind, Box::new(read));
     }
 
-    /// Sets the function that returns the derivatives of the last column's values.
+    /// Sets the function that returns the derivatives of the values in the last column.
     pub fn moves(&mut self, of: impl Fn(&R) -> Option<&Sensed> + 'a) {
         self.moves_before(0, of);
     }
 
-    /// Sets the function that returns the derivatives of an earlier column's values. The earlier column is the one that
-    /// has `before` columns after it.
+    /// Sets the function that returns the derivatives of the values in an earlier column. `before` is the number of
+    /// columns after that column.
     pub fn moves_before(&mut self, before: usize, of: impl Fn(&R) -> Option<&Sensed> + 'a) {
         if let Some(column) = self.all.iter_mut().rev().nth(before) {
             column.moves = Some(Box::new(of));
         }
     }
 
-    /// Sets a condition for the last column. Text output with one line for each value prints the value of this column
-    /// only if the condition is true for the row.
+    /// Sets a condition for the last column. A text output with one line for each value prints the value of a row only
+    /// if the condition is true for this row.
     pub fn say_if(&mut self, says: impl Fn(&R) -> bool + 'a) {
         if let Some(last) = self.all.last_mut() {
             last.says = Some(Box::new(says));

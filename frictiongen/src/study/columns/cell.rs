@@ -1,8 +1,8 @@
-//! The value of a table in one row and one column.
+//! The content of one cell of a table.
 
 use std::borrow::Cow;
 
-/// A value of a table in one row and one column.
+/// Content of one cell of a table, in one row and one column.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Cell<'a> {
     /// A number. It is never NaN and never −0.

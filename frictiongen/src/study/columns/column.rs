@@ -25,14 +25,14 @@ pub enum Kind<'a> {
     Intervals,
 }
 
-/// The arguments on which the values of a column depend.
+/// The arguments of a result on which the values of a column depend.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Axis {
     /// The values depend on the frequency alone.
     Frequency,
     /// The values depend on the friction alone.
     Friction,
-    /// The values depend on the whole row.
+    /// The values depend on the whole row, that is on frequency and friction.
     Row,
 }
 
@@ -41,7 +41,7 @@ pub enum Axis {
 pub enum Shown {
     /// Every output.
     Everywhere,
-    /// Every output except printed tables.
+    /// Every output (CSV, JSON and Python) except printed tables.
     Files,
     /// JSON files and Python, for values that do not fit into a cell of a printed table.
     Objects,
@@ -64,7 +64,7 @@ pub struct Head {
 }
 
 impl Head {
-    /// Creates the head of a column of ratios or words.
+    /// Creates the head of a column that contains ratios or words, without a unit.
     #[must_use]
     pub fn new(name: impl Into<Cow<'static, str>>) -> Self {
         Self {
@@ -76,7 +76,7 @@ impl Head {
         }
     }
 
-    /// Creates the head of a column of this physical quantity.
+    /// Creates the head of a column that contains values of a physical quantity.
     #[must_use]
     pub fn of(name: impl Into<Cow<'static, str>>, dimension: Dimension) -> Self {
         Self {
@@ -85,7 +85,7 @@ impl Head {
         }
     }
 
-    /// Sets the name that the column has under a load.
+    /// Sets the name that the column has if the caller gives a load.
     #[must_use]
     pub fn under_load(self, name: &'static str) -> Self {
         Self {
@@ -123,10 +123,10 @@ impl From<&'static str> for Head {
 /// Function that reads a column's cell from a row.
 pub(super) type ReadCell<'a, Row> = Box<dyn for<'r> Fn(&'r Row) -> Cell<'r> + 'a>;
 
-/// Function that returns true if text output with one line for each value prints this value.
+/// Function that returns true if a text output with one line for each value prints the value of a row.
 type Says<'a, Row> = Box<dyn Fn(&Row) -> bool + 'a>;
 
-/// Function that returns a value's derivatives with respect to the parameters.
+/// Function that returns the derivatives of a row's value with respect to the parameters.
 type Moves<'a, Row> = Box<dyn Fn(&Row) -> Option<&Sensed> + 'a>;
 
 /// A column of a table, with the function that reads its cells.
@@ -137,17 +137,17 @@ pub struct Column<'a, Row> {
     pub order: Option<u32>,
     /// Lines of the heading, without the name of the contact or mass.
     pub title: Vec<String>,
-    /// Unit of the numbers, empty for ratios.
+    /// Unit of the column's numbers. It is empty for ratios.
     pub unit: &'static str,
     /// Kind of the values: numbers, counts, words, flags or lists.
     pub kind: Kind<'a>,
     /// The arguments on which the values depend.
     pub axis: Axis,
-    /// The outputs that contain the column.
+    /// The outputs (printed table, CSV, JSON, Python) that contain the column.
     pub shown: Shown,
     pub(super) name: String,
     pub(super) attribute: Option<&'static str>,
-    /// Unit of the numbers. For a displacement without a load it is the reference length, `P/k1` or `Y`.
+    /// Unit of the column's numbers. For a displacement without a load it is the reference length, `P/k1` or `Y`.
     pub(super) of_what: &'static str,
     pub(super) read: ReadCell<'a, Row>,
     pub(super) says: Option<Says<'a, Row>>,
@@ -160,38 +160,38 @@ impl<Row> Column<'_, Row> {
         (self.read)(row)
     }
 
-    /// Returns true if text output with one line for each value prints this value. Such output omits, for example, a
-    /// bound that was not reached.
+    /// Returns true if a text output with one line for each value prints the value of this row. Such an output omits,
+    /// for example, a bound that was not reached.
     pub fn says(&self, row: &Row) -> bool {
         self.says.as_ref().is_none_or(|says| says(row))
     }
 
-    /// Returns true if the values may have derivatives with respect to the parameters.
+    /// Returns true if the column's values may have derivatives with respect to the parameters.
     #[must_use]
     pub fn has_derivatives(&self) -> bool {
         self.moves.is_some()
     }
 
-    /// Returns the derivatives of a row's value, if they exist.
+    /// Returns the derivatives of a row's value in this column, if they exist.
     pub fn derivatives<'r>(&self, row: &'r Row) -> Option<&'r Sensed> {
         self.moves.as_ref()?(row)
     }
 
-    /// Returns the unit of the numbers, for example `m`. For a displacement without a load, returns the reference
-    /// length, `P/k1` or `Y`.
+    /// Returns the unit of the column's numbers, for example `m`. For a displacement without a load, returns the
+    /// reference length, `P/k1` or `Y`.
     #[must_use]
     pub fn of_what(&self) -> &'static str {
         self.of_what
     }
 
-    /// Returns the name without contact or mass and without harmonic, for example `amplitude_m`.
+    /// Returns the name of the column without contact or mass and without harmonic, for example `amplitude_m`.
     #[must_use]
     pub fn name(&self) -> &str {
         &self.name
     }
 
-    /// Returns the name with its harmonic, but without contact or mass. `X3.amplitude_m` is the name for the third
-    /// harmonic.
+    /// Returns the name of the column with its harmonic, but without contact or mass. For the third harmonic it is, for
+    /// example, `X3.amplitude_m`.
     #[must_use]
     pub fn name_in_part(&self) -> String {
         match self.order {

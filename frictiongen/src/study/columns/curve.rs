@@ -14,13 +14,13 @@ use crate::study::{
 /// A row of the table: a point of a curve, or an end point of a gap in the curve.
 #[derive(Clone, Debug)]
 pub struct CurveRow {
-    /// The friction of the curve, as ratio β and, under a load, as force in N.
+    /// The friction of the curve, as friction ratio β and, under a load, as force in N.
     pub friction: Friction,
-    /// The initial state of the motions of the curve.
+    /// The initial state from which the motions of the curve start.
     pub start: CurveStart,
     /// Frequency of the excitation, as ratio r, in Hz and in rad/s.
     pub frequency: Frequency,
-    /// Number of the curve's piece, counted from 1 in ascending order of frequency. `None` in a gap.
+    /// Number of the curve's continuous piece, counted from 1 in ascending order of frequency. `None` in a gap.
     pub piece: Option<usize>,
     /// The response at the point, or the reason for the gap.
     pub found: Result<CurvePoint, Error>,

@@ -12,7 +12,7 @@ use crate::study::{
 use crate::{Complex, Of};
 use frictiongen_kernel::simulation::Contact;
 
-/// A row of the table of samples: one instant.
+/// A row of the table of samples: the motion at one instant.
 #[derive(Clone, Copy, Debug)]
 pub struct SampleRow<'h> {
     /// The motion over time to which the row belongs.
@@ -32,18 +32,18 @@ pub struct EventRow<'h> {
     pub omega: f64,
 }
 
-/// A row of the table of spectra: one order.
+/// A row of the table of spectra: one order, that is frequency divided by the frequency of the excitation.
 #[derive(Clone, Copy, Debug)]
 pub struct SpectrumRow<'h> {
-    /// The spectra of the contact and masses, one for each.
+    /// The spectra of the motions, one for the contact and for each mass in the table.
     pub spectra: &'h [Spectrum],
-    /// Index of the order in each spectrum.
+    /// Index of the row's order in each spectrum, counted from 0.
     pub index: usize,
     /// Angular frequency ω of the excitation, rad/s.
     pub omega: f64,
 }
 
-/// The tables of a motion over time.
+/// The tables of a motion over time: samples, events and spectra.
 #[derive(Clone, Copy)]
 pub struct HistoryTable<'a> {
     /// System, units, and the contact or masses whose motions the table contains.
@@ -54,9 +54,9 @@ pub struct HistoryTable<'a> {
     pub in_seconds: bool,
 }
 
-/// A row at one instant.
+/// A row of a table that belongs to one instant.
 trait Timed: Row {
-    /// Returns the instant as phase τ = ωt.
+    /// Returns the instant of the row as phase τ = ωt.
     fn tau(&self) -> f64;
 }
 
@@ -101,10 +101,10 @@ impl SpectrumRow<'_> {
 }
 
 impl<'a> HistoryTable<'a> {
-    /// Returns a value of the contact's or a mass's motion, with the sign that the units of the table define.
+    /// Returns a value of the motion `of` with the sign that the units of the table define.
     #[must_use]
     pub fn signed(&self, of: Of, value: f64) -> f64 {
-        // The subtraction avoids −0.
+        // Unlike a change of the sign, the subtraction never gives −0.
         if self.setting.measure.turns(of) {
             0.0 - value
         } else {
@@ -119,7 +119,7 @@ impl<'a> HistoryTable<'a> {
         }
     }
 
-    /// Returns the rows of the samples.
+    /// Returns the table rows of the samples of a motion.
     pub fn samples<'h>(
         &self,
         history: &'h History,
@@ -132,14 +132,14 @@ impl<'a> HistoryTable<'a> {
         })
     }
 
-    /// Returns the rows of the events.
+    /// Returns the table rows of the events of a motion.
     pub fn events<'h>(&self, history: &'h History) -> impl Iterator<Item = EventRow<'h>> + use<'h> {
         let omega = self.at.omega;
         let events = history.events.iter();
         events.map(move |event| EventRow { event, omega })
     }
 
-    /// Returns the rows of the spectra of the contact and masses.
+    /// Returns the table rows of the spectra of the contact and masses.
     pub fn lines<'h>(
         &self,
         spectra: &'h [Spectrum],
@@ -162,7 +162,7 @@ impl<'a> HistoryTable<'a> {
         columns.number("tau", |row: &R| Some(row.tau()));
     }
 
-    /// Returns the columns of the samples.
+    /// Returns the columns of the table of samples.
     #[must_use]
     pub fn sample_columns<'h: 'a>(&self) -> Vec<Column<'a, SampleRow<'h>>> {
         let mut columns = Columns::new(&self.setting.measure);
@@ -196,7 +196,7 @@ impl<'a> HistoryTable<'a> {
         columns.done()
     }
 
-    /// Returns the columns of the events.
+    /// Returns the columns of the table of events.
     #[must_use]
     pub fn event_columns<'h: 'a>(&self) -> Vec<Column<'a, EventRow<'h>>> {
         let mut columns = Columns::new(&self.setting.measure);
@@ -220,7 +220,7 @@ impl<'a> HistoryTable<'a> {
         columns.done()
     }
 
-    /// Returns the columns of the spectra.
+    /// Returns the columns of the table of spectra.
     #[must_use]
     pub fn spectrum_columns<'h: 'a>(&self) -> Vec<Column<'a, SpectrumRow<'h>>> {
         let mut columns = Columns::new(&self.setting.measure);
@@ -249,8 +249,7 @@ impl<'a> HistoryTable<'a> {
     }
 }
 
-/// Returns the word for the value of a motion at an instant: `force` for a spring or the base shear, otherwise
-/// `displacement`.
+/// Returns the word in the names of the columns: `force` for a spring or the base shear, otherwise `displacement`.
 fn word(part: &Part) -> &'static str {
     if part.of.is_force() {
         "force"

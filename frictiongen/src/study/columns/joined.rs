@@ -14,19 +14,19 @@ use crate::study::words;
 pub struct JoinedRow {
     /// Frequency of the excitation, as ratio r, in Hz and in rad/s.
     pub frequency: Frequency,
-    /// The common friction, as ratio β and, under a load, as force in N.
+    /// The common friction of all contacts, as friction ratio β and, under a load, as force in N.
     pub friction: Friction,
     /// Regime: continuous, stick-slip or stuck. The text is empty if there is no steady state.
     pub regime: &'static str,
-    /// Stability of the state: stable or marginal. If there is no steady state, the text is the reason.
+    /// Stability of the steady state: stable or marginal. If there is no steady state, the text is the reason.
     pub state: &'static str,
-    /// The friction above which the state exists in which no contact slides, and the contact that slides first below
-    /// this friction.
+    /// The smallest friction for the state in which no contact slides, and the contact that slides first at less
+    /// friction.
     stuck: Option<(f64, String)>,
     steady: Option<Steady>,
 }
 
-/// Numbers of a steady state.
+/// Numbers of a steady state with several contacts.
 #[derive(Clone, Debug)]
 struct Steady {
     regime: Regime,
@@ -36,14 +36,14 @@ struct Steady {
     parts: Vec<Part>,
 }
 
-/// Numbers of a contact or a mass over a period.
+/// Numbers of the motion of a contact or a mass over a period.
 #[derive(Clone, Debug)]
 struct Part {
     amplitude: f64,
     contact: Option<ContactPart>,
 }
 
-/// Numbers of a contact over a period.
+/// Further numbers of a contact over a period.
 #[derive(Clone, Copy, Debug)]
 struct ContactPart {
     regime: &'static str,
@@ -74,7 +74,7 @@ impl AtFriction for JoinedRow {
 }
 
 impl JoinedRow {
-    /// Returns true if there is a steady state.
+    /// Returns true if the row contains a steady state.
     #[must_use]
     pub fn is_known(&self) -> bool {
         self.steady.is_some()
@@ -93,14 +93,14 @@ impl JoinedRow {
         self.steady.as_ref().map_or("", |steady| &steady.marginal)
     }
 
-    /// Returns the amplitude of a contact or a mass in non-dimensional groups. The contacts come first, and the masses
-    /// of the table follow.
+    /// Returns the amplitude of a contact or a mass in non-dimensional groups. In the index, the contacts come first,
+    /// and the masses of the table follow.
     #[must_use]
     pub fn amplitude(&self, index: usize) -> Option<f64> {
         Some(self.part(index)?.amplitude)
     }
 
-    /// Returns the fraction of the period in which a contact sticks.
+    /// Returns the fraction of the period during which a contact sticks.
     #[must_use]
     pub fn stuck_fraction(&self, index: usize) -> Option<f64> {
         Some(self.contact(index)?.stuck_fraction)
@@ -115,21 +115,21 @@ impl JoinedRow {
     }
 }
 
-/// The tables of a scene with several contacts.
+/// The tables of the steady states of a scene with several contacts.
 #[derive(Clone, Copy)]
 pub struct JoinedTable<'a> {
-    /// System and units, with frequencies and frictions as the user gave them. The table does not use the list of
-    /// motions in these settings.
+    /// System and units, and the frequencies and frictions as the user gave them. The tables do not use the list of
+    /// motions in this setting.
     pub setting: Setting<'a>,
     /// The scene's contacts and masses.
     pub joined: &'a Joined<'a>,
-    /// Indices of the masses in the table.
+    /// Indices of the masses in the tables.
     pub masses: &'a [usize],
 }
 
 impl<'a> JoinedTable<'a> {
-    /// Evaluates the scene at a frequency. A scene without springs needs a frequency in Hz or rad/s, and a load. The
-    /// frequency ratio r of such a scene uses k₁ = 1.
+    /// Evaluates the scene at a frequency. A scene without springs needs a frequency in Hz or rad/s, and a load. For
+    /// such a scene, the frequency ratio r is computed with k₁ = 1.
     ///
     /// # Errors
     /// Same errors as [`Joined::at`].
@@ -143,8 +143,8 @@ impl<'a> JoinedTable<'a> {
         }
     }
 
-    /// Computes the row of the steady state that motion from rest reaches. If the motion does not settle, the row
-    /// states this as the reason.
+    /// Computes the row of the steady state that the motion from rest reaches. If the motion does not settle, the row
+    /// gives this as the reason.
     ///
     /// # Errors
     /// [`JoinedError`] for a frequency or a friction outside the domain.
@@ -165,7 +165,7 @@ impl<'a> JoinedTable<'a> {
         }
     }
 
-    /// Computes one row for every steady state that the search finds.
+    /// Computes one table row for every steady state that the search finds.
     ///
     /// # Errors
     /// Same errors as [`row`](Self::row).
@@ -295,14 +295,14 @@ impl<'a> JoinedTable<'a> {
     }
 }
 
-/// Returns the friction above which the state exists in which no contact slides, and the contact that slides first
-/// below this friction. Returns `None` on a resonance.
+/// Returns the smallest friction for the state in which no contact slides, and the contact that slides first at less
+/// friction. Returns `None` on a resonance.
 fn limit(at: &JoinedAt<'_>) -> Option<(f64, String)> {
     let stuck = at.stuck().ok()?;
     Some((stuck.limit(), stuck.first().to_owned()))
 }
 
-/// Returns a word for the reason why there is no steady state.
+/// Returns a word for the reason why there is no steady state. The table contains this word.
 pub(super) fn reason(error: &JointError) -> &'static str {
     match error {
         JointError::NotSteady => "unsettled",

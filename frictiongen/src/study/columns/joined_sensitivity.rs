@@ -11,10 +11,10 @@ use crate::study::joined::{Joined, JoinedError, JoinedSensitivity};
 use crate::study::parameter::Slope;
 use crate::study::words;
 
-/// A row: one number and its derivative with respect to one parameter at one operating point.
+/// A row of the table: one number and its derivative with respect to one parameter at one operating point.
 pub type JoinedSensitivityRow = SensitivityRow<Slope>;
 
-/// Number whose derivatives the table contains.
+/// The number whose derivatives the table contains.
 #[derive(Clone, Debug, PartialEq)]
 pub enum JoinedNumber {
     /// The amplitude of the mass with this index and this name.
@@ -23,7 +23,8 @@ pub enum JoinedNumber {
     Energy(usize, String),
 }
 
-/// The table of derivatives with respect to the parameters, at points of frequency and friction.
+/// The table of derivatives of a steady state with several contacts, with respect to the parameters, at points of
+/// frequency and friction.
 #[derive(Clone, Copy)]
 pub struct JoinedSensitivityTable<'a> {
     /// System, units, and frequencies and frictions as the user gave them.
@@ -35,7 +36,7 @@ pub struct JoinedSensitivityTable<'a> {
 }
 
 impl JoinedNumber {
-    /// Returns the number with its derivative.
+    /// Reads the number of the table, with its derivative, from the sensitivities.
     fn read(&self, of: &JoinedSensitivity) -> Option<Slope> {
         match self {
             Self::Amplitude(mass, _) => of.amplitudes.get(*mass).copied(),
@@ -43,7 +44,7 @@ impl JoinedNumber {
         }
     }
 
-    /// Returns the word for the number, its dimension, and the name of its mass or contact.
+    /// Returns the word for the table's number, its dimension, and the name of its mass or contact.
     fn told(&self) -> (&'static str, Dimension, &str) {
         match self {
             Self::Amplitude(_, name) => ("amplitude", Dimension::Length, name),
@@ -97,7 +98,7 @@ impl<'a> JoinedSensitivityTable<'a> {
         Ok(found.collect())
     }
 
-    /// Returns the columns.
+    /// Returns the columns of the table of derivatives.
     #[must_use]
     pub fn columns(&self) -> Vec<Column<'a, JoinedSensitivityRow>> {
         let measure = self.setting.measure;

@@ -7,7 +7,7 @@ use super::measure::Dimension;
 use crate::answer::Event;
 use crate::study::joined::JoinedHistory;
 
-/// Row of the table of samples, with the motion at one instant.
+/// A row of the table of samples: the motion of a scene with several contacts at one instant.
 #[derive(Clone, Copy, Debug)]
 pub struct JoinedSample<'h> {
     /// The motion over time to which the row belongs.
@@ -24,7 +24,7 @@ impl Row for JoinedSample<'_> {
     }
 }
 
-/// Row of the table of events.
+/// A row of the table of events: one event of a contact in a scene with several contacts.
 #[derive(Clone, Copy, Debug)]
 pub struct JoinedEventRow<'h> {
     /// The motion over time to which the row belongs.

@@ -6,30 +6,31 @@ use super::measure::Dimension;
 use super::setting::{AtFrequency, Frequency, Setting};
 use crate::OutOfDomain;
 
-/// The limits that the table contains.
+/// The limits of friction that the table contains.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LimitsAsked {
     /// The exact limits β_lim and β*_lim.
     Exact,
-    /// The exact limits, and the two bounds on β_lim.
+    /// The exact limits, and two bounds on β_lim: an upper one without a search, and a lower one from the single modes.
     All,
-    /// The limit β*_lim, and an upper bound on β_lim without a search. The bound uses the value of the velocity
+    /// The limit β*_lim, and an upper bound on β_lim that needs no search. The bound uses the value of the velocity
     /// constraint for τ → 0 in place of its maximum S.
     WithoutSearch,
 }
 
-/// A row: the limits at one frequency, as friction ratios. A limit is `None` if the request does not include it.
+/// A row of the table: the limits at one frequency, as friction ratios. A limit is `None` if the request does not
+/// include it.
 #[derive(Clone, Copy, Debug)]
 pub struct LimitsRow {
     /// Frequency of the excitation, as ratio r, in Hz and in rad/s.
     pub frequency: Frequency,
     /// Limit of continuous motion β_lim.
     pub continuous: Option<f64>,
-    /// Upper bound on β_lim without a search. It uses the value of the velocity constraint for τ → 0 in place of its
-    /// maximum S.
+    /// Upper bound on β_lim that needs no search. It uses the value of the velocity constraint for τ → 0 in place of
+    /// its maximum S.
     pub without_search: Option<f64>,
-    /// Lower bound on β_lim. It uses the sum of the maxima of the single modes in place of the maximum S of the
-    /// velocity constraint.
+    /// Lower bound on β_lim. In place of the maximum S of the velocity constraint, it uses the sum of the maxima of the
+    /// single modes.
     pub per_mode: Option<f64>,
     /// Limit of sliding β*_lim.
     pub sliding: f64,
@@ -38,9 +39,9 @@ pub struct LimitsRow {
 /// The table of β_lim and β*_lim over frequency.
 #[derive(Clone, Copy)]
 pub struct LimitsTable<'a> {
-    /// System and units of the answers.
+    /// System and units of the table.
     pub setting: Setting<'a>,
-    /// The limits of the table.
+    /// The limits that the table contains.
     pub asked: LimitsAsked,
 }
 
@@ -59,7 +60,8 @@ impl AtFrequency for LimitsRow {
 /// Function that reads a limit from a row.
 type ReadLimit = fn(&LimitsRow) -> Option<f64>;
 
-/// The limits in order: name, heading, symbol of the ratio, and the function that reads the limit.
+/// The limits in the order of their columns. Each has a name, a heading, the symbol of the ratio, and the function that
+/// reads the limit from a row.
 const LIMITS: [(&str, &str, &str, ReadLimit); 4] = [
     ("continuous_limit", "continuous limit", "beta_lim", |row| {
         row.continuous

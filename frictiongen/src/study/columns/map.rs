@@ -1,4 +1,4 @@
-//! Rows and columns of maps.
+//! Rows and columns of maps over frequency and friction.
 
 use super::builder::Columns;
 use super::column::{Axis, Column, Head, Row};
@@ -11,7 +11,7 @@ use crate::study::{
 use crate::{Error, Limits};
 use std::borrow::Cow;
 
-/// A row of the table of points: one frequency and one friction.
+/// A row of the table of points of a map: one frequency and one friction.
 #[derive(Clone, Debug)]
 pub struct MapRow<'m> {
     /// Frequency of the excitation, as ratio r, in Hz and in rad/s.
@@ -20,7 +20,7 @@ pub struct MapRow<'m> {
     pub friction: Friction,
     /// Name of the region of the map: regime, stops and period of the motion.
     pub region: Cow<'static, str>,
-    /// The point, or the reason why there is no response.
+    /// The point of the map, or the reason why there is no response.
     pub found: &'m Result<MapPoint, Error>,
 }
 
@@ -33,12 +33,12 @@ pub struct MapLimitsRow {
     pub limits: Limits<f64>,
 }
 
-/// A row of the table of boundaries: one friction at which the region of the map changes.
+/// A row of the table of boundaries: one friction at which the region of the map changes, at one frequency.
 #[derive(Clone, Debug)]
 pub struct BoundaryRow {
     /// Frequency of the excitation, as ratio r, in Hz and in rad/s.
     pub frequency: Frequency,
-    /// The friction on the boundary.
+    /// The friction on the boundary between two regions.
     pub friction: Friction,
     /// Width of the interval of β that contains the boundary.
     pub width: f64,
@@ -90,15 +90,15 @@ impl MapRow<'_> {
         self.found.as_ref().ok()
     }
 
-    /// Returns the point if its motion repeats. If the motion does not repeat, it has no number of stops or reversals
-    /// in a period.
+    /// Returns the point of the map if its motion repeats. A motion that does not repeat has no number of stops or
+    /// reversals in a period.
     fn counted(&self) -> Option<&MapPoint> {
         self.point().filter(|point| 0 < point.pattern.period)
     }
 }
 
-/// Pairs the entries of a map with their frequencies, in order. After a cancellation, a map has no entries for the last
-/// frequencies.
+/// Pairs the entries of a map with their frequencies, in order. If the user has cancelled the computation, a map has no
+/// entries for the last frequencies.
 fn placed<T>(
     frequencies: impl Iterator<Item = Frequency>,
     found: &[T],
@@ -112,7 +112,7 @@ fn placed<T>(
 }
 
 impl<'a> MapTable<'a> {
-    /// Returns the rows of a map at these frequencies and frictions. The rows of one frequency follow each other.
+    /// Returns the table rows of a map at these frequencies and frictions. The rows of one frequency follow each other.
     pub fn rows<'m>(
         map: &'m Map,
         frequencies: impl Iterator<Item = Frequency>,
@@ -133,7 +133,7 @@ impl<'a> MapTable<'a> {
         })
     }
 
-    /// Returns the rows of the limits of a map.
+    /// Returns the rows of the table of the limits β_lim and β*_lim of a map.
     pub fn limits(
         map: &Map,
         frequencies: impl Iterator<Item = Frequency>,
@@ -145,7 +145,7 @@ impl<'a> MapTable<'a> {
         })
     }
 
-    /// Returns the rows of the boundaries of a map.
+    /// Returns the rows of the table of the boundaries of a map.
     pub fn boundaries(
         self,
         boundaries: &[Boundary],
@@ -162,7 +162,7 @@ impl<'a> MapTable<'a> {
         })
     }
 
-    /// Returns the columns of the points.
+    /// Returns the columns of the table of points.
     #[must_use]
     pub fn columns<'m: 'a>(&self) -> Vec<Column<'a, MapRow<'m>>> {
         use Dimension::Length;
@@ -199,7 +199,7 @@ impl<'a> MapTable<'a> {
         columns.done()
     }
 
-    /// Returns the columns of the limits.
+    /// Returns the columns of the table of limits.
     #[must_use]
     pub fn limits_columns(&self) -> Vec<Column<'a, MapLimitsRow>> {
         let mut columns = Columns::new(&self.setting.measure);
@@ -214,7 +214,7 @@ impl<'a> MapTable<'a> {
         columns.done()
     }
 
-    /// Returns the columns of the boundaries.
+    /// Returns the columns of the table of boundaries.
     #[must_use]
     pub fn boundary_columns(&self) -> Vec<Column<'a, BoundaryRow>> {
         let mut columns = Columns::new(&self.setting.measure);

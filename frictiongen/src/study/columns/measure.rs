@@ -1,4 +1,4 @@
-//! Units of the answers: SI units under a load, otherwise non-dimensional groups.
+//! Units of the results in tables: SI units under a load, otherwise non-dimensional groups.
 
 use crate::Of;
 use crate::study::scene::Excitation;
@@ -8,7 +8,7 @@ use crate::study::{
 };
 use std::f64::consts::TAU;
 
-/// Physical quantity of a number. It determines the unit.
+/// Physical quantity of a number in a table. It determines the unit of the number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Dimension {
     /// A ratio, or a number whose unit is in another column.
@@ -35,14 +35,14 @@ pub enum Dimension {
     Time,
 }
 
-/// Units of the answers: SI units under a load, otherwise non-dimensional groups.
+/// Units of the results in tables: SI units under a load, otherwise non-dimensional groups.
 #[derive(Clone, Copy, Debug)]
 pub struct Measure {
     scale: Option<LoadScale>,
     load: Option<Load>,
     base_motion: bool,
     reversed: bool,
-    /// Angular frequency at r = 1, rad/s.
+    /// Angular frequency at the frequency ratio r = 1, rad/s.
     reference: f64,
 }
 
@@ -71,7 +71,7 @@ impl Measure {
         })
     }
 
-    /// Returns the units of answers that are already in SI units.
+    /// Returns the units of results that are already in SI units.
     #[must_use]
     pub fn si(system: &System) -> Self {
         Self {
@@ -80,14 +80,15 @@ impl Measure {
         }
     }
 
-    /// Returns the exponent n of the load, whose amplitude is proportional to ω⁻ⁿ. Without a load it is 0.
+    /// Returns the exponent n of the load. The amplitude of the load is proportional to ω⁻ⁿ. Without a load the result
+    /// is 0.
     #[must_use]
     pub fn fall(&self) -> i32 {
         self.load.map_or(0, |load| load.fall())
     }
 
-    /// Returns the units of length and force at an angular frequency in rad/s, or `None` without a load. For NaN it
-    /// returns the units at r = 1.
+    /// Returns the units of length and force at an angular frequency in rad/s, or `None` without a load. If the angular
+    /// frequency is NaN, returns the units at r = 1.
     #[must_use]
     pub fn scale_at(&self, omega: f64) -> Option<LoadScale> {
         let factor = match self.fall() {
@@ -105,7 +106,7 @@ impl Measure {
         self.scale
     }
 
-    /// Returns the load, or `None`.
+    /// Returns the load from which the units follow, or `None` without a load.
     #[must_use]
     pub fn load(&self) -> Option<Load> {
         self.load
@@ -130,14 +131,14 @@ impl Measure {
         of == Of::Contact && self.turns_contact()
     }
 
-    /// Returns the sign of the contact's displacement.
+    /// Returns the sign, 1 or −1, by which the contact's displacement is multiplied in these units.
     #[must_use]
     pub fn sign(&self) -> f64 {
         if self.turns_contact() { -1.0 } else { 1.0 }
     }
 
-    /// Converts a non-dimensional group to these units. `omega` is ω in rad/s, for velocities, accelerations and
-    /// powers.
+    /// Converts a non-dimensional group to these units. For velocities, accelerations and powers, `omega` is the
+    /// angular frequency ω in rad/s.
     #[must_use]
     pub fn convert(&self, dimension: Dimension, value: f64, omega: f64) -> f64 {
         let here = Self {
@@ -166,7 +167,7 @@ impl Measure {
         self.scale.map_or(ratio, |scale| scale.displacement(ratio))
     }
 
-    /// Converts a displacement in these units back to the non-dimensional ratio.
+    /// Converts a displacement in these units back to the non-dimensional group x̄.
     #[must_use]
     pub fn length_ratio(&self, length: f64) -> f64 {
         self.scale
@@ -186,7 +187,8 @@ impl Measure {
             .map_or(rate, |scale| scale.velocity(rate, omega) * omega)
     }
 
-    /// Converts the work in a cycle, divided by P²/k₁, to these units. Under a load the result is a mean power in W.
+    /// Converts the work in a cycle, divided by P²/k₁, to these units. Under a load the result is the mean power in W.
+    /// `omega` is the angular frequency ω in rad/s.
     #[must_use]
     pub fn power(&self, work: f64, omega: f64) -> f64 {
         self.scale.map_or(work, |scale| {
@@ -194,7 +196,7 @@ impl Measure {
         })
     }
 
-    /// Converts a force ratio, such as β, to these units.
+    /// Converts a force divided by P, such as β, to these units.
     #[must_use]
     pub fn force(&self, ratio: f64) -> f64 {
         self.scale.map_or(ratio, |scale| scale.friction(ratio))
@@ -206,7 +208,8 @@ impl Measure {
         self.scale.map_or(radians, |_| radians.to_degrees())
     }
 
-    /// Returns the name of a column. Under a load it contains the unit: `amplitude_m`, otherwise `amplitude`.
+    /// Returns the name of a column for a quantity. Under a load the name contains the unit, as in `amplitude_m`.
+    /// Otherwise it is the quantity alone, as in `amplitude`.
     #[must_use]
     pub fn name(&self, name: &str, dimension: Dimension) -> String {
         let (suffix, always) = match dimension {

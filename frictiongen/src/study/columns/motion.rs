@@ -8,8 +8,8 @@ use crate::Complex;
 use crate::study::response::{Size, Swing};
 use crate::study::units::polar;
 
-/// The motion of the contact or of a mass, in non-dimensional groups. A quantity is `None` if the result does not
-/// contain it.
+/// The motion of the contact or of a mass in one row of a table, in non-dimensional groups. A quantity is `None` if the
+/// row does not contain it.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct PartMotion<'r> {
     /// Largest displacement (amplitude), divided by P/k₁ (by Y for base motion), and its phase in rad.
@@ -21,21 +21,21 @@ pub struct PartMotion<'r> {
     pub fundamental_phase: Option<f64>,
     /// Monoharmonic estimate of the amplitude, divided by P/k₁ (by Y for base motion).
     pub monoharmonic: Option<f64>,
-    /// Largest |dx̄/dτ| and largest |d²x̄/dτ²|.
+    /// Largest |dx̄/dτ| and largest |d²x̄/dτ²| in a cycle.
     pub rates: Option<(f64, f64)>,
     /// Largest force in the contact, divided by P, and the energy that the contact dissipates in a cycle, divided by
-    /// P²/k₁.
+    /// P²/k₁. For base motion, P is k₁Y.
     pub contact: Option<(f64, f64)>,
-    /// Equivalent viscous damping ratio of the contact, computed with the strain energy of all springs or of one
+    /// Equivalent viscous damping ratio of the contact. It is computed with the strain energy of all springs or of one
     /// spring.
     pub damping: Option<f64>,
     /// Complex amplitudes of the requested harmonics, in the order of the request.
     pub harmonics: &'r [Complex<f64>],
 }
 
-/// A row that contains motions.
+/// A row of a table that contains motions.
 pub trait Moving: Row {
-    /// Returns the motion of the contact or mass with this index.
+    /// Returns the motion of the contact or mass with this index in the table.
     fn motion(&self, part: usize) -> Option<PartMotion<'_>>;
 }
 
@@ -52,7 +52,7 @@ pub struct Extent<'a> {
     pub complex: bool,
 }
 
-/// Adds the columns of the motions of the contact and masses in `parts`.
+/// Adds the columns of the motions of the contact and masses in `parts` to a table.
 pub fn motions<'a, R: Moving + 'a>(columns: &mut Columns<'a, R>, parts: &[Part], of: Extent<'_>) {
     use Dimension::{Acceleration, Angle, Velocity};
     let angle = columns.measure().title(Angle);

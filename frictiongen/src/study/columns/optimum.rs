@@ -21,16 +21,16 @@ pub struct OptimumTable<'a> {
     pub setting: Setting<'a>,
 }
 
-/// A row of the table of peaks: a frequency at which the amplitude is largest.
+/// A row of the table of peaks: a frequency at which the amplitude with the best friction is largest.
 #[derive(Clone, Copy, Debug)]
 pub struct PeakRow {
     frequency: Frequency,
     peak: OptimumPeak,
-    /// Angular frequency at r = 1, rad/s.
+    /// Angular frequency at the frequency ratio r = 1, rad/s.
     reference: f64,
 }
 
-/// A row of the table of sensitivities: the relative derivative of the best amplitude with respect to one parameter.
+/// A row of the table of sensitivities: the relative change of the best amplitude per unit of one parameter.
 #[derive(Clone, Debug)]
 pub struct OptimumSensitivityRow {
     parameter: Parameter,
@@ -62,14 +62,14 @@ impl Row for OptimumSensitivityRow {}
 
 impl Row for TunedPoint {}
 
-/// Returns the width of the interval that contains the best friction. Returns `None` if the search converged.
+/// Returns the width of the interval of β that contains the best friction. Returns `None` if the search converged.
 fn unsure(optimum: &Optimum) -> Option<f64> {
     let [from, to] = optimum.bracket;
     (optimum.end != OptimumEnd::Converged).then_some(to - from)
 }
 
 impl<'a> OptimumTable<'a> {
-    /// Returns the rows of the peaks.
+    /// Returns the rows of the table of peaks.
     #[must_use]
     pub fn peaks(&self, optimum: &Optimum) -> Vec<PeakRow> {
         let peaks = optimum.peaks.iter().map(|peak| PeakRow {
@@ -80,7 +80,7 @@ impl<'a> OptimumTable<'a> {
         peaks.collect()
     }
 
-    /// Returns the rows of the sensitivities. Without a load the list is empty.
+    /// Returns the rows of the table of sensitivities. Without a load the list is empty.
     #[must_use]
     pub fn sensitivities(&self, optimum: &Optimum) -> Vec<OptimumSensitivityRow> {
         let Some(point) = self.point() else {
@@ -96,8 +96,8 @@ impl<'a> OptimumTable<'a> {
         rows.collect()
     }
 
-    /// Returns an operating point. The parameters take their names and units from it. The numbers of the point have no
-    /// effect.
+    /// Returns an operating point from which the parameters take their names and units. The numbers of the point have
+    /// no effect.
     fn point(&self) -> Option<OperatingPoint> {
         Some(OperatingPoint::Physical {
             hertz: 1.0,
@@ -106,7 +106,7 @@ impl<'a> OptimumTable<'a> {
         })
     }
 
-    /// Returns the columns of the answer.
+    /// Returns the columns of the result about the best friction.
     #[must_use]
     pub fn columns(&self) -> Vec<Column<'a, Optimum>> {
         let mut columns = self.best();
@@ -115,14 +115,14 @@ impl<'a> OptimumTable<'a> {
         columns
     }
 
-    /// Returns the physical dimension of the amplitude: length or force.
+    /// Returns the physical dimension of the minimised amplitude: length or force.
     fn size(&self) -> Dimension {
         let part = self.setting.parts.first();
         part.map_or(Dimension::Length, Part::dimension)
     }
 
-    /// Returns the columns of the best friction. The first line of a heading is the label of its line in the printed
-    /// answer.
+    /// Returns the columns of the best friction. The first line of a column's heading is the label in the printed
+    /// result.
     fn best(&self) -> Vec<Column<'a, Optimum>> {
         use Dimension::Force;
         let mut columns = Columns::new(&self.setting.measure);
@@ -159,8 +159,8 @@ impl<'a> OptimumTable<'a> {
         columns.done()
     }
 
-    /// Returns the columns for a comparison with the best friction: limits of friction, and amplitudes without friction
-    /// and with a stuck contact.
+    /// Returns the columns with which the best friction can be compared: the limits of friction, the amplitude without
+    /// friction, and the amplitude with a stuck contact.
     fn bounds(&self) -> Vec<Column<'a, Optimum>> {
         use Dimension::Force;
         let mut columns = Columns::new(&self.setting.measure);
@@ -180,7 +180,7 @@ impl<'a> OptimumTable<'a> {
         columns.done()
     }
 
-    /// Returns the columns with the work of the search.
+    /// Returns the columns with the work of the search for the best friction.
     fn effort(&self) -> Vec<Column<'a, Optimum>> {
         let mut columns = Columns::new(&self.setting.measure);
         let head = Head::new("evaluations").titled(&["amplitudes computed"]);
@@ -191,7 +191,7 @@ impl<'a> OptimumTable<'a> {
         columns.done()
     }
 
-    /// Returns the columns of the peaks.
+    /// Returns the columns of the table of peaks.
     #[must_use]
     pub fn peak_columns(&self) -> Vec<Column<'a, PeakRow>> {
         let mut columns = Columns::new(&self.setting.measure);
@@ -203,7 +203,7 @@ impl<'a> OptimumTable<'a> {
         columns.done()
     }
 
-    /// Returns the columns of the tolerances.
+    /// Returns the columns of the table of tolerances of the friction.
     #[must_use]
     pub fn tolerance_columns(&self) -> Vec<Column<'a, Tolerance>> {
         let mut columns = Columns::new(&self.setting.measure);
@@ -215,7 +215,7 @@ impl<'a> OptimumTable<'a> {
         columns.done()
     }
 
-    /// Returns the columns of the sensitivities. Without a load the list is empty.
+    /// Returns the columns of the table of sensitivities. Without a load the list is empty.
     #[must_use]
     pub fn sensitivity_columns(&self) -> Vec<Column<'a, OptimumSensitivityRow>> {
         let mut columns = Columns::new(&self.setting.measure);

@@ -1,4 +1,4 @@
-//! Rows and columns of steady states under periodic loads, and of their motion over a period.
+//! Rows and columns of the steady states under periodic loads, and of the motion over a period.
 
 use super::builder::Columns;
 use super::column::{Column, Head, Kind, Row, Shown};
@@ -12,11 +12,11 @@ use crate::study::periodic::PeriodicState;
 pub struct PeriodicRow {
     /// The kinetic friction force, N.
     pub friction: f64,
-    /// The steady state.
+    /// The steady state at this friction force.
     pub state: PeriodicState,
 }
 
-/// Row of the table of a motion, with one step of a steady state.
+/// A row of the table of a motion: one time step of a steady state under a periodic load.
 #[derive(Clone, Copy, Debug)]
 pub struct PeriodicSample<'s> {
     row: &'s PeriodicRow,
@@ -36,7 +36,8 @@ impl Row for PeriodicRow {}
 impl Row for PeriodicSample<'_> {}
 
 impl PeriodicRow {
-    /// Returns the smallest and the largest value of a motion, with the sign of the description.
+    /// Returns the smallest and the largest value of a motion over the period. With `turned` the motion counts with the
+    /// opposite sign.
     fn extremes(&self, part: usize, turned: bool) -> Option<[f64; 2]> {
         let [least, most] = self.state.tracks().get(part)?.extremes();
         Some(if turned {
@@ -56,7 +57,8 @@ impl PeriodicRow {
             .collect()
     }
 
-    /// Returns the displacement of a motion, or the force of a spring, at each sample. With `turned` the sign is reversed.
+    /// Returns the displacement of a motion, or the force of a spring, at each sample. With `turned` the values have
+    /// the opposite sign.
     #[must_use]
     pub fn values(&self, part: usize, turned: bool) -> Vec<f64> {
         let values = self.state.tracks().get(part).map(|track| &track.values);
@@ -66,14 +68,14 @@ impl PeriodicRow {
             .collect()
     }
 
-    /// Returns the rows of the motion over a period.
+    /// Returns the table rows of the motion over a period.
     pub fn samples(&self) -> impl Iterator<Item = PeriodicSample<'_>> {
         (0..self.state.forces().len()).map(|step| PeriodicSample { row: self, step })
     }
 }
 
 impl<'a> PeriodicTable<'a> {
-    /// Returns the columns of the steady states.
+    /// Returns the columns of the table of steady states.
     #[must_use]
     pub fn columns(&self) -> Vec<Column<'a, PeriodicRow>> {
         let measure = Measure::si(self.system);
@@ -130,7 +132,7 @@ impl<'a> PeriodicTable<'a> {
         columns.done()
     }
 
-    /// Returns the columns of the motion over a period.
+    /// Returns the columns of the table of the motion over a period.
     #[must_use]
     pub fn sample_columns<'s>(&self) -> Vec<Column<'s, PeriodicSample<'s>>> {
         let measure = Measure::si(self.system);

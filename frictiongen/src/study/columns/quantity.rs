@@ -6,7 +6,7 @@ use crate::study::units::Load;
 /// Standard acceleration of gravity, m/s².
 const GRAVITY: f64 = 9.80665;
 
-/// Units with their dimension and their size in SI units.
+/// Units of motions that a text can contain, each with its dimension and its size in SI units.
 const UNITS: [(&str, Dimension, f64); 14] = [
     ("m", Dimension::Length, 1.0),
     ("cm", Dimension::Length, 1e-2),
@@ -24,7 +24,7 @@ const UNITS: [(&str, Dimension, f64); 14] = [
     ("mg", Dimension::Acceleration, 1e-3 * GRAVITY),
 ];
 
-/// Units of forces and energies, with their size in SI units.
+/// Units of forces and energies that a text can contain, each with its dimension and its size in SI units.
 const OTHERS: [(&str, Dimension, f64); 5] = [
     ("N", Dimension::Force, 1.0),
     ("kN", Dimension::Force, 1e3),
@@ -36,7 +36,7 @@ const OTHERS: [(&str, Dimension, f64); 5] = [
 /// Splits a text into a number and its unit. The number is `None` if the text does not begin with a number.
 fn number_and_unit(text: &str) -> (Option<f64>, &str) {
     let text = text.trim();
-    // The unit begins after the longest start of the text that is a number.
+    // The number is the longest beginning of the text that can be read as a number. The rest is the unit.
     let ends = text
         .char_indices()
         .map(|(index, _)| index)
@@ -53,10 +53,11 @@ fn number_and_unit(text: &str) -> (Option<f64>, &str) {
     found
 }
 
-/// Parses a text about the motion of the base: `0.003` or `3 mm`, `0.1 m/s`, `2 m/s2` or `0.2g`.
+/// Parses a text about the motion of the base as a load. Examples are `0.003` or `3 mm`, `0.1 m/s`, `2 m/s2` and
+/// `0.2g`.
 ///
 /// # Errors
-/// The reason in words. A message shows it after the text.
+/// The reason in words. A message prints it after the text.
 pub fn base_load(text: &str) -> Result<Load, String> {
     let (number, unit) = number_and_unit(text);
     let number = number.ok_or_else(|| "it is not a number".to_owned())?;
@@ -78,11 +79,11 @@ pub fn base_load(text: &str) -> Result<Load, String> {
     }
 }
 
-/// Returns the bound that a text sets on a quantity, in SI units: `5mm`, `2 m/s2`, `12 kN`. A number without a unit is in
-/// the SI unit.
+/// Returns the bound that a text sets on a quantity, in SI units. Examples are `5mm`, `2 m/s2` and `12 kN`. A number
+/// without a unit counts as SI.
 ///
 /// # Errors
-/// The reason in words, to follow the text.
+/// The reason in words. A message prints it after the text.
 pub fn bound(text: &str, dimension: Dimension) -> Result<f64, String> {
     let (number, unit) = number_and_unit(text);
     let number = number.filter(|number| 0.0 <= *number && number.is_finite());
@@ -107,10 +108,11 @@ pub fn bound(text: &str, dimension: Dimension) -> Result<f64, String> {
     }
 }
 
-/// Parses a text about the unbalance of a rotor, mass times eccentricity: `0.02` or `0.02 kg m`.
+/// Parses a text about the unbalance of a rotor, mass times eccentricity, as a load. Examples are `0.02` and `0.02 kg
+/// m`.
 ///
 /// # Errors
-/// The reason in words. A message shows it after the text.
+/// The reason in words. A message prints it after the text.
 pub fn unbalance(text: &str) -> Result<Load, String> {
     match number_and_unit(text) {
         (Some(number), "" | "kg m" | "kg*m" | "kg·m") => Ok(Load::Unbalance(number)),

@@ -11,11 +11,11 @@ use crate::study::{
 };
 use frictiongen_model::scene::Scene;
 
-/// Symbol in the row with the values themselves instead of their derivatives.
+/// Symbol in the row that contains the answers instead of their derivatives.
 const ITSELF: &str = "the answer";
 
-/// A row: the derivatives of the answers with respect to one parameter at one operating point. `D` contains the answers
-/// with their derivatives.
+/// A row of the table: the derivatives of the answers with respect to one parameter at one operating point. `D`
+/// contains the answers with their derivatives.
 #[derive(Clone, Debug)]
 pub struct SensitivityRow<D = ParameterSensitivity> {
     /// Frequency of the excitation, as ratio r, in Hz and in rad/s.
@@ -29,7 +29,7 @@ pub struct SensitivityRow<D = ParameterSensitivity> {
     pub(super) found: Option<FoundSlope<D>>,
 }
 
-/// A parameter, with the answers and their derivatives with respect to it.
+/// A parameter, and the answers with their derivatives with respect to this parameter.
 #[derive(Clone, Debug)]
 pub(super) struct FoundSlope<D> {
     pub symbol: String,
@@ -37,7 +37,7 @@ pub(super) struct FoundSlope<D> {
     /// Value of the parameter.
     pub value: f64,
     pub answers: D,
-    /// True for the row with the values themselves instead of their derivatives.
+    /// True for the row that contains the answers instead of their derivatives.
     pub itself: bool,
 }
 
@@ -57,7 +57,7 @@ struct SlopedAnswer {
     read: fn(&ParameterSensitivity) -> Option<Slope>,
 }
 
-/// The answers in the order of their columns.
+/// The answers of the table, in the order of their columns.
 const ANSWERS: [SlopedAnswer; 4] = [
     SlopedAnswer {
         name: "amplitude",
@@ -100,7 +100,7 @@ impl<D> AtFriction for SensitivityRow<D> {
 }
 
 impl<D: Clone> SensitivityRow<D> {
-    /// Returns the row with the values themselves instead of their derivatives. Returns `None` if there are no values.
+    /// Returns the row that contains the answers instead of their derivatives. Returns `None` if there are no answers.
     #[must_use]
     pub fn itself(&self) -> Option<Self> {
         let mut row = self.clone();
@@ -110,7 +110,7 @@ impl<D: Clone> SensitivityRow<D> {
         Some(row)
     }
 
-    /// Returns the parameter of the row. Returns `None` for the row with the values themselves.
+    /// Returns the parameter of the row. Returns `None` for the row that contains the answers instead of derivatives.
     pub(super) fn parameter(&self) -> Option<&FoundSlope<D>> {
         self.found.as_ref().filter(|found| !found.itself)
     }
@@ -123,8 +123,8 @@ impl SensitivityRow {
     }
 }
 
-/// Adds the columns with symbol, value and unit of the parameter. The symbols are at most as wide as `widest`, and the
-/// units as `unit`.
+/// Adds the columns with symbol, value and unit of the parameter. The column of symbols is as wide as `widest`, and the
+/// column of units as wide as `unit`.
 pub(super) fn of_parameter<'a, D: Clone + 'a>(
     columns: &mut Columns<'a, SensitivityRow<D>>,
     widest: &str,
@@ -140,8 +140,8 @@ pub(super) fn of_parameter<'a, D: Clone + 'a>(
     });
 }
 
-/// Returns a word that is as long as the longest symbol of a parameter. Tables use it to set the width of the column.
-/// `others` are the lengths of symbols that are neither masses nor springs.
+/// Returns a word that is as long as the longest symbol of a parameter. Tables take the width of the column from this
+/// word. `others` are the lengths of the symbols that denote neither masses nor springs.
 pub(super) fn widest(scene: &Scene, others: impl Iterator<Item = usize>) -> String {
     let masses = scene.masses.iter().map(|mass| mass.name.len() + 2);
     let springs = scene
@@ -157,7 +157,7 @@ impl<'a> SensitivityTable<'a> {
     /// the reason.
     ///
     /// # Errors
-    /// An error for which the table has no word.
+    /// An error of the computation for which the table has no word.
     pub fn rows(
         &self,
         frequency: Frequency,
@@ -197,7 +197,7 @@ impl<'a> SensitivityTable<'a> {
             .collect())
     }
 
-    /// Returns the columns with frequency, friction and regime.
+    /// Returns all columns: those of frequency, friction and regime, and those of the parameters.
     #[must_use]
     pub fn columns(&self) -> Vec<Column<'a, SensitivityRow>> {
         let mut columns = Columns::new(&self.setting.measure);
@@ -231,8 +231,8 @@ impl<'a> SensitivityTable<'a> {
         }
     }
 
-    /// Adds the columns of an answer: value, derivative and relative derivative. Under a load lengths and forces are
-    /// already in m and N, but phases are in rad.
+    /// Adds the columns of an answer: value, derivative, and relative derivative. Under a load, lengths are already in
+    /// m and forces in N, but phases are in rad.
     fn answer(&self, columns: &mut Columns<'a, SensitivityRow>, answer: SlopedAnswer, title: &str) {
         let measure = self.setting.measure;
         let is_phase = answer.dimension == Dimension::Angle;

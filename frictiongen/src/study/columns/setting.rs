@@ -1,4 +1,4 @@
-//! Settings that all tables have in common: system, units, frequencies, frictions and motions.
+//! The setting that all tables have in common: system, units, frequencies, frictions and motions.
 
 use super::builder::Columns;
 use super::column::{Axis, Column, Head, Row};
@@ -12,7 +12,7 @@ use crate::study::{
     units::{self, LoadScale},
 };
 
-/// Name of the contact. No mass can have this name.
+/// Name of the contact in tables. No mass can have this name.
 pub const CONTACT: &str = "contact";
 
 /// A moving part: the contact, a mass, or a combination of masses and base.
@@ -37,7 +37,7 @@ impl Part {
         Ok(Self { of, size, name })
     }
 
-    /// Returns the motion of a mass relative to the base, where the base moves. Other parts stay as they are.
+    /// Returns the motion of a mass relative to the base if the base moves. Returns any other motion unchanged.
     #[must_use]
     pub fn from_base(self, system: &System) -> Self {
         match (self.of, system.scene().excitation) {
@@ -57,7 +57,7 @@ impl Part {
         self.size != Size::Displacement
     }
 
-    /// Returns the dimension of the part's amplitude: a length, or a force for a spring and for the base shear.
+    /// Returns the dimension of the amplitude: a force for a spring and for the base shear, otherwise a length.
     #[must_use]
     pub fn dimension(&self) -> Dimension {
         match self.size {
@@ -87,7 +87,7 @@ impl Part {
 pub enum FrequencyUnit {
     /// Frequency ratios r.
     Ratio,
-    /// Frequency ratios r under a load. Tables contain Hz as well.
+    /// Frequency ratios r under a load. Tables also contain the frequency in Hz.
     RatioUnderLoad,
     /// Frequencies in Hz.
     Hertz,
@@ -96,7 +96,7 @@ pub enum FrequencyUnit {
 }
 
 impl FrequencyUnit {
-    /// Returns the unit for tables under a load. Tables then contain Hz next to frequency ratios.
+    /// Returns the unit for tables under a load. Such tables contain the frequency in Hz next to the frequency ratio.
     #[must_use]
     pub fn under(self, measure: &Measure) -> Self {
         match (self, measure.scale()) {
@@ -117,7 +117,7 @@ impl FrequencyUnit {
         self != Self::Ratio
     }
 
-    /// Returns the frequency for the number `given` in this unit.
+    /// Returns the frequency that the number `given` denotes in this unit.
     #[must_use]
     pub fn given(self, system: &System, given: f64) -> Frequency {
         match self {
@@ -135,7 +135,7 @@ impl FrequencyUnit {
     }
 }
 
-/// A frequency, as ratio r, in Hz and in rad/s.
+/// A frequency of the excitation, as ratio r, in Hz and in rad/s.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frequency {
     /// Frequency ratio r = ω√(m₁/k₁) of the excitation.
@@ -149,7 +149,7 @@ pub struct Frequency {
 }
 
 impl Frequency {
-    /// Returns the frequency with this ratio r.
+    /// Returns the frequency with the frequency ratio r.
     #[must_use]
     pub fn at(system: &System, r: f64) -> Self {
         let omega = system.angular_frequency(r);
@@ -162,7 +162,7 @@ impl Frequency {
     }
 }
 
-/// A friction, as ratio β and as force.
+/// A friction in the contact, as friction ratio β and as force.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Friction {
     /// Friction ratio β = F/P (F/(k₁Y) for base motion).
@@ -174,7 +174,7 @@ pub struct Friction {
 }
 
 impl Friction {
-    /// Returns the friction with this ratio β.
+    /// Returns the friction with the friction ratio β. `scale` gives the unit of force under a load.
     #[must_use]
     pub fn of_ratio(beta: f64, scale: Option<LoadScale>) -> Self {
         Self {
@@ -184,7 +184,7 @@ impl Friction {
         }
     }
 
-    /// Returns the friction with this force in N.
+    /// Returns the friction with this force in N. `scale` gives the unit of force under a load.
     #[must_use]
     pub fn of_force(force: f64, scale: LoadScale) -> Self {
         Self {
@@ -195,7 +195,7 @@ impl Friction {
     }
 
     /// Returns the friction at a frequency, under a load whose amplitude may depend on frequency. The number that the
-    /// user gave, F or β, does not change.
+    /// user gave, F or β, stays the same. The other number changes.
     #[must_use]
     pub fn at(self, measure: &Measure, frequency: Frequency) -> Self {
         match measure.scale_at(frequency.omega) {
@@ -207,21 +207,21 @@ impl Friction {
         }
     }
 
-    /// Returns the exponent n if β is proportional to rⁿ, because the amplitude of the load depends on frequency and
-    /// the user gave a force. If the user gave β, n is 0.
+    /// Returns the exponent n of β ∝ rⁿ. β depends on r if the user gave a force, and the amplitude of the load depends
+    /// on frequency. If the user gave β, n is 0.
     #[must_use]
     pub fn rise(&self, measure: &Measure) -> i32 {
         if self.is_force { measure.fall() } else { 0 }
     }
 
-    /// Returns the friction force if the load is known, and β if it is not.
+    /// Returns the friction force in N if the load is known. Otherwise returns the friction ratio β.
     #[must_use]
     pub fn force(&self) -> f64 {
         self.force.unwrap_or(self.beta)
     }
 }
 
-/// The settings that all tables have in common.
+/// The setting that all tables have in common.
 #[derive(Clone, Copy)]
 pub struct Setting<'a> {
     /// The system of the results.
@@ -230,23 +230,24 @@ pub struct Setting<'a> {
     pub measure: Measure,
     /// The unit in which the user gave the frequencies.
     pub frequency: FrequencyUnit,
-    /// The frequencies as the user gave them. The slice is empty for a band of frequencies.
+    /// The frequencies as the user gave them, in the unit [`frequency`](Self::frequency). The slice is empty for a band
+    /// of frequencies.
     pub frequencies: &'a [f64],
-    /// The frictions as the user gave them.
+    /// The frictions as the user gave them: forces in N if [`forces`](Self::forces) is true, otherwise friction ratios.
     pub frictions: &'a [f64],
-    /// True if the user gave frictions as forces.
+    /// True if the user gave the frictions as forces.
     pub forces: bool,
     /// The contact and masses whose motions the table contains.
     pub parts: &'a [Part],
 }
 
-/// A row at one frequency.
+/// A row of a table that belongs to one frequency.
 pub trait AtFrequency: Row {
     /// Returns the frequency of the row.
     fn frequency(&self) -> Frequency;
 }
 
-/// A row at one friction.
+/// A row of a table that belongs to one friction.
 pub trait AtFriction: Row {
     /// Returns the friction of the row.
     fn friction(&self) -> Friction;
@@ -289,7 +290,7 @@ impl<'a> Setting<'a> {
         }
     }
 
-    /// Returns the columns of the frequency alone.
+    /// Returns the columns of the frequency as a table of its own.
     #[must_use]
     pub fn frequency_columns(&self) -> Vec<Column<'a, Frequency>> {
         let mut columns = Columns::new(&self.measure);
@@ -297,7 +298,7 @@ impl<'a> Setting<'a> {
         columns.done()
     }
 
-    /// Returns the columns of the friction alone.
+    /// Returns the columns of the friction as a table of its own.
     #[must_use]
     pub fn friction_columns(&self) -> Vec<Column<'a, Friction>> {
         let mut columns = Columns::new(&self.measure);
@@ -305,7 +306,7 @@ impl<'a> Setting<'a> {
         columns.done()
     }
 
-    /// Adds the columns of the frequency.
+    /// Adds the columns of the frequency to a table.
     pub fn frequency<R: AtFrequency + 'a>(&self, columns: &mut Columns<'a, R>) {
         let given = |unit: FrequencyUnit| -> &'a [f64] {
             let ratios =
@@ -332,8 +333,8 @@ impl<'a> Setting<'a> {
         columns.along(Axis::Row);
     }
 
-    /// Adds the columns of the friction. Under a load whose amplitude depends on frequency, β depends on friction and
-    /// frequency.
+    /// Adds the columns of the friction to a table. If the amplitude of the load depends on frequency, β depends on the
+    /// friction and on the frequency.
     pub fn friction<R: AtFriction + 'a>(&self, columns: &mut Columns<'a, R>) {
         let given = |forces: bool| -> &'a [f64] {
             if self.forces == forces {

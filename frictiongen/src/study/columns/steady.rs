@@ -16,8 +16,8 @@ use crate::study::{
 };
 use crate::{Of, Regime};
 
-/// The motion of the contact or of a mass, in non-dimensional groups. A quantity is `None` if the result does not
-/// contain it.
+/// The motion of the contact or of a mass in a row, in non-dimensional groups. A quantity is `None` if the result does
+/// not contain it.
 #[derive(Clone, Debug, Default)]
 struct MotionGroups {
     swing: Option<Swing>,
@@ -74,7 +74,7 @@ impl MotionGroups {
         }
     }
 
-    /// Reverses the sign of the motion. `phase` is the phase of the reversed motion.
+    /// Reverses the sign of the motion. `phase` is the phase that the reversed motion has.
     fn turn(&mut self, phase: Option<f64>) {
         if let Some(swing) = &mut self.swing {
             swing.phase = phase;
@@ -85,8 +85,8 @@ impl MotionGroups {
         }
     }
 
-    /// Sets displacements to exactly zero at r = ∞. The formulas use a large, finite r instead of ∞, and so give small
-    /// numbers.
+    /// Sets displacements to exactly zero at r = ∞. The formulas use a large, finite r in place of ∞, and therefore
+    /// give small numbers instead of zero.
     fn settle(&mut self) {
         let settled = |value: f64| if value.abs() < 1e-100 { 0.0 } else { value };
         if let Some(swing) = &mut self.swing {
@@ -106,8 +106,8 @@ impl MotionGroups {
         }
     }
 
-    /// Removes quantities that carry no information while the contact is stuck: the contact's own motion, and the
-    /// harmonics. A stuck response has only one harmonic.
+    /// Removes the quantities that give no information while the contact is stuck: the contact's own motion, and the
+    /// harmonics. A stuck response has only its fundamental.
     fn leave_out_stuck(&mut self, of: Of) {
         match of {
             Of::Contact => *self = Self::default(),

@@ -7,15 +7,15 @@ use crate::study::features::{
     Inversion, LimitsAtEnd, Measured, RegimeRange, Resonance, ResonantPeak, Sensed, SlidingRange,
 };
 
-/// A feature that belongs to the motion of the contact or of a mass.
+/// A feature of the response that belongs to the motion of the contact or of a mass.
 pub(super) struct Named<T> {
-    /// Name of the contact or mass.
+    /// Name of the contact or mass that has the feature.
     pub(super) of: String,
     /// The feature itself, such as a resonance or a range.
     pub(super) it: T,
 }
 
-/// A feature at one friction ratio.
+/// A feature of the response at one friction ratio.
 pub(super) struct FeatureAt<T> {
     /// Friction ratio β = F/P (F/(k₁Y) for base motion).
     pub(super) beta: f64,
@@ -23,30 +23,30 @@ pub(super) struct FeatureAt<T> {
     pub(super) it: T,
 }
 
-/// Lists of features. The order within a list is that of the library.
+/// All features of a response, in lists. Each list keeps the order in which the library returns its features.
 pub struct FeatureLists {
     /// Resonances of the chain.
     pub(super) resonances: Vec<NumberedResonance>,
     /// Resonances of the chain with its contact stuck.
     pub(super) held: Vec<HeldResonance>,
-    /// Limits of friction for r → 0 and r → ∞.
+    /// The friction limits β_lim and β*_lim for r → 0 and r → ∞.
     pub(super) ends: Vec<EndRow>,
-    /// Frequencies at which a motion vanishes without friction.
+    /// Antiresonances: frequencies at which a motion vanishes without friction.
     pub(super) antiresonances: Vec<Named<Antiresonance>>,
-    /// Frequencies at which friction does not change a motion.
+    /// Invariant points: frequencies at which friction does not change the amplitude of a motion.
     pub(super) invariant: Vec<Named<(Measured, InvariantPoint)>>,
-    /// Ranges in which more friction makes a motion larger.
+    /// Inversions: ranges of frequency in which more friction makes a motion larger.
     pub(super) inversions: Vec<Named<(Measured, Inversion)>>,
-    /// Displacement of each mass for r → 0. `None` if the contact is stuck.
+    /// Displacement of each mass for the frequency ratio r → 0. `None` if the contact is stuck.
     pub(super) starts: Vec<FeatureAt<Named<Option<Sensed>>>>,
     /// Ranges of frequency in which the contact slides.
     pub(super) sliding: Vec<FeatureAt<SlidingRange>>,
-    /// Ranges of frequency. In each range one regime exists.
+    /// Ranges of frequency with one regime each.
     pub(super) regimes: Vec<FeatureAt<(Certainty, RegimeRange)>>,
     /// Largest amplitudes near the resonances.
     pub(super) peaks: Vec<FeatureAt<Named<ResonantPeak>>>,
-    /// Frequencies at which a motion has the same amplitude for two neighbouring friction ratios of the request. The
-    /// number in an entry is the second friction ratio.
+    /// Crossings: frequencies at which a motion has the same amplitude for two neighbouring friction ratios of the
+    /// request. The number in an entry is the second friction ratio.
     pub(super) crossings: Vec<FeatureAt<Named<(f64, Crossing)>>>,
 }
 
@@ -64,7 +64,7 @@ pub(super) struct NumberedResonance {
 
 impl Row for NumberedResonance {}
 
-/// The values that the friction limits β_lim and β*_lim approach for r → 0 or for r → ∞.
+/// The limits β_lim and β*_lim for r → 0 or for r → ∞.
 pub(super) struct EndRow {
     pub(super) r: f64,
     pub(super) limits: LimitsAtEnd,
@@ -73,7 +73,7 @@ pub(super) struct EndRow {
 impl Row for EndRow {}
 
 impl FeatureLists {
-    /// Computes all features in a range.
+    /// Computes all features of a response in a range of frequency ratios.
     ///
     /// # Errors
     /// Same errors as the calls of [`Features`].
@@ -167,7 +167,7 @@ impl FeatureLists {
         range: [f64; 2],
     ) -> Result<(), FeatureError> {
         let mut starts = features.quasi_static_start(beta)?.map(Vec::into_iter);
-        // The static start of an elastic contact is not computed.
+        // The library does not compute the static start of an elastic contact.
         let scene = features.system().scene();
         let masses = scene.masses.iter().filter(|_| scene.stiffness.is_none());
         for mass in masses {

@@ -10,16 +10,17 @@ use crate::study::{
     words,
 };
 
-/// Method that found a feature. It determines how certain the feature is.
+/// Method that found a feature. The method determines how certain the feature is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ground {
     /// A formula gives the feature.
     Exact,
-    /// The monoharmonic formula (7.60), which is close to the peak but not equal to it.
+    /// The monoharmonic formula (7.60) gives the feature. The result is close to the exact peak but not equal to it.
     Estimate,
-    /// Interval arithmetic, which finds every feature of this type in the range.
+    /// Interval arithmetic has found the feature. It finds every feature of this type in the range.
     All,
-    /// A search from closely spaced samples. It may miss two features that are closer to each other than the samples.
+    /// A search from closely spaced samples has found the feature. It may miss two features that are closer to each
+    /// other than the samples.
     Sampled,
 }
 
@@ -36,23 +37,24 @@ impl Ground {
     }
 }
 
-/// A feature with its numbers.
+/// A feature of the response with its numbers, as one line of the table.
 #[derive(Clone, Debug)]
 pub struct FeatureLine {
     /// Name of the feature.
     pub feature: &'static str,
     /// The chain, the contact or the mass that has the feature.
     pub of: String,
-    /// Further details in words.
+    /// Further details of the feature, in words.
     pub detail: String,
-    /// Frequency ratio of the feature, or the frequency ratio at which it begins. `None` if the feature has no
-    /// frequency.
+    /// Frequency ratio r of the feature, or the frequency ratio at which the feature begins. `None` if the feature has
+    /// no frequency.
     pub r: Option<f64>,
-    /// Frequency ratio at which the feature ends.
+    /// Frequency ratio r at which the feature ends, if it is a range.
     pub to: Option<f64>,
-    /// Friction of the feature, or the friction up to which it is valid. Under a load it is in N.
+    /// Friction at which the feature exists, or friction up to which it is valid. It is a friction ratio β, and under a
+    /// load a force in N.
     pub friction: Option<f64>,
-    /// Amplitude at the feature. Under a load it is in m.
+    /// Amplitude of the motion at the feature, as a non-dimensional group. Under a load it is in m.
     pub amplitude: Option<f64>,
     /// The method that found the feature.
     pub ground: Ground,
@@ -94,8 +96,8 @@ impl FeatureLine {
         self
     }
 
-    /// Returns the name of the first number, the parameter to which this number is most sensitive, and the change of
-    /// the number in per cent for one per cent of the parameter.
+    /// Returns the name of the feature's first number, the parameter to which this number is most sensitive, and the
+    /// change of the number in per cent for a change of the parameter by one per cent.
     #[must_use]
     pub fn strongest(&self) -> Option<(&'static str, Parameter, f64)> {
         let (name, sensed) = self.sensed.first()?;
@@ -111,12 +113,12 @@ impl FeatureLine {
 
 impl Row for FeatureLine {}
 
-/// The frictions and the range of the features.
+/// A request for features: the friction ratios and the range of frequency ratios.
 #[derive(Clone, Copy, Debug)]
 pub struct FeaturesAsked<'a> {
     /// Range of the frequency ratio r.
     pub range: [f64; 2],
-    /// Friction ratios β.
+    /// Friction ratios β for which the features are computed.
     pub frictions: &'a [f64],
     /// True if the result must contain the exact peaks. They take much time for a long chain.
     pub peaks: bool,
@@ -273,7 +275,7 @@ fn undamped(
     Ok(())
 }
 
-/// The features at one friction.
+/// The features of a response at one friction ratio.
 struct AtOneFriction<'f, 's> {
     features: &'f Features<'s>,
     beta: f64,
@@ -287,8 +289,8 @@ fn sticks(share: f64) -> String {
 }
 
 impl AtOneFriction<'_, '_> {
-    /// Returns the fraction of the period in which an elastic contact sticks. Returns `None` for a rigid contact, and
-    /// for every regime except stick-slip.
+    /// Returns the fraction of the period during which an elastic contact sticks. Returns `None` for a rigid contact,
+    /// and for every regime except stick-slip.
     fn sticking(&self, regime: Regime, r: f64) -> Option<f64> {
         let system = self.features.system();
         if system.scene().stiffness.is_none() || regime != Regime::StickSlip {
@@ -300,7 +302,7 @@ impl AtOneFriction<'_, '_> {
         }
     }
 
-    /// Returns a line for a feature at this friction.
+    /// Returns a line for a feature of the response at this friction ratio.
     fn line(&self, feature: &'static str, of: &str, ground: Ground) -> FeatureLine {
         let mut line = FeatureLine::new(feature, of, ground);
         line.friction = Some(self.friction);

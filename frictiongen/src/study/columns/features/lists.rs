@@ -196,7 +196,8 @@ fn peaks<'a>(setting: &Setting<'a>) -> Vec<Column<'a, FeatureAt<Named<ResonantPe
     sheet.columns.done()
 }
 
-/// A frequency at which a motion has the same amplitude for two frictions, with the second friction.
+/// Row of the list of crossings. In a crossing, a motion has the same amplitude for two friction ratios at one
+/// frequency. The number in the row is the second friction ratio.
 type CrossingRow = FeatureAt<Named<(f64, Crossing)>>;
 
 fn crossings<'a>(setting: &Setting<'a>) -> Vec<Column<'a, CrossingRow>> {

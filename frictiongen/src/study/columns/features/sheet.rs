@@ -31,14 +31,14 @@ impl<'a, R: Row + 'a> Sheet<'a, R> {
         self.columns.converted(Head::of(name, Dimension::Force), of);
     }
 
-    /// Adds a column of lengths, in m under a load. Without a load the lengths are divided by P/k₁, or by Y for base
+    /// Adds a column of lengths. They are in m under a load. Otherwise they are divided by P/k₁, or by Y for base
     /// motion.
     pub(super) fn length(&mut self, name: &'static str, of: impl Fn(&R) -> Option<f64> + 'a) {
         self.columns
             .converted(Head::of(name, Dimension::Length), of);
     }
 
-    /// Adds a column of the requested friction ratio, and under a load a column of the force in N.
+    /// Adds a column of the requested friction ratio β. Under a load, also adds a column of the friction force in N.
     pub(super) fn friction(&mut self, beta: impl Fn(&R) -> f64 + Copy + 'a) {
         if self.setting.measure.scale().is_some() {
             let head = Head::of("friction", Dimension::Force);
@@ -47,13 +47,13 @@ impl<'a, R: Row + 'a> Sheet<'a, R> {
         self.columns.number("beta", move |row| Some(beta(row)));
     }
 
-    /// Adds a column of the friction to which the feature compares the requested friction.
+    /// Adds a column of the friction with which the feature compares the requested friction.
     pub(super) fn other_friction(&mut self, beta: impl Fn(&R) -> f64 + 'a) {
         let head = Head::of("other_beta", Dimension::Force).under_load("other_friction");
         self.columns.number(head, move |row| Some(beta(row)));
     }
 
-    /// Adds columns of frequencies. Their names begin with `before`.
+    /// Adds columns of frequencies. The names of the columns begin with the text `before`.
     pub(super) fn places(
         &mut self,
         before: &'static str,
@@ -69,7 +69,7 @@ impl<'a, R: Row + 'a> Sheet<'a, R> {
     }
 
     /// Sets the derivatives of the frequency in the last column. Under a load they are derivatives of the frequency in
-    /// Hz, otherwise of r.
+    /// Hz, otherwise derivatives of r.
     pub(super) fn places_move(&mut self, of: impl Fn(&R) -> Option<&Sensed> + 'a) {
         let before = usize::from(self.setting.measure.load().is_some());
         self.columns.moves_before(before, of);

@@ -10,7 +10,7 @@ use crate::study::{
     sensitivity::{OperatingPoint, Parameter},
 };
 
-/// The table of the features of a scene.
+/// The table of a scene's features, such as resonances and peaks. It has one line for each feature.
 #[derive(Clone, Copy)]
 pub struct FeatureTable<'a> {
     /// System, units, and the contact or masses whose motions the table contains.
@@ -30,7 +30,7 @@ impl<'a> FeatureTable<'a> {
         lines(features, &self.setting, asked)
     }
 
-    /// Returns the symbol of a parameter.
+    /// Returns the symbol of a parameter, as the table prints it.
     #[must_use]
     pub fn symbol(&self, parameter: Parameter) -> String {
         // Names and units of parameters do not depend on the numbers of the operating point, so the code uses arbitrary
@@ -46,7 +46,7 @@ impl<'a> FeatureTable<'a> {
         parameter.symbol(self.setting.system.scene(), &point)
     }
 
-    /// Returns the columns. Columns of words are as wide as the longest word in `rows`.
+    /// Returns the columns of the table. Columns of words are as wide as the longest word in `rows`.
     #[must_use]
     pub fn columns(&self, rows: &[FeatureLine]) -> Vec<Column<'a, FeatureLine>> {
         let (table, measure) = (*self, &self.setting.measure);
@@ -97,7 +97,8 @@ impl<'a> FeatureTable<'a> {
         columns.done()
     }
 
-    /// Adds two columns for a frequency: in Hz, and as ratio r. Each has a name and a heading.
+    /// Adds two columns for a frequency: the frequency in Hz, and the frequency ratio r. Each column has a name and a
+    /// heading.
     fn place(
         &self,
         columns: &mut Columns<'a, FeatureLine>,

@@ -8,14 +8,14 @@ use crate::study::columns::measure::Dimension;
 use crate::study::columns::setting::Part;
 use crate::study::optimum::{Optimum, Tunable, TunedOptimum, TunedPoint};
 
-/// A row: one value of the answer, with its label and its key.
+/// A row of the result about the best friction: one value with its label and its key.
 #[derive(Clone, Debug)]
 pub struct OptimumLine {
     /// Name of the list that contains the value. `None` for a value outside the lists.
     pub list: Option<&'static str>,
     /// Number of the entry in its list, counted from 1. `None` for a value outside the lists.
     pub row: Option<usize>,
-    /// Key of the value, unique in its entry.
+    /// Key of the value for programs, unique in its entry of the list.
     pub key: String,
     /// Name of the value, for people.
     pub label: String,
@@ -25,41 +25,41 @@ pub struct OptimumLine {
     pub unit: &'static str,
     /// Unit of the parameter, if the value is the relative change of the amplitude per unit of this parameter.
     pub per: Option<&'static str>,
-    /// For a tolerance of the friction: the excess of the amplitude at the bounds of the tolerance, relative to the
-    /// best amplitude.
+    /// For a tolerance of the friction: the amplitude at the bounds of the tolerance minus the best amplitude, divided
+    /// by the best amplitude.
     pub excess: Option<f64>,
 }
 
 impl Row for OptimumLine {}
 
-/// The number of the description that the search has optimised together with the friction.
+/// The number of the description that the search has optimised together with the friction, and its result.
 #[derive(Clone, Debug)]
 pub struct Tuned<'a> {
     /// The optimised number.
     pub of: Tunable,
-    /// The result of the search.
+    /// The result of the search for the number and the friction.
     pub found: &'a TunedOptimum,
 }
 
-/// Further quantities of an answer about the best friction, in addition to the minimised one. Each entry has the part,
-/// a value, and the largest value over the band.
+/// Further quantities of a result about the best friction, in addition to the minimised one. Each entry has three
+/// items: the quantity, its bound or divisor, and its largest value over the band of frequencies.
 #[derive(Clone, Copy, Debug)]
 pub enum Further<'a> {
     /// No further quantities.
     None,
-    /// Quantities with their upper bounds.
+    /// Quantities with their upper bounds, which the search has kept.
     Kept(&'a [(Part, f64, f64)]),
-    /// Quantities with the values that divide them. The largest quotient is minimised.
+    /// Quantities with their divisors. The search has minimised the largest quotient.
     Weighted(&'a [(Part, f64, f64)]),
 }
 
-/// Collects the lines of one entry of a list.
+/// Collects the result lines of one entry of a list.
 struct LineEntry<'l> {
     lines: &'l mut Vec<OptimumLine>,
     list: Option<&'static str>,
     row: Option<usize>,
     excess: Option<f64>,
-    /// Text that replaces `{}` in the labels.
+    /// Text that replaces `{}` in the labels of the lines.
     name: &'l str,
 }
 
@@ -77,7 +77,7 @@ impl LineEntry<'_> {
         });
     }
 
-    /// Adds one line for each column of a row, except for columns whose condition is false in this row.
+    /// Adds one result line for each column of a row. Columns whose condition is false in this row give no line.
     fn lines<R>(&mut self, columns: &[Column<'_, R>], row: &R) {
         for column in columns.iter().filter(|column| column.says(row)) {
             let title = column.title.first().map_or("", String::as_str);
@@ -88,14 +88,14 @@ impl LineEntry<'_> {
 }
 
 impl<'a> OptimumTable<'a> {
-    /// Returns the answer as lines: the best friction, its peaks, tolerances and sensitivities.
+    /// Returns the result as lines: the best friction, its peaks, tolerances and sensitivities.
     #[must_use]
     pub fn lines(&self, optimum: &Optimum, tuned: Option<&Tuned<'_>>) -> Vec<OptimumLine> {
         self.lines_with(optimum, tuned, Further::None)
     }
 
-    /// Returns the answer as lines, with further lines for the quantities in `further`. Each quantity has its part, its
-    /// bound or the value that divides it, and its largest value with the best friction.
+    /// Returns the result as lines, with further lines for the quantities in `further`. Each of these quantities has
+    /// its bound or divisor, and its largest value with the best friction.
     #[must_use]
     pub fn lines_with(
         &self,
@@ -132,7 +132,7 @@ impl<'a> OptimumTable<'a> {
         lines
     }
 
-    /// Adds lines for each further quantity: its largest value, and its bound or the value that divides it.
+    /// Adds two lines for each further quantity: its largest value, and its bound or divisor.
     fn further_lines(&self, further: Further<'_>, reference: f64, lines: &mut Vec<OptimumLine>) {
         let measure = &self.setting.measure;
         let (list, all) = match further {
@@ -167,7 +167,7 @@ impl<'a> OptimumTable<'a> {
         }
     }
 
-    /// Adds a line for the number that was optimised.
+    /// Adds the line of the number that the search has optimised together with the friction.
     fn tuned(&self, tuned: &Tuned<'_>, lines: &mut Vec<OptimumLine>) {
         let mut entry = LineEntry {
             lines,
@@ -218,7 +218,7 @@ impl<'a> OptimumTable<'a> {
 
     fn tolerance_lines(&self, optimum: &Optimum, lines: &mut Vec<OptimumLine>) {
         let mut columns = self.tolerance_columns();
-        // The heading contains the excess in place of `{}`.
+        // The code replaces `{}` by the excess of the amplitude.
         let titles = ["{}: friction from", "{}: friction to"];
         for (column, title) in columns.iter_mut().skip(1).zip(titles) {
             column.title = vec![title.to_owned()];
@@ -281,7 +281,7 @@ impl<'a> OptimumTable<'a> {
         }
     }
 
-    /// Returns the columns of the lines.
+    /// Returns the columns of a table with these lines.
     #[must_use]
     pub fn line_columns(&self, lines: &[OptimumLine]) -> Vec<Column<'a, OptimumLine>> {
         let widest = lines.iter().map(|line| line.label.as_str());

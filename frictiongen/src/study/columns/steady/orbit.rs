@@ -1,4 +1,4 @@
-//! Rows and columns of the table of steady states.
+//! Rows and columns of the table of steady states over frequency and friction.
 
 use super::MotionGroups;
 use crate::study::columns::builder::Columns;
@@ -10,7 +10,7 @@ use crate::study::response::{Size, equivalent_damping};
 use crate::study::{SystemAt, orbit::SystemOrbit, words};
 use crate::{Complex, NoOrbit, OutOfDomain};
 
-/// A row: the steady state at one frequency and one friction.
+/// A row of the table: the steady state at one frequency and one friction.
 #[derive(Clone, Debug)]
 pub struct OrbitRow {
     /// Frequency of the excitation, as ratio r, in Hz and in rad/s.
@@ -19,7 +19,7 @@ pub struct OrbitRow {
     pub friction: Friction,
     /// Regime of the contact: continuous, stick-slip, stuck or unbounded.
     pub regime: &'static str,
-    /// Word for the state: stable, marginal or unsettled. If there is no steady state, the reason.
+    /// Word for the steady state: stable, marginal or unsettled. If there is no steady state, the text is the reason.
     pub state: &'static str,
     /// The steady state, if there is one.
     steady: Option<SteadyData>,
@@ -34,13 +34,13 @@ struct SteadyData {
     marginal: bool,
     offset: f64,
     stuck_fraction: f64,
-    /// Stops of the contact, each with a start and a length, as phase τ = ωt.
+    /// Stops of the contact, each with its start and its duration as phase τ = ωt.
     sticking: Vec<[f64; 2]>,
     multipliers: Vec<Complex<f64>>,
     motions: Vec<MotionGroups>,
 }
 
-/// Numbers that describe a periodic motion.
+/// Numbers that describe a motion that repeats.
 #[derive(Clone, Copy, Debug)]
 struct Period {
     cycles: usize,
@@ -54,7 +54,7 @@ struct Period {
 pub struct OrbitTable<'a> {
     /// System, units, and the contact or masses whose motions the table contains.
     pub setting: Setting<'a>,
-    /// Orders n of the harmonics that the answers contain.
+    /// Orders n of the harmonics that the table contains.
     pub orders: &'a [u32],
 }
 
@@ -84,7 +84,7 @@ impl Moving for OrbitRow {
 }
 
 impl SteadyData {
-    /// Returns the length of the contact's longest stop, as phase τ = ωt. Returns `None` without a stop.
+    /// Returns the duration of the contact's longest stop, as phase τ = ωt in rad. Returns `None` if there is no stop.
     fn longest_stop(&self) -> Option<f64> {
         let lengths = self.sticking.iter().map(|[_, length]| *length);
         lengths.reduce(f64::max)
@@ -101,7 +101,7 @@ impl SteadyData {
 }
 
 impl OrbitRow {
-    /// Returns true if there is a steady state.
+    /// Returns true if the row contains a steady state.
     #[must_use]
     pub fn is_known(&self) -> bool {
         self.steady.is_some()
@@ -118,7 +118,7 @@ impl OrbitRow {
 }
 
 impl<'a> OrbitTable<'a> {
-    /// Computes the row of the steady state that motion from rest reaches.
+    /// Computes the table row of the steady state that the motion from rest reaches.
     ///
     /// # Errors
     /// [`OutOfDomain`] for a friction outside the domain.
@@ -153,7 +153,7 @@ impl<'a> OrbitTable<'a> {
         }
     }
 
-    /// Computes one row for every steady state that the search finds.
+    /// Computes one table row for every steady state that the search finds.
     ///
     /// # Errors
     /// [`OutOfDomain`] for a friction outside the domain.
@@ -221,7 +221,7 @@ impl<'a> OrbitTable<'a> {
         }
     }
 
-    /// Returns the columns of the table.
+    /// Returns the columns of the table of steady states.
     #[must_use]
     pub fn columns(&self) -> Vec<Column<'a, OrbitRow>> {
         let mut columns = Columns::new(&self.setting.measure);
@@ -266,7 +266,7 @@ impl<'a> OrbitTable<'a> {
         columns.done()
     }
 
-    /// Adds the columns of Floquet multipliers and of stops.
+    /// Adds the columns with the list of Floquet multipliers and the list of stops.
     fn lists(&self, columns: &mut Columns<'a, OrbitRow>, in_seconds: bool) {
         columns.show(Shown::Objects);
         columns.list("multipliers", Kind::Complex, |row| {

@@ -1,4 +1,4 @@
-//! Rows and columns of the table of responses.
+//! Rows and columns of the table of responses over frequency and friction.
 
 use super::{MotionGroups, is_stuck};
 use crate::study::columns::builder::Columns;
@@ -9,7 +9,7 @@ use crate::study::columns::setting::{AtFrequency, AtFriction, Frequency, Frictio
 use crate::study::{SystemAt, words};
 use crate::{Limits, OutOfDomain};
 
-/// A row: the response at one frequency and one friction.
+/// A row of the table: the response at one frequency and one friction.
 #[derive(Clone, Debug)]
 pub struct ResponseRow {
     /// Frequency of the excitation, as ratio r, in Hz and in rad/s.
@@ -18,12 +18,12 @@ pub struct ResponseRow {
     pub friction: Friction,
     /// Regime of the contact: continuous, stick-slip, stuck or unbounded.
     pub regime: &'static str,
-    /// Margin β/min(β_lim, β*_lim) − 1.
+    /// Margin β/min(β_lim, β*_lim) − 1. If it is negative, the contact slides all the time, and no stuck state exists.
     pub margin: f64,
     /// Method that computed the motion, or the reason why there is none.
     pub answer: &'static str,
-    /// Three values: the contact's offset, a flag that is true for a marginal response, and a flag that is true if
-    /// motion from rest ends in the response. `None` without a response.
+    /// The contact's offset, a flag that is true for a marginal response, and a flag that is true if the motion from
+    /// rest ends in this response. `None` if there is no response.
     known: Option<(f64, bool, bool)>,
     motions: Vec<MotionGroups>,
 }
@@ -33,10 +33,10 @@ pub struct ResponseRow {
 pub struct ResponseTable<'a> {
     /// System, units, and the contact or masses whose motions the table contains.
     pub setting: Setting<'a>,
-    /// Orders n of the harmonics that the answers contain.
+    /// Orders n of the harmonics that the table contains.
     pub orders: &'a [u32],
-    /// True if a stuck response contains all motions. If false, it contains no harmonics and not the contact, which is
-    /// at rest.
+    /// True if rows with a stuck contact contain all motions. If false, such rows contain neither harmonics nor the
+    /// motion of the contact, which is at rest.
     pub stuck: bool,
 }
 
@@ -65,7 +65,7 @@ impl Moving for ResponseRow {
 }
 
 impl<'a> ResponseTable<'a> {
-    /// Computes the rows at one frequency.
+    /// Computes the table rows at one frequency, one for each friction.
     ///
     /// # Errors
     /// [`OutOfDomain`] for a frequency or a friction outside the domain.
