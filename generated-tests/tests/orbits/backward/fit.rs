@@ -7,8 +7,8 @@ use frictiongen_kernel::number::dd::Dd;
 const ROUNDS: usize = 60;
 /// Number of weight changes in plain double precision. At most points they are enough.
 const QUICK_ROUNDS: usize = 4;
-/// Number of weight changes if the fit exceeds the accepted error by the factor `FAR`. The equations then do not yet
-/// belong to the right point, so more changes would be wasted.
+/// Number of weight changes if the result of the fit exceeds the accepted error by the factor `FAR`. The equations
+/// then do not yet belong to the right displacement, so more weight changes would be wasted.
 const FAR_ROUNDS: usize = 4;
 const FAR: f64 = 100.0;
 /// Fraction of the accepted error below which a fit is not improved further.

@@ -12,13 +12,13 @@ use generated_tests::data::DataMotion;
 /// Fraction of the largest motion in the chain. A motion below this fraction is that of a mass far from load and
 /// contact. Its error is measured against this fraction of the largest motion.
 const FAR: f64 = 1e-3;
-/// Lower bound on the size against which a motion is measured, as a fraction of the largest motion. A sum over modes,
-/// from modal data rounded once, has an error of a few roundings of the largest motion. At the accepted error, 64
-/// roundings of this size are four roundings of the largest motion.
+/// Smallest size against which the error of a motion is measured, as a fraction of the largest motion. A sum over
+/// modes, whose modal data is rounded once, has an error of a few rounding units of the largest motion. The accepted
+/// error of 64 rounding units of this size is four rounding units of the largest motion.
 const SUM: f64 = 1.0 / 16.0;
-/// Size against which a motion below [`FAR`] of the largest motion is measured, as a multiple of the largest motion.
-/// Such a motion is a remainder of larger ones that cancel. Near a resonance of the stuck chain the remainder has an
-/// error of hundreds of their roundings.
+/// Size against which the error of a motion below [`FAR`] of the largest motion is measured, as a multiple of the
+/// largest motion. Such a motion is a remainder of larger motions that cancel. Near a resonance of the stuck chain,
+/// the remainder has an error of hundreds of rounding units of these larger motions.
 const LEFT: f64 = 256.0;
 /// Fraction of the largest motion below which a mass counts as not moving. A smaller motion is rounding of
 /// double-double.
