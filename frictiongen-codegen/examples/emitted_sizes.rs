@@ -1,7 +1,8 @@
-//! Sizes of the emitted Rust of seven scenes. Prints the lines, the bytes, the fraction of the bytes that is common to
-//! the scenes, and the lines of the diff after one spring becomes 1 % stiffer.
+//! Prints the sizes of the emitted Rust of seven scenes: the lines, the bytes, and the fraction of the bytes that the
+//! scenes have in common. Also prints the lines of the diff after one spring becomes 1 % stiffer.
 //!
-//! `scripts/emitted-sizes [FOLDER]` runs this program. With a folder, the program also writes the sources there.
+//! `scripts/emitted-sizes [FOLDER]` runs this program. With a folder, the program also writes the emitted files
+//! there.
 
 use frictiongen_codegen::{Limits, parse_text, pretty};
 use std::collections::BTreeSet;
@@ -9,7 +10,8 @@ use std::error::Error;
 use std::fmt::Write;
 use std::path::PathBuf;
 
-/// Names of the seven scenes, with the number of masses and the fields that follow masses and springs.
+/// Names of the seven scenes, each with its number of masses and with the text of the fields after masses and
+/// springs.
 const SCENES: [(&str, usize, &str); 7] = [
     (
         "One",
@@ -93,7 +95,8 @@ fn changed(old: &str, new: &str) -> usize {
     old.len() + new.len() - 2 * common.last().copied().unwrap_or(0)
 }
 
-/// Returns the lines of a source with the name of the scene and its scalar replaced.
+/// Returns the lines of an emitted file, with the scene's name and scalar type replaced by those that all scenes
+/// share.
 fn neutral(name: &str, source: &str) -> Vec<String> {
     let source = source.replace(name, "Scene").replace("f32", "f64");
     source.lines().map(|line| line.trim().to_owned()).collect()

@@ -15,7 +15,7 @@ pub struct Failure {
     pub partial: Partial,
 }
 
-/// Errors in the order of the source, each with its place and its message.
+/// Errors in the order of the source, each with its position and its message.
 #[derive(Debug)]
 pub struct Errors {
     /// The errors. The list is never empty.
@@ -46,8 +46,8 @@ pub(crate) fn compile_error(span: Span, message: &str) -> TokenStream {
     quote_spanned!(span=> ::core::compile_error! { #message })
 }
 
-/// The fields of a faulty description that could be read. They are enough for a macro to emit a
-/// type with the expected methods, so that calls to those methods do not add errors.
+/// The readable fields of a faulty description. They are enough for a macro to emit a type with the expected methods,
+/// so that calls to those methods do not add errors.
 pub struct Partial {
     /// The attributes before the struct.
     pub attributes: TokenStream,

@@ -63,7 +63,7 @@ fn expand_file(path: &Literal, relative: &str) -> TokenStream {
         Ok(description) => tokens.extend(emit(&description)),
         Err(diagnostics) => {
             tokens.extend(file_errors(path.span(), relative, &diagnostics));
-            // With the names that could be read, the macro emits a replacement type. It prevents follow-up errors in
+            // With the fields that could be read, the macro emits a replacement type. It prevents follow-up errors in
             // the user's crate.
             let partial = text.parse().ok().and_then(|tokens| {
                 parse_tokens(tokens, &Limits::MACRO)
@@ -100,14 +100,14 @@ fn file_errors(path: Span, relative: &str, diagnostics: &Diagnostics) -> TokenSt
     errors.collect()
 }
 
-/// Emits the errors and a replacement type with the same methods.
+/// Emits the errors, and a replacement type with the methods of the described scene.
 fn emit_failure(failure: Failure) -> TokenStream {
     let mut tokens = failure.errors.to_compile_error();
     tokens.extend(stand_in(failure.partial));
     tokens
 }
 
-/// Emits the solver of a simple chain that has the names of a faulty description. The solver never runs, because the
+/// Emits a solver with the names of a faulty description, but for a simple chain. The solver never runs, because the
 /// errors end the build.
 fn stand_in(partial: Partial) -> Option<TokenStream> {
     let Partial {

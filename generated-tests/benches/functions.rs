@@ -1,6 +1,6 @@
 //! Times every closed form of every scene of `trade`: `cargo bench -p generated-tests --bench functions`.
 //!
-//! A sample computes 64 points, and the items per second are computed points per second. A filter follows `--`, for
+//! A sample computes 64 points, so the printed items per second are points per second. A filter follows `--`, for
 //! example `-- double::limits`. `scripts/trade` times other methods for the same quantities.
 
 #[macro_use]
@@ -33,7 +33,7 @@ fn called(label: &Label) -> String {
     format!("{}, ζ = {}", label.name, label.zeta)
 }
 
-/// Finds a scene by its name.
+/// Finds the scene with the name `wanted`.
 struct Finder<'a> {
     wanted: &'a str,
     double: Option<Fill<f64>>,
@@ -85,7 +85,7 @@ fn answers<S: Float + Sync>(bencher: Bencher<'_, '_>, fill: Option<Fill<S>>, met
     let ratio = |i: usize| S::constant(0.2 + 2.3 * (i as f64 * GOLDEN).fract());
     let mut points: Vec<Pair<S>> = (0..POINTS).map(|i| [ratio(i); 2]).collect();
     let mut out = points.clone();
-    // Half of the smaller limit, so that every motion is continuous.
+    // β is half of the smaller limit, so that every motion is continuous.
     fill(Method::Limits, &points, &mut out);
     for (point, [continuous, sliding]) in points.iter_mut().zip(&out) {
         point[1] = continuous.min(*sliding) * S::constant(0.5);

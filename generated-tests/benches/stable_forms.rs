@@ -1,7 +1,8 @@
-//! Cost of each stable form compared with the printed form, and error of the printed form where it loses accuracy.
+//! Compares the kernel's stable form of a quantity with the printed form: its cost, and the error of the printed form
+//! where that form loses accuracy.
 //!
-//! Run with `cargo bench -p generated-tests --bench stable_forms`. With `UPDATE_ACCURACY=1` the figures are written to
-//! `tests/tables/budgets/costs.csv`, from which `docs/accuracy.md` is made.
+//! Run with `cargo bench -p generated-tests --bench stable_forms`. With `UPDATE_ACCURACY=1` the program writes the
+//! figures to `tests/tables/budgets/costs.csv`, from which `docs/accuracy.md` is made.
 
 use frictiongen_kernel::number::complex::{self, Complex};
 use frictiongen_kernel::number::dd::Dd;
@@ -14,13 +15,13 @@ use std::fmt::Write;
 use std::hint::black_box;
 use std::time;
 
-/// One result: the kernel's form in `f64` and in double-double, and the printed form.
+/// One quantity in three forms: the kernel's form in `f64`, the kernel's form in double-double, and the printed form.
 struct Form {
     name: &'static str,
     stable: fn([f64; 3]) -> f64,
     exact: fn([Dd; 3]) -> Dd,
     printed: fn([f64; 3]) -> f64,
-    /// Arguments for the clock, from a number between 0 and 1.
+    /// Returns arguments for the timing, from a number between 0 and 1.
     usual: fn(f64) -> [f64; 3],
     breaks: [f64; 3],
     place: &'static str,
@@ -51,7 +52,7 @@ fn mode<T: Float>(zeta: T) -> Mode<T> {
     }
 }
 
-/// Returns β_lim of one undamped mass at r ≤ 2, from v and u with their common pole removed.
+/// Returns β_lim of one undamped mass on a wall at r ≤ 2, from v and u with their common pole removed.
 fn limit<T: Float>(r: T) -> T {
     let one = T::constant(1.0);
     let at = mode(T::constant(0.0)).response(one / r, 0);
@@ -64,7 +65,7 @@ fn printed_limit(r: f64) -> f64 {
     v.abs() / (u * u + r.powi(-4)).sqrt()
 }
 
-/// Returns u + g of a damped mode at x = 1/R (7.11, 7.12).
+/// Returns u + g of a damped mode at x = 1/R, with u and g of (7.11) and (7.12).
 fn damping<T: Float>([x, zeta, _]: [T; 3]) -> T {
     let at = mode(zeta).response(x, 0);
     (at.u * x * x + at.g) / at.size
@@ -88,7 +89,7 @@ fn printed_overdamping(x: f64, zeta: f64) -> f64 {
     x * b.sinh() / q / d + (a.sinh() - zeta / q * b.sinh()) / d
 }
 
-/// Returns g of a damped mode.
+/// Returns g of a damped mode at x = 1/R (7.12).
 fn g<T: Float>([x, zeta, _]: [T; 3]) -> T {
     let at = mode(zeta).response(x, 0);
     at.g / at.size
@@ -100,7 +101,7 @@ fn printed_g([x, zeta, _]: [f64; 3]) -> f64 {
     (a.sinh() - zeta / q * b.sin()) / (a.cosh() + b.cos())
 }
 
-/// Returns |V|² − (βU)², whose root is part of the amplitude (5.36, 7.19).
+/// Returns |V|² − (βU)². Its root is one term of the contact's amplitude (5.36, 7.19).
 fn remainder<T: Float>([v, beta, u]: [T; 3]) -> T {
     (v - beta * u) * (v + beta * u)
 }
@@ -113,7 +114,7 @@ fn basis<T: Float>([x, zeta, t]: [T; 3]) -> Basis<T> {
     Damped::of(&mode(zeta)).basis(x, &Instant::new(t))
 }
 
-/// Returns (1 − d)/x² + p + (cos τ − p′).
+/// Returns the sum (1 − d)/x² + p + (cos τ − p′) of a mode's functions at one instant.
 fn total<T: Float>(basis: Basis<T>) -> T {
     basis.rise + basis.free + basis.forced_slope
 }

@@ -1,4 +1,5 @@
-//! Compares limits without search one by one with those over a slice: nanoseconds for each r, and the speed-up.
+//! Compares two ways to compute limits without search: one call for each r, and one call for a slice. Prints the
+//! nanoseconds for each r, and the speed-up by the slice.
 //!
 //!     cargo run --release -p generated-tests --features tools --example batch
 //!     RUSTFLAGS="-C target-cpu=native" cargo run --release -p generated-tests --features tools --example batch
@@ -65,7 +66,8 @@ scenes! {
     }
 }
 
-/// Returns the nanoseconds for each r, one by one and over a slice, as the minimum of all rounds.
+/// Returns the nanoseconds for each r, by single calls and by one call for a slice, each as the minimum of all
+/// rounds.
 fn times<F: FrictionSystem<Scalar = f64>>(system: &F) -> [f64; 2] {
     // The golden section spreads the frequencies evenly over 0.2 to 2.5, in an order that a processor cannot predict.
     let spread = |index: usize| (index as f64 * 0.618_033_988_749_894_9).fract();

@@ -1,10 +1,10 @@
-//! Digest of a million results, to show that a change of the code changes none of them.
+//! Prints a digest of a million results, to show that a change of the code changes none of the results.
 //!
 //!     cargo run --release -p generated-tests --features tools --example digest [-- --keep FILE | --against FILE]
 //!
-//! The digest has a row for each scene, reading and kind of result, with the number of values and a hash of their bits.
-//! `--keep` writes the values. `--against` compares with kept values: how many differ, and the largest difference,
-//! relative and absolute.
+//! The digest has a row for each scene, implementation and kind of result, with the number of values and a hash of
+//! their bits. `--keep` writes the values to a file. `--against` compares the values with those of a file. It prints
+//! how many values differ, and the largest relative and absolute difference.
 
 use frictiongen::{
     Complex, ContinuousMotion, FrictionSystem, LimitsAt, MotionAt, Of, OrbitAt, Periodic, Run,
@@ -70,7 +70,7 @@ mod scenes {
     }
 }
 
-/// Values of each row.
+/// The values of each row of the digest, by the name of the row.
 type Rows = BTreeMap<String, Vec<f64>>;
 
 /// Draws a frequency ratio from 0.02 to 20.
@@ -385,7 +385,7 @@ fn against(rows: &Rows, kept: &[f64]) -> ExitCode {
     }
 }
 
-/// FNV-1a hash of the bits.
+/// Returns the FNV-1a hash of the bits of all values.
 fn hash(values: &[f64]) -> u64 {
     values
         .iter()

@@ -1,5 +1,6 @@
-//! Time of the macro for scenes of 1, 8 and 64 masses, and for limits to 1e-4 of 1 to 10 masses.
-//! `scripts/expansion-times` builds this program without optimisation, as a user's build builds the macro.
+//! Prints the time of the macro for scenes of 1, 8 and 64 masses, and for limits from tables with an accuracy of 1e-4
+//! for 1 to 10 masses. `scripts/expansion-times` builds this program without optimisation, as a user's build builds
+//! the macro.
 
 use frictiongen_codegen::{Limits, SceneTables, emit, parse_text};
 use frictiongen_model::modal::Modal;
@@ -94,7 +95,7 @@ fn limits_and_proof(masses: usize, damping: &str) {
     );
 }
 
-/// Times a scene that requests the complete proof.
+/// Prints the time of the macro for a scene that requests the complete proof of its tables.
 fn proven_whole(masses: usize, damping: &str) {
     let text = tabled(masses, damping, "limits").replace("2.5 }", "2.5 }, proof: whole");
     let clock = Instant::now();

@@ -1,4 +1,4 @@
-//! Writes random frames as files, for `scripts/answer-times`.
+//! Writes random frames as files, which `scripts/answer-times` reads.
 
 #[path = "../tests/study/answers/frames.rs"]
 #[allow(dead_code, reason = "the tests use all of it")]
@@ -19,7 +19,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let [from, to] = frame.band;
         let path = format!("{directory}/{masses}-{index}.friction");
         std::fs::write(&path, &frame.text)?;
-        // The curve takes 0.3 times the median sliding limit, at which every regime occurs.
+        // The curve is computed at β = 0.3 times the median of β*_lim, where every regime occurs.
         let mut limits: Vec<f64> = (0..=90)
             .filter_map(|i| {
                 frame

@@ -1,7 +1,8 @@
-//! Times of steady states with several contacts. `scripts/joined-peers` runs this program.
+//! Prints times of steady states with several contacts. `scripts/joined-peers` runs this program.
 //!
-//! * `joined_times growth [RUNS]` prints a table of times over the numbers of masses and contacts, and how the time grows
-//!   with each. All masses and springs are equal, and the first storeys have elastic contacts.
+//! * `joined_times growth [RUNS]` prints a table of times for several numbers of masses and of contacts, and how the
+//!   time grows with each of these numbers. All masses and springs are equal, and the first storeys have elastic
+//!   contacts.
 //! * `joined_times curve FILE FROM TO COUNT BETA [RUNS]` prints the time of a curve of steady states from rest, and the
 //!   displacement of the last mass at a maximum of the load, at every frequency.
 
@@ -50,7 +51,7 @@ fn median<T>(runs: usize, mut call: impl FnMut() -> T) -> (f64, T) {
     (times[times.len() / 2], last.expect("a run"))
 }
 
-/// Returns the exponent b of the best fit y = a xᵇ.
+/// Returns the exponent b of the power law y = a xᵇ that fits the points best.
 fn exponent(points: &[(f64, f64)]) -> f64 {
     let logs = || points.iter().map(|(x, y)| (x.ln(), y.ln()));
     let count = points.len() as f64;

@@ -1,8 +1,8 @@
-//! This library's part of `scripts/map-peers`: figure 3.12 of the thesis, stops in a cycle over r and β.
+//! This library's part of `scripts/map-peers`: figure 3.12 of the thesis, a map over r and β of the stops in a cycle.
 //!
 //! `map_peer points` prints the points (r, β) of the map. `map_peer MU FILE STEPPER` reads the results of the plain
-//! stepper at these points, one line each. It prints this library's time in seconds, the number of points that differ,
-//! and the reason of each. STEPPER is the stepper with steps a tenth as long.
+//! stepper at these points, one line each. It then prints this library's time in seconds, the number of points where
+//! the results differ, and the reason at each such point. STEPPER is the stepper with steps a tenth as long.
 
 use frictiongen::kernel::simulation::Event;
 use frictiongen::study::{
@@ -15,7 +15,7 @@ use std::io::Write as _;
 use std::process::{Command, Stdio};
 use std::time::Instant;
 
-/// Result of the stepper at a point.
+/// Result of the plain stepper at one point (r, β).
 struct Theirs {
     repeats: bool,
     stops: usize,
@@ -50,7 +50,7 @@ fn read(text: &str) -> Vec<Theirs> {
     text.lines().map(line).collect()
 }
 
-/// Runs another stepper at a point.
+/// Runs the stepper with shorter steps at one point (r, β).
 fn again(stepper: &str, mu: &str, r: f64, beta: f64) -> Theirs {
     let mut run = Command::new(stepper)
         .args(["1", "1", "0", "0", "-", mu, "5000"])
@@ -67,7 +67,7 @@ fn again(stepper: &str, mu: &str, r: f64, beta: f64) -> Theirs {
     found.into_iter().next().expect("a line")
 }
 
-/// Returns the reason why two results differ.
+/// Returns the reason why the results of this library and of the plain stepper differ at a point.
 fn reason(
     system: &System,
     r: f64,
@@ -128,7 +128,7 @@ fn reason(
     )
 }
 
-/// Returns stops and reversals in the 5000th cycle of this library's simulation from rest.
+/// Returns the numbers of stops and reversals in the 5000th cycle of this library's simulation from rest.
 fn from_rest(system: &System, r: f64, beta: f64) -> (usize, usize) {
     let mut run = system.simulation(r, beta).expect("in the domain");
     let (mut stops, mut reversals) = (0, 0);
@@ -183,7 +183,7 @@ fn main() {
     let mut times = Vec::new();
     let mut answer: Option<(System, Map)> = None;
     for _ in 0..5 {
-        // The time includes parsing the text.
+        // The measured time includes the parsing of the scene's text.
         let start = Instant::now();
         let system: System = scene.parse().expect("a scene");
         let map = system.map(&request, |_| true).expect("a map");

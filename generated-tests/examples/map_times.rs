@@ -1,5 +1,6 @@
-//! Times of maps: a damped frame of five masses, 200 × 200 points with regimes, then over the number of cores and of
-//! masses. `cargo run --release -p generated-tests --features tools --example map_times`
+//! Prints times of maps of a damped frame of five masses, with regimes at 200 × 200 points. Then prints the times for
+//! several numbers of cores and of masses. `cargo run --release -p generated-tests --features tools --example
+//! map_times`
 
 use frictiongen::study::map::{Map, MapRequest};
 use frictiongen::{Of, System};

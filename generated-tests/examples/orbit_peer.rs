@@ -1,9 +1,10 @@
-//! This library's part of `scripts/orbit-peers`: one steady state, its time, and its difference from the same state in
-//! double-double.
+//! This library's part of `scripts/orbit-peers`: computes one steady state, its time, and its difference from the
+//! same state in double-double.
 //!
-//! `orbit_peer FILE R BETA [RUNS]` prints microseconds, stops, reversals, the amplitude of the contact's relative
-//! motion and that of its mass, and both amplitudes in double-double. The time is the median of the runs. A run starts
-//! from a parsed scene and includes frequency stage, steady state and amplitudes.
+//! `orbit_peer FILE R BETA [RUNS]` prints the time in microseconds, the stops, the reversals, and two amplitudes: of
+//! the contact's relative motion, and of the mass at the contact. It also prints both amplitudes in double-double.
+//! The time is the median of the runs. A run starts from a parsed scene and includes frequency stage, steady state
+//! and amplitudes.
 
 use frictiongen::study::scene::Node;
 use frictiongen::{NoOrbit, System};
@@ -12,7 +13,7 @@ use frictiongen_kernel::number::dd::Dd;
 use std::hint::black_box;
 use std::time::Instant;
 
-/// Values of the columns.
+/// The values of the printed columns.
 struct Answer<S> {
     stops: usize,
     reversals: usize,

@@ -1,7 +1,7 @@
-//! Time of one steady state. `scripts/orbit-times` runs this program.
+//! Prints the time of one steady state. `scripts/orbit-times` runs this program.
 //!
-//! r and β are random and lie between the limits, so that the contact stops. For each point the best of five runs
-//! counts. The program prints the median and the 90th percentile over the points.
+//! r is random, and β is random between the limits, so that the contact stops. The time at a point is the shortest of
+//! five runs. The program prints the median and the 90th percentile of these times over the points.
 
 use frictiongen::study::SystemAt;
 use frictiongen::{FrictionSystem, System};

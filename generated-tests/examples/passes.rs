@@ -1,5 +1,5 @@
 //! Writes a crate that compares straight-line code with loops over the modes ("passes"). `scripts/passes-trial` runs
-//! it.
+//! this program.
 
 use frictiongen_codegen::{Limits, emit_in_passes, formatted, parse_text};
 use std::fmt::Write;

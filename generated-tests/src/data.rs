@@ -1,6 +1,7 @@
-//! Scenes whose modal data is converted to another scalar.
+//! Scenes whose modal data is converted to another scalar type.
 //!
-//! A comparison of both scalars separates the rounding of an evaluation from the rounding of its data.
+//! A comparison of the results in both scalar types separates the rounding of the evaluation from the rounding of the
+//! data.
 
 use frictiongen_kernel::contact::sums::{Chain, ModeAt};
 use frictiongen_kernel::modal_sum::wave::{Sum, Wave};
@@ -11,14 +12,14 @@ use frictiongen_kernel::{Complex, Float};
 use frictiongen_model::reduced::Reduced;
 use std::ops::Deref;
 
-/// Modal data of a scene in the scalar `S`.
+/// Modal data of a scene in the scalar type `S`.
 #[derive(Clone, Debug)]
 pub struct Data<S> {
     /// Modes, mode shapes and chain.
     pub reduced: Reduced<S>,
 }
 
-/// A scene at one frequency ratio: the kernel's frequency stage, and functions of a single instant.
+/// A scene at one frequency ratio, with the kernel's frequency stage. Methods evaluate functions at single instants.
 pub struct DataAt<'a, S: Float>(At<&'a Reduced<S>>);
 
 impl<'a, S: Float> Deref for DataAt<'a, S> {
@@ -33,8 +34,8 @@ impl<'a, S: Float> Deref for DataAt<'a, S> {
 pub type DataMotion<'a, S> = MotionOf<&'a Reduced<S>>;
 
 impl<S: Float> Data<S> {
-    /// Converts the data to another scalar. If a mode stores a constant in two forms, the more accurate form is
-    /// converted, and the other one is computed from it.
+    /// Converts the data to another scalar type. If a mode stores a constant in two forms, the more accurate form is
+    /// converted, and the other form is computed from it.
     pub fn read<T: Float>(&self, to: impl Fn(S) -> T) -> Data<T> {
         let Reduced {
             modes,
@@ -99,8 +100,8 @@ impl<S: Float> Data<S> {
     }
 }
 
-/// Returns ζ and q = √|1 − ζ²|. Near critical damping ζ follows from q, because q there determines ζ within the
-/// rounding of q. Elsewhere q follows from ζ.
+/// Returns ζ and q = √|1 − ζ²| in the other scalar type. Near critical damping the function computes ζ from q,
+/// because q determines ζ there within the rounding of q. Elsewhere it computes q from ζ.
 fn damping<S: Float, T: Float>(mode: &Mode<S>, to: impl Fn(S) -> T) -> (T, T) {
     let (zeta, q) = (to(mode.zeta), to(mode.q));
     let one = T::constant(1.0);
@@ -124,7 +125,8 @@ impl<'a, S: Float> DataAt<'a, S> {
         &self.scene().chain
     }
 
-    /// Reads the sum Σ m(1 + g)p + mu(cos τ − p′) at the instant τ. S is the maximum of this sum divided by sin τ.
+    /// Reads the sum Σ m(1 + g)p + mu(cos τ − p′) of the velocity constraint at the instant τ. S, the largest
+    /// velocity constraint, is the maximum of this sum divided by sin τ.
     fn at_instant<T>(&self, tau: S, read: impl Fn(&Sum<'_, S, Damped<S>>, &Instant<S>) -> T) -> T {
         let modes = self.scene().modes.iter().zip(self.modes());
         let part = |(mode, at): (&Mode<S>, &ModeAt<S>)| {
@@ -145,8 +147,8 @@ impl<'a, S: Float> DataAt<'a, S> {
         read(&sum, &Instant::new(tau * S::inverse_pi()))
     }
 
-    /// Returns the velocity constraint at the instant τ. At both end points of the half period, where the constraint is
-    /// undefined, the result is 0.
+    /// Returns the velocity constraint at the instant τ. At τ = 0 and τ = π, where the constraint is undefined, the
+    /// result is 0.
     pub fn constraint(&self, tau: S) -> S {
         let zero = S::constant(0.0);
         self.at_instant(tau, |sum, at| {
@@ -158,8 +160,8 @@ impl<'a, S: Float> DataAt<'a, S> {
         })
     }
 
-    /// Returns β_lim with the signed constraint at τ, anywhere in the half period, in place of S. The break-away term
-    /// replaces the constraint if it is larger.
+    /// Returns β_lim with the signed velocity constraint at an instant τ of the half period in place of its maximum
+    /// S. If the break-away term is larger, it replaces the constraint.
     pub fn continuous_limit_by(&self, tau: S) -> S {
         let constraint = self.at_instant(tau, |sum, at| sum.value(at) / at.sine);
         let chain = self.chain();
@@ -167,14 +169,15 @@ impl<'a, S: Float> DataAt<'a, S> {
         chain.continuous_limit(self.contact_sums(), constraint)
     }
 
-    /// Returns a function that is 0 where the constraint has its maximum.
+    /// Returns a function of τ that is 0 where the velocity constraint has its maximum.
     pub fn constraint_slope(&self, tau: S) -> S {
         self.at_instant(tau, |sum, at| {
             sum.slope(at) * at.sine - sum.value(at) * at.cosine
         })
     }
 
-    /// Returns β_lim with the constraint at τ in place of S. The limit τ → 0 replaces it if it is larger.
+    /// Returns β_lim with the velocity constraint at τ in place of its maximum S. If the break-away term is larger,
+    /// it replaces the constraint.
     pub fn continuous_limit_at(&self, tau: S) -> S {
         let chain = self.chain();
         let constraint = self
@@ -183,12 +186,12 @@ impl<'a, S: Float> DataAt<'a, S> {
         chain.continuous_limit(self.contact_sums(), constraint)
     }
 
-    /// Returns V, multiplied by r² and the scale.
+    /// Returns V, the response of the contact to the load, multiplied by r² and the scale E.
     pub fn free(&self) -> Complex<S> {
         self.contact_sums().v
     }
 
-    /// Returns Q, which vanishes where β reaches |V|/|U|.
+    /// Returns Q = √(|V|² − (βU)²), in the scale of the frequency stage. Q vanishes where β reaches |V|/|U|.
     pub fn in_phase(&self, beta: S) -> S {
         self.0.clone().closed_form(beta).friction().root
     }

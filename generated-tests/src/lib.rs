@@ -1,4 +1,4 @@
-//! Scenes whose emitted code is compiled here, compared with its snapshot, and run.
+//! Scenes whose emitted code this crate compiles, compares with its snapshot, and runs.
 //!
 //! The crate also has the reference values against which tests check emitted solvers and the run-time system.
 

@@ -1,8 +1,9 @@
-//! The references `reference/closed_form.json`, `reference/extremes.json` and the wedges of
-//! `reference/several_states.json`, and a comparison of any system with them.
+//! Reads the references `reference/closed_form.json`, `reference/extremes.json` and the wedges of
+//! `reference/several_states.json`, and compares any system with them.
 //!
 //! A wedge is the range of friction ratios between β*_lim and β_lim. A comparison counts the compared values of each
-//! kind. A gap in the reference must not shorten a comparison, so a missing key or a list of another length panics.
+//! kind. A missing key, or a list of another length, panics, because a gap in the reference must not shorten a
+//! comparison.
 
 use frictiongen::{
     ContinuousMotion, FrictionSystem, LimitsAt, MotionAt, Of, Regime, Steady, StuckAt,
@@ -40,7 +41,7 @@ pub fn number(value: &Value) -> f64 {
     }
 }
 
-/// Reads a number of the reference with all of its 20 digits.
+/// Reads a number of the reference with all of its 20 digits, as a double-double number.
 pub fn exact(value: &Value) -> Dd {
     let text = match value {
         Value::String(text) => text.clone(),
@@ -74,20 +75,21 @@ pub fn description(scene: &Value) -> &str {
     scene["description"].as_str().expect("a description")
 }
 
-/// Returns a list of the reference, and panics if it is missing.
+/// Returns a list of the reference. Panics if the list is missing; `what` names the list in the message.
 pub fn list<'a>(value: &'a Value, what: &str) -> &'a [Value] {
     let list = value.as_array().map(Vec::as_slice);
     list.unwrap_or_else(|| panic!("the reference has no list of {what}"))
 }
 
-/// Returns a list of the reference, and panics if it is missing or has another length.
+/// Returns a list of the reference. Panics if the list is missing or has another length; `what` names it in the
+/// message.
 pub fn list_of<'a>(value: &'a Value, length: usize, what: &str) -> &'a [Value] {
     let list = list(value, what);
     assert_eq!(list.len(), length, "the reference's list of {what}");
     list
 }
 
-/// Result of the comparison for one kind of quantity.
+/// Result of a comparison with the reference for one kind of quantity.
 #[derive(Clone, Debug, Default)]
 pub struct Kind {
     /// Number of compared values.
@@ -112,7 +114,8 @@ fn wide<S: Float>(value: S) -> Dd {
 }
 
 impl Worst {
-    /// Records an error, relative to `scale`. References below 1e-30 count as zeros.
+    /// Records the error of a value, divided by `scale`. If the value and its reference are both below 1e-30, the
+    /// error is 0.
     pub fn note<S: Float>(
         &mut self,
         kind: &'static str,
@@ -196,7 +199,7 @@ impl std::fmt::Display for Worst {
     }
 }
 
-/// Compares both limits, and the continuous limit without search, with those that the reference has.
+/// Compares β_lim, β*_lim and β_lim without search with those that the reference contains.
 fn compare_limits<S: Float>(
     at: &impl LimitsAt<Scalar = S>,
     point: &Value,
@@ -250,7 +253,7 @@ where
     worst
 }
 
-/// Compares a system with every value of one scene of [`wedges`], and checks that its regime is bistable.
+/// Compares a system with every value of one scene of [`wedges`], and checks that its regime there is bistable.
 pub fn compare_wedge<S: Float, F: FrictionSystem<Scalar = S>>(
     system: &F,
     reference: &Value,
@@ -361,8 +364,8 @@ fn compare_mass<S: Float>(
     }
 }
 
-/// Compares a system with every value of one scene of `extremes.json`. At both bounds of the range, and where r is too
-/// small for a search, a point may lack its continuous limit or its motions.
+/// Compares a system with every value of one scene of `extremes.json`. At both bounds of the range of r, and where r
+/// is too small for a search, the reference of a point may lack β_lim or the motions.
 pub fn compare_extremes<S: Float, F: FrictionSystem<Scalar = S>>(
     system: &F,
     reference: &Value,

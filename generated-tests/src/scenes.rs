@@ -1,12 +1,12 @@
 //! The scenes of `reference/closed_form.json`, emitted by the macro in both precisions.
 //!
-//! The texts are the reference's own `description` of each scene. A test compares both.
+//! Each text is the reference's own `description` of the scene. A test compares the texts with the reference.
 
 use frictiongen::{FrictionSystem, MotionAt, StuckAt};
 
-/// Receiver of every scene.
+/// A receiver of scenes: `visit` passes every scene to its method `see`.
 pub trait Visitor {
-    /// Receives a scene, and its name with the precision.
+    /// Receives a scene and its name, which includes the precision.
     fn see<F>(&mut self, name: &'static str, system: F)
     where
         F: FrictionSystem + 'static,

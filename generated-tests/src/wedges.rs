@@ -1,7 +1,7 @@
 //! The wedges of `reference/several_states.json`, emitted by the macro in double precision.
 //!
-//! A wedge is the range of friction ratios between β*_lim and β_lim. The texts are the reference's own `description` of
-//! each scene. A test compares both.
+//! A wedge is the range of friction ratios between β*_lim and β_lim. Each text is the reference's own `description`
+//! of the scene. A test compares the texts with the reference.
 
 /// Emits every scene, and lists them.
 macro_rules! scenes {

@@ -40,7 +40,7 @@ fn of_a_text() {
                 .to_string();
             assert_eq!(told, case.told.join("\n"), "{}", case.name);
         } else if case.door == Door::Macro {
-            // The parser must also refuse the faulty text with the limits of the macro.
+            // The macro must refuse the faulty text too. It reads texts with its own limits.
             parse_text(&case.faulty, &Limits::MACRO).expect_err(&case.name);
         }
         if case.door.is_description() {
@@ -55,7 +55,7 @@ fn of_a_text() {
     }
 }
 
-/// Checks that a run-time system gives the same messages, except that it accepts larger scenes.
+/// Checks that a run-time system gives the same messages as the parser. It accepts larger scenes.
 #[test]
 fn of_a_system() {
     for case in cases() {
@@ -70,7 +70,8 @@ fn of_a_system() {
     }
 }
 
-/// Checks that a file that a macro reads gives the same messages, at the path's token, with the position in the file.
+/// Checks that the macro gives the same messages for a description in a file. The compiler shows them at the path's
+/// token, with the position in the file.
 #[test]
 fn of_a_file() {
     let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("faulty.friction");
@@ -116,7 +117,7 @@ fn told_by_expansion(path: &str) -> Vec<String> {
     told
 }
 
-/// Checks errors that only a scene made in code can contain.
+/// Checks errors that only a scene built in code can contain.
 #[test]
 fn of_a_scene_made_in_code() {
     let faulty = |name: &str| {
@@ -177,7 +178,7 @@ fn frame() -> Scene {
     }
 }
 
-/// Checks that the files which `refused-scenes` passes to the compiler contain these cases.
+/// Checks that the files of `refused-scenes`, which the compiler reads, contain these cases.
 #[test]
 fn of_a_macro() {
     rust::write_or_check(&cases());

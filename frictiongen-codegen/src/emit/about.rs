@@ -65,7 +65,7 @@ pub(super) fn numbers_struct(
     }
 }
 
-/// Returns the first lines of the documentation: the origin of the code, and the description.
+/// Returns the first lines of the documentation of the scene's type: the origin of the code, and the description.
 pub(super) fn origin(description: &Description) -> Vec<String> {
     let mut lines = vec![
         format!(
@@ -90,7 +90,7 @@ pub(super) fn origin(description: &Description) -> Vec<String> {
     lines
 }
 
-/// Returns the lines of the documentation.
+/// Returns all lines of the documentation of the scene's type: origin, description, methods and constants.
 fn lines(emission: &Emission<'_>) -> Vec<String> {
     let mut lines = origin(emission.description);
     lines.extend(offers(emission).into_iter().map(|item| format!("* {item}")));
@@ -108,7 +108,7 @@ fn fence(text: &str) -> String {
     "`".repeat(runs.max().unwrap_or(0).max(2) + 1)
 }
 
-/// Lists the methods and constants of the scene.
+/// Lists the methods and constants of the scene, for the documentation of its type.
 fn offers(emission: &Emission<'_>) -> Vec<String> {
     let TypeNames {
         at,

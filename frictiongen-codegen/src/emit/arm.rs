@@ -10,8 +10,8 @@ pub(super) struct Arm {
     pub value: TokenStream,
 }
 
-/// Returns the statements and the value expression of the emitted function. `all` is the number of masses of the chain.
-/// For a mass without an arm, the emitted function returns `None`.
+/// Returns the body of the emitted function: its statements, and the expression of its value. `all` is the number of
+/// masses of the chain. For a mass without an arm, the emitted function returns `None`.
 pub(super) fn chosen(arms: &[Arm], all: usize) -> (TokenStream, TokenStream) {
     let literals = |masses: &[usize]| -> Vec<Literal> {
         let masses = masses.iter().copied();

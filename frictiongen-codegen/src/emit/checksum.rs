@@ -39,7 +39,7 @@ pub(crate) fn about_table<S: Float>(tables: &Tables<S>) -> String {
     about(&code!(#low, #density, #halvings, #(#buckets,)* #(#pieces),*))
 }
 
-/// Collects the numbers with their signs, in the order in which they occur in the tokens.
+/// Collects the texts of all number literals, each with its sign, in the order of the tokens.
 fn collect(tokens: &TokenStream, numbers: &mut Vec<String>) {
     let mut negative = false;
     for token in tokens.clone() {

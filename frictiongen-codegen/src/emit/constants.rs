@@ -324,8 +324,8 @@ fn answers(emission: &Emission<'_>) -> String {
     answers.join(", ")
 }
 
-/// Emits the relative motion of a contact on a moving base for r → 0, by its name. If the formulas fold the number, it
-/// has no name.
+/// Returns the expression for the relative displacement of the contact on a moving base for r → 0. The expression is
+/// the name `AT_REST` of an emitted constant. For 0, 1 and −1, which the formulas fold, it is the number itself.
 fn at_rest_by_name(emission: &Emission<'_>, at_rest: f64) -> TokenStream {
     if at_rest == 0.0 || at_rest.abs() == 1.0 {
         emission.literal(at_rest)
@@ -334,7 +334,8 @@ fn at_rest_by_name(emission: &Emission<'_>, at_rest: f64) -> TokenStream {
     }
 }
 
-/// Emits the constant that `at_rest_by_name` names, if the number has a name.
+/// Emits the constant `AT_REST`, to which `at_rest_by_name` refers. Returns `None` for 0, 1 and −1, which need no
+/// name.
 fn at_rest(emission: &Emission<'_>) -> Option<TokenStream> {
     let scalar = &emission.scalar;
     let at_rest = emission.reduced.chain.on_moving_base?;

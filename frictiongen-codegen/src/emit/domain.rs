@@ -1,4 +1,4 @@
-//! Emits the range in which tables are valid, and lists the constants of tables for the self-check.
+//! Emits the range of r and β in which tables are valid, and lists the constants of tables for the self-check.
 
 use super::emission::{Checked, Emission};
 use super::fields::fields;
@@ -9,12 +9,12 @@ use frictiongen_model::scene::{Beyond, Range};
 use frictiongen_model::table::{Reach, Tables};
 use proc_macro2::TokenStream;
 
-/// Returns the constants of the tables with their checksums.
+/// Returns the constants of the tables, each with its checksum, for the self-check.
 pub(super) fn checked<S: Float + Listed<S>>(
     emission: &Emission<'_>,
     tables: &Tables<S>,
 ) -> Vec<Checked> {
-    // The emitted tables have no negative zeros.
+    // The addition of 0.0 turns −0.0 into 0.0, because the emitted tables have no negative zeros.
     let wide = |value: S| value.to_f64() + 0.0;
     let index = &tables.index;
     let pieces = tables.pieces.iter().map(|piece| {
@@ -58,7 +58,7 @@ pub(super) fn checked<S: Float + Listed<S>>(
     constants
 }
 
-/// Returns the domain in the tables' scalar.
+/// Returns the range of r and β in which the tables are valid, in the scalar type of the tables.
 fn domain_of<S: Float>(emission: &Emission<'_>, tables: &Tables<S>) -> Domain<S> {
     let declared = &emission.scene.declared;
     let (low, high) = tables.request.r;
@@ -78,7 +78,7 @@ fn domain_of<S: Float>(emission: &Emission<'_>, tables: &Tables<S>) -> Domain<S>
     }
 }
 
-/// Emits the domain as a method of the kernel's `Tabled`.
+/// Emits the range of r and β in which the tables are valid, as a method of the kernel's trait `Tabled`.
 pub(super) fn domain<S: Float>(emission: &Emission<'_>, tables: &Tables<S>) -> TokenStream {
     let scalar = &emission.scalar;
     let number = |value: S| emission.literal(value.to_f64());

@@ -1,4 +1,5 @@
-//! Data that all emitted items share, and `Part`, the code that one file of this folder emits.
+//! Defines `Emission`, the data that all emitted items share, and `Part`, the code that one file of this folder
+//! emits.
 
 use super::names::{TypeNames, local};
 use super::self_check;
@@ -12,28 +13,28 @@ use frictiongen_model::reduced::Reduced;
 use frictiongen_model::scene::{Precision, Provide, Scene};
 use proc_macro2::{Ident, TokenStream, TokenTree};
 
-/// Smallest number of modes for which the emitted code calls the kernel's sums over the modes of a motion. With fewer
-/// modes, each mass has its own straight-line code.
+/// Smallest number of modes from which the emitted code calls the kernel's functions that add up a motion over the
+/// modes. With fewer modes, each mass has its own straight-line code.
 const SUMS_FROM: usize = 3;
 
-/// Data of a scene that the emission of its items needs.
+/// Data of a scene from which its items are emitted.
 pub(super) struct Emission<'a> {
     pub description: &'a Description,
     pub scene: &'a Scene,
     pub modal: Modal,
-    /// The modes that the load or the contact drives, rounded from double-double to the scene's precision and stored as
-    /// `f64`.
+    /// The modes that the load or the contact drives. Their numbers are rounded from double-double to the scene's
+    /// precision, and stored as `f64`.
     pub reduced: Reduced<f64>,
     pub precision: Precision,
     /// The scalar type, `f64` or `f32`.
     pub scalar: TokenStream,
     pub names: TypeNames,
     pub facade: &'a TokenStream,
-    /// Smallest number of modes for which the emitted frequency stage consists of passes over the modes.
+    /// Smallest number of modes from which the emitted frequency stage consists of passes over the array of modes.
     pub passes_from: usize,
 }
 
-/// Groups of methods that a scene provides.
+/// Groups of methods that the scene's `provide` lists.
 pub(super) struct Wanted<'a> {
     pub motion: Option<Vec<(usize, &'a Ident)>>,
     pub stuck: bool,
@@ -91,13 +92,14 @@ impl<'a> Emission<'a> {
         modes.map(|mode| local(&format!("{name}_{mode}"))).collect()
     }
 
-    /// Emits the statement that binds those constants of the modes whose names occur in `body`.
+    /// Emits the statement that binds the constants of the modes. The statement binds only constants whose names
+    /// occur in `body`.
     pub fn constants(&self, body: &TokenStream) -> TokenStream {
         bound(&self.constant_names(), body, &code!(&Self::MODES))
     }
 
-    /// Emits the statements that bind the inputs of a motion's formulas: 1/r, the sums of the contact, the modes and
-    /// their constants. They bind only the names that occur in `body`.
+    /// Emits the statements that bind the inputs of a motion's formulas: 1/r, the sums V, H, U, G and H_c of the
+    /// contact, the modes and their constants. The statements bind only names that occur in `body`.
     pub fn inputs(&self, body: &TokenStream) -> TokenStream {
         let mut inputs = TokenStream::new();
         if mentions(body, "inverse_r") {
@@ -111,19 +113,21 @@ impl<'a> Emission<'a> {
         inputs
     }
 
-    /// Emits the statement that binds the components of a mass in the mode shapes.
+    /// Emits the statement that binds the components of a mass in the mode shapes. It binds only names that occur in
+    /// `body`.
     pub fn shape(&self, body: &TokenStream) -> TokenStream {
         let names = self.numbered("shape");
         let source = code!(*Self::SHAPES.get(mass)?);
         bound(&names, body, &source)
     }
 
-    /// Returns an empty graph for formulas of this scene.
+    /// Returns an empty graph that records formulas of `modes` modes in the scene's precision.
     pub fn graph(&self, modes: usize) -> Graph {
         Graph::new(modes).in_precision(self.precision)
     }
 
-    /// Returns true if the emitted frequency stage consists of passes over the modes.
+    /// Returns true if the emitted frequency stage consists of passes over the array of modes, not of straight-line
+    /// code.
     pub fn in_passes(&self) -> bool {
         self.modes() >= self.passes_from
     }
@@ -229,7 +233,8 @@ impl<'a> Emission<'a> {
     }
 }
 
-/// Emits `let [a, _, c] = source;` for those names that occur in `body`. Emits nothing if no name occurs.
+/// Emits `let [a, _, c] = source;`, where `_` replaces each name that does not occur in `body`. Emits nothing if no
+/// name occurs in `body`.
 fn bound(names: &[Ident], body: &TokenStream, source: &TokenStream) -> TokenStream {
     let mentioned: Vec<bool> = names
         .iter()
@@ -246,7 +251,7 @@ fn bound(names: &[Ident], body: &TokenStream, source: &TokenStream) -> TokenStre
     code!(let [#(#names),*] = #source;)
 }
 
-/// Returns true if a name occurs in the tokens. The names of fields do not count.
+/// Returns true if a name occurs in the tokens, other than as the name of a field.
 pub(super) fn mentions(tokens: &TokenStream, name: &str) -> bool {
     let mut field = false;
     tokens.clone().into_iter().any(|token| {
@@ -262,7 +267,7 @@ pub(super) fn mentions(tokens: &TokenStream, name: &str) -> bool {
     })
 }
 
-/// Rounds a double-double once to the scene's scalar and returns it as `f64`.
+/// Rounds a double-double number once to the scene's scalar type, and returns the result as `f64`.
 pub(super) fn rounded(value: Dd, precision: Precision) -> f64 {
     match precision {
         Precision::F64 => value.hi,
@@ -281,11 +286,11 @@ pub(super) struct Part {
     pub items: TokenStream,
     /// Tables of numbers, as associated constants, in a block separate from the code.
     pub tables: TokenStream,
-    /// The constants, for the self-check.
+    /// The emitted constants that the self-check compares with checksums.
     pub constants: Vec<Checked>,
 }
 
-/// Constants of the emitted code with their checksum.
+/// Constants of the emitted code, with the checksum that the self-check expects.
 pub(super) struct Checked {
     /// Name of the constants in the message of a failed self-check.
     pub name: String,
@@ -295,13 +300,14 @@ pub(super) struct Checked {
 }
 
 impl Checked {
-    /// Creates the entry of constants with the given values. `numbers` is the expression for the constants in the
-    /// emitted code.
+    /// Returns the entry for constants with the given values. `numbers` is the expression for a reference to the
+    /// constants in the emitted code.
     pub fn new(name: &str, numbers: TokenStream, values: &impl Listed<f64>) -> Self {
         Self::of_sum(name, numbers, self_check::sum(values))
     }
 
-    /// Creates the entry of constants with this checksum.
+    /// Returns the entry for constants with a given checksum. `numbers` is the expression for a reference to the
+    /// constants in the emitted code.
     pub fn of_sum(name: &str, numbers: TokenStream, sum: u32) -> Self {
         Self {
             name: name.to_owned(),

@@ -64,8 +64,8 @@ pub(crate) fn fingerprint(scene: &Scene) -> u64 {
         }
     }
     hash.stepping(stepping);
-    // Only a scene with damping relative to the base, with a stiffness of the contact, or with joints hashes these
-    // fields. All other scenes thus keep the hash that they had before the fields existed.
+    // Only scenes with damping relative to the base, with an elastic contact or with joints hash the fields below.
+    // All other scenes keep the hash that they had before these fields existed.
     if *damping_from == DampingFrom::Base {
         hash.unit(1);
     }

@@ -11,7 +11,8 @@ use frictiongen_kernel::contact::sums::Chain;
 use frictiongen_kernel::oscillator::mode::{Kind, Mode};
 use proc_macro2::{Ident, Literal, TokenStream};
 
-/// Code of the frequency stage: methods of the kernel's `Scene`, and the function that they call.
+/// Emitted code of the frequency stage: methods of the kernel's trait `Scene`, and the function that these methods
+/// call.
 pub(super) struct Stage {
     pub function: TokenStream,
     pub methods: TokenStream,
@@ -98,8 +99,8 @@ const FROM_BASE: [&str; 3] = [
     " `QUADRATURES` has 2ζλΓ and wall of each mode.",
 ];
 
-/// Returns the documentation line with the number of operations of a function. Operations on constants alone do not
-/// count.
+/// Returns the documentation line with the number of operations of a function. The line does not count operations
+/// whose operands are all constants.
 pub(super) fn operations_about(operations: &Count) -> String {
     format!(" Operations: {operations}.")
 }
@@ -109,10 +110,11 @@ fn uniform_kind(modes: &[Mode<f64>]) -> Option<Kind> {
     modes.iter().all(|mode| mode.kind == kind).then_some(kind)
 }
 
-/// Names that the code around the formulas uses. The formulas must not use these names.
+/// Names that the code around the formulas uses. Values of the formulas must not have these names.
 const TAKEN: [&str; 3] = ["inverse_r", "contact", "modes"];
 
-/// Emits the frequency stage of a scene with one mode. The scale E is then the `size` of this mode.
+/// Emits the frequency stage of a scene with one mode. The common scale E of the modes is then the `size` of this
+/// mode.
 fn single(emission: &Emission<'_>) -> (TokenStream, Count) {
     let graph = emission.graph(1);
     let tracer = Tracer::over_constants(&graph, &emission.modal, emission.precision);
@@ -137,7 +139,8 @@ fn single(emission: &Emission<'_>) -> (TokenStream, Count) {
     (body, count)
 }
 
-/// Emits the functions of each mode, then the sums.
+/// Emits the frequency stage of a scene with several modes as straight-line code: the response of each mode at r,
+/// then the sums V, H, U, G and H_c over the modes.
 fn straight(emission: &Emission<'_>) -> (TokenStream, Count) {
     let graph = emission.graph(emission.modes());
     let tracer = Tracer::over_constants(&graph, &emission.modal, emission.precision);
@@ -167,8 +170,8 @@ fn straight(emission: &Emission<'_>) -> (TokenStream, Count) {
     (body, count)
 }
 
-/// Emits the functions of each mode, then a call of the kernel's sum for each mode. The compiler inlines the calls, so
-/// that the compiled code equals that of straight-line code.
+/// Emits the response of each mode at r, then for each mode a call of the kernel function that adds the mode to the
+/// sums V, H, U, G and H_c. The compiler inlines these calls, so the compiled code is that of straight-line code.
 fn summed(emission: &Emission<'_>) -> (TokenStream, Count) {
     let (calls, blocks, count) = blocks(emission);
     let graph = emission.graph(emission.modes());
@@ -208,7 +211,8 @@ fn summed(emission: &Emission<'_>) -> (TokenStream, Count) {
     (code!(#constants #body), count)
 }
 
-/// Emits the functions of each mode, the scale E, and the functions multiplied by E, which the sums over the modes use.
+/// Emits the response of each mode at r, the common scale E, and each response multiplied by E for the sums over the
+/// modes.
 fn blocks(emission: &Emission<'_>) -> (TokenStream, TokenStream, Count) {
     let mut count = Count::default();
     let (mut calls, mut body) = (TokenStream::new(), TokenStream::new());
@@ -221,7 +225,7 @@ fn blocks(emission: &Emission<'_>) -> (TokenStream, TokenStream, Count) {
     let graph = emission.graph(emission.modes());
     let tracer = Tracer::over_constants(&graph, &emission.modal, emission.precision);
     let chain = &tracer.reduced.chain;
-    // E, the common scale, is formed from the modes that the contact drives.
+    // The common scale E is the smallest `size` of the modes that the contact drives.
     let responses: Vec<_> = (1..=names.len())
         .map(|mode| tracer.response(&format!("mode_{mode}")))
         .collect();
@@ -279,8 +283,7 @@ fn mode_structure(outputs: &[TokenStream]) -> TokenStream {
     code!(ModeAt { #x, response: Complex { re: #re, im: #im }, #u, #g })
 }
 
-/// Emits the stage as two passes over the array of modes. The body of each pass is the formula of
-/// one mode.
+/// Emits the frequency stage as two loops over the array of modes. The body of each loop is the formula of one mode.
 fn passes(emission: &Emission<'_>, kind: Kind) -> (TokenStream, Count) {
     let Emission {
         precision, scalar, ..

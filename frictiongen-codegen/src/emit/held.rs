@@ -120,7 +120,7 @@ fn tabled<S: Float + Listed<S>>(emission: &Emission<'_>, tables: &Tables<S>) -> 
     }
 }
 
-/// The different sets of poles of the stuck responses.
+/// Distinct sets of poles among the stuck responses of the masses. Each set becomes one emitted constant.
 struct Poles<'a, S> {
     sets: Vec<&'a HeldForm<S>>,
 }

@@ -1,4 +1,4 @@
-//! Emits the formulas of the two limits, β_lim and β*_lim.
+//! Emits the formulas of the limits of the friction ratio: β_lim of continuous motion, and β*_lim of sliding.
 
 use super::emission::Emission;
 use super::frequency::operations_about;
@@ -8,7 +8,8 @@ use crate::graph::count::Count;
 use crate::graph::print::Printed;
 use proc_macro2::TokenStream;
 
-/// Emits the formulas of β_lim and β*_lim as methods of the kernel's `Scene`.
+/// Emits the formulas of β_lim (limit of continuous motion) and β*_lim (limit of sliding) as methods of the kernel's
+/// trait `Scene`.
 pub(super) fn formulas(emission: &Emission<'_>) -> TokenStream {
     let scalar = &emission.scalar;
     let graph = emission.graph(emission.modes());

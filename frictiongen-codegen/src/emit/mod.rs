@@ -42,9 +42,9 @@ pub(crate) use checksum::about_table;
 pub(crate) use fingerprint::fingerprint;
 pub use trace::traces;
 
-/// Smallest number of modes for which the emitted frequency stage consists of passes over an array of modes.
-/// Straight-line code is faster, but grows with the number of modes. `scripts/passes-trial` measures both kinds of
-/// code.
+/// Smallest number of modes from which the emitted frequency stage consists of passes over an array of modes. For
+/// fewer modes it is straight-line code, which is faster but grows with the number of modes. `scripts/passes-trial`
+/// measures both kinds of code.
 pub const PASSES_FROM: usize = 17;
 
 /// Returns the emitted code of a description.
@@ -67,7 +67,8 @@ pub fn emit_in_passes(description: &Description, passes_from: usize) -> TokenStr
     let mut aliases = TokenStream::new();
     let (types, mut items) = joined(&emission, &own);
     if clashes {
-        // The names of the scene's types clash with imported names, so the block uses aliases for the scene's types.
+        // The names of the scene's types clash with imported names, so the emitted block uses aliases for the scene's
+        // types.
         emission.names = TypeNames::of(&format_ident!("Emitted{}", description.name));
         let renamed = groups(&emission);
         for (alias, own) in types_of(&renamed).zip(types_of(&own)) {
@@ -134,7 +135,7 @@ fn in_block(types: &TokenStream, block: &TokenStream) -> TokenStream {
     }
 }
 
-/// Emits the imports of π and 2π, if the names occur in the items.
+/// Emits the imports of `PI` and `TAU`, each only if its name occurs in the items.
 fn pi(items: &TokenStream, scalar: &TokenStream) -> TokenStream {
     let names = ["PI", "TAU"].into_iter();
     let names = names.filter(|name| emission::mentions(items, name));
@@ -151,7 +152,7 @@ struct Group {
     part: Part,
 }
 
-/// Returns the groups that the scene provides, in the order of the emitted code.
+/// Returns the groups of methods that the scene provides, in the order of the emitted code.
 fn groups(emission: &Emission<'_>) -> Vec<Group> {
     let wanted = emission.wanted();
     let names = &emission.names;

@@ -1,5 +1,5 @@
-//! Emits the functions of one mode at one frequency ratio r. Each kind of damping has one function, and each mode has
-//! one call.
+//! Emits the response of one mode at a frequency ratio r. Each kind of damping has one emitted function, and each
+//! mode has one call of such a function.
 
 use super::emission::Emission;
 use super::frequency::operations_about;
@@ -10,8 +10,8 @@ use crate::graph::{Expr, Graph, Operand};
 use frictiongen_kernel::oscillator::mode::{Kind, Mode, ModeResponse};
 use proc_macro2::TokenStream;
 
-/// Emits the functions of a mode, multiplied by a factor that removes their pole. Modes with the same kind of damping
-/// share one function.
+/// Emits the functions that return the response of a mode, multiplied by a factor that removes its pole. Modes with
+/// the same kind of damping share one function.
 pub(super) fn functions(emission: &Emission<'_>) -> TokenStream {
     if emission.modes() == 1 {
         return TokenStream::new();
@@ -47,16 +47,18 @@ pub(super) fn functions(emission: &Emission<'_>) -> TokenStream {
     functions.collect()
 }
 
-/// Returns true if g is not 0 for this kind of damping.
+/// Returns true if a mode with this kind of damping has g ≠ 0. g is the displacement of the mode, from a square wave
+/// of friction, at a reversal.
 pub(super) fn has_g(kind: Kind) -> bool {
     kind != Kind::Undamped
 }
 
-/// Name of the constant parameter of emitted functions that selects whether they compute g. Limits without search need
-/// no g, and the compiler alone would not remove all of its computation.
+/// Name of the constant parameter of emitted functions that selects whether they compute g, the displacement of a
+/// mode at a reversal. `limits_without_search` needs no g, and the compiler alone would not remove all of its
+/// computation.
 pub(super) const WITH_G: &str = "WITH_G";
 
-/// Kinds of damping, each with the name and the documentation of its function.
+/// The kinds of damping, each with the name and the documentation of its emitted function.
 const KINDS: [(Kind, &str, &str); 5] = [
     (
         Kind::Undamped,
@@ -85,8 +87,8 @@ const KINDS: [(Kind, &str, &str); 5] = [
     ),
 ];
 
-/// Emits the path of the function for this kind of damping. `with_g` is the argument that selects whether the function
-/// computes g.
+/// Emits the path of the function for this kind of damping. `with_g` is the argument that selects whether the
+/// function computes g, the displacement of the mode at a reversal.
 pub(super) fn function_of(kind: Kind, with_g: &TokenStream) -> TokenStream {
     let function = KINDS.iter().find(|(of, ..)| *of == kind);
     let function = local(function.map_or("", |(_, function, _)| function));
@@ -97,12 +99,12 @@ pub(super) fn function_of(kind: Kind, with_g: &TokenStream) -> TokenStream {
     }
 }
 
-/// Returns the call of a mode's function, and its number of operations.
+/// Emits the call of the function for one mode. Also returns the number of operations of the call.
 pub(super) fn call(emission: &Emission<'_>, index: usize) -> (TokenStream, Count) {
     let Some(mode) = emission.reduced.modes.get(index) else {
         return (TokenStream::new(), Count::default());
     };
-    // The count uses the numbers of this mode. They fold where the function is inlined.
+    // The count uses the numbers of this mode, because operations on them fold where the function is inlined.
     let graph = emission.graph(1);
     let tracer = Tracer::over_constants(&graph, &emission.modal, emission.precision);
     let Some(constants) = tracer.reduced.modes.get(index) else {
@@ -115,7 +117,7 @@ pub(super) fn call(emission: &Emission<'_>, index: usize) -> (TokenStream, Count
     (code!(Self::#function(#constants, inverse_r)), count)
 }
 
-/// Returns the outputs of a mode's functions, in the order in which they are emitted.
+/// Returns the fields of a mode's response, in the order in which the code emits them.
 pub(super) fn outputs(response: &ModeResponse<Expr<'_>>) -> Vec<Operand> {
     let ModeResponse {
         x,

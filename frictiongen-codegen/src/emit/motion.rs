@@ -12,7 +12,7 @@ use crate::graph::{Expr, Operand};
 use frictiongen_kernel::response::coefficients::{Fundamental, ModalCoefficients};
 use proc_macro2::{Ident, Literal, TokenStream};
 
-/// Names that the code around the formulas uses. The formulas must not use these names.
+/// Names that the code around the formulas uses. Values of the formulas must not have these names.
 const TAKEN: [&str; 8] = [
     "at",
     "inverse_r",
@@ -116,7 +116,7 @@ pub(super) fn emit(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> Part 
     }
 }
 
-/// Returns, for the documentation of a scene with tables, which motions come from the tables.
+/// Returns a documentation text that says which motions come from tables.
 fn accuracies(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> String {
     let moves_as_contact = |mass: usize| emission.moves_as_contact(mass);
     let same = masses.iter().find(|(mass, _)| moves_as_contact(*mass));
@@ -190,14 +190,16 @@ fn in_lines(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> TokenStream 
     }
 }
 
-/// Coefficients of a motion: the coefficients of the fundamental component, and the coefficients of each mode.
+/// Coefficients of the motion of the contact or of a mass: those of its fundamental component, and those of each
+/// mode.
 struct Coefficients<'g> {
     fundamental: Fundamental<Expr<'g>>,
     /// Coefficients of each mode; `None` for a mode that the contact does not drive.
     modal: Vec<Option<ModalCoefficients<Expr<'g>>>>,
 }
 
-/// Returns the documentation line about the work of a motion that its number of operations does not include.
+/// Returns the documentation line about the kernel's part of the work, which the number of operations does not
+/// include.
 fn waves_about(emission: &Emission<'_>) -> String {
     let modes = emission.modes();
     let plural = if modes == 1 { "" } else { "s" };
@@ -235,8 +237,8 @@ fn of_contact(emission: &Emission<'_>, tracer: &Tracer<'_>) -> (TokenStream, Cou
     (body, count)
 }
 
-/// Emits the statements that all masses share, and the statements of each mass. Also returns the number of operations
-/// for the mass with the most operations.
+/// Emits the statements that all masses share, then the statements of each mass. Also returns the number of
+/// operations for the mass that needs most.
 fn of_masses(
     emission: &Emission<'_>,
     tracer: &Tracer<'_>,
@@ -347,7 +349,7 @@ impl Coefficients<'_> {
     }
 }
 
-/// Emits the decay of a mode.
+/// Emits the value that describes the decay of a mode: `Undamped`, or the constants of a damped mode.
 fn decay(emission: &Emission<'_>, mode: usize) -> TokenStream {
     if !emission.damped() {
         return code!(Undamped);

@@ -3,8 +3,8 @@
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::format_ident;
 
-/// Names that emitted code imports from the kernel. If a type of the scene has one of these names, the emitted block
-/// uses aliases for the scene's types.
+/// Names that emitted code imports from the kernel. If a type of the scene has one of these names, the emitted code
+/// refers to the scene's types by aliases.
 const IMPORTED: [&str; 96] = [
     "check",
     "locals",
@@ -118,7 +118,7 @@ pub(super) struct TypeNames {
 }
 
 impl TypeNames {
-    /// Returns the names of the types for a scene with this name.
+    /// Returns the names of the types for a scene with the name `scene`.
     pub fn of(scene: &Ident) -> Self {
         let suffixed = |suffix| suffixed(scene, suffix);
         Self {
@@ -161,7 +161,7 @@ fn suffixed(name: &Ident, suffix: &str) -> Ident {
     ident
 }
 
-/// Returns a name for a local variable that cannot refer to an item of the user.
+/// Returns the name of a local variable. The name cannot refer to an item of the user.
 pub(super) fn local(name: &str) -> Ident {
     Ident::new(name, Span::mixed_site())
 }

@@ -1,4 +1,4 @@
-//! Emits the implementation of the kernel's `Scene`: constants and specialised formulas.
+//! Emits the implementation of the kernel's trait `Scene`: constants and specialised formulas.
 
 use super::emission::{Checked, Emission, Part, Wanted};
 use super::names::TypeNames;
@@ -96,8 +96,8 @@ pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> Part {
     }
 }
 
-/// Emits the loads in quadrature with the base's motion, as a constant and a method of the kernel's `Scene`. Both are
-/// empty unless damping acts on velocities relative to the moving base.
+/// Emits the loads in quadrature with the base's motion, as a constant and a method of the kernel's trait `Scene`.
+/// Without damping relative to a moving base, both the constant and the method are empty token streams.
 fn quadratures(emission: &Emission<'_>) -> (TokenStream, TokenStream) {
     let (scalar, quadratures) = (&emission.scalar, &emission.reduced.quadratures);
     if quadratures.is_empty() {
@@ -120,7 +120,7 @@ fn quadratures(emission: &Emission<'_>) -> (TokenStream, TokenStream) {
     (constant, method)
 }
 
-/// Mode shapes of the masses that the scene provides, as a constant and methods of the kernel's `Scene`.
+/// Mode shapes of the masses that the scene provides, as a constant and methods of the kernel's trait `Scene`.
 struct Shapes {
     constant: Option<TokenStream>,
     methods: TokenStream,
@@ -188,7 +188,7 @@ fn shapes(emission: &Emission<'_>, wanted: &Wanted<'_>) -> Shapes {
     }
 }
 
-/// Returns the documentation line of the range of 1/r.
+/// Returns the documentation line about the range of 1/r in which the formulas neither overflow nor underflow.
 fn range_about(low: f64, high: f64) -> String {
     let told = |value: f64| {
         let exponent = value.log2();

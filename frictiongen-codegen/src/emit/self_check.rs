@@ -1,4 +1,4 @@
-//! Emits the self-check: checksums of all constants, and known answers with their comparison.
+//! Emits the self-check: checksums of all constants, and known answers with the code that compares answers with them.
 
 use super::checksum;
 use super::emission::{Checked, Emission, Part, Wanted};
@@ -10,19 +10,19 @@ use frictiongen_kernel::number::dd::Dd;
 use frictiongen_model::scene::Precision;
 use proc_macro2::{Literal, TokenStream};
 
-/// Largest allowed error of an answer of the exact formulas, in rounding units. The frequencies of the known answers
-/// are chosen so that a change of r by 32 rounding units changes an answer by at most an eighth of the allowed error.
+/// Largest allowed error of an answer of the exact formulas, in rounding units. The known answers are at frequency
+/// ratios r where a change of r by 32 rounding units changes an answer by at most an eighth of this error.
 const ROUNDINGS: f64 = 4096.0;
-/// Range of the frequency ratios of the known answers. The first number is a multiple of the lowest resonance, and the
-/// second is a multiple of the highest resonance.
+/// Range of the frequency ratios of the known answers: from the first number times the lowest resonance to the second
+/// number times the highest resonance.
 const BAND: (f64, f64) = (0.2, 1.5);
 
-/// Returns the checksum that the emitted code computes for a constant with these numbers.
+/// Returns the checksum that the emitted code computes for a constant that consists of `numbers`.
 pub(super) fn sum(numbers: &(impl Listed<f64> + ?Sized)) -> u32 {
     check::sum::<f64>(numbers)
 }
 
-/// Returns the checksum of a constant in double-double, after rounding each number once.
+/// Returns the checksum of double-double numbers, each rounded once to the given precision.
 pub(super) fn sum_of_rounded(numbers: &impl Listed<Dd>, precision: Precision) -> u32 {
     let mut sum = 0;
     numbers.list(&mut |number| {
@@ -31,8 +31,7 @@ pub(super) fn sum_of_rounded(numbers: &impl Listed<Dd>, precision: Precision) ->
     sum
 }
 
-/// Emits `self_check` with the known answers. `constants` are the constants of all emitted code except the known
-/// answers.
+/// Emits the function `self_check` and its known answers. `constants` has all other emitted constants.
 pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>, constants: &[&Checked]) -> Part {
     let scalar = &emission.scalar;
     let at_frequency = emission.scene.needs_frequency();
@@ -82,7 +81,8 @@ fn hexadecimal(sum: u32) -> TokenStream {
     text.parse().unwrap_or_default()
 }
 
-/// Returns the largest allowed error of an answer, and the known answers.
+/// Returns the largest allowed error of an answer, and the known answers with which the emitted code compares its
+/// answers.
 fn answers(emission: &Emission<'_>, wanted: &Wanted<'_>) -> (f64, Vec<Known>) {
     use crate::lower::SceneTables;
     let scene = emission.scene;
@@ -174,7 +174,8 @@ fn moving(wanted: &Wanted<'_>, known: &Known) -> Vec<[f64; 2]> {
         .collect()
 }
 
-/// Returns the numbers of known answers in the scene's scalar, in the order in which the kernel lists them.
+/// Returns the numbers of a known answer as values of the scene's scalar type, in the order in which the kernel lists
+/// them.
 fn numbers(emission: &Emission<'_>, wanted: &Wanted<'_>, known: &Known) -> Vec<f64> {
     let mut numbers = vec![known.r, known.continuous, known.sliding];
     if let Some(motion) = &known.motion {
@@ -240,7 +241,7 @@ fn row(emission: &Emission<'_>, wanted: &Wanted<'_>, known: &Known, first: bool)
     code!(check::Known { #fields })
 }
 
-/// Emits the tolerance, and the function that compares the answers at one frequency ratio.
+/// Emits the allowed error, and the function that compares the answers at one frequency ratio with the known answers.
 fn compared(emission: &Emission<'_>, wanted: &Wanted<'_>, tolerance: f64) -> TokenStream {
     let scalar = &emission.scalar;
     let names = &emission.description.mass_names;

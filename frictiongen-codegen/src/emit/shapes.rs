@@ -29,7 +29,7 @@ pub(super) fn by_masses(emission: &Emission<'_>, shapes: &[f64]) -> TokenStream 
     }
 }
 
-/// Returns the index of a shape in `MODE_SHAPES`.
+/// Returns the index in `MODE_SHAPES` of the mode that has exactly these components.
 fn place<'a>(emission: &Emission<'_>, shape: impl Iterator<Item = &'a f64>) -> Option<usize> {
     let shape: Vec<u64> = shape.map(|component| component.to_bits()).collect();
     emission.modal.shapes.iter().position(|known| {

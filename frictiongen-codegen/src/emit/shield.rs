@@ -1,15 +1,16 @@
 //! Prevents the user's constants from changing emitted patterns.
 //!
-//! A pattern `let r` refers to a constant `r` if the user's module has one. A function of the same name hides that
-//! constant, and a pattern may hide the function. The library defines such functions for the variables that most scenes
-//! have. This file emits the functions for all other variables.
+//! If the user's module has a constant `r`, a pattern `let r` refers to that constant. A function named `r`, in a
+//! scope nearer to the pattern, hides the constant, and a pattern may bind a name that belongs to a function. The
+//! library defines functions of this kind for the variables that most scenes have. This file emits them for all other
+//! variables.
 
 use frictiongen_kernel::emitted::locals::NAMES;
 use frictiongen_model::validate::is_keyword;
 use proc_macro2::{Delimiter, Ident, Span, TokenStream, TokenTree};
 use std::collections::BTreeSet;
 
-/// Emits functions for the names in emitted items that the library does not define.
+/// Emits a function for each variable name in the emitted items for which the library defines none.
 pub(super) fn emit(items: &TokenStream) -> TokenStream {
     let mut names = BTreeSet::new();
     collect(items.clone(), &mut names);
@@ -27,19 +28,19 @@ pub(super) fn emit(items: &TokenStream) -> TokenStream {
         .collect()
 }
 
-/// Types that emitted code writes without a path. Keywords are excluded elsewhere.
+/// Types that emitted code writes without a path. The code that collects names excludes keywords by another check.
 const TYPES: [&str; 4] = ["bool", "f32", "f64", "usize"];
 
-/// Returns true if a name has a form like `mode_3_decay`. Users do not give constants such names, and each mode has
-/// dozens of such names.
+/// Returns true if a name has a form like `mode_3_decay`. Such names need no hiding function: users do not give them
+/// to constants, and each mode has dozens of them.
 fn is_of_a_mode(text: &str) -> bool {
     let rest = text.strip_prefix("mode_").unwrap_or_default();
     let rest = rest.trim_start_matches(|letter: char| letter.is_ascii_digit());
     rest.starts_with('_')
 }
 
-/// Collects every word that a pattern may bind. Such a word begins with a small letter and is not in a path. It is also
-/// not the name of a function.
+/// Collects every word that a pattern may bind. Such a word begins with a small letter, is not in a path, and is not
+/// the name of a function.
 fn collect(tokens: TokenStream, names: &mut BTreeSet<String>) {
     let tokens: Vec<TokenTree> = tokens.into_iter().collect();
     let sign = |index: Option<usize>, sign: char| matches!(index.and_then(|index| tokens.get(index)), Some(TokenTree::Punct(punct)) if punct.as_char() == sign);

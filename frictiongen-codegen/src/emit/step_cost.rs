@@ -7,7 +7,7 @@ use frictiongen_kernel::stepper::{
 };
 use frictiongen_model::scene::Precision;
 
-/// Returns documentation lines about the parts into which the stepper divides a step.
+/// Returns documentation lines about the equal parts into which the stepper divides a step.
 pub(super) fn parts(scene: &StepScene<'_, Dd, AnyContact<Dd>>, step: Option<f64>) -> Vec<String> {
     let fastest = scene.fastest().to_f64();
     let shown = if (0.1..1e7).contains(&fastest) {

@@ -1,4 +1,4 @@
-//! Emits the tables of a declared step. The tables describe how each oscillator advances over the step. Each number is
+//! Emits the tables of a declared step, by which each oscillator advances over a part of the step. Each number is
 //! computed in double-double and rounded once.
 
 use super::checksum;
@@ -34,8 +34,8 @@ impl Sizes {
     }
 }
 
-/// Emits the tables, and returns their checksum. Returns `None` for a step that the kernel refuses, because `lower` has
-/// already reported the error.
+/// Emits the tables. Also returns their checksum. Returns `None` for a step that the kernel refuses; `lower` has
+/// already reported that error.
 pub(super) fn emit(
     emission: &Emission<'_>,
     scene: &StepScene<'_, Dd, AnyContact<Dd>>,
@@ -49,9 +49,9 @@ pub(super) fn emit(
     }
 }
 
-/// Bound on the rounding error of a double-double sum near zero, divided by the size of the summands. A weight of a
-/// table that is smaller in relation to its row is 0 in exact arithmetic. An acceleration below this bound is 0 as well,
-/// because the input then does not act on the contact.
+/// Relative bound at or below which a result of double-double arithmetic counts as 0. A weight counts as 0 if it is
+/// below this bound times the largest weight of its row. The acceleration that an input gives the contact counts as 0
+/// if it is below this bound times the sum of the moduli of its terms.
 const ROUNDING: f64 = 1e-26;
 
 fn table<const D: usize>(
@@ -173,8 +173,8 @@ fn without_noise_of_held<const D: usize>(mode: &mut HeldStep<Dd, D>) {
     }
 }
 
-/// Sets the weights of a row to 0 that are 0 in exact arithmetic. Otherwise their rounding errors would change with
-/// every change of the scene.
+/// Sets weights of a row to 0 if they consist only of rounding errors. Otherwise these errors would change with every
+/// change of the scene.
 fn without_noise<'w>(row: impl Iterator<Item = &'w mut Dd>) {
     let row: Vec<&mut Dd> = row.collect();
     let largest = row.iter().map(|weight| weight.abs());
@@ -186,7 +186,7 @@ fn without_noise<'w>(row: impl Iterator<Item = &'w mut Dd>) {
     }
 }
 
-/// Returns the number of power series terms that the scene's scalar type needs.
+/// Returns the number of power series terms that the stepper needs in the scene's scalar type.
 fn terms<S: Float>(emission: &Emission<'_>, step: Dd) -> Option<u32> {
     let to = |value: Dd| S::constant(rounded(value, emission.precision));
     let Emission { scene, modal, .. } = emission;

@@ -364,8 +364,8 @@ fn types(
     }
 }
 
-/// Returns the fields of the input for the loaded masses. The field of the excited mass is `force`. The fields of other
-/// masses have the name of the mass.
+/// Returns the names of the input's fields for the loaded masses. The field of the excited mass is `force`. The field
+/// of any other mass has the name of the mass.
 fn force_fields(emission: &Emission<'_>, steps: &StepperSettings<Dd>) -> Vec<Ident> {
     let places = steps.forces.iter().enumerate();
     let names = places.filter_map(|(place, mass)| {

@@ -1,5 +1,5 @@
-//! Prints several alternatives. The emitted code evaluates only one of them. It computes the operations that all
-//! alternatives share before it chooses.
+//! Prints several alternatives, of which the emitted code evaluates one. The emitted code computes the operations
+//! that all alternatives share before it chooses the alternative.
 
 use super::count::Count;
 use super::print::{Printed, Printer};
@@ -8,15 +8,15 @@ use frictiongen_model::scene::Precision;
 use proc_macro2::TokenStream;
 use std::collections::BTreeSet;
 
-/// One of several alternatives, with the names from its formula.
+/// One of several alternatives: its operations with the names that its formula gives them, and its outputs.
 pub struct Alternative {
     nodes: Vec<Recorded>,
     outputs: Vec<Operand>,
 }
 
 impl Alternative {
-    /// Takes the operations on which `outputs` depend, and clears their names in the graph. The formula of the next
-    /// alternative gives new names, because the same operation may have another meaning in it.
+    /// Takes the operations on which `outputs` depend, and then clears all names in the graph. The formula of the
+    /// next alternative gives new names, because an operation that it shares may have another meaning there.
     #[must_use]
     pub fn of(graph: &Graph, outputs: Vec<Operand>) -> Self {
         let nodes = graph.reachable(&outputs);
@@ -40,7 +40,7 @@ pub fn most_operations(graph: &Graph, alternatives: &[Alternative]) -> Count {
     counts.max_by_key(Count::total).unwrap_or_default()
 }
 
-/// Groups equal alternatives. Each group has the keys of all its alternatives.
+/// Groups equal alternatives. Returns the keys of each group, and the alternative of each group.
 pub fn grouped<T>(all: impl Iterator<Item = (T, Alternative)>) -> (Vec<Vec<T>>, Vec<Alternative>) {
     let (mut groups, mut alternatives): (Vec<Vec<T>>, Vec<Alternative>) = (Vec::new(), Vec::new());
     for (of, alternative) in all {
@@ -87,8 +87,8 @@ pub fn print(
     (statements, alternatives.collect())
 }
 
-/// Returns the operations that all alternatives need and that have the same name in all of them. The list is empty for
-/// a single alternative.
+/// Returns the operations that all alternatives need under the same name. The list is empty if only one alternative
+/// exists.
 fn common(alternatives: &[Alternative]) -> Vec<Recorded> {
     let [first, others @ ..] = alternatives else {
         return Vec::new();

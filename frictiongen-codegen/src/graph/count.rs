@@ -29,7 +29,7 @@ impl Count {
                 continue;
             }
             if let Some(kind) = kind(node) {
-                // The emitted code repeats a comparison in each choice that depends on it.
+                // The emitted code repeats a comparison in each choice that depends on it, so a choice counts twice.
                 let times = if matches!(node, Node::Select(..)) {
                     2
                 } else {

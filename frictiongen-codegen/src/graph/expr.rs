@@ -17,7 +17,7 @@ pub enum Expr<'g> {
 /// Result of a comparison: a truth value that is known when the code is emitted, or a comparison in the emitted code.
 #[derive(Clone, Copy)]
 pub enum Condition<'g> {
-    /// A result that is known while the operations are recorded.
+    /// A result that is known when the code is emitted.
     Known(bool),
     /// A recorded comparison.
     Node(&'g Graph, Id),
@@ -29,8 +29,8 @@ impl Graph {
         Expr::Node(self, self.record(Node::Input(text.into())))
     }
 
-    /// Records a constant of the scene. `text` is the Rust expression that names it. The numbers 0, 1 and −1 fold, so
-    /// that they get no name.
+    /// Records a constant of the scene. `text` is the Rust expression that names it. A constant with the value 0, 1
+    /// or −1 is recorded as a plain number, so that formulas fold it.
     pub fn constant(&self, text: impl Into<String>, value: f64) -> Expr<'_> {
         if value == 0.0 || value.abs() == 1.0 {
             return Expr::Number(value);
@@ -39,8 +39,8 @@ impl Graph {
         Expr::Node(self, self.record_known(node, value))
     }
 
-    /// Records a value that the emitted code computes only if its constant parameter `flag` is true. If `flag` is
-    /// false, the emitted code uses 0. The recorded choice takes over the name of the value.
+    /// Records a choice by the constant parameter `flag` of the emitted function: `value` if `flag` is true,
+    /// otherwise 0. The choice takes over the name of `value`.
     #[must_use]
     pub fn where_asked<'g>(&'g self, flag: &str, value: Expr<'g>) -> Expr<'g> {
         let Expr::Node(_, id) = value else {
@@ -123,7 +123,7 @@ impl<'g> Expr<'g> {
         }
     }
 
-    /// Returns a if this value was recorded as `-a`. The recorder can thus write a − (−b) as a + b.
+    /// Returns a if this value was recorded as `-a`. The recorder uses a to write x − (−a) as x + a.
     fn negated(self) -> Option<Self> {
         let Self::Node(graph, id) = self else {
             return None;
@@ -342,10 +342,10 @@ impl<'g> Scalar for Expr<'g> {
     }
 }
 
-/// Returns true if the emitted code keeps an operation on constants of the scene, so that the compiler computes it in
-/// the scene's precision. The compiler's result must equal `value`, which is computed in double precision and then
-/// rounded to the scene's precision. An operation does not stay if its result allows further folding, or if compilers
-/// may round its function differently.
+/// Returns true if the emitted code contains this operation on constants of the scene, so that the compiler computes
+/// it in the scene's precision. If false, the emitted code contains only the result. The compiler's result must equal
+/// `value`, which is computed in double precision and rounded to the scene's precision. The function also returns
+/// false if the value of the operation allows further folding, or if compilers may round the operation differently.
 fn stays(precision: Precision, op: Binary, operands: [f64; 2], value: f64) -> bool {
     let rounded = |value: f64| match precision {
         Precision::F64 => value,
@@ -360,7 +360,8 @@ fn stays(precision: Precision, op: Binary, operands: [f64; 2], value: f64) -> bo
         Binary::Div => a / b,
         _ => return false,
     };
-    // Double precision has more than twice as many digits as single precision, so the second rounding does no harm.
+    // Double precision has more than twice as many digits as single precision. The second rounding therefore does no
+    // harm.
     let same = rounded(computed).to_bits() == rounded(value).to_bits();
     same && value.is_finite() && value != 0.0 && value.abs() != 1.0
 }

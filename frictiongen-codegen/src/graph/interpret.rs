@@ -1,4 +1,4 @@
-//! Evaluates a graph in numbers, with the operations of the emitted code in the same order.
+//! Evaluates a graph in numbers. It performs the operations of the emitted code in the order of the emitted code.
 
 use super::{Binary, Graph, Id, Node, Operand, Unary};
 use frictiongen_kernel::Float;
@@ -11,8 +11,8 @@ enum Value<S> {
     Truth(bool),
 }
 
-/// Returns the values of `outputs`. `input` returns the value of an external value, given the Rust expression that
-/// names it. Returns `None` if `input` does not know an external value.
+/// Returns the values of `outputs`. `input` maps the Rust expression of an external value to its number. Returns
+/// `None` if `input` does not know an expression.
 pub fn interpret<S: Float>(
     graph: &Graph,
     outputs: &[Operand],

@@ -3,7 +3,7 @@
 use frictiongen_model::scene::Precision;
 use proc_macro2::{Literal, TokenStream};
 
-/// Returns a number as a literal. It is the shortest text that Rust reads as the same bits.
+/// Returns a number as a literal: the shortest text that Rust reads back to the same bits.
 #[must_use]
 pub fn literal(value: f64, precision: Precision) -> TokenStream {
     #[allow(clippy::cast_possible_truncation, reason = "the scene's scalar is f32")]

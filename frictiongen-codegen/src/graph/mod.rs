@@ -26,7 +26,7 @@ pub struct Id(pub(crate) usize);
 pub enum Operand {
     /// A recorded operation.
     Node(Id),
-    /// A number, by its bits.
+    /// A number, stored as the bits of an `f64`.
     Number(u64),
 }
 
@@ -77,11 +77,11 @@ pub enum Node {
     Unary(Unary, Operand),
     /// An operation on two numbers.
     Binary(Binary, Operand, Operand),
-    /// The pair (sin πh, cos πh).
+    /// The pair (sin πh, cos πh), where h is the operand.
     SinCosPi(Operand),
-    /// The pair (sin π(h − d), cos π(h − d)).
+    /// The pair (sin π(h − d), cos π(h − d)), where h is the first and d the second operand.
     SinCosPiMinus(Operand, Operand),
-    /// The first or the second result of an operation that returns a pair.
+    /// One result of an operation that returns a pair. The second field selects the first or the second result.
     Part(Id, bool),
     /// The comparison a < b.
     Less(Operand, Operand),
@@ -91,11 +91,11 @@ pub enum Node {
     Select(Id, Operand, Operand),
 }
 
-/// A recorded operation with its index and its name.
+/// Index, operation and name of a recorded operation.
 pub(crate) type Recorded = (Id, Node, Option<Name>);
 
-/// Name of the value that an operation computes. `about` is the formula's explanation of this value, which the emitted
-/// code shows.
+/// Name of the value that an operation computes. `about` is the formula's explanation of the value. The emitted code
+/// shows it as a comment.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Name {
     pub text: String,
@@ -115,7 +115,7 @@ struct Inner {
 #[derive(Default)]
 pub struct Graph {
     inner: RefCell<Inner>,
-    /// True if names of values contain the number of the mode.
+    /// True if the names of values contain the number of their mode.
     numbered: bool,
     /// Precision in which the emitted code computes.
     precision: Precision,
@@ -171,15 +171,15 @@ impl Graph {
         self.inner.borrow().values.get(&id).copied()
     }
 
-    /// Records an operation on constants of the scene, with its value.
+    /// Records an operation whose operands are constants of the scene. `value` is its result.
     pub(crate) fn record_known(&self, node: Node, value: f64) -> Id {
         let id = self.record(node);
         self.inner.borrow_mut().values.insert(id, value);
         id
     }
 
-    /// Removes the names of all operations. Formulas that are recorded later can then name operations that already
-    /// exist.
+    /// Removes the names of all operations. A formula that is recorded later can then give its own names to existing
+    /// operations.
     pub(crate) fn unname(&self) {
         self.inner.borrow_mut().names.fill(None);
     }

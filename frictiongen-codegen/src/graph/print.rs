@@ -63,7 +63,7 @@ impl Printer {
         }
     }
 
-    /// Binds each value that has a name or more than one use. An output counts as `each` uses of its value.
+    /// Binds each value that has a name or more than one use. Each output counts as `each` uses of its value.
     pub(super) fn visit_all(&mut self, nodes: &[Recorded], outputs: &[Operand], each: usize) {
         let mut uses: BTreeMap<Id, usize> = BTreeMap::new();
         for (_, node, _) in nodes {
@@ -98,7 +98,7 @@ impl Printer {
         }
     }
 
-    /// Returns the statements that the printer has bound since the last call of this function.
+    /// Returns the `let` statements that the printer has collected since the last call of this function.
     pub(super) fn statements(&mut self) -> TokenStream {
         std::mem::take(&mut self.statements)
     }
@@ -193,7 +193,7 @@ impl Printer {
         }
     }
 
-    /// Returns the operand. It is in parentheses if its precedence is below `least`.
+    /// Returns the text of an operand. The text is in parentheses if its operator binds less tightly than `least`.
     fn within(&self, operand: &Operand, least: Binds) -> TokenStream {
         let text = self.text(operand);
         let tokens = text.tokens;
@@ -298,8 +298,8 @@ impl Printer {
     }
 }
 
-/// Returns an explanation as the doc comment of a `let` statement. The compiler ignores the comment. It helps the
-/// reader.
+/// Returns an explanation as the doc comment of a `let` statement. The comment is for readers. The compiler ignores
+/// it.
 fn explained(about: &str) -> TokenStream {
     if about.is_empty() {
         return TokenStream::new();
@@ -308,7 +308,7 @@ fn explained(about: &str) -> TokenStream {
     code!(#[doc = #about])
 }
 
-/// Returns π or 2π by its name.
+/// Returns the name of a constant if the value is π or 2π.
 fn named_number(value: f64) -> Option<TokenStream> {
     use std::f64::consts::{PI, TAU};
     let name = [(PI, code!(PI)), (TAU, code!(TAU))];
@@ -343,7 +343,7 @@ fn unary_name(op: Unary) -> &'static str {
     }
 }
 
-/// Returns the tokens with the hygiene of code from this crate.
+/// Returns the tokens with mixed-site hygiene: local names in them do not clash with names of the user.
 fn mixed(tokens: TokenStream) -> TokenStream {
     tokens
         .into_iter()
@@ -354,7 +354,7 @@ fn mixed(tokens: TokenStream) -> TokenStream {
         .collect()
 }
 
-/// Returns the name of a shared value that has no name of its own.
+/// Returns the name of a bound value whose formula gives it no name.
 fn fallback(node: &Node) -> &'static str {
     match node {
         Node::Binary(Binary::Add, ..) => "sum",

@@ -1,5 +1,6 @@
-//! Tests the message for a method that the scene does not provide. It names the item to add to `provide`, and no
-//! further error follows. After a change run `TRYBUILD=overwrite cargo test -p refused-scenes --test missing`.
+//! Tests the compiler message for a method that the scene does not provide. The message names the item to add to
+//! `provide`. No further error follows. After a change run `TRYBUILD=overwrite cargo test -p refused-scenes --test
+//! missing`.
 
 #[test]
 fn what_is_not_provided_says_where_to_add_it() {

@@ -1,8 +1,8 @@
-//! Tests masses beyond the contact that act as absorbers: V and H vanish together at the natural frequencies of these
-//! masses.
+//! Tests masses beyond the contact that act as absorbers. At the natural frequencies of these masses, V (response of
+//! the contact to the load) and H (response of the contact to its own force) vanish together.
 //!
-//! With the contact stuck, the masses beyond it have no load and do not move. The tests compare every mass, not only
-//! those between load and contact.
+//! With the contact stuck, the masses beyond it have no load and do not move. The tests compare every mass, including
+//! the masses beyond the contact.
 
 use frictiongen::{FrictionSystem, LimitsAt, Regime, StuckAt, System, friction_system};
 use frictiongen_kernel::number::dd::Dd;
@@ -46,7 +46,7 @@ const FIVE: &str = "struct Five { masses: { m1: 1, m2: 1, m3: 1, m4: 1, m5: 1 },
     springs: { base - m1: 1, m1 - m2: 1, m2 - m3: 1, m3 - m4: 1, m4 - m5: 1 },
     contact: m3 - wall, excitation: m1 }";
 
-/// Returns the frequency ratio r, and ratios on either side of it in decreasing distance.
+/// Returns the frequency ratio r, and ratios on both sides of r at decreasing distances.
 fn beside(r: f64) -> Vec<f64> {
     let mut ratios = vec![r, r.next_up(), r.next_down()];
     for exponent in 1..=15 {
@@ -56,26 +56,26 @@ fn beside(r: f64) -> Vec<f64> {
     ratios
 }
 
-/// Function that returns β*_lim and the masses' amplitudes (over P/k₁) at r.
+/// Function of r that returns β*_lim, and the amplitude of each mass, divided by P/k₁.
 type Exact = fn(f64) -> (f64, Vec<f64>);
 
-/// Returns the exact result for three masses with the contact stuck. Mass m₁ is between two unit springs, and m₃ hangs
-/// on a mass at rest.
+/// Returns the exact result for three unit masses with the contact on m₂ stuck. Mass m₁ is between two unit springs.
+/// Mass m₃ hangs on m₂, which is at rest, and does not move.
 fn three(r: f64) -> (f64, Vec<f64>) {
     let first = 1.0 / (2.0 - r * r);
     (first.abs(), vec![first, 0.0, 0.0])
 }
 
-/// Returns the exact result for five masses with the contact stuck. Masses m₁ and m₂ are between the base and the stuck
-/// m₃, on which m₂ pulls.
+/// Returns the exact result for five unit masses with the contact on m₃ stuck. Masses m₁ and m₂ oscillate between the
+/// base and m₃, and the force in the contact is the force of m₂ on m₃.
 fn five(r: f64) -> (f64, Vec<f64>) {
     let a = 2.0 - r * r;
     let (first, second) = (a / (a * a - 1.0), 1.0 / (a * a - 1.0));
     (second.abs(), vec![first, second, 0.0, 0.0, 0.0])
 }
 
-/// Compares every limit and amplitude of a system near `r`, each within `tolerance` of the largest amplitude. Returns
-/// the number of compared values and the worst error.
+/// Compares every limit and every amplitude of a system at frequency ratios near `r`. Each amplitude must be within
+/// `tolerance` of the largest amplitude. Returns the number of compared values and the largest error.
 fn check<F>(system: &F, r: f64, exact: Exact, tolerance: f64) -> (usize, f64)
 where
     F: FrictionSystem,
@@ -112,20 +112,20 @@ where
     (compared, worst)
 }
 
-/// Tolerance in double precision. At a relative distance d from the absorber's frequency, the quotient V/H has an error
-/// of a rounding over d, and the series an error of d⁴. Both are equal where d⁴ is somewhat above a rounding, and about
-/// a quarter of the digits is lost there.
+/// Tolerance in double precision. At a relative distance d from the absorber's frequency, the quotient V/H has an
+/// error of ε/d, where ε is the rounding unit, and the series has an error of d⁴. Both errors are equal where d⁴ is
+/// somewhat above ε. There about a quarter of the digits is lost.
 const DOUBLE: f64 = 1e-11;
 const SINGLE: f64 = 1e-4;
-/// Tolerance in double-double. The formula keeps three quarters of 31 digits, or 1e-23, but the exact values are in
-/// double precision.
+/// Tolerance in double-double. The formula keeps three quarters of 31 digits, which would allow 1e-23. The exact
+/// values, however, are in double precision.
 const EXACT: f64 = 2e-15;
 
 #[test]
 fn three_masses_at_the_absorbers_frequency() {
     let system: System = THREE.parse().expect("a valid scene");
     let exact: System<Dd> = THREE.parse().expect("a valid scene");
-    // There are 33 frequencies, each with one limit and three complex amplitudes.
+    // Each check compares 33 frequencies, each with one limit and three complex amplitudes.
     for (compared, _) in [
         check(&Three, 1.0, three, DOUBLE),
         check(&system, 1.0, three, DOUBLE),
@@ -140,8 +140,8 @@ fn three_masses_at_the_absorbers_frequency() {
     );
 }
 
-/// Checks five unit masses with the contact in the middle. The natural frequencies of the two masses beyond it, as
-/// ratios, are the golden ratio and its reciprocal.
+/// Checks five unit masses with the contact in the middle. The natural frequencies of the two masses beyond the
+/// contact, as frequency ratios, are the golden ratio and its reciprocal.
 #[test]
 fn two_masses_beyond_the_contact() {
     let system: System = FIVE.parse().expect("a valid scene");

@@ -1,5 +1,6 @@
-//! Compares answers, at run time and through the macro, with the reference values of `reference/closed_form.json` and
-//! of the wedges in `reference/several_states.json`. A wedge is the range of friction ratios between β*_lim and β_lim.
+//! Compares the answers of run-time systems and of emitted code with the reference values of
+//! `reference/closed_form.json` and of the wedges in `reference/several_states.json`. A wedge is the range of
+//! friction ratios between β*_lim and β_lim.
 
 use frictiongen::System;
 use frictiongen::study::scene::Scene;
@@ -12,16 +13,16 @@ use generated_tests::reference::{
 use generated_tests::scenes::{TEXTS, compare_double, compare_single};
 use generated_tests::wedges as emitted_wedges;
 
-/// Tolerance in double precision: 1e-12 of each quantity's scale, which is some 4500 roundings.
+/// Tolerance in double precision: 1e-12 of the scale of each quantity, which is about 4500 rounding units.
 ///
-/// The tolerance covers two losses. At a point within 1e-2 of a subharmonic up to three of the sixteen digits are lost.
-/// At r far above the resonances, the modal terms of a mass several springs away from load and contact cancel to 1e-4
-/// of their size. An example is scene 20, mass 4, r = 5.3.
+/// The tolerance covers two losses. Within 1e-2 of a subharmonic, a point loses up to three of the sixteen digits. At
+/// r far above the resonances, the modal terms of a mass several springs away from load and contact cancel to 1e-4 of
+/// their size. An example is mass 4 of scene 20 at r = 5.3.
 const DOUBLE: f64 = 1e-12;
 
-/// Tolerance in single precision: 2e-4 of each quantity's scale, which is some 1700 roundings.
+/// Tolerance in single precision: 2e-4 of the scale of each quantity, which is about 1700 rounding units.
 const SINGLE: f64 = 2e-4;
-/// Numbers of the scenes whose points lose too many digits for 2e-4 in single precision.
+/// Numbers of the scenes whose points lose too many digits for the tolerance 2e-4 in single precision.
 ///
 /// Scenes 11 and 20 have far masses above the resonances, and scene 30 has limits near a subharmonic. There the
 /// rounding of r and λ to single precision alone changes the limits by more than 2e-4.
@@ -63,10 +64,11 @@ fn run_time_system() {
     all_within(&worst, DOUBLE);
 }
 
-/// Tolerance for the wedges, in units of a quantity's scale. It is 64 roundings of ε = 2⁻⁵².
+/// Tolerance for the wedges, as a multiple of the scale of a quantity: 64 rounding units ε = 2⁻⁵².
 ///
-/// The scale is the value itself. For displacements and harmonics it is the amplitude of their mass, for a stuck
-/// response the largest of its scene, for a phase one radian.
+/// The scale is the modulus of the value itself, with three exceptions. For a displacement or harmonic it is the
+/// amplitude of the mass. For a stuck response it is the largest stuck response of the scene. For a phase it is one
+/// radian.
 const WEDGE: f64 = 64.0 * f64::EPSILON;
 /// Number of compared values of each kind in the wedges: 22 points of 14 scenes, 44 motions of 80 masses.
 const WEDGES: [(&str, usize); 10] = [
@@ -89,7 +91,7 @@ fn all_wedges_within(worst: &Worst, tolerance: impl Fn(&str) -> f64) {
     assert_eq!(worst.beyond(tolerance), Vec::<String>::new());
 }
 
-/// Checks that with μ > 1 the closed form is a steady state for every β < β_lim, also for β above β*_lim.
+/// Checks that with μ > 1 the closed form is a steady state for every β < β_lim, including β above β*_lim.
 #[test]
 fn wedges_at_run_time() {
     let (mut worst, mut wide) = (Worst::default(), Worst::default());
@@ -117,15 +119,16 @@ fn emitted_wedges() {
     }
 }
 
-/// Tolerance in double-double: half a unit of the reference's 20th digit, 5e-20, and as much again for the comparison.
+/// Tolerance in double-double: half a unit of the reference's 20th digit, 5e-20, plus the same amount for the
+/// comparison.
 const DIGITS: f64 = 1e-19;
-/// Tolerance for phases in double-double, in rad. The reference has fewer digits for the instant of a maximum, 1e-16,
-/// than for its height. The worst phase is that of scene 31, r = 0.445156, mass 3: in 50 digits it is
+/// Tolerance for phases in double-double, in rad. The reference gives the instant of a maximum to 1e-16, which is
+/// less accurate than its height. The worst phase is that of scene 31, r = 0.445156, mass 3: in 50 digits it is
 /// −3.113282548776704094, and the reference ends in …4180.
 const PLACES: f64 = 2e-16;
 
-/// Checks that the formulas in double-double, which are the reference of other tests, agree with the JSON file to its
-/// digits.
+/// Checks that the formulas in double-double agree with the digits of the JSON file. Other tests use these formulas
+/// as the reference.
 #[test]
 fn read_in_double_double() {
     let mut worst = Worst::default();
@@ -139,7 +142,8 @@ fn read_in_double_double() {
     assert_eq!(beyond, Vec::<String>::new());
 }
 
-/// Checks the extremes in double-double. They are near poles, where up to ten of the 31 digits are lost.
+/// Checks the values of `extremes.json` in double-double. They are near poles, where up to ten of the 31 digits are
+/// lost.
 #[test]
 fn extremes_read_in_double_double() {
     let mut all = Worst::default();
@@ -158,8 +162,8 @@ fn extremes_read_in_double_double() {
         }
     }
     println!("{usual}\nr = 0 and r = ∞:\n{ends}\nζ = 1e-300:\n{vanishing}");
-    // There are 272 points. Nine have no limit by search, and ten at both bounds of the range have no limit without
-    // search. Two motions exist at 253 points.
+    // There are 272 points. Nine have no β_lim by search, and ten at both bounds of the range have no β_lim without
+    // search. At 253 points the reference has two motions.
     let compared = [
         ("contact amplitude", 506),
         ("contact phase", 506),
@@ -193,7 +197,7 @@ fn emitted_single() {
     for (index, scene) in compare_single(&closed_form()).into_iter().enumerate() {
         let failed = scene.beyond(|_| SINGLE);
         if ILL_CONDITIONED.contains(&(index + 1)) {
-            // At these points five times the tolerance is enough.
+            // For the points of these scenes, five times the tolerance is enough.
             assert_eq!(scene.beyond(|_| 5.0 * SINGLE), Vec::<String>::new());
             ill.join(scene);
         } else if failed.is_empty() {
@@ -228,7 +232,7 @@ fn read(text: &str) -> Scene {
     }
 }
 
-/// Checks that with one mass the sum of the modes' own maxima is the maximum of the sum.
+/// Checks that with one mass the sum of the modes' own maxima equals the maximum of the sum.
 #[test]
 fn one_mode_has_its_own_maximum() {
     let (mut compared, mut searched, mut worst) = (0, 0, 0.0);
@@ -262,9 +266,10 @@ fn one_mode_has_its_own_maximum() {
         }
     }
     println!("{compared} values compared, worst {worst:.1e}; {searched} with a search");
-    // Both searches find S to a few roundings, and U² + S² may double this error.
+    // Both searches find S, the largest velocity constraint, to a few rounding units. The sum U² + S² may double this
+    // error.
     assert!(worst < 1e-14);
     assert_eq!(compared, 6 * 2 * 199);
-    // Only searches count in which S exceeds its value at the start of the half period.
+    // The test counts only searches in which S exceeds its value at the start of the half period.
     assert!(searched > 100, "{searched}");
 }

@@ -1,4 +1,5 @@
-//! Tests arguments outside the domain, at its bounds, and on the boundaries of the regimes.
+//! Tests arguments outside the domain, arguments at the bounds of the domain, and friction ratios at the limits of
+//! the regimes.
 
 use frictiongen::{Error, Given, NotContinuous, OutOfDomain, Regime, System};
 use generated_tests::shown::{
@@ -84,8 +85,8 @@ fn without_friction_there_is_always_a_motion() {
     assert_eq!(compared, 3 * 2);
 }
 
-/// Checks the regimes on an undamped resonance. The threshold is π/4·|φᵀp/φᵀw|, and with less friction the motion is
-/// unbounded.
+/// Checks the regimes on an undamped resonance. The motion is bounded from the friction ratio π/4·|φᵀp/φᵀw| on; with
+/// less friction it is unbounded.
 #[test]
 fn on_a_resonance() {
     let at = SdofWall::at(SdofWall::RESONANCES[0]).expect("in the domain");
@@ -129,7 +130,7 @@ fn the_ends_of_the_range() {
     assert_eq!((at.continuous_limit(), at.sliding_limit()), (0.0, 1.0));
     assert_eq!(at.regime(0.5), Ok(Regime::StickSlip));
     let at = SdofWall::at(f64::INFINITY).expect("in the domain");
-    // The expected value is 2/√(4 + π²).
+    // The expected value of β_lim is 2/√(4 + π²).
     assert!((at.continuous_limit() - 0.537_029_272_146_315_1).abs() < 1e-15);
     assert_eq!(at.sliding_limit(), 1.0);
     let at = SdofBase::at(f64::INFINITY).expect("in the domain");
@@ -140,7 +141,7 @@ fn the_ends_of_the_range() {
     let at = SdofBase::at(0.0).expect("in the domain");
     assert_eq!((at.continuous_limit(), at.sliding_limit()), (0.0, 0.0));
     assert_eq!(at.regime(0.1), Ok(Regime::Stuck));
-    // The limits at nearby ratios approach those at the bound, in both precisions.
+    // The limits at frequency ratios near a bound of the domain approach the limits at the bound, in both precisions.
     let far = PairMasses::at(f64::INFINITY)
         .expect("in the domain")
         .continuous_limit();

@@ -1,4 +1,4 @@
-//! Tests a description in a file, a description in a function, and several descriptions in one module.
+//! Tests a description in a file, a description within a function, and several descriptions in one module.
 
 use frictiongen::{System, friction_system};
 use generated_tests::shown::Braced;
@@ -7,7 +7,8 @@ mod from_file {
     frictiongen::friction_system!("scenes/braced.friction");
 }
 
-/// Checks that a description in a file gives the same solver as the same scene in the source, with the same arithmetic.
+/// Checks that a description in a file gives the same solver as the same scene in the source: their limits are
+/// exactly equal.
 #[test]
 fn a_file_is_a_description() {
     let mut compared = 0;

@@ -1,5 +1,5 @@
-//! Tests of closed forms: limits, continuous motion and stuck responses, at run time and emitted. The references have
-//! 40 digits, or solve the governing equations.
+//! Tests of closed forms: limits, continuous motion and stuck responses, of run-time systems and of emitted code. The
+//! references have 40 digits, or come from solutions of the governing equations.
 
 mod absorber;
 mod closed_form;

@@ -1,5 +1,5 @@
-//! Tests one formula in three implementations: an interpreter of the recorded graph, the compiled code printed from
-//! that graph, and the run-time system.
+//! Tests one formula in three implementations: an interpreter of the recorded graph, the compiled code that was
+//! printed from that graph, and the run-time system.
 
 use frictiongen::{
     ContinuousMotion, FrictionSystem, Given, LimitsAt, MotionAt, Of, OutOfDomain, Slice, Steady,
@@ -11,8 +11,8 @@ use generated_tests::shown;
 
 const RATIOS: [f64; 7] = [0.0371, 0.3, 0.61, 0.97, 1.3, 2.2, 9.0];
 
-/// Compares the limits at several points. The interpreted and the compiled limits must be equal bit for bit. Those of
-/// the run-time system may differ by `roundings` roundings.
+/// Compares the limits at several points. The interpreted and the compiled limits must be equal bit for bit. The
+/// limits of the run-time system may differ from them by `roundings` rounding units.
 fn check<S, F>(name: &str, emitted: &F, roundings: f64)
 where
     S: Float,
@@ -165,8 +165,8 @@ fn same_bits<S: Float>(interpreted: S, compiled: S, place: &str) {
     );
 }
 
-/// Asserts a difference of at most `roundings` roundings of `scale`. In double precision 1e-13 is 450 roundings, and
-/// single precision has the same number.
+/// Asserts a difference of at most `roundings` rounding units times `scale`. The number of rounding units is the same
+/// in both precisions. In double precision 1e-13 is 450 rounding units.
 fn close<S: Float>(a: S, b: S, scale: S, roundings: f64, place: &str) {
     let bound = scale.to_f64().abs() * roundings * S::EPSILON;
     let difference = (a.to_f64() - b.to_f64()).abs();
@@ -238,14 +238,14 @@ fn stuck_responses_agree() {
         }
         println!("{name}: {compared} values compared, {tied} of tied masses found to be 0");
         assert_eq!(compared + tied, RATIOS.len() * scene.masses.len() * 2);
-        // On the wall one mass is held by the stuck contact. If two masses rub on each other, none is held.
+        // A contact on the wall holds one mass while it is stuck. A contact between two masses holds none.
         let masses = usize::from(name != "PairMasses");
         assert_eq!(tied, RATIOS.len() * masses * 2, "{name}");
     }
     check_all!(stuck: PairMasses, Five, Symmetric);
 }
 
-/// Checks that `limits_without_search` gives the same bits as the limits by `at`, emitted and at run time.
+/// Checks that `limits_without_search` gives the same bits as the limits by `at`, in emitted code and at run time.
 #[test]
 fn limits_without_search_are_those_of_at() {
     fn by_at<F: FrictionSystem>(system: &F, r: F::Scalar) -> [u64; 2] {
@@ -280,7 +280,7 @@ fn limits_without_search_are_those_of_at() {
         sliced(name, system, &ratios);
         ratios.len()
     }
-    /// Compares slices that begin and end at every position within a group that is evaluated together.
+    /// Compares slices that begin and end at every position within a group of elements that is evaluated together.
     fn sliced<F: FrictionSystem>(name: &str, system: &F, ratios: &[F::Scalar]) {
         let none = F::Scalar::constant(-1.0);
         for (from, left) in (0..9).zip([0, 5, 3, 1, 4, 8, 2, 7, 6]) {
@@ -293,7 +293,7 @@ fn limits_without_search_are_those_of_at() {
                 assert_eq!(found, at_once(system, *r), "{name} at r = {r:?} of a slice");
             }
         }
-        // The first invalid r ends the evaluation of the slice, and the elements before it are filled in.
+        // The first invalid r ends the evaluation of the slice. The results of the elements before it are filled in.
         for at in 0..19 {
             let mut rs = ratios[700..720].to_vec();
             rs[at] = F::Scalar::constant(f64::NAN);

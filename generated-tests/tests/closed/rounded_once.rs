@@ -1,15 +1,17 @@
 //! Tests that constants in single precision are double-double numbers, rounded once.
 //!
-//! A conversion through a double would round them twice. The difference shows only where the double lies halfway
-//! between two single numbers. The second rounding then does not know on which side the number was. The stiffnesses
-//! here are (1 + k·2⁻²⁴)² with a rounding up or down. ω = √(k₁/m₁) then differs from a halfway point by 2⁻⁵³.
+//! A conversion through a double would round them twice. The difference shows only if the double lies halfway between
+//! two single numbers, because the second rounding then does not know on which side of the halfway point the exact
+//! number is. The stiffnesses here are (1 + k·2⁻²⁴)² with a rounding up or down. ω = √(k₁/m₁) then differs from a
+//! halfway point by 2⁻⁵³.
 
 use frictiongen::{System, friction_system};
 
-/// Stiffness with ω = 1 + 2⁻²⁴ + 2⁻⁵³. The nearest single number is 1 + 2⁻²³, but the even neighbour of the halfway
-/// point is 1.
+/// Stiffness with ω = 1 + 2⁻²⁴ + 2⁻⁵³. The nearest single number is 1 + 2⁻²³. A rounding through a double would give
+/// the even neighbour 1.
 const ABOVE: &str = "1.0000001192092933";
-/// Stiffness with ω = 1 + 3·2⁻²⁴ − 2⁻⁵³. The nearest single number is 1 + 2⁻²³, but the even neighbour is 1 + 2⁻²².
+/// Stiffness with ω = 1 + 3·2⁻²⁴ − 2⁻⁵³. The nearest single number is 1 + 2⁻²³. A rounding through a double would
+/// give the even neighbour 1 + 2⁻²².
 const BELOW: &str = "1.0000003576279004";
 
 friction_system! {
@@ -65,7 +67,7 @@ fn emitted_and_at_run_time() {
         assert_eq!(got, nearest, "{what}");
         compared += 1;
     }
-    // Each compared frequency is also divided by ω.
+    // The frequency ratio of 1 rad/s is 1/ω, so it shows the same rounding.
     for (what, got) in [
         ("emitted, above", Above::frequency_ratio(1.0)),
         ("emitted, below", Below::frequency_ratio(1.0)),

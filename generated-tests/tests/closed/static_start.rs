@@ -1,10 +1,10 @@
-//! Compares the quasi-static start with a linear solve of the chain: K x = p − βw while the contact slides.
+//! Compares `quasi_static_start` with a linear solve of the chain: K x = p − βw while the contact slides.
 
 use frictiongen::System;
 use generated_tests::larger;
 use nalgebra::{DMatrix, DVector};
 
-/// A scene with its stiffness matrix over k₁, load vector p and direction vector w of the contact.
+/// A scene with its stiffness matrix divided by k₁, its load vector p, and the direction vector w of its contact.
 struct Case {
     text: &'static str,
     stiffness: &'static [&'static [f64]],
@@ -62,7 +62,7 @@ fn starts_are_static_displacements() {
             DVector::from_column_slice(case.load),
             DVector::from_column_slice(case.contact),
         );
-        // The force in the stuck contact, over P, is wᵀK⁻¹p/wᵀK⁻¹w.
+        // The force in the stuck contact, divided by P, is wᵀK⁻¹p/wᵀK⁻¹w.
         let free = k.solve(&p).expect("a chain that is held");
         let by_contact = k.solve(&w).expect("a chain that is held");
         let holding = (w.dot(&free) / w.dot(&by_contact)).abs();

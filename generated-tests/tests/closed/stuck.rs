@@ -1,5 +1,5 @@
-//! Tests the frequencies at which the response with a stuck contact is refused with `StuckResonance`. The tests run
-//! emitted and at run time, in both precisions, and on every mass. No frequency near a refused one is refused.
+//! Tests the frequencies at which `StuckResonance` refuses the response while the contact is stuck. The tests cover
+//! emitted code and run-time systems, both precisions, and every mass. No frequency near a refused one is refused.
 
 use frictiongen::{FrictionSystem, StuckAt, StuckResonance, System, friction_system};
 use frictiongen_kernel::{Float, Scalar};
@@ -43,7 +43,7 @@ friction_system! {
     }
 }
 
-// With damping, the response of the same mode is bounded.
+// With damping, the response of the mode that the contact does not touch is bounded.
 friction_system! {
     pub struct Damped {
         masses: { left: 1, middle: 1, right: 1 },
@@ -55,8 +55,8 @@ friction_system! {
     }
 }
 
-/// Asserts that every mass is refused on the resonances in `invisible`, given by number. No mass may be refused on the
-/// other resonances, nor one rounding next to any resonance. Returns the number of answers.
+/// Asserts that every mass is refused on the resonances with the numbers in `invisible`. No mass may be refused on
+/// another resonance, or one rounding unit next to any resonance. Returns the number of answers.
 fn check<F>(system: &F, invisible: &[usize]) -> usize
 where
     F: FrictionSystem,
@@ -103,7 +103,7 @@ fn a_resonance_that_the_contact_does_not_touch() {
     assert_eq!(check(&single, &[1]), 27);
     assert_eq!(check(&Seven, &[1, 3, 5]), 147);
     assert_eq!(check(&seven, &[1, 3, 5]), 147);
-    // The inherent functions must return the same as those of the trait.
+    // The inherent functions must return the same results as those of the trait.
     let r = Symmetric::RESONANCES[1];
     let refused = |at: Result<_, _>| matches!(at, Err(StuckResonance));
     assert!(refused(
@@ -120,8 +120,8 @@ fn a_damped_one_is_bounded() {
     let system: System = text.parse().expect("a valid scene");
     assert_eq!(check(&Damped, &[]), 27);
     assert_eq!(check(&system, &[]), 27);
-    // The difference of the left and right mass contains that mode alone. Each mass has φ² = 1/2 and λ is 2, so each
-    // has (1/4)/(2iζ) of the mode, with opposite signs.
+    // The difference between the left and the right mass contains only the second mode. Each mass has φ² = 1/2, and λ
+    // is 2, so the mode moves each mass by (1/4)/(2iζ), with opposite signs.
     let at = Damped::at(Damped::RESONANCES[1]).expect("in the domain");
     let stuck = at.stuck().expect("damped");
     let apart = stuck.left() - stuck.right();
@@ -131,8 +131,8 @@ fn a_damped_one_is_bounded() {
     );
 }
 
-/// Checks that a mode that neither the contact nor the load drives is not in the response. In this scene the load acts
-/// on the middle mass.
+/// Checks that a mode that neither the contact nor the load drives is not in the response. The load of this scene
+/// acts on the middle mass.
 #[test]
 fn one_that_nothing_drives_is_not_there() {
     let text = SYMMETRIC.replace("excitation: left", "excitation: middle");
@@ -152,8 +152,8 @@ friction_system! {
     }
 }
 
-/// Checks the response at a resonance of the chain with its contact stuck. It is 1/(4 − r²) up to the rounding of the
-/// natural frequencies, so it is above 10¹⁴, or refused.
+/// Checks the response at a resonance of the chain with its contact stuck. The exact response is 1/(4 − r²). With the
+/// rounding of the natural frequencies it must be above 10¹⁴, or be refused.
 #[test]
 fn a_resonance_of_the_held_chain() {
     let text = "struct Held { masses: { m1: 1, m2: 1 }, springs: { base - m1: 1, m1 - m2: 3 },

@@ -1,5 +1,5 @@
-//! Tests a contact that the load reaches through a very weak spring. Its residues are 1e-14 and less of the largest
-//! possible ones, but they are not noise. The reference solves the equations of two masses by hand.
+//! Tests a contact that the load reaches through a very weak spring. The residues of this contact are at most 1e-14
+//! of the largest possible ones, but they are not noise. The reference solves the equations of two masses by hand.
 
 use frictiongen::{FrictionSystem, LimitsAt, StuckAt, System, friction_system};
 use frictiongen_kernel::number::dd::Dd;
@@ -29,11 +29,11 @@ fn text(coupling: f64) -> String {
     )
 }
 
-/// Compares the limits and the stuck response with the two masses by hand.
+/// Compares the limits and the stuck response with formulas for the two masses that were derived by hand.
 ///
-/// The force in the stuck contact of m₂ is κx₁ with x₁ = 1/(1 + κ − r²). Without a search β_lim is |V|/√(U² + (m*/r² +
-/// H_c)²). Without damping, H_c = 0 and V = κ/((1 + κ − r²)(3 + κ − 2r²) − κ²). U is that of m₂ alone on its spring, up
-/// to a relative κ².
+/// The force in the stuck contact of m₂ is κx₁ with x₁ = 1/(1 + κ − r²). β_lim without search is |V|/√(U² + (m*/r² +
+/// H_c)²). Without damping, H_c = 0 and V = κ/((1 + κ − r²)(3 + κ − 2r²) − κ²). U is that of m₂ alone on its spring,
+/// up to a relative κ².
 fn check<F>(system: &F, coupling: f64, tolerance: f64) -> usize
 where
     F: FrictionSystem,
@@ -79,7 +79,8 @@ where
     compared
 }
 
-/// Tolerance of 450 roundings. The values by hand lose tens of roundings near their own poles.
+/// Tolerance: 450 rounding units. The formulas that were derived by hand lose tens of rounding units near their own
+/// poles.
 const TOLERANCE: f64 = 1e-13;
 
 #[test]

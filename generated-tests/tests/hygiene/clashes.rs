@@ -2,7 +2,7 @@
 #![deny(warnings)]
 #![no_std]
 
-/// Constants with the names of local variables in emitted code, which must not refer to them.
+/// Constants with the names of local variables in emitted code. The emitted code must not refer to these constants.
 pub mod values {
     #![allow(non_upper_case_globals, dead_code)]
 
@@ -43,7 +43,7 @@ pub mod values {
     }
 }
 
-/// Statics and unit structs with the names of local variables in emitted code.
+/// Statics and unit structs with the names of local variables in emitted code, which must not refer to them.
 pub mod more_values {
     #![allow(non_upper_case_globals, non_camel_case_types, dead_code)]
 

@@ -1,7 +1,7 @@
 //! Tests of emitted code within difficult user code: names, lints, editions, fragments.
 //!
-//! `names` has user items with the names of emitted ones. `places` has scenes in different modules and with different
-//! visibilities. `fragments` has scenes that macros produce, and `crates` has separate crates.
+//! `names` has user items with the names of emitted items. `places` has scenes in different modules and with
+//! different visibilities. `fragments` has scenes that macros produce, and `crates` has separate crates.
 #![deny(warnings, unused, nonstandard_style, rust_2018_idioms)]
 #![deny(
     unreachable_pub,

@@ -1,5 +1,5 @@
-//! Scenes in unusual positions: hardly used, several in one module, in functions, and with restricted visibility. Items
-//! before `struct` are tested too.
+//! Tests scenes in unusual positions: hardly used, several in one module, in functions, and with restricted
+//! visibility. Also tests items before `struct`.
 
 use frictiongen::friction_system;
 

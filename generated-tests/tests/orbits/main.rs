@@ -1,4 +1,4 @@
-//! Steady states with stick-slip, their derivatives, and the backward error of every answer.
+//! Tests steady states with stick-slip, their derivatives, and the backward error of every answer.
 
 mod backward;
 mod plain_integration;

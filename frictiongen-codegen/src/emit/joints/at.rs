@@ -5,7 +5,8 @@ use crate::emit::names::TypeNames;
 use frictiongen_model::scene::Provide;
 use proc_macro2::{Ident, Literal, TokenStream};
 
-/// Emits the type of the scene at one frequency. Returns the definitions of its types, and the items of the module.
+/// Emits the type of the scene at one frequency. Returns the definitions of the types, and the items that implement
+/// them.
 pub(super) fn emit(emission: &Emission<'_>) -> (TokenStream, TokenStream) {
     let Emission {
         description,
@@ -63,7 +64,7 @@ fn deref(emission: &Emission<'_>, own: &Ident, target: &TokenStream) -> TokenStr
     }
 }
 
-/// Emits the state in which no contact slides.
+/// Emits the type of the state in which no contact slides, and the method that returns it.
 fn stuck(emission: &Emission<'_>) -> (TokenStream, TokenStream) {
     let Emission {
         description,
@@ -107,7 +108,7 @@ fn stuck(emission: &Emission<'_>) -> (TokenStream, TokenStream) {
     (types, items)
 }
 
-/// Emits the steady states.
+/// Emits the type of a steady state, and the methods that return it.
 fn orbit(emission: &Emission<'_>) -> (TokenStream, TokenStream) {
     let Emission {
         description,

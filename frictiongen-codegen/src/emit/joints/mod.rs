@@ -17,7 +17,7 @@ use frictiongen_model::scene::{Excitation, NamedContact, Node, Provide};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::format_ident;
 
-/// Data of a scene that the emission of its items needs.
+/// Data of a scene from which its items are emitted.
 struct Emission<'a> {
     description: &'a Description,
     names: TypeNames,
@@ -25,10 +25,10 @@ struct Emission<'a> {
     friction: Ident,
     contacts: Vec<NamedContact>,
     contact_names: Vec<Ident>,
-    /// The masses on which a force acts, with the field of the input. The excited mass is the first.
+    /// The masses on which a force acts, each with the name of its field in the input. The excited mass is the first.
     loads: Vec<(usize, Ident)>,
     scalar: TokenStream,
-    /// Type that gives the lengths of all arrays.
+    /// The type that fixes the lengths of all arrays.
     size: TokenStream,
     /// Path of the kernel's module for scenes with several contacts.
     engine: TokenStream,
@@ -116,7 +116,7 @@ impl<'a> Emission<'a> {
         code!((#plus, #minus, #value))
     }
 
-    /// Emits a `Wave` that has this value at any time.
+    /// Emits a `Wave` that has the value `value` at any time.
     fn constant(&self, value: f64) -> TokenStream {
         let (engine, value, zero) = (&self.engine, self.number(value), self.number(0.0));
         code!(#engine::Wave {
@@ -128,8 +128,8 @@ impl<'a> Emission<'a> {
         })
     }
 
-    /// Emits the constants of the chain. Each contact has its share of the common friction force as kinetic friction
-    /// force.
+    /// Emits the constants of the chain. The kinetic friction force of each contact is its share of the common
+    /// friction force.
     fn chain(&self, modal: &Modal) -> TokenStream {
         let (scene, engine, size) = (&self.description.scene, &self.engine, &self.size);
         let scalar = &self.scalar;
@@ -207,7 +207,8 @@ impl<'a> Emission<'a> {
         }
     }
 
-    /// Emits the methods that return the present motion of a mass or a contact. Each has the name of the mass or contact.
+    /// Emits the methods that return the present motion of one mass or one contact. Each method has the name of its
+    /// mass or contact.
     fn methods(&self, when: &str) -> TokenStream {
         let (engine, scalar) = (&self.engine, &self.scalar);
         self.named(
@@ -222,9 +223,9 @@ impl<'a> Emission<'a> {
         )
     }
 
-    /// Emits a method for each mass and for each contact. `about` has two documentation texts: one for the method of a
-    /// mass, one for the method of a contact. The texts contain `{}` in place of the name. `of` has the two types of
-    /// result.
+    /// Emits a method for each mass and for each contact. `about` has two documentation texts, for the method of a
+    /// mass and for the method of a contact. The texts contain `{}` in place of the name. `of` has the result types
+    /// of these two kinds of methods.
     fn named(&self, about: [&str; 2], of: [&TokenStream; 2]) -> TokenStream {
         let method = |about: &str, name: &Ident, call: TokenStream, of: &TokenStream| {
             let about = format!(" {}", about.replace("{}", &name.to_string()));

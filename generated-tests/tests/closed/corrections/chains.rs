@@ -6,7 +6,7 @@ use super::{close, judged};
 use nalgebra::{Matrix2, Vector2};
 use std::f64::consts::PI;
 
-/// Checks that the printed modal coordinate (5.28) does not have the velocity from which it starts.
+/// Checks that the printed modal coordinate (5.28) does not have the initial velocity of (5.24) and (5.27).
 #[test]
 fn eq_5_28() {
     let (big_r, psi_j, psi_l, beta, phi) = (0.7_f64, 0.8, 1.1, 0.3, 0.4_f64);
@@ -63,7 +63,7 @@ fn eq_5_55_and_5_56() {
     let limit = |s: f64| v.abs() / u.hypot(s);
     let (printed, right) = (limit(sum_of_maxima), limit(of_the_sum));
     let truth = plain.velocity_limit(0.4);
-    // The true value comes from a grid of 200 instants, and S from 4000 instants.
+    // The true value comes from a grid of 200 instants, and S of the right form from 4000 instants.
     judged(printed, right, truth, 1e-4);
     close(scene.limit(r), right, 1e-5);
     // Between both limits, the motion satisfies the equations of motion and does not stop.
@@ -93,7 +93,8 @@ fn eq_6_6() {
     states("eq_6_6", &[(printed, 4), (right, 4)]);
 }
 
-/// Checks that U₁ = 0 at invariant points.
+/// Checks that U₁ = 0 at the invariant points, which are the frequency ratios where the response of m₁ does not
+/// depend on β.
 #[test]
 fn section_6_3_2() {
     let scene = unit(2, Contact::Wall(0));
@@ -108,13 +109,13 @@ fn section_6_3_2() {
     }
     println!("{compared} values compared, none skipped");
     assert_eq!(compared, 2 * 3);
-    // At r = 1.123 the response still depends on β, through the square of U.
+    // At the printed r = 1.123 the response still depends on β, through the square of U.
     let share = |r: f64| {
         let amplitude = |beta| scene.at(r).amplitude_phase(beta).0;
         1.0 - amplitude(0.6) / amplitude(0.0)
     };
     judged(share(1.123), share(exact[1]), 0.0, 1e-14);
-    // The printed ratio 0.559 is right to its digits, and 1.123 is not.
+    // The printed ratio 0.559 is right to its digits. The printed ratio 1.123 is not.
     close(exact[0], 0.559, 5e-4);
     assert!((exact[1] - 1.123).abs() > 4e-3);
     let numbers = [(0.559, 3), (1.123, 3), (exact[0], 4), (exact[1], 4)];

@@ -17,10 +17,11 @@ fn steady() -> (Plain, Steady) {
     (plain, steady)
 }
 
-/// Bound on the error of the integration: some 1e-11 of Runge-Kutta, and the rest of the transient.
+/// Bound on the error of the integration: about 1e-11 by the Runge-Kutta method, and the rest by the remaining
+/// transient.
 const INTEGRATION: f64 = 1e-9;
 
-/// Checks the displacements after a maximum of the contact's motion.
+/// Checks the displacements of both masses after a maximum of the contact's motion.
 #[test]
 fn eq_7_22_7_23_7_28_and_b_15() {
     let (plain, steady) = steady();
@@ -78,7 +79,7 @@ fn eq_7_31() {
     states("eq_7_31", &[(printed, 4), (right, 4)]);
 }
 
-/// Checks √(x̄² + x̄′²) of m₁ at τ = 0.
+/// Checks √(x̄² + x̄′²) of m₁ at τ = 0, in the damped motion.
 #[test]
 fn eq_7_33() {
     let (plain, steady) = steady();
@@ -101,7 +102,7 @@ fn eq_7_33() {
     states("eq_7_33", &[(printed, 4), (right, 4)]);
 }
 
-/// Returns the term of one mode in the velocity constraint, divided by sin τ, by the corrected (7.38).
+/// Returns the term of one mode in the velocity constraint, divided by sin τ, by the corrected form of (7.38).
 fn constraint(big_r: f64, zeta: f64, tau: f64) -> f64 {
     let ((u, g), (_, q)) = (u_g(big_r, zeta), d_q(big_r, zeta, tau));
     let root = (1.0 - zeta * zeta).sqrt();
@@ -136,7 +137,7 @@ fn eq_7_37() {
     states("eq_7_37", &[(printed, 3), (right, 3)]);
 }
 
-/// Checks the velocity constraint at one instant.
+/// Checks the velocity constraint of a damped mass at one instant.
 #[test]
 fn eq_7_38() {
     let (r, zeta, tau): (f64, f64, f64) = (0.35, 0.1, 1.0);
@@ -147,7 +148,7 @@ fn eq_7_38() {
     let printed = ((1.0 + g) * r * q - u * r * r * bracket) / tau.sin();
     let right = constraint(r, zeta, tau);
     // The velocity is z̄′ = −(Z + βG) sin τ + βU cos τ + β d/dτ[…]. With one mode b = 1, so s_d is r² times the term
-    // that is compared with Z + βG.
+    // that the constraint compares with Z + βG.
     let h = |tau: f64| {
         let (d, q) = d_q(r, zeta, tau);
         1.0 - (1.0 + g) * d - u * r * q
@@ -171,7 +172,7 @@ fn eq_7_38() {
     states("eq_7_38", &[(printed, 3), (right, 3)]);
 }
 
-/// Checks s_d in the limit τ → 0.
+/// Checks the limit of s_d for τ → 0, where s_d is the term of a damped mode in the velocity constraint.
 #[test]
 fn eq_7_50() {
     let (r, zeta): (f64, f64) = (0.4, 0.1);

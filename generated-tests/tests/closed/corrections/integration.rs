@@ -1,10 +1,11 @@
-//! Integrates the governing equations in time by a plain method.
+//! Integrates the governing equations in time by the classical Runge-Kutta method.
 
 use super::plain::Plain;
 use nalgebra::DVector;
 use std::f64::consts::{PI, TAU};
 
-/// Number of steps in a half period. The relative error of Runge-Kutta is then some 1e-11 for frequencies of order 1.
+/// Number of steps in a half period. For frequencies of order 1, the relative error of Runge-Kutta is then about
+/// 1e-11.
 const STEPS: usize = 400;
 
 /// Displacements and velocities of all masses.
@@ -46,18 +47,18 @@ fn step(plain: &Plain, t: f64, y: &State, h: f64, friction: Option<f64>) -> Stat
     )
 }
 
-/// Integrates from rest for some periods. Friction keeps the contact stuck wherever it can.
+/// Integrates from rest for some periods of the excitation. The contact sticks whenever friction can keep it stuck.
 pub fn run(plain: &Plain, beta: f64, periods: usize) -> Steady {
     run_from(plain, beta, periods, DVector::zeros(plain.n()))
 }
 
-/// Integrates from displacements without velocity, starting at a maximum of the excitation.
+/// Integrates from given displacements without velocity. The start is at a maximum of the excitation.
 pub fn run_from(plain: &Plain, beta: f64, periods: usize, start: DVector<f64>) -> Steady {
     let velocity = DVector::zeros(plain.n());
     integrate(plain, beta, periods, 0.0, (start, velocity), None)
 }
 
-/// Integrates from the continuous motion, starting at its maximum.
+/// Integrates from the formal continuous motion, starting at the maximum of the contact's motion.
 pub fn run_on(plain: &Plain, beta: f64, periods: usize) -> Steady {
     let (x, phi) = (plain.motion(beta), plain.amplitude_phase(beta).1);
     let h = 1e-4;
@@ -66,7 +67,7 @@ pub fn run_on(plain: &Plain, beta: f64, periods: usize) -> Steady {
     integrate(plain, beta, periods, phi, (start, velocity), Some(-beta))
 }
 
-/// Integrates the motion. `friction` is the force of a sliding contact, and is absent while the contact is stuck.
+/// Integrates the motion. `friction` is the force of a sliding contact; it is `None` while the contact is stuck.
 fn integrate(
     plain: &Plain,
     beta: f64,
@@ -128,7 +129,8 @@ fn integrate(
 }
 
 impl Steady {
-    /// Returns displacements and velocities at τ in [0, π], counted from a maximum of z̄, of a motion without stops.
+    /// Returns displacements and velocities of a motion without stops, at the angle τ in [0, π] after a maximum of
+    /// z̄.
     pub fn at(&self, tau: f64) -> State {
         assert_eq!(self.stops, 0);
         let h = tau / STEPS as f64;

@@ -1,7 +1,7 @@
-//! Tests that some printed forms of the thesis are wrong, one test for each row of `docs/corrections.md`.
+//! Tests that some printed forms of the thesis are wrong. Each row of `docs/corrections.md` has one test.
 //!
-//! Each test writes the printed form out and shows that it violates the governing equations. It then shows that the
-//! right form satisfies them. `plain` and `integration` solve the equations for this comparison, and share no formula
+//! Each test evaluates the printed form and shows that it violates the governing equations. It then shows that the
+//! right form satisfies them. `plain` and `integration` solve these equations for the tests, and share no formula
 //! with the project.
 
 mod chains;
@@ -14,8 +14,8 @@ mod resonance;
 mod single;
 mod stuck;
 
-/// Asserts that the right form is at most `tolerance` from the true value, and that the printed form is much farther
-/// away.
+/// Asserts that the right form is within `tolerance` of the true value, and that the printed form is much farther
+/// away from the true value.
 #[track_caller]
 fn judged(printed: f64, right: f64, truth: f64, tolerance: f64) {
     assert!(

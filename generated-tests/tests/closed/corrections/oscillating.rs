@@ -6,7 +6,7 @@ use super::{close, judged};
 use nalgebra::Complex;
 use std::f64::consts::PI;
 
-/// Returns the scene of two masses that rub on each other, γ = κ = 0.5, force on m₁.
+/// Returns the scene of two masses that rub on each other, with γ = κ = 0.5 and the force on m₁.
 fn between() -> Scene {
     Scene {
         gamma: vec![1.0, 0.5],
@@ -15,7 +15,7 @@ fn between() -> Scene {
     }
 }
 
-/// Checks the load in the contact at its reversal.
+/// Checks the load in the contact of two oscillating masses at a reversal of the contact.
 #[test]
 fn eq_5_78() {
     let (r, beta, gamma_ab) = (1.5, 0.1, 0.5);
@@ -42,7 +42,7 @@ fn eq_5_78() {
     states("eq_5_78", &[(printed, 4), (right, 4)]);
 }
 
-/// Checks that β_lim follows from the force at the reversal.
+/// Checks that β_lim of a contact between two masses follows from the force at the reversal.
 #[test]
 fn eq_5_79_and_5_80() {
     let (r, mu) = (1.5, 1.3);
@@ -60,12 +60,12 @@ fn eq_5_79_and_5_80() {
     states("eq_5_79_and_5_80", &[(printed, 4), (right, 4)]);
 }
 
-/// Checks the condition for a stop, and the dependence of both limits on r.
+/// Checks the condition for a stop of a contact on the moving base, and the dependence of both limits on r.
 #[test]
 fn section_6_5_2() {
     let scene = unit(2, Contact::Base(0));
-    // A stop needs z̄′ = 0. Just below its limit, the contact reverses far from z̄ = 0, and passes z̄ = 0 at full
-    // speed.
+    // A stop needs z̄′ = 0. At a β just below the limit, the contact reverses far from z̄ = 0, and passes z̄ = 0 at
+    // full speed.
     let r = 1.1;
     let plain = scene.at(r);
     let beta = 0.99 * scene.limit(r);
@@ -108,7 +108,7 @@ fn section_6_5_2() {
     states("section_6_5_2", &numbers);
 }
 
-/// Returns the fundamental of the relative motion by a plain sum.
+/// Returns the fundamental component of the contact's relative motion, by a plain sum over instants.
 fn fundamental(plain: &Plain, beta: f64) -> f64 {
     let (x, phi) = (plain.motion(beta), plain.amplitude_phase(beta).1);
     let n = 400;
@@ -128,7 +128,7 @@ fn fundamental(plain: &Plain, beta: f64) -> f64 {
     (sum * (2.0 / PI) * (PI / f64::from(n) / 3.0)).norm()
 }
 
-/// Checks that m₂ acts as an absorber at the frequency where m₁ has no fundamental component for any friction.
+/// Checks that m₂ acts as an absorber for m₁: at one frequency m₁ has no fundamental component for any friction.
 #[test]
 fn section_6_5_3() {
     let scene = Scene {

@@ -12,7 +12,7 @@ const SOURCES: [&str; 6] = [
     include_str!("resonance.rs"),
 ];
 
-/// The corrections. Each has its position in the thesis and the name of its test.
+/// The corrections, each as its position in the thesis and the name of its test.
 const ROWS: [(&str, &str); 32] = [
     ("2.31, 6.8", "eq_2_31_and_6_8"),
     ("2.4, 2.9", "eq_2_4_and_2_9"),
@@ -62,7 +62,8 @@ fn row(test: &str) -> &'static str {
     row
 }
 
-/// Asserts that the page has these numbers in the row of this test. Each number comes with its number of decimals.
+/// Asserts that the row of this test on the page contains these numbers. Each number comes with its number of
+/// decimals.
 #[track_caller]
 pub fn states(test: &str, numbers: &[(f64, usize)]) {
     let row = row(test);
@@ -76,7 +77,7 @@ pub fn states(test: &str, numbers: &[(f64, usize)]) {
     }
 }
 
-/// Returns the names of the functions with `#[test]`.
+/// Returns the names of the functions with `#[test]` in a source text.
 fn tests(source: &str) -> impl Iterator<Item = &str> {
     let after = source.split("#[test]\nfn ").skip(1);
     after.filter_map(|text| text.split_once('(').map(|(name, _)| name))

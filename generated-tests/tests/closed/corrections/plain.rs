@@ -1,14 +1,15 @@
-//! Solves the governing equations in plain ways, as the standard for the printed forms.
+//! Solves the governing equations in plain ways. The tests judge the printed forms by these solutions.
 //!
-//! The matrices follow directly from the scene's numbers, and linear solves give V and H. u and g are the thesis's own
-//! (7.11), (7.12). Differences give the residual of the equation of motion, and the classical Runge-Kutta method
-//! integrates it. Of the project's code only the reader of scenes is used.
+//! The matrices follow directly from the scene's numbers, and linear solves give V and H. u and g are the thesis's
+//! own forms (7.11) and (7.12). Finite differences give the residual of the equation of motion, and the classical
+//! Runge-Kutta method integrates the equation. The module uses none of the project's code except the reader of
+//! scenes.
 
 use frictiongen::study::System;
 use nalgebra::{Complex, DMatrix, DVector, SymmetricEigen};
 use std::f64::consts::PI;
 
-/// The two bodies of the contact. Masses count from 0.
+/// The bodies between which the contact slides. Masses count from 0.
 #[derive(Clone, Copy, Debug)]
 pub enum Contact {
     Wall(usize),
@@ -22,15 +23,15 @@ pub struct Scene {
     pub gamma: Vec<f64>,
     pub kappa: Vec<f64>,
     pub contact: Contact,
-    /// The mass on which the force acts, or none for base motion.
+    /// The mass on which the force acts, or `None` if the base moves.
     pub load: Option<usize>,
     /// Modal damping ratio of every mode.
     pub zeta: f64,
     pub mu: f64,
 }
 
-/// Returns the largest argument for which a condition is true. Bisection starts from an argument for which it is true
-/// and one for which it is false.
+/// Returns the largest argument for which the condition `holds` is true, by bisection. The condition must be true at
+/// `low` and false at `high`.
 pub fn bisect(holds: impl Fn(f64) -> bool, mut low: f64, mut high: f64) -> f64 {
     assert!(!holds(high), "it still holds at {high}");
     for _ in 0..40 {
@@ -44,7 +45,7 @@ pub fn bisect(holds: impl Fn(f64) -> bool, mut low: f64, mut high: f64) -> f64 {
     low
 }
 
-/// Returns a chain with equal masses and springs, the force on the first mass, no damping and μ = 1.
+/// Returns a chain with n equal masses and springs, the force on the first mass, no damping and μ = 1.
 pub fn unit(n: usize, contact: Contact) -> Scene {
     Scene {
         gamma: vec![1.0; n],
@@ -133,7 +134,7 @@ impl Scene {
             Contact::Between(a, b) => (unit(b) - unit(a), false),
         };
         let gamma = DVector::from_vec(self.gamma.clone());
-        // The problem K̄φ = λΓφ becomes the symmetric eigenproblem of Γ^−½K̄Γ^−½.
+        // The eigenproblem K̄φ = λΓφ becomes the symmetric eigenproblem of Γ^−½K̄Γ^−½.
         let root = gamma.map(|gamma| 1.0 / gamma.sqrt());
         let scaled = DMatrix::from_fn(n, n, |i, j| k[(i, j)] * root[i] * root[j]);
         let eigen = SymmetricEigen::new(scaled);
@@ -200,7 +201,8 @@ impl Plain {
         self.gamma.len()
     }
 
-    /// Returns the complex amplitudes of all masses under this load, by a linear solve.
+    /// Returns the complex amplitudes of all masses under a harmonic load of these complex amplitudes, by a linear
+    /// solve.
     fn response(&self, load: &DVector<f64>) -> DVector<Complex<f64>> {
         let n = self.n();
         let dynamic = DMatrix::from_fn(n, n, |i, j| {
@@ -225,17 +227,17 @@ impl Plain {
         self.response(&self.w)
     }
 
-    /// Returns wᵀx, the relative motion in the contact, for complex amplitudes x of the masses.
+    /// Returns wᵀx, the relative displacement in the contact, where x has the complex amplitudes of the masses.
     pub fn on_contact(&self, x: &DVector<Complex<f64>>) -> Complex<f64> {
         self.w.iter().zip(x.iter()).map(|(w, x)| *x * *w).sum()
     }
 
-    /// Returns V of the relative motion in the contact.
+    /// Returns V of the contact, the response of its relative displacement to the excitation.
     pub fn v_contact(&self) -> Complex<f64> {
         self.on_contact(&self.v()) - self.s
     }
 
-    /// Returns R_i = r/√λ_i of a mode.
+    /// Returns R_i = r/√λ_i, the ratio of the excitation frequency to the natural frequency of mode i.
     pub fn big_r(&self, mode: usize) -> f64 {
         self.r / self.lambda[mode].sqrt()
     }
@@ -245,7 +247,7 @@ impl Plain {
         self.phi.column(mode).dot(&self.w).powi(2)
     }
 
-    /// Returns Σ b_ki f(R_i) for every mass.
+    /// Returns Σ_i b_ki f(R_i) for every mass k, where b_ki = φ_ki (φ_iᵀw)/λ_i.
     pub fn by_modes(&self, f: impl Fn(f64) -> f64) -> DVector<f64> {
         let mut sum = DVector::zeros(self.n());
         for i in 0..self.n() {
@@ -255,17 +257,17 @@ impl Plain {
         sum
     }
 
-    /// Returns U_k of every mass, the response to a square wave of friction.
+    /// Returns U_k of every mass: at a reversal, its velocity under a square wave of friction in the contact.
     pub fn u(&self) -> DVector<f64> {
         self.by_modes(|big_r| u_g(big_r, self.zeta).0)
     }
 
-    /// Returns G_k of every mass.
+    /// Returns G_k of every mass: at a reversal, its displacement under a square wave of friction in the contact.
     pub fn g(&self) -> DVector<f64> {
         self.by_modes(|big_r| u_g(big_r, self.zeta).1)
     }
 
-    /// Returns amplitude Z and phase φ (rad) of the contact at β.
+    /// Returns the amplitude Z and the phase φ (rad) of the contact's relative motion at the friction ratio β.
     pub fn amplitude_phase(&self, beta: f64) -> (f64, f64) {
         let (u, g) = (self.w.dot(&self.u()), self.w.dot(&self.g()));
         let v = self.v_contact();
@@ -273,8 +275,8 @@ impl Plain {
         (root - beta * g, (-beta * u).atan2(root) - v.arg())
     }
 
-    /// Returns the displacement x̄_k of a mass at τ in the formal continuous motion. [`Plain::defect`] shows whether it
-    /// satisfies the equations of motion.
+    /// Returns the displacement x̄_k(τ) of the formal continuous motion, as a function of k and τ. [`Plain::defect`]
+    /// shows whether this motion satisfies the equations of motion.
     pub fn motion(&self, beta: f64) -> impl Fn(usize, f64) -> f64 {
         let (v, phi) = (self.v(), self.amplitude_phase(beta).1);
         let plain = self.clone();
@@ -290,7 +292,7 @@ impl Plain {
 
     /// Returns the largest β for which z̄′ < 0 at all instants of a grid between the reversals.
     ///
-    /// The grid misses extremes between two instants, and extremes within 1e-4 rad of a reversal.
+    /// The grid misses extremes between two of its instants, and extremes within 1e-4 rad of a reversal.
     pub fn velocity_limit(&self, high: f64) -> f64 {
         let h = 1e-5;
         let slides = |beta: f64| {
@@ -308,7 +310,7 @@ impl Plain {
         bisect(slides, 0.0, high)
     }
 
-    /// Returns the largest β for which the contact breaks away at its reversal.
+    /// Returns the largest β for which the contact breaks away at its reversal, by bisection up to `high`.
     pub fn break_away_limit(&self, high: f64) -> f64 {
         let breaks = |beta: f64| self.force_at_reversal(beta).abs() > self.mu * beta;
         bisect(breaks, 0.0, high)
@@ -323,7 +325,7 @@ impl Plain {
         self.holding_force(phi, &start, &velocity)
     }
 
-    /// Returns the complex amplitudes of the masses with the contact stuck, and the force in the contact.
+    /// Returns the complex amplitudes of the masses while the contact is stuck, and the force in the contact.
     pub fn stuck(&self) -> (DVector<Complex<f64>>, Complex<f64>) {
         // The constraint wᵀx = s is added to Γ, C̄, K̄ as a row, and the contact force as one more unknown.
         let n = self.n();
@@ -347,11 +349,11 @@ impl Plain {
         (all.rows(0, n).into_owned(), all[n])
     }
 
-    /// Returns the defect of a motion x of every mass on 0 ≤ τ ≤ π, which starts at a maximum of the contact's motion.
+    /// Returns the defect of a motion x of every mass on 0 ≤ τ ≤ π. τ = 0 is a maximum of the contact's motion.
     ///
     /// The defect is the largest violation of the equations of motion, or of the antiperiodicity of displacement and
-    /// velocity. Its differences are of fourth order with a step of 1e-3. Their error is some 1e-9 for frequencies of
-    /// order 1.
+    /// velocity. The function computes derivatives by differences of fourth order with a step of 1e-3. For
+    /// frequencies of order 1, the error of the differences is about 1e-9.
     pub fn defect(&self, beta: f64, phi: f64, x: impl Fn(usize, f64) -> f64) -> f64 {
         let h = 1e-3;
         let sample = |k: usize, tau: f64| {
@@ -380,7 +382,8 @@ impl Plain {
         worst
     }
 
-    /// Returns the contact force that keeps z̄′ constant, from z̄″ = 0, at the angle t of the excitation.
+    /// Returns the contact force that keeps z̄′ constant (z̄″ = 0), for the excitation at the angle t, displacements
+    /// x and velocities v.
     pub fn holding_force(&self, t: f64, x: &DVector<f64>, v: &DVector<f64>) -> f64 {
         let load = &self.p * t.cos() - &self.c * v - &self.k * x;
         let weights = self.w.component_div(&self.gamma);

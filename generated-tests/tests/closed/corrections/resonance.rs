@@ -1,4 +1,4 @@
-//! Tests of chapter 7 at resonance and with a stuck contact, of complex amplitudes, and of appendix B.
+//! Tests of chapter 7 at resonance and with a stuck contact, tests of complex amplitudes, and tests of appendix B.
 
 use super::integration::{run, run_on};
 use super::page::states;
@@ -7,7 +7,7 @@ use super::{close, judged};
 use nalgebra::Complex;
 use std::f64::consts::PI;
 
-/// Checks the monoharmonic amplitude of m₁ at the first resonance.
+/// Checks the monoharmonic amplitude of m₁ at the first resonance of a damped chain.
 #[test]
 fn eq_7_58() {
     let (beta, zeta): (f64, f64) = (0.3, 0.02);
@@ -22,12 +22,14 @@ fn eq_7_58() {
     let of_friction =
         2.0 * beta * v[0] * g[0].abs() + 2.0 * beta * beta * v[0] / v[1] * u[1] * u[0];
     let right = (squares - of_friction).sqrt();
-    // Both forms neglect two terms of (7.33): the deviation of V's phase from ∓π/2, and (βU/V)².
+    // Both the printed and the right form neglect two terms of (7.33): the deviation of V's phase from ∓π/2, and
+    // (βU/V)².
     let x = plain.motion(beta);
     let h = 1e-4;
     let truth = x(0, 0.0).hypot((x(0, h) - x(0, -h)) / (2.0 * h));
     assert!((right - truth).abs() < 0.5 * (printed - truth).abs());
-    // The second comparison removes these terms. It uses the two terms of (7.33) with cos Δ = 1, sin Δ = 0.
+    // The second comparison removes the neglected terms. It uses the two terms of (7.33) with cos Δ = 1 and sin Δ =
+    // 0.
     let root = v[1];
     let bracket = root * g[0] + beta * u[1] * u[0];
     let reduced = (squares - 2.0 * beta * v[0] / v[1] * bracket).sqrt();
@@ -44,8 +46,8 @@ fn eq_7_62() {
     for (mu, right) in [(1.0, 0.6720), (2.0, 0.5924)] {
         let scene = unit(1, Contact::Wall(0)).damped(zeta).stiction(mu);
         close(scene.limit(1.0), right, 5e-5);
-        // The integration starts from the motion itself, because at μ = 2 a contact at rest would stay at rest. It runs
-        // at friction 1 % below and 1 % above the limit. The printed value is far above the limit.
+        // The integration starts from the continuous motion, because at μ = 2 a contact at rest would stay at rest.
+        // It runs at friction ratios 1 % below and 1 % above the limit. The printed value is far above the limit.
         let plain = scene.at(1.0);
         let stops = |beta: f64| run_on(&plain, beta, 40).stops > 0;
         assert!(!stops(0.99 * right) && stops(1.01 * right));
@@ -60,7 +62,7 @@ fn eq_7_62() {
     states("eq_7_62", &[(printed, 4), (0.6720, 4), (0.5924, 4)]);
 }
 
-/// Checks the force in the stuck contact of m₂ of three masses, with damping.
+/// Checks the force in the stuck contact on m₂, in a damped chain of three masses.
 #[test]
 fn section_7_4_3() {
     let (scene, r) = (unit(3, Contact::Wall(1)).damped(0.1), 1.2_f64);
@@ -72,13 +74,13 @@ fn section_7_4_3() {
     // The true value solves the equations with the constraint as one more equation.
     judged(printed, right, plain.stuck().1.norm(), 1e-12);
     close(scene.sliding_limit(r), right, 1e-12);
-    // Without damping both forms agree.
+    // Without damping the printed form and the right form agree.
     let free = unit(3, Contact::Wall(1)).at(r);
     close(free.stuck().1.norm(), 1.0 / (2.0 - r * r).abs(), 1e-12);
     states("section_7_4_3", &[(printed, 3), (right, 3)]);
 }
 
-/// Checks the product of a complex response function and a real cosine.
+/// Checks products of a complex response function and a real cosine, as (7.7) and other equations print them.
 #[test]
 fn eq_7_7_and_others() {
     let (r, zeta, beta): (f64, f64, f64) = (0.8, 0.1, 0.2);
@@ -97,7 +99,7 @@ fn eq_7_7_and_others() {
             .into_iter()
             .fold(0.0, generated_tests::larger)
     };
-    // The differences have a step of 1e-4.
+    // The differences in `residual` have a step of 1e-4.
     judged(residual(&printed), residual(&right), 0.0, 1e-6);
     // The forms (7.13), (7.14) and, with one mode, (7.9), (7.10) give cos φ and sin φ from the integrated amplitude.
     let plain = unit(1, Contact::Wall(0)).damped(zeta).at(r);
@@ -106,12 +108,12 @@ fn eq_7_7_and_others() {
     let amplitude = steady.at(0.0).0[0];
     let (cosine, sine) = ((amplitude + beta * g) / v, -beta * u / v);
     assert!(cosine.im.abs() > 0.1, "no cosine of a real angle: {cosine}");
-    // The right forms (7.18), (7.19) have the modulus of V, and φ + ∠V.
+    // The right forms (7.18) and (7.19) have the modulus of V, and the angle φ + ∠V.
     let (right_cosine, right_sine) = ((amplitude + beta * g) / v.norm(), -beta * u / v.norm());
     let shifted = steady.phi + v.arg();
     judged(cosine.re, right_cosine, shifted.cos(), 1e-9);
     judged(sine.re, right_sine, shifted.sin(), 1e-9);
-    // The real parts are not those of φ itself either.
+    // Nor is the real part of the printed form equal to cos φ.
     assert!((cosine.re - steady.phi.cos()).abs() > 1e-2);
     // The amplitude from the real part alone is compared with the exact amplitude.
     let from_real = (v.re.powi(2) - (beta * u).powi(2)).sqrt() - beta * g;
@@ -119,14 +121,14 @@ fn eq_7_7_and_others() {
     states("eq_7_7_and_others", &[(from_real, 3), (amplitude, 3)]);
 }
 
-/// Checks the velocity that belongs to the displacement (B.6).
+/// Checks the velocity of a damped mode that belongs to its displacement (B.6).
 #[test]
 fn eq_b_7() {
     let (big_r, zeta, tau) = (0.7_f64, 0.1_f64, 0.9_f64);
     let (psi_j, forced, beta, phi) = (0.8, 1.3, 0.3, 0.4_f64);
     let (start, start_velocity) = (0.9, -0.2);
     let square = big_r * big_r;
-    // The variable `forced` is ψ_liR_i²v_di, taken as real.
+    // The variable `forced` is ψ_liR_i²v_di of (B.6), taken as real.
     let eta = |tau: f64| {
         let (d, q) = d_q(big_r, zeta, tau);
         d * start

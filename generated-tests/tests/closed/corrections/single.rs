@@ -10,14 +10,14 @@ use std::f64::consts::{FRAC_PI_2, PI};
 const WALL: Contact = Contact::Wall(0);
 const BASE: Contact = Contact::Base(0);
 
-/// Checks that β_∞ follows from the free mass, r²x̄″ = cos(τ + φ) + β between the reversals. It is the limit of the
-/// chain at high frequency.
+/// Checks that β_∞, the limit of the chain at high frequency, follows from the free mass: r²x̄″ = cos(τ + φ) + β
+/// between the reversals.
 #[test]
 fn eq_2_31_and_6_8() {
     let mu: f64 = 2.0;
     let steps = 20_000;
     let breaks_away = |beta: f64| {
-        // φ follows from the velocity, whose change over a half period must be zero. The sum uses midpoints.
+        // φ follows from the condition that the velocity changes by zero over a half period. The sum uses midpoints.
         let gain = |phi: f64| {
             let instants = (0..steps).map(|i| PI * (f64::from(i) + 0.5) / f64::from(steps));
             instants.map(|tau| (tau + phi).cos() + beta).sum::<f64>()
@@ -47,7 +47,7 @@ fn eq_2_4_and_2_9() {
     states("eq_2_4_and_2_9", &[(printed(0.0), 1), (at_rest, 1)]);
 }
 
-/// Checks the velocity constraint on β for one mass on the base.
+/// Checks the velocity constraint on β for one mass that rubs on the base.
 #[test]
 fn eq_3_15() {
     let r: f64 = 0.4;
@@ -72,7 +72,7 @@ fn eq_3_15() {
     states("eq_3_15", &numbers);
 }
 
-/// Checks that at r = 1/2 asymmetric motions exist far above the printed bound.
+/// Checks that at r = 1/2 asymmetric motions exist at friction ratios far above the printed bound.
 #[test]
 fn eq_3_33_and_3_34() {
     // With any offset δ, V cos τ ± β(1 − cos 2τ) + δ cos 2τ solves r²x̄″ + x̄ + β sgn x̄′ = cos τ.
@@ -94,7 +94,8 @@ fn eq_3_33_and_3_34() {
         assert!(sign * (after - before) > 0.0, "it stops at {tau}");
         compared += 2;
     }
-    // The motion is continuous where the half periods meet, breaks away there, and is asymmetric.
+    // The motion is continuous where the half periods meet. At these instants the contact breaks away. The motion is
+    // asymmetric.
     close(x(PI, -1.0), x(PI, 1.0), 1e-15);
     close(x(0.0, -1.0), x(2.0 * PI, 1.0), 1e-15);
     assert!(1.0 - x(0.0, -1.0) < -beta && -1.0 - x(PI, -1.0) > beta);
@@ -106,7 +107,7 @@ fn eq_3_33_and_3_34() {
         let (r, scale) = (1.0 / n, n.powi(-2));
         let (printed, right) = (1.0 / (4.0 * n * n - 1.0), 1.0 / (n * n - 1.0));
         let limit = unit(1, WALL).at(r).velocity_limit(0.5);
-        // The steepest instant lies at the end of the half period, where the grid causes an error of 1e-4.
+        // The steepest instant is at the end of the half period, where the grid causes an error of 1e-4.
         judged(printed, right, limit, 1e-4 * right);
         let limit = unit(1, BASE).at(r).velocity_limit(0.2);
         judged(printed * scale, right * scale, limit, 1e-4 * right * scale);
@@ -125,7 +126,7 @@ fn eq_3_33_and_3_34() {
     states("eq_3_33_and_3_34", &numbers);
 }
 
-/// Returns the fundamental component of the absolute motion, by a plain sum over instants.
+/// Returns the fundamental component of the absolute motion of one mass, by a plain sum over instants.
 fn fundamental(contact: Contact, r: f64, beta: f64) -> f64 {
     let plain = unit(1, contact).at(r);
     let x = plain.motion(beta);
@@ -146,7 +147,7 @@ fn fundamental(contact: Contact, r: f64, beta: f64) -> f64 {
     (sum * (PI / f64::from(n) / 3.0) * (2.0 / PI)).norm()
 }
 
-/// Checks the β at which the contact stops at the inversion, r = 1.5063.
+/// Checks the β from which the contact stops at the inversion, r = 1.5063.
 #[test]
 fn section_3_6_2() {
     let (r, printed, right) = (1.506310, 1.55, 1.465);
@@ -160,7 +161,7 @@ fn section_3_6_2() {
     states("section_3_6_2", &[(printed, 2), (right, 3), (reached, 3)]);
 }
 
-/// Checks that the fundamental components for all β meet in one point.
+/// Checks that the curves of the fundamental component over r, one for each β, meet in one point.
 #[test]
 fn section_4_4_2() {
     let growth = |contact, r| fundamental(contact, r, 1.4) - fundamental(contact, r, 0.1);
@@ -176,13 +177,13 @@ fn section_4_4_2() {
         close(motion.mass("m1").unwrap().harmonic(1).norm(), here, 1e-9);
         compared += 2;
     }
-    // At the printed ratio the fundamentals differ.
+    // At the printed frequency ratio the fundamental components for different β differ.
     assert!(spread(1.504).abs() > 1e-3, "{}", spread(1.504));
-    // The point for the fixed wall is the other root of U = −(2/π)V.
+    // The point for a contact with a fixed wall is the other root of U = −(2/π)V.
     let wall = |r: f64| fundamental(WALL, r, 0.3) - fundamental(WALL, r, 0.1);
     judged(0.604, 0.605258, bisect(|r| wall(r) > 0.0, 0.55, 0.65), 5e-7);
     for r in [0.605258, 1.506310] {
-        // V belongs to the relative motion. On the base it is V₁ − 1 = r²V₁.
+        // V belongs to the relative motion. For a contact on the base it is V₁ − 1 = r²V₁.
         let share = if r > 1.0 { r * r } else { 1.0 };
         let (u, v) = (u_g(r, 0.0).0, share / (1.0 - r * r));
         close(u, -2.0 / PI * v, 2e-5);
@@ -194,13 +195,13 @@ fn section_4_4_2() {
     states("section_4_4_2", &numbers);
 }
 
-/// Checks that a response that lags has a positive phase.
+/// Checks that the phase of a response that lags behind the excitation is positive.
 #[test]
 fn eq_4_5() {
     let (r, beta) = (0.8, 0.2);
     let scene = unit(1, WALL).damped(0.1);
     let steady = run(&scene.at(r), beta, 40);
-    // The largest displacement lags behind the largest force by this angle, in rad.
+    // This angle, in rad, is the lag of the largest displacement behind the largest force.
     let late = steady.phi;
     assert!(late > 0.3, "{late}");
     let n = 40;
@@ -212,7 +213,7 @@ fn eq_4_5() {
         .sum();
     // The transform of cos τ_e has the phase 0.
     let (printed, right) = (spectrum.arg() - 0.0, 0.0 - spectrum.arg());
-    // The other harmonics make a difference of 0.046 rad between the lags of the fundamental and of the maximum.
+    // Because of the other harmonics, the lag of the fundamental and the lag of the maximum differ by 0.046 rad.
     judged(printed, right, late, 0.05);
     let system = scene.system();
     let motion = system.at(r).unwrap().motion(beta).unwrap();

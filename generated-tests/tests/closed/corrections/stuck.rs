@@ -1,4 +1,4 @@
-//! Tests of section 6.5: contacts that stick.
+//! Tests of chapters 3 and 6 about contacts that stick.
 
 use super::integration::run_from;
 use super::page::states;
@@ -7,7 +7,7 @@ use super::{close, judged};
 use frictiongen::Regime;
 use nalgebra::{DMatrix, DVector};
 
-/// Returns the scene of two masses that rub on each other, γ = κ = 0.5, force on m₁.
+/// Returns the scene of two masses that rub on each other, with γ = κ = 0.5 and the force on m₁.
 fn between() -> Scene {
     Scene {
         gamma: vec![1.0, 0.5],
@@ -20,8 +20,8 @@ fn regime(scene: &Scene, r: f64, beta: f64) -> Regime {
     scene.system().at(r).unwrap().regime(beta).unwrap()
 }
 
-/// Checks a contact of one mass with static friction above kinetic friction. From z̄ = 4 the contact slides for ever.
-/// At the same β ≥ β*_lim it sticks if it starts from the stuck state.
+/// Checks the contact of one mass whose static friction exceeds the kinetic friction, at one β ≥ β*_lim. From z̄ = 4
+/// the contact slides for ever. If it starts from the stuck state, it sticks.
 #[test]
 fn sections_3_4_3_and_3_6() {
     let (scene, r, beta) = (unit(1, Contact::Base(0)).stiction(2.0), 1.1, 0.65);
@@ -41,7 +41,7 @@ fn sections_3_4_3_and_3_6() {
     // slides.
     let held = run_from(&plain, beta, 40, x.map(|x| x.re));
     assert_eq!(held.at(0.0).0[0] - 1.0, 0.0);
-    // The project reports both states.
+    // The project reports both states as possible.
     let system = scene.system();
     let at = system.at(r).unwrap();
     close(at.sliding_limit(), sliding_limit, 1e-14);
@@ -56,7 +56,7 @@ fn sections_3_4_3_and_3_6() {
     states("sections_3_4_3_and_3_6", &numbers);
 }
 
-/// Checks the force in the stuck contact against the available static friction.
+/// Checks when the available static friction suffices for the force in the stuck contact.
 #[test]
 fn eq_6_21_and_6_30() {
     // The printed form is (6.21), with γ_AB = 0.5 and l = A.
@@ -68,7 +68,7 @@ fn eq_6_21_and_6_30() {
     let load = (row(1) - gamma_ab * row(0) + gamma_ab).abs();
     let printed_sticks = load > beta * (1.0 + gamma_ab);
     let right_sticks = load <= beta * (1.0 + gamma_ab);
-    // The necessary friction is less than the available friction.
+    // The force that holds the contact is less than the available friction.
     close(load, force.norm() * (1.0 + gamma_ab), 1e-12);
     let truth = force.norm() <= plain.mu * beta;
     assert!(truth && right_sticks && !printed_sticks);
@@ -89,7 +89,7 @@ fn eq_6_21_and_6_30() {
     );
 }
 
-/// Checks the motion of the centroid of two masses that stick together.
+/// Checks the equation of motion of the centroid of two masses that stick together.
 #[test]
 fn eq_6_24() {
     let scene = Scene {
@@ -109,7 +109,7 @@ fn eq_6_24() {
             .map(|k| (plain.k[(0, k)] + plain.k[(1, k)]) * by(k))
             .sum()
     };
-    // The printed form has no sum over i. If i is the row's own number A, δ_Ai + δ_Bi = 1.
+    // The printed form has a number i over which it does not sum. If i is the row's own number A, δ_Ai + δ_Bi = 1.
     let printed = -(m1 + 2.0 * m1) * centroid + sum(&|_| x[0]) - 1.0;
     // The load acts on m₃, so δ_lA + δ_lB = 0.
     let right = -(1.0 + 2.0) * r * r * centroid + sum(&|k| x[k]) - 0.0;
@@ -124,7 +124,7 @@ fn eq_6_24() {
     states("eq_6_24", &[(printed, 3)]);
 }
 
-/// Checks the direction of an inequality: a β below the bound means sliding.
+/// Checks the direction of the inequality (6.27): a contact slides if β is below the bound.
 #[test]
 fn eq_6_27() {
     let (scene, r, gamma_ab) = (between().stiction(1.2), 1.0, 0.5);
@@ -148,7 +148,7 @@ fn eq_6_27() {
     states("eq_6_27", &[(bound, 4)]);
 }
 
-/// Checks the loads on the masses next to a mass that moves with the base.
+/// Checks the loads on the masses next to a mass that sticks to the moving base.
 #[test]
 fn eq_6_32() {
     let r = 0.3;
@@ -176,11 +176,12 @@ fn eq_6_32() {
             });
             let load = DVector::from_fn(2, |a, _| load(a + 1, rest[a]));
             let x = dynamic.lu().solve(&load).unwrap();
-            // The compared error is the largest of all masses, against the full equations.
+            // The compared error is the largest error of all masses, against the solution of the full equations.
             let error = |a: usize| (x[a] - truth[rest[a] - 1]).abs();
             error(0).max(error(1))
         };
-        // The printed form is evaluated in the reduced and in the original numbering.
+        // The printed form is evaluated twice: with the numbers of the remaining masses, and with the original
+        // numbers.
         let printed = |i: usize| delta(1, i) + delta(j - 1, i) * kappa[stuck] + delta(j, i) * above;
         let reduced = solve(&|new, _| printed(new));
         let original = solve(&|_, old| printed(old));
@@ -188,8 +189,8 @@ fn eq_6_32() {
             delta(1, old) + delta(j - 1, old) * kappa[stuck] + delta(j + 1, old) * above
         });
         assert!(right < 1e-13, "j = {j}: {right}");
-        // In the reduced numbering the printed form fails for j = 1 only. In the original one it fails for every mass
-        // that has another above it.
+        // With the numbers of the remaining masses, the printed form fails for j = 1 only. With the original numbers,
+        // it fails for every mass that has another mass above it.
         assert_eq!(reduced > 0.1, j == 1, "j = {j}: {reduced}");
         assert_eq!(original > 0.1, j < 3, "j = {j}: {original}");
         off.push(reduced);

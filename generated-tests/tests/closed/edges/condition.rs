@@ -1,8 +1,8 @@
-//! Computes the condition of an answer, Σ|x ∂f/∂x| over its inputs x, by dual numbers.
+//! Computes the condition number of an answer f, Σ|x ∂f/∂x| over its inputs x, by dual numbers.
 //!
-//! To first order, inputs that are k roundings off change an exact answer by k ε Σ|x ∂f/∂x|. The inputs are r and β,
-//! and one of two sets. The modal data are the inputs of the closed forms. Masses, springs, damping and μ are the
-//! inputs of a description.
+//! To first order, inputs that are off by k rounding units ε change an exact answer by kε Σ|x ∂f/∂x|. The inputs are
+//! r, β and one of two sets of numbers. For the closed forms this set is the modal data. For a description it is
+//! masses, springs, damping and μ.
 
 use frictiongen::study::{
     System,
@@ -15,7 +15,7 @@ use frictiongen_kernel::number::dual::Dual;
 use frictiongen_model::modal::Modal;
 use generated_tests::data::Data;
 
-/// The result of a scene whose condition is wanted.
+/// The quantity of a scene whose condition number is computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Asked {
     ContinuousLimit,
@@ -23,7 +23,7 @@ pub enum Asked {
     SlidingLimit,
     ContactAmplitude,
     ContactPhase,
-    /// Displacement of a mass at τ = 1.
+    /// Displacement of the mass with this index at τ = 1.
     Displacement(usize),
 }
 
@@ -33,7 +33,7 @@ impl Asked {
     }
 }
 
-/// Returns the closed form's answer, even where β is above the limits.
+/// Returns the answer of the closed form, even if β is above the limits.
 pub fn answer<S: Float>(data: &Data<S>, r: S, beta: S, asked: Asked) -> S {
     let at = data.at(r);
     match asked {
@@ -46,14 +46,14 @@ pub fn answer<S: Float>(data: &Data<S>, r: S, beta: S, asked: Asked) -> S {
     }
 }
 
-/// Returns the modal data of a system, converted to a scalar.
+/// Returns the modal data of a system, converted to another scalar type.
 pub fn data<T: Float, S: Float>(modal: &Modal<T>, to: impl Fn(T) -> S) -> Data<S> {
     Data {
         reduced: modal.reduced(to),
     }
 }
 
-/// A point (r, β) and a question.
+/// A point (r, β), and the quantity that is asked for there.
 #[derive(Clone, Copy, Debug)]
 pub struct Question {
     pub r: Dd,
@@ -68,7 +68,7 @@ impl Question {
     }
 }
 
-/// Returns f and ∂f/∂q, for a quantity q of the scene.
+/// Returns the answer f and its derivative ∂f/∂q with respect to a quantity q of the scene.
 pub fn along<S: Float>(system: &System<S>, question: Question, quantity: Quantity) -> Sensitive {
     let modal = system.modal().along(system.scene(), quantity);
     let data = data(&modal.expect("a quantity of the scene"), |value| value);
@@ -76,7 +76,7 @@ pub fn along<S: Float>(system: &System<S>, question: Question, quantity: Quantit
     answer(&data, Dual::fixed(r), Dual::fixed(beta), asked)
 }
 
-/// Returns f, ∂f/∂r and ∂f/∂β.
+/// Returns the answer f, ∂f/∂r and ∂f/∂β.
 pub fn along_place<S: Float>(system: &System<S>, question: Question) -> (Dd, Dd, Dd) {
     let data = data(&system.modal().fixed(), |value| value);
     let Question { r, beta, asked } = question;
@@ -85,8 +85,8 @@ pub fn along_place<S: Float>(system: &System<S>, question: Question) -> (Dd, Dd,
     (over_r.value, over_r.slope, over_beta.slope)
 }
 
-/// Returns |r ∂f/∂r| + |β ∂f/∂β| + |f| + Σ|x ∂f/∂x|. For an angle, half a turn replaces |f|. The sum is over the
-/// quantities x, each of which is given with its value.
+/// Returns |r ∂f/∂r| + |β ∂f/∂β| + |f| + Σ|x ∂f/∂x| for the answer f. For an angle, π replaces |f|. The sum is over
+/// the quantities x in `quantities`, where each quantity comes with its value.
 fn over<S: Float>(system: &System<S>, question: Question, quantities: &[(Quantity, Dd)]) -> f64 {
     let (value, over_r, over_beta) = along_place(system, question);
     let own = if question.asked.is_angle() {
@@ -102,7 +102,7 @@ fn over<S: Float>(system: &System<S>, question: Question, quantities: &[(Quantit
         .to_f64()
 }
 
-/// Returns the condition with respect to the modal data. It bounds the accuracy of the closed forms.
+/// Returns the condition number with respect to the modal data. It bounds the accuracy of the closed forms.
 pub fn modal_condition<S: Float>(system: &System<S>, question: Question) -> f64 {
     let modal = system.modal();
     let mut quantities = vec![(Quantity::Stiction, modal.stiction)];
@@ -121,7 +121,7 @@ pub fn modal_condition<S: Float>(system: &System<S>, question: Question) -> f64 
     over(system, question, &quantities)
 }
 
-/// Returns the condition with respect to the numbers of the description.
+/// Returns the condition number with respect to the numbers of the description.
 pub fn scene_condition<S: Float>(system: &System<S>, question: Question) -> f64 {
     let scene = system.scene();
     let mut quantities = vec![(Quantity::Stiction, Dd::from(scene.stiction))];

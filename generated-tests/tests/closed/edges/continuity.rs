@@ -1,7 +1,9 @@
-//! Tests that answers have no step across ζ = 0, ζ = 1, the zeros and poles of u, and a vanishing residue.
+//! Tests that answers have no step at four places: at ζ = 0, at ζ = 1, at zeros and poles of u, and where a residue
+//! vanishes.
 //!
-//! The bound on a difference has two terms. One is twice the derivative times the distance, with the larger of the
-//! derivatives at both points. The other is 2 × `ROUNDINGS` roundings of the answer's condition, half for each point.
+//! The bound on the difference of two answers has two terms. The first is twice the distance of the arguments times
+//! the larger derivative at both points. The second is 2 × `ROUNDINGS` rounding units times the condition number,
+//! half of it for each point.
 
 use crate::edges::condition::{
     Asked, Question, along, along_place, modal_condition, scene_condition,
@@ -20,7 +22,7 @@ const CONTACT: [Asked; 5] = [
     Asked::ContactPhase,
 ];
 
-/// Returns limits, amplitude and phase of the contact through the public interface.
+/// Returns both limits, β_lim without search, and amplitude and phase of the contact, through the public interface.
 fn answers(system: &System, r: f64, beta: f64) -> [f64; 5] {
     let at = system.at(r).expect("in the domain");
     let motion = at
@@ -45,7 +47,7 @@ fn apart(a: f64, b: f64, asked: Asked) -> f64 {
     }
 }
 
-/// Number of compared steps, number of omitted steps, and the largest difference divided by its bound.
+/// Numbers of compared and of omitted differences, and the largest difference divided by its bound.
 #[derive(Default)]
 struct Steps {
     count: usize,
@@ -64,7 +66,7 @@ impl Steps {
         assert!(step <= bound, "{}: {step:e} above {bound:e}", place());
     }
 
-    /// Prints the results, and asserts the number of compared and omitted steps.
+    /// Prints the results, and asserts the numbers of compared and of omitted differences.
     fn report(&self, title: &str, counts: (usize, usize, usize)) {
         println!(
             "{title}: {} steps compared, worst {:.2} of its bound; skipped: {} large scenes, {} ratios on a resonance",
@@ -74,8 +76,8 @@ impl Steps {
     }
 }
 
-/// Returns the scenes of few masses. Larger scenes would take too long, because each step needs a condition in
-/// double-double.
+/// Returns the scenes with at most `most` masses. Larger scenes would take too long, because each difference needs a
+/// condition number in double-double.
 fn small(most: usize, steps: &mut Steps) -> Vec<&'static (&'static str, &'static str)> {
     let masses = |text: &str| system::<f64>(text).modal().loads.len();
     let scenes = SCENES.iter().filter(|scene| masses(scene.1) <= most);
@@ -84,14 +86,14 @@ fn small(most: usize, steps: &mut Steps) -> Vec<&'static (&'static str, &'static
     scenes
 }
 
-/// Returns the scene with the same ζ in every mode.
+/// Returns the scene with the damping ratio ζ in every mode.
 fn damped(text: &str, zeta: f64) -> System {
     let mut scene = system::<f64>(text).scene().clone();
     scene.damping = Damping::Uniform(zeta);
     System::try_from(scene).expect("a valid scene")
 }
 
-/// Returns Σ_i |∂f/∂ζ_i| over the modes i.
+/// Returns Σ_i |∂f/∂ζ_i|, the sensitivity of an answer f to the damping ratios of all modes i.
 fn damping_slope(system: &System, question: Question) -> f64 {
     let modes = 0..system.modal().resonances.len();
     modes
@@ -109,7 +111,7 @@ fn beta_of(system: &System, r: f64) -> f64 {
     0.3 * at.continuous_limit().min(at.sliding_limit())
 }
 
-/// Returns frequency ratios between resonances, and some within 1e-3 of resonances.
+/// Returns frequency ratios between the resonances, and some within 1e-3 of a resonance.
 fn between(system: &System, steps: &mut Steps) -> Vec<f64> {
     let mut ratios = vec![0.57, 1.31];
     for pole in system.resonances() {
@@ -155,7 +157,7 @@ fn across(zetas: &[f64], centre: f64, title: &str, counts: (usize, usize, usize)
     steps.report(title, counts);
 }
 
-/// Checks answers for ζ → 0. The difference is O(ζ Σ|∂f/∂ζ|). For ζ of 1e-18 and less it is rounding alone.
+/// Checks answers for ζ → 0. Their change is O(ζ Σ|∂f/∂ζ|). For ζ of 1e-18 and less the change is rounding alone.
 #[test]
 fn vanishing_damping() {
     across(&[1e-300, 1e-18, 1e-12, 1e-9], 0.0, "zeta = 0", (1780, 3, 1));
@@ -176,10 +178,11 @@ fn critical_damping() {
     across(&zetas, 1.0, "zeta = 1", (3560, 3, 1));
 }
 
-/// Checks odd and even subharmonics of undamped scenes, for limits without search.
+/// Checks the limits without search of undamped scenes at odd and even subharmonics.
 ///
-/// At an odd subharmonic β_lim falls to 0, because U has a pole. At an even one the u of a mode is 0. The test leaves
-/// out the search for S. There S is small compared with U, and its condition in double-double takes minutes.
+/// At an odd subharmonic β_lim falls to 0, because U has a pole there. At an even subharmonic the u of a mode is 0.
+/// The test does not search for S. At these frequencies S is small compared with U, and its condition number in
+/// double-double takes minutes.
 #[test]
 fn sub_harmonics() {
     let mut steps = Steps::default();
@@ -200,7 +203,8 @@ fn sub_harmonics() {
                                 }
                             };
                             let (there, here) = (ask(r), ask(on));
-                            // On the subharmonic itself the derivative jumps, so it is taken next to the subharmonic.
+                            // On the subharmonic itself the derivative jumps, so the test takes the derivative next
+                            // to the subharmonic.
                             let question = Question::at(r, 0.0, asked);
                             let slope = along_place(&system, question).1.abs().to_f64();
                             let condition = modal_condition(&system, question);
@@ -229,8 +233,8 @@ fn moved(system: &System, quantity: Quantity, by: f64) -> System {
     System::try_from(scene).expect("a valid scene")
 }
 
-/// Checks a mode with a node at the contact. Its residue in the contact's sums is 0, but differs from 0 after a mass or
-/// a spring has changed by a rounding.
+/// Checks a mode with a node at the contact. The residue of this mode in the contact's sums is 0. It differs from 0
+/// if a mass or a spring changes by a rounding unit.
 #[test]
 fn a_node_at_the_contact() {
     let scenes = [

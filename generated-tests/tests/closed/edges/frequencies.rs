@@ -1,10 +1,10 @@
-//! Tests natural frequencies of widely spread scenes, compared with 40-digit references.
+//! Tests natural frequencies that are far apart, against references with 40 digits.
 
 use frictiongen::study::System;
 use frictiongen_kernel::Float;
 use serde_json::Value;
 
-/// Tolerance relative to each frequency, also for frequencies many decades below the largest.
+/// Tolerance relative to each frequency, including frequencies many decades below the largest one.
 const TOLERANCE: f64 = 1e-14;
 
 pub fn references() -> Vec<Value> {

@@ -1,7 +1,7 @@
 //! Tests that at β = 0 the motion is the plain linear response.
 //!
-//! The reference is the sum of modal receptances x̄_k = Σ φ_k φᵀp/(λ − r² + 2iζr√λ), computed independently in complex
-//! double-double numbers. For the contact it is wᵀx̄ − s.
+//! The reference is the sum of modal receptances x̄_k = Σ φ_k φᵀp/(λ − r² + 2iζr√λ), which the test computes
+//! independently in complex double-double numbers. For the contact the reference is wᵀx̄ − s.
 
 use crate::edges::scenes::{Rounded, SCENES, ratios, system};
 use frictiongen::study::System;
@@ -9,19 +9,21 @@ use frictiongen_kernel::Scalar;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_model::modal::Modal;
 
-/// Tolerance, in roundings of each term of the sum and of the frequency ratio in it.
+/// Tolerance, in rounding units of each term of the sum of receptances and of the frequency ratio in the term.
 const BAR: f64 = 8.0;
 
-/// A sum of receptances, with its sensitivity to a relative change of each term, of each √λ and of r.
+/// A sum of receptances, with its sensitivity to relative changes of each term, of each √λ and of r.
 struct Response {
     re: Dd,
     im: Dd,
     condition: f64,
-    /// Sensitivity of the steepest driven mode to r. If it exceeds 1/ε, r lies within a rounding of that mode's pole.
+    /// Sensitivity to r of the receptance that is most sensitive. If it exceeds 1/ε, r is within a rounding unit of a
+    /// pole.
     steepest: f64,
 }
 
-/// Returns the response to the load along `direction`, a row of mode shape components.
+/// Returns the response to the load along `direction`, which maps the index of a mode to the mode shape component
+/// there.
 fn response(modal: &Modal, r: Dd, direction: impl Fn(usize) -> Dd, relative: bool) -> Response {
     let zero = Dd::ZERO;
     let mut sum = Response {
@@ -43,7 +45,7 @@ fn response(modal: &Modal, r: Dd, direction: impl Fn(usize) -> Dd, relative: boo
         let zeta = modal.damping_ratios[mode];
         let (a, b) = ((root - r) * (root + r), (zeta + zeta) * r * root);
         let square = a * a + b * b;
-        // Relative to a moving base, v − 1 replaces v: v − 1 = (r² − 2iζr√λ)/(λ − r² + 2iζr√λ).
+        // For the motion relative to a moving base, v − 1 replaces v: v − 1 = (r² − 2iζr√λ)/(λ − r² + 2iζr√λ).
         let (re, im) = if relative {
             let (c, d) = (r * r, -b);
             ((c * a + d * b) / square, (d * a - c * b) / square)
@@ -54,7 +56,7 @@ fn response(modal: &Modal, r: Dd, direction: impl Fn(usize) -> Dd, relative: boo
         if relative {
             weight = weight / (root * root);
         }
-        // `steep` is the sensitivity of 1/(λ − r² + 2iζr√λ) to r, and also to √λ.
+        // `steep` is the sensitivity of 1/(λ − r² + 2iζr√λ) to r. The sensitivity to √λ is equal.
         let steep = (root * root + r * r + b).to_f64() / square.sqrt().to_f64();
         add(weight * re, weight * im, 1.0 + 2.0 * steep);
     }
@@ -70,13 +72,13 @@ fn angle(difference: f64) -> f64 {
     difference.min(turn - difference)
 }
 
-/// Numbers of compared and omitted answers, with reasons, and the largest error divided by its bound.
+/// Numbers of compared answers and of omitted ones, with the reasons, and the largest error divided by its bound.
 #[derive(Debug, Default)]
 struct Seen {
     compared: usize,
-    /// Number of answers within the rounding of a pole, which are bounded only from below.
+    /// Number of answers whose r is within a rounding unit of a pole. Such an answer has only a lower bound.
     on_poles: usize,
-    /// Number of frequencies without a motion. They are undamped resonances, or have β_lim = 0.
+    /// Number of frequencies without a motion: undamped resonances, and frequencies where β_lim = 0.
     without: usize,
     worst: f64,
 }
@@ -102,8 +104,8 @@ fn compare<S: Rounded>(name: &str, system: &System<S>, seen: &mut Seen) {
             let error = (Dd::from(amplitude.to_f64()) - want).abs().to_f64();
             let bound = BAR * epsilon * of.condition;
             if BAR * epsilon * of.steepest > 0.25 {
-                // Within the rounding of a pole the answer has no upper bound. The answer at the far side of that
-                // rounding bounds it from below.
+                // If r is within a rounding unit of a pole, the answer has no upper bound. Its lower bound is the
+                // answer at the far end of that unit.
                 let least = (want * want).to_f64() / (want.to_f64() + bound) * 0.5;
                 assert!(
                     amplitude.to_f64() >= least,
@@ -119,8 +121,8 @@ fn compare<S: Rounded>(name: &str, system: &System<S>, seen: &mut Seen) {
                 "{name}, r = {r:?}: {what} {amplitude:?} for {}, bound {bound:e}",
                 want.to_f64()
             );
-            // The lag is −arg of the sum. If the sum has an error of `bound`, the lag has an error of the bound divided
-            // by the sum's modulus.
+            // The lag is −arg of the sum. If the sum has an error `bound`, the lag has the error `bound` divided by
+            // the modulus of the sum.
             let lag = Scalar::atan2(-of.im, of.re);
             let error = angle(phase.to_f64() - lag.to_f64());
             let bound = BAR * epsilon * (of.condition / want.to_f64() + 4.0);

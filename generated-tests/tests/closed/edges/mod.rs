@@ -1,5 +1,5 @@
-//! Tests of accuracy at extremes: at the limits of the regimes, of damping and of subharmonics, with vanishing
-//! residues, and with widely spread or nearly equal frequencies.
+//! Tests the accuracy at extremes: at the limits of the regimes, at extreme damping, at subharmonics, with vanishing
+//! residues, and with natural frequencies that are far apart or nearly equal.
 
 mod condition;
 mod continuity;

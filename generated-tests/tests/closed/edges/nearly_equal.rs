@@ -1,8 +1,9 @@
-//! Tests scenes with nearly equal modes. Their answers depend weakly on the scene's numbers, but strongly on λ and the
-//! residues.
+//! Tests scenes with nearly equal modes. Their answers depend weakly on the numbers of the description, but strongly
+//! on λ and the residues.
 //!
-//! The tests measure a forward error in two ways, both in roundings of 2^-52 of the inputs. A user can expect the
-//! condition with respect to the description. The modal data is rounded once, and is the input of the closed forms.
+//! The tests divide the error of an answer by two condition numbers, in rounding units 2^-52 of the inputs. The
+//! condition number with respect to the description bounds what a user can expect. That with respect to the modal
+//! data bounds the closed forms, because the modal data is their input and is rounded once.
 
 use crate::edges::condition::{Asked, Question, modal_condition, scene_condition};
 use crate::edges::frequencies::{list, number, references};
@@ -11,13 +12,13 @@ use frictiongen_kernel::number::dd::Dd;
 use serde_json::Value;
 use std::collections::BTreeMap;
 
-/// Tolerance for |error| / (2^-52 × Σ|x ∂f/∂x|), with the sum over the description.
+/// Tolerance for |error| / (2^-52 × Σ|x ∂f/∂x|), with the sum over the numbers x of the description.
 const BAR: f64 = 64.0;
-/// Tolerance for |error| / (2^-52 × Σ|x ∂f/∂x|), with the sum over the modal data. It covers half a rounding of each
-/// number, and the rounding of the sums.
+/// Tolerance for |error| / (2^-52 × Σ|x ∂f/∂x|), with the sum over the numbers x of the modal data. It covers half a
+/// rounding unit of each number, and the rounding of the sums.
 const OF_THE_DATA: f64 = 4.0;
 
-/// An error in roundings of the inputs, by each of both conditions, with the scene and point where it occurs.
+/// The error of an answer divided by each of both condition numbers, in rounding units, with the scene and the point.
 struct Error {
     asked: Asked,
     by_scene: f64,
@@ -56,7 +57,7 @@ fn measured(system: &System, r: f64, beta: f64, asked: Asked, want: f64) -> Erro
     }
 }
 
-/// Returns the errors of the reference's scene.
+/// Returns the errors of the scenes with nearly equal modes in the reference.
 fn of_the_references() -> Vec<Error> {
     let mut errors = Vec::new();
     let scenes = references();
@@ -87,8 +88,8 @@ fn of_the_references() -> Vec<Error> {
     errors
 }
 
-/// Returns the errors of a scene whose two modes are apart by a relative distance of 10^−`exponent`, compared with the
-/// same scene in double-double.
+/// Returns the errors of a scene whose two modes have a relative distance of 10^−`exponent`. The exact answers are
+/// those of the same scene in double-double.
 fn apart_by(exponent: i32) -> Vec<Error> {
     let mut errors = Vec::new();
     let ratio = 10f64.powi(-2 * exponent);
@@ -136,7 +137,7 @@ fn apart_by(exponent: i32) -> Vec<Error> {
     errors
 }
 
-/// Prints the worst error of each kind, and returns the largest by each condition.
+/// Prints the worst error of each kind of answer. Returns the largest error by each of both condition numbers.
 fn report(title: &str, errors: &[Error]) -> (f64, f64) {
     let mut kinds: BTreeMap<String, &Error> = BTreeMap::new();
     for error in errors {
@@ -162,7 +163,7 @@ fn report(title: &str, errors: &[Error]) -> (f64, f64) {
     (largest(|e| e.by_scene), largest(|e| e.by_modal_data))
 }
 
-/// Checks that the closed forms lose nothing beyond the rounding of the modal data.
+/// Checks that the errors of the closed forms stay within the rounding of the modal data.
 #[test]
 fn by_the_modal_data() {
     let (_, worst) = report("reference", &of_the_references());
@@ -173,8 +174,8 @@ fn by_the_modal_data() {
     }
 }
 
-/// Measures the error by the condition of the description itself. The error should stay within that condition, but it
-/// does not.
+/// Measures the error by the condition number with respect to the description. The error should stay within `BAR` of
+/// it, but it does not.
 #[test]
 #[ignore = "missed: modal data rounded one by one lose the scene's digits as the modes' distance falls"]
 fn by_the_scene() {

@@ -1,9 +1,9 @@
-//! Tests the reported regime and the motion at friction ratios β one rounding below, at, and one rounding above each
-//! limit.
+//! Tests the reported regime and the motion at friction ratios β near each limit: one rounding unit below the limit,
+//! at the limit, and one rounding unit above it.
 //!
-//! Physics and documentation have the same rule. The contact is stuck from β*_lim on, β*_lim included, also where
-//! β*_lim is below β_lim. The motion is continuous below β_lim, and stick-slip from β_lim on, β_lim included. A
-//! continuous motion on an undamped resonance that the load drives is unbounded.
+//! Physics and documentation have the same rule. The contact is stuck for β ≥ β*_lim, even if β*_lim is below β_lim.
+//! Otherwise the motion is continuous for β < β_lim, and stick-slip for β ≥ β_lim. A continuous motion on an undamped
+//! resonance that the load drives is unbounded.
 
 use crate::edges::condition::{Asked, Question, along_place, answer, data, modal_condition};
 use crate::edges::scenes::{Rounded, SCENES, ratios, system};
@@ -14,7 +14,7 @@ use frictiongen::{
 use frictiongen_kernel::number::dd::Dd;
 use generated_tests::shown;
 
-/// Tolerance in roundings of each input, as for every other answer.
+/// Tolerance in rounding units of each input. All other answers have the same tolerance.
 const BAR: f64 = 64.0;
 
 /// Returns the undamped resonances that the load drives, as frequency ratios.
@@ -32,8 +32,8 @@ fn show<T>(got: &Result<T, NotContinuous>) -> String {
     }
 }
 
-/// Number of tested friction ratios, number of skipped ones, and the answers that break the rule. A value is skipped if
-/// it is not a valid friction ratio: below 0 (near a limit of 0), or infinite.
+/// Numbers of tested and of skipped friction ratios, and the answers that break the rule of the regimes. The test
+/// skips values that are no valid friction ratio: values below 0 (near a limit of 0), and infinity.
 #[derive(Debug, Default)]
 struct Told {
     asked: usize,
@@ -116,7 +116,7 @@ where
     all
 }
 
-/// Prints the sums, and asserts the number of tested and skipped friction ratios.
+/// Prints the total numbers, and asserts the numbers of tested and skipped friction ratios.
 fn report(title: &str, results: Vec<Told>, counts: (usize, usize)) {
     let asked: usize = results.iter().map(|result| result.asked).sum();
     let skipped: usize = results.iter().map(|result| result.skipped).sum();
@@ -130,7 +130,7 @@ fn report(title: &str, results: Vec<Told>, counts: (usize, usize)) {
     assert_eq!((asked, skipped), counts, "{title}");
 }
 
-/// Returns the grid of frequency ratios, with r = 0 in addition.
+/// Returns the frequency ratios that `ratios` gives, and r = 0.
 fn with_rest<S: Rounded>(resonances: &[S]) -> Vec<S> {
     let mut ratios = ratios(resonances);
     ratios.push(S::constant(0.0));
@@ -181,7 +181,8 @@ fn emitted() {
     );
 }
 
-/// Checks that at r = ∞ the limits for r → ∞ decide, not the sums at the largest r that is evaluated.
+/// Checks that at r = ∞ the limits for r → ∞ decide the regime, not the sums at the largest r that the formulas
+/// evaluate.
 #[test]
 fn at_infinity() {
     let infinity = || vec![f64::INFINITY];
@@ -192,13 +193,13 @@ fn at_infinity() {
     report("r = ∞", results.collect(), (117, 33));
 }
 
-/// Checks that the closed form has no step at a limit. Neighbouring β on both sides of the limit give nearly the same
+/// Checks that the closed form has no step at a limit: neighbouring β on both sides of the limit give nearly the same
 /// amplitude.
 ///
-/// The bound is the change by a rounding of β and by `BAR` roundings of each input. Near a pole or subharmonic the
-/// amplitude may be as steep as a root at its zero, where a first-order condition means nothing. The effect of r and β
-/// is therefore the spread of the double-double answer over r(1 ± kε), β(1 ± kε), with k = 64. The effect of the modal
-/// data is 2kε Σ|x ∂f/∂x|, two roundings below the limit.
+/// The bound is the change by `BAR` rounding units of each input. Near a pole or subharmonic the amplitude may be as
+/// steep as a square root at its zero, where a first-order condition number means nothing. The effect of r and β is
+/// therefore the spread of the double-double answer over r(1 ± kε), β(1 ± kε), with k = 64. The effect of the modal
+/// data is 2kε Σ|x ∂f/∂x|, evaluated two rounding units below the limit.
 fn amplitudes<S: Rounded>(counts: (usize, usize, usize)) {
     let (mut asked, mut skipped, mut public) = (0, 0, 0);
     let mut failures = Vec::new();
@@ -208,7 +209,7 @@ fn amplitudes<S: Rounded>(counts: (usize, usize, usize)) {
         let rounded = data(modal, |value| S::constant(value.hi) + S::constant(value.lo));
         let exact = data(modal, |value| value);
         let all = ratios(system.resonances());
-        // Only every ninth ratio is used. Nine is prime to the period of the grid.
+        // The test uses every ninth ratio. Nine has no common divisor with the period of the grid.
         for r in all.into_iter().step_by(9) {
             let at = system.at(r).expect("in the domain");
             let limits = [at.continuous_limit(), at.sliding_limit()];
@@ -272,8 +273,8 @@ fn amplitude_on_both_sides_in_single_precision() {
     amplitudes::<f32>((1110, 0, 572));
 }
 
-/// Checks that a rounding of β changes the contact's amplitude by |∂Z/∂β| times that rounding, plus the amplitude's own
-/// rounding. This change is far below the rounding of a limit.
+/// Checks that a change of β by one rounding unit changes the contact's amplitude Z by |∂Z/∂β| times this unit, plus
+/// the rounding of Z itself. This change is far below the rounding of a limit.
 #[test]
 fn a_rounding_of_beta() {
     let (mut worst, mut compared) = (0.0_f64, 0);
@@ -292,8 +293,8 @@ fn a_rounding_of_beta() {
                 let question = Question::at(r, beta, Asked::ContactAmplitude);
                 let (value, _, slope) = along_place(&system, question);
                 let one = slope.abs().to_f64() * (beta.next_up() - beta);
-                // Sixteen roundings of half a unit each occur: in V, in U, in their two sums, in the root and in the
-                // products.
+                // Sixteen roundings of half a unit each occur: in V, in U, in the sums for V and U, in the root and
+                // in the products.
                 let own = 8.0 * f64::EPSILON * modal_condition(&system, question);
                 worst = worst.max((step - one) / own);
                 assert!(step <= one + own, "{name}, r = {r}: {step:e}, {value}");

@@ -1,4 +1,4 @@
-//! Defines scenes, frequency ratios, and neighbouring numbers of a scalar, for tests of accuracy at extremes.
+//! Defines scenes, frequency ratios, and neighbouring numbers of a scalar type, for tests of accuracy at extremes.
 
 use frictiongen::study::System;
 use frictiongen_kernel::Float;
@@ -92,7 +92,7 @@ pub fn system<S: Float>(text: &str) -> System<S> {
     text.parse().expect("a valid scene")
 }
 
-/// A scalar with a next larger and a next smaller value.
+/// A scalar type whose numbers have a next larger and a next smaller number.
 pub trait Rounded: Float {
     fn up(self) -> Self;
     fn down(self) -> Self;
@@ -116,9 +116,9 @@ impl Rounded for f32 {
     }
 }
 
-/// Returns the ratios √λ/n, n = 1 … 9, which are resonances and odd and even subharmonics. Each ratio comes with its
-/// two neighbouring numbers, and with points at relative distances down to the scalar's rounding. The list also has
-/// some ratios between resonances, and some far away.
+/// Returns the ratios √λ/n, n = 1 … 9, which are resonances and odd and even subharmonics. With each ratio come its
+/// two neighbouring numbers, and ratios at relative distances down to the rounding unit of the scalar type. The list
+/// also has some ratios between resonances, and some far away from them.
 pub fn ratios<S: Rounded>(resonances: &[S]) -> Vec<S> {
     let mut ratios: Vec<S> = [1e-3, 0.17, 0.83, 1.37, 40.0].map(S::constant).into();
     for pole in resonances {

@@ -1,5 +1,5 @@
-//! Tests a scene's own bound on the evaluations of a search. No search exceeds it, few searches come near it, and at
-//! usual frequencies no search ends without a result.
+//! Tests a scene's own bound on the number of evaluations of a search. No search exceeds the bound, few searches come
+//! near it, and at usual frequencies every search ends with a result.
 
 use crate::search::random::random_scene;
 use frictiongen::study::System;
@@ -7,17 +7,17 @@ use frictiongen::{Effort, FrictionSystem, friction_system};
 use frictiongen_kernel::modal_sum::search::{MAX_EVALUATIONS, Peak};
 use fuzzing::Random;
 
-/// Number of half turns of the fastest mode in a half period below which every search must finish.
+/// Number of half turns of the fastest mode in a half period up to which every search must finish.
 const USUAL: f64 = 1e5;
 
-/// Numbers of evaluations in the searches of one kind (limit or amplitude).
+/// Numbers of evaluations in the searches for a limit or for an amplitude.
 #[derive(Default)]
 struct Counts {
     /// Number of evaluations of each search that was needed.
     all: Vec<u32>,
-    /// Number of searches without a result, only beyond [`USUAL`].
+    /// Number of searches without a result. They may occur only for more half turns than [`USUAL`].
     given_up: u32,
-    /// Largest fraction of its bound that a search used.
+    /// Largest ratio of the evaluations of a search to the bound on them.
     nearest: f64,
 }
 
@@ -38,7 +38,7 @@ impl Counts {
         }
     }
 
-    /// Returns the median, the 99 % quantile and the maximum.
+    /// Returns the median, the 99 % quantile and the maximum of the numbers of evaluations.
     fn quantiles(&mut self) -> [u32; 3] {
         self.all.sort_unstable();
         let n = self.all.len();
@@ -46,9 +46,8 @@ impl Counts {
     }
 }
 
-/// Returns a frequency ratio at which searches are long. Such ratios are slow sweeps, resonances, subharmonics and
-/// their neighbourhood, and ratios far above the modes. Far above, the motion of a mass is a small remainder of large
-/// terms.
+/// Returns a frequency ratio at which searches are long: far below the resonances, near resonances and subharmonics,
+/// or far above the resonances. Far above, the motion of a mass is a small remainder of large terms.
 fn frequency(random: &mut Random, resonances: &[f64], kind: usize) -> f64 {
     let one = resonances[random.below(resonances.len())];
     let beside = 1.0 + random.signed() * random.log_uniform(1e-15, 1e-2);
@@ -111,8 +110,8 @@ fn run(scenes: usize, masses: usize) -> [Counts; 2] {
     [limit, amplitude]
 }
 
-/// Asserts the median, 99 % quantile and maximum that the documentation of `most_evaluations` gives, with a quarter of
-/// margin.
+/// Asserts the median, the 99 % quantile and the maximum that the documentation of `most_evaluations` states. The
+/// asserted bounds are a quarter larger.
 fn agreed([limit, amplitude]: &mut [Counts; 2]) {
     for (counts, said) in [(limit, [3, 110, 275]), (amplitude, [10, 40, 400])] {
         let found = counts.quantiles();
@@ -137,7 +136,7 @@ fn no_search_exceeds_its_scenes_bound() {
 fn no_search_exceeds_its_scenes_bound_at_length() {
     agreed(&mut run(10_000, 16));
     agreed(&mut run(10_000, 4));
-    // With more masses, more masses are far from load and contact, so the quantiles are larger.
+    // Scenes with more masses have more masses far from load and contact, so the quantiles are larger.
     let [limit, amplitude] = run(300, 64);
     assert!(limit.nearest < 0.5 && amplitude.nearest < 0.5);
 }

@@ -1,4 +1,4 @@
-//! Compares both searches with brute force, scene by scene.
+//! Compares the searches for β_lim and for an amplitude with brute force, scene by scene.
 
 use crate::search::led::Led;
 use crate::search::plain::{Plain, largest};
@@ -16,7 +16,7 @@ pub struct Findings {
     pub searched: usize,
     pub ill: usize,
     pub masses: usize,
-    /// Number of compared phases, and number of phases whose maximum has an equal one elsewhere.
+    /// Number of compared phases, and number of phases whose maximum occurs at two instants with equal values.
     pub phases: usize,
     pub ties: usize,
     /// Number of scenes on an undamped resonance.
@@ -48,7 +48,8 @@ pub fn compare(random: &mut Random, findings: &mut Findings, least: usize, most:
     let plain = Plain::new(&system, r, 0.0, false);
     let limit = plain.limit(&system, least);
     findings.searched += usize::from(limit.searched);
-    // The rounding is a few hundred units of the modal data and of the sums, times the condition number.
+    // The rounding error is a few hundred rounding units of the modal data and of the sums, times the condition
+    // number.
     let rounding = 500.0 * f64::EPSILON * limit.condition;
     findings.ill += usize::from(rounding > 1e-9);
     // A β_lim that is too large means a missed maximum of the constraint, so the tolerance on this side is smaller.
@@ -146,7 +147,7 @@ pub fn compare(random: &mut Random, findings: &mut Findings, least: usize, most:
         };
         let there = sign * displacement(place * PI);
         let fall = 1.0 - there / brute;
-        // If the instant is wrong by the square root of a rounding, the value is lower by a rounding.
+        // An error of √ε in the instant lowers the value at a maximum only by about ε.
         let allowed = 1e-11_f64.max(rounding);
         if rounding <= 1e-9 {
             findings.worst_fall = findings.worst_fall.max(fall);
@@ -178,13 +179,14 @@ pub fn compare(random: &mut Random, findings: &mut Findings, least: usize, most:
     }
 }
 
-/// Sorts the counts, the largest first, and returns the count that a fraction `share` of them exceeds.
+/// Sorts the numbers of evaluations, largest first. Returns the number that a fraction `share` of the searches
+/// exceeds.
 pub fn quantile(counts: &mut [(u32, String)], share: f64) -> u32 {
     counts.sort_by_key(|count| std::cmp::Reverse(count.0));
     counts[(counts.len() as f64 * share) as usize].0
 }
 
-/// Asserts upper bounds on the median, the 99 % quantile and the maximum of the evaluations.
+/// Asserts upper bounds on the median, the 99 % quantile and the maximum of the numbers of evaluations.
 pub fn within(name: &str, counts: &mut [(u32, String)], (median, most, worst): (u32, u32, u32)) {
     let found = [0.5, 0.01, 0.0].map(|share| quantile(counts, share));
     assert!(

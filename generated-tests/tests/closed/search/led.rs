@@ -1,24 +1,24 @@
-//! Tests led searches, which start from the results of other points of a sweep. They find the same maximum, from
-//! neighbours near and far.
+//! Tests searches that start from the results of other points of a sweep ("led" searches). They must find the same
+//! maximum, whether those points are near or far.
 
 use frictiongen::Neighbour;
 use frictiongen::study::System;
 
-/// Number of evaluations and differences of amplitude of led searches.
+/// Numbers of evaluations of led searches and of plain searches, and the largest difference of their amplitudes.
 #[derive(Debug, Default)]
 pub struct Led {
     /// Number of searches.
     pub searches: usize,
-    /// Number of evaluations of searches without the results of other points.
+    /// Number of evaluations of the searches that do not use the results of other points.
     pub alone: u32,
     /// Number of evaluations of searches that start from the results of other points.
     pub led: u32,
-    /// Largest difference of the amplitudes, in roundings of the motion's terms.
+    /// Largest difference of the amplitudes of a led and a plain search, in rounding units of the motion's terms.
     pub worst: f64,
 }
 
 impl Led {
-    /// Compares the amplitude at (r, β) with and without a lead from some multiples of r.
+    /// Compares the amplitude of a mass at (r, β) with and without the results at some multiples of r.
     pub fn add(
         &mut self,
         system: &System,
@@ -48,7 +48,8 @@ impl Led {
         self.worst = self.worst.max(roundings);
     }
 
-    /// Asserts that the amplitudes differ by at most the rounding of the terms at two different instants.
+    /// Asserts that the amplitudes of led and plain searches differ at most by the rounding of the terms at two
+    /// instants.
     pub fn agreed(&self) {
         println!("{self:?}");
         assert!(self.searches > 1000);

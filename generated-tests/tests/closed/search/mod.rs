@@ -1,7 +1,9 @@
-//! Compares the two guaranteed searches (velocity constraint, largest displacement) with brute force on random scenes.
+//! Compares the two guaranteed searches, for the velocity constraint and for the largest displacement, with brute
+//! force on random scenes.
 //!
-//! The functions come from the printed formulas and from modal data alone. A fine grid with a golden-section refinement
-//! finds their maxima. This is slow, but so plain that it cannot have the errors of a search with bounds.
+//! The reference evaluates the functions by the printed formulas, from modal data alone. A fine grid with a
+//! golden-section refinement finds their maxima. This is slow, but so plain that it cannot have the errors of a
+//! search with bounds.
 
 mod bound;
 mod findings;
@@ -14,7 +16,7 @@ use frictiongen::study::System;
 use fuzzing::Random;
 use plain::Plain;
 
-/// Compares scenes of at most `most` masses with a grid of at least `least` points.
+/// Compares random scenes of at most `most` masses with brute force on a grid of at least `least` points.
 fn run(seed: u64, scenes: usize, least: usize, most: usize, listed: usize) -> Findings {
     let mut random = Random(seed);
     let mut findings = Findings::default();
@@ -25,19 +27,20 @@ fn run(seed: u64, scenes: usize, least: usize, most: usize, listed: usize) -> Fi
     findings
 }
 
-/// Checks that rounding at small τ does not count as a peak. S falls from its limit at τ → 0. At tiny τ only rounding
-/// is left of the quotient. The expected β_lim to 20 digits is from 40-digit arithmetic.
+/// Checks that rounding at small τ does not count as a maximum of the velocity constraint. In this scene the constraint
+/// falls from its limit at τ → 0. At tiny τ it is a quotient of rounding errors. The expected β_lim, with 20 digits, is
+/// from 40-digit arithmetic.
 #[test]
 fn rounding_at_the_start_is_no_peak() {
     let pair = "struct Pair { masses: { a: 1, b: 2 }, springs: { base - a: 1, a - b: 1 },
                 contact: a - b, excitation: a, damping: modal(0.2) }";
     let system: System = pair.parse().unwrap();
     let limit = system.at(0.059).unwrap().continuous_limit();
-    // V is a difference of numbers that are 10³ times as large as V.
+    // V is a difference of two numbers that are 10³ times as large.
     let error = limit / 2.152_674_283_808_898_4e-5 - 1.0;
     assert!(error.abs() < 1e-11, "{limit}: off by {error:e}");
-    // Over a sweep the search is compared with the plain function. Where modes decay fast, the constraint falls all the
-    // way.
+    // The result of the search over a sweep is compared with the plain function. If modes decay fast, the constraint
+    // falls over the whole half period.
     let one = "struct One { masses: { a: 1 }, springs: { base - a: 1 }, contact: a - wall,
                excitation: a, damping: modal(0.2) }";
     let mut compared = 0;
@@ -62,8 +65,8 @@ fn rounding_at_the_start_is_no_peak() {
     assert_eq!(compared, 2 * 399);
 }
 
-/// Asserts that limits, amplitudes and phases agree, and counts the comparisons. The bounds on evaluations (median, 99
-/// % quantile, maximum) are a quarter above the measured values.
+/// Asserts that limits, amplitudes and phases agree, and asserts the numbers of comparisons. The bounds on the
+/// numbers of evaluations (median, 99 % quantile, maximum) are a quarter above the measured numbers.
 fn agreed(findings: &mut Findings, scenes: usize) {
     assert!(
         findings.disagreements.is_empty(),
@@ -76,7 +79,7 @@ fn agreed(findings: &mut Findings, scenes: usize) {
     assert!(findings.masses >= scenes);
     assert_eq!(findings.masses, findings.phases);
     assert_eq!(findings.masses, findings.amplitude_counts.len());
-    // No random r equals an undamped resonance bit for bit.
+    // No random r is, bit for bit, an undamped resonance.
     assert_eq!(findings.unbounded, 0);
     assert!(
         findings.ill * 20 < scenes,

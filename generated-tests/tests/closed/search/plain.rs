@@ -1,9 +1,10 @@
-//! Evaluates the searched functions by the printed formulas, and finds their maxima by brute force.
+//! Evaluates the functions of both searches by the printed formulas, and finds their maxima by brute force.
 
 use frictiongen::study::System;
 use std::f64::consts::PI;
 
-/// Functions of a damped mode, as printed in sections 3 and 4 of the physics page. Beyond ζ = 1, q is imaginary.
+/// A damped mode, whose functions are those that sections 3 and 4 of the physics page print. For ζ > 1, q is
+/// imaginary.
 #[derive(Clone, Debug)]
 pub struct Mode {
     /// The ratio 1/R = √λ/r of the mode.
@@ -24,7 +25,7 @@ pub struct Mode {
     pub v: (f64, f64),
 }
 
-/// Returns (d, q̃) at y = τ/R: e^{−ζy}[cos qy + (ζ/q) sin qy] and e^{−ζy} sin(qy)/q.
+/// Returns the pair (d, q̃) at y = τ/R: d = e^{−ζy}[cos qy + (ζ/q) sin qy], q̃ = e^{−ζy} sin(qy)/q.
 pub fn decay(zeta: f64, y: f64) -> (f64, f64) {
     let q2 = 1.0 - zeta * zeta;
     if q2 > 0.0 {
@@ -47,7 +48,7 @@ impl Mode {
         let ratio = 1.0 / x;
         let (u, g);
         if zeta == 0.0 {
-            // Whole turns are removed before tan(π/2R) is computed, which is exact.
+            // The code removes whole turns from the argument of tan(π/2R) first. This removal is exact.
             u = (0.5 * PI * (x % 2.0)).tan() / ratio;
             g = 0.0;
         } else {
@@ -74,7 +75,8 @@ impl Mode {
         }
     }
 
-    /// Returns (1+g)Rq̃ + uR²[cos τ − e^{−ζτ/R}(cos qτ/R − (ζ/q) sin qτ/R)], the bracket of S.
+    /// Returns (1+g)Rq̃ + uR²[cos τ − e^{−ζτ/R}(cos qτ/R − (ζ/q) sin qτ/R)], the term of this mode in the velocity
+    /// constraint.
     pub fn constraint(&self, tau: f64) -> f64 {
         let (ratio, y) = (1.0 / self.x, tau * self.x);
         if self.zeta == 0.0 {
@@ -87,7 +89,7 @@ impl Mode {
         (1.0 + self.g) * ratio * q_tilde + self.u * ratio * ratio * (tau.cos() - turned)
     }
 
-    /// Returns h, the contribution of friction to the displacement.
+    /// Returns h(τ), the contribution of friction in this mode to the displacement.
     pub fn h(&self, tau: f64) -> f64 {
         if self.zeta == 0.0 {
             return 1.0 - ((tau - 0.5 * PI) * self.x).cos() / (0.5 * PI * (self.x % 4.0)).cos();
@@ -109,9 +111,9 @@ pub struct Plain {
 /// Result of the brute-force search for β_lim.
 pub struct Limit {
     pub beta: f64,
-    /// True if the search mattered, because S is above the break-away term.
+    /// True if the search mattered, because S, the largest velocity constraint, is above the break-away term.
     pub searched: bool,
-    /// Relative change of β for relative changes of the resonances, and the relative loss in V.
+    /// Condition number: the relative change of β for relative changes of the resonances, plus the cancellation in V.
     pub condition: f64,
 }
 
@@ -152,7 +154,7 @@ impl Plain {
         sum / (self.r * self.r * tau.sin())
     }
 
-    /// Returns V, U and G of the contact, and the size of the largest terms in V.
+    /// Returns V, U and G of the contact, and the size of the largest term in V.
     pub fn contact(&self) -> ((f64, f64), f64, f64, f64) {
         let (mut v, mut u, mut g, mut size) = ((-self.of_base, 0.0), 0.0, 0.0, self.of_base);
         for mode in &self.modes {
@@ -165,7 +167,7 @@ impl Plain {
         (v, u, g, size)
     }
 
-    /// Returns H_c of the contact.
+    /// Returns H_c of the contact, which decides whether it breaks away at a reversal.
     pub fn reversal(&self) -> f64 {
         let sum: f64 = self
             .modes
@@ -175,7 +177,7 @@ impl Plain {
         sum / (self.r * self.r)
     }
 
-    /// Returns the number of grid points that resolves every mode, with 24 points to a turn of the fastest mode.
+    /// Returns a number of grid points, at least `least`, that gives 24 points to each turn of the fastest mode.
     pub fn points(&self, least: usize) -> usize {
         let fastest = self
             .modes
@@ -191,7 +193,7 @@ impl Plain {
         v.0.hypot(v.1) / u.hypot(demand)
     }
 
-    /// Returns β_lim, with S from a grid of at least `least` points.
+    /// Returns β_lim, with S (the largest velocity constraint) from a grid of at least `least` points.
     pub fn limit(&self, system: &System, least: usize) -> Limit {
         let (tau, searched_s) = largest(|tau| self.constraint(tau), self.points(least));
         let mass = self.inverse_mass / (self.r * self.r);
@@ -200,7 +202,8 @@ impl Plain {
         let beta = self.beta_with(s);
         let at_start = searched_s < mass + self.reversal();
         let (v, _, _, size) = self.contact();
-        // The condition is the change of β for shifted resonances, at the same τ because τ is at a maximum.
+        // The condition number compares β for shifted resonances at the same τ, because the constraint is stationary
+        // at τ.
         let mut condition = size / v.0.hypot(v.1);
         let step = 1e-9;
         for alternate in [false, true] {

@@ -44,9 +44,10 @@ pub struct Case {
     pub door: Door,
     /// Faulty description.
     pub faulty: String,
-    /// Messages as `line:column: message`, in the order of the text. Without a text they have no position.
+    /// Messages as `line:column: message`, in the order of the text. For a case without a text they have no position.
     pub told: Vec<String>,
-    /// Messages of the compiler, if their positions differ. Line 0 is that of the call.
+    /// Messages of the compiler, if their positions differ from those in `told`. Line 0 is the line of the macro
+    /// call.
     pub told_by_rustc: Option<Vec<String>>,
     /// Corrected description.
     pub cured: String,

@@ -52,7 +52,7 @@ fn show(case: &Case, page: &mut String) {
     let _ = write!(page, "```diff\n{changes}```\n");
 }
 
-/// Returns the lines that differ.
+/// Returns the lines in which the faulty and the corrected description differ.
 fn changes(faulty: &str, cured: &str) -> String {
     let (faulty, cured): (Vec<_>, Vec<_>) = (faulty.lines().collect(), cured.lines().collect());
     // kept[i][j] is the number of lines that the remainders from i and from j have in common.

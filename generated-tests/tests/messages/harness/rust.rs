@@ -12,7 +12,7 @@ fn folder() -> PathBuf {
 /// A Rust file: its path, its text, and its cases with their lines.
 type RustFile<'a> = (PathBuf, String, Vec<(usize, &'a Case)>);
 
-/// Returns the files that the compiler reads, each with the line of each case's call.
+/// Returns the files that the compiler reads, each with the line number of each case's macro call.
 fn files(cases: &[Case]) -> Vec<RustFile<'_>> {
     let mut files = Vec::new();
     let parts = groups(cases).flat_map(|(group, cases)| group.of_files(&cases));
@@ -65,7 +65,7 @@ pub fn check_places(cases: &[Case]) {
     }
 }
 
-/// Returns line, column and message of each message of a case.
+/// Returns line, column and text of each message that the compiler should print for a case.
 fn expected(call: usize, case: &Case) -> Vec<(usize, usize, String)> {
     let told = case.told_by_rustc.as_ref().unwrap_or(&case.told);
     told.iter()

@@ -1,9 +1,9 @@
-//! Texts in the sources of which messages consist.
+//! Finds the texts in the sources from which messages are made.
 
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 use std::path::{Path, PathBuf};
 
-/// First words of texts that no description can cause here, with the reason.
+/// First words of message texts that no description can cause in these tests, each with the reason.
 const NEVER_TOLD: [(&str, &str); 4] = [
     (
         "this is not a scene",
@@ -29,7 +29,7 @@ pub struct Text {
     pub file: String,
     /// Text of the literal.
     pub text: String,
-    /// Pieces between its `{…}`, read as a format string and as plain text.
+    /// Pieces of the text between its `{…}`: first if read as a format string, then if read as plain text.
     readings: [Vec<String>; 2],
 }
 
@@ -68,7 +68,8 @@ impl Text {
     }
 }
 
-/// Returns the text after the pieces, which are searched in order.
+/// Returns the rest of the text `told` after all pieces, which must occur in this order. Returns `None` if one is
+/// missing.
 fn rest_after<'t>(pieces: &[String], told: &'t str) -> Option<&'t str> {
     pieces.iter().try_fold(told, |rest, piece| {
         rest.split_once(piece.as_str()).map(|(_, rest)| rest)
@@ -129,8 +130,8 @@ pub fn texts() -> Vec<Text> {
     texts
 }
 
-/// Returns `true` for a text that consists of words. Texts of emitted code and of written C, Rust and descriptions are not
-/// messages.
+/// Returns `true` for a text that consists of words and is a message. Texts of emitted code, and of written C, Rust
+/// and descriptions, are not messages.
 fn is_message(file: &str, text: &str) -> bool {
     let words = text.contains(' ')
         && pieces(text)
@@ -154,8 +155,8 @@ fn sources(folder: &Path, files: &mut Vec<PathBuf>) {
     files.sort();
 }
 
-/// Visits each string literal outside attributes, and those in `#[error(…)]`. It passes the name of the macro or
-/// function whose first argument the literal is.
+/// Visits each string literal outside attributes, and each string literal in `#[error(…)]`. If the literal is the
+/// first argument of a macro or function, `visit` also receives the name of the macro or function.
 pub fn each_string(tokens: TokenStream, visit: &mut impl FnMut(&str, String)) {
     strings(tokens, "", visit);
 }

@@ -1,16 +1,16 @@
-//! The questions that the tests put to a scene, and the answers of the formulas in any scalar.
+//! The questions that the tests ask about a scene, and the answers of the formulas in any scalar type.
 
 use frictiongen_kernel::{Complex, Float};
 use generated_tests::data::{DataAt, DataMotion};
 
-/// Selects a motion: that of the contact, or that of a mass.
+/// Selects whose motion is asked for: that of the contact, or that of a mass.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Of {
     Contact,
     Mass(usize),
 }
 
-/// A question to a scene, whose answer is judged.
+/// A question about a scene. The tests judge its answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Asked {
     ContinuousLimit,
@@ -19,9 +19,9 @@ pub enum Asked {
     SlidingLimit,
     Stuck(usize),
     Amplitude(Of),
-    /// Lag of a motion, rad. For a mass the judged number is the velocity at the lag, which must be zero.
+    /// Lag of a motion, rad. For a mass the tests judge the velocity at the lag, which must be zero.
     Phase(Of),
-    /// Displacement of a mass at its lag. It must be the largest displacement.
+    /// Displacement of a mass at its lag, which must be the largest displacement.
     Height(usize),
     Estimate(usize),
     Displacement(Of),
@@ -30,7 +30,7 @@ pub enum Asked {
 }
 
 impl Asked {
-    /// Returns the name of the kind of question, under which the tally counts the answers.
+    /// Returns the name of the kind of question. The tally counts the answers of each kind.
     pub fn kind(self) -> &'static str {
         match self {
             Self::ContinuousLimit => "continuous limit",
@@ -100,14 +100,14 @@ impl<S: Float> Place<S> {
     }
 }
 
-/// A question in a form that has derivatives. A maximum is evaluated at its instant. This value has the same derivative
-/// as the maximum, because the motion is stationary at that instant.
+/// A question in a form that has derivatives. A maximum is replaced by the value at the instant of the maximum. This
+/// value has the derivative of the maximum, because the motion is stationary at that instant.
 #[derive(Clone, Copy, Debug)]
 pub struct Watched<S> {
     pub asked: Asked,
     /// Instant of the maximum.
     pub instant: Option<S>,
-    /// Lag that the system returned. The velocity at this lag is judged.
+    /// The lag that the system returned. The tests judge the velocity at this lag.
     pub lag: Option<S>,
 }
 
@@ -158,7 +158,7 @@ fn real<S: Float>(value: S) -> Complex<S> {
     Complex::new(value, S::constant(0.0))
 }
 
-/// Returns the answer to a question that depends on r alone.
+/// Returns the answer to a question that depends on r but not on β.
 fn at_rest<S: Float>(at: &DataAt<'_, S>, question: &Watched<S>) -> Complex<S> {
     match (question.asked, question.instant) {
         (Asked::ContinuousLimit, Some(tau)) => real(at.continuous_limit_at(tau)),

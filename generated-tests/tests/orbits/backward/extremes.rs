@@ -1,6 +1,6 @@
-//! The scenes of `reference/extremes.json`. Their points lie near poles and subharmonics, and at r = 0 and r = ∞. Some
-//! have vanishing, critical or over-critical damping, masses and springs spread over twelve decades, or nearly equal
-//! modes.
+//! Judges answers for the scenes of `reference/extremes.json`. Their points are near poles and subharmonics, and at r
+//! = 0 and r = ∞. Some scenes have vanishing, critical or over-critical damping, masses and springs spread over
+//! twelve decades, or nearly equal modes.
 
 use crate::backward::asked::{Asked, Of, Place, Watched, motion};
 use crate::backward::inputs::Exact;
@@ -13,7 +13,7 @@ use frictiongen_kernel::{Complex, Float};
 use generated_tests::reference::{description, exact};
 use serde_json::Value;
 
-/// Largest accepted backward error, in roundings of 2^-52 of each input.
+/// Largest accepted backward error, in rounding units 2^-52 of each input.
 const BAR: f64 = 64.0;
 
 /// Number of scenes and values in the reference.
@@ -21,7 +21,7 @@ const SCENES: u64 = 48;
 const VALUES: u64 = 2337;
 /// Number of reference values in scenes with nearly equal modes.
 const ILL_VALUES: u64 = 44;
-/// Factor by which values of scenes with nearly equal modes may exceed `BAR`.
+/// Factor by which the backward errors in scenes with nearly equal modes may exceed `BAR`.
 const ILL: f64 = 64.0;
 
 fn scenes() -> Vec<Value> {
@@ -45,7 +45,7 @@ struct Case {
     want: Dd,
 }
 
-/// One point (r, β, τ) of the reference, with all values known there.
+/// One point (r, β, τ) of the reference, with all reference values at this point.
 struct Cases {
     name: String,
     place: Place<f64>,
@@ -112,8 +112,8 @@ fn ask<S: Float>(system: &System<S>, name: &str, place: &Place<f64>, asked: Aske
     }
 }
 
-/// Converts the result for a case to an answer that the judge takes. A displacement is measured against the size of its
-/// motion, and a phase against π. Every other value is measured against its own size.
+/// Converts the result for a case to an answer that the judge takes. The error of a displacement is divided by the
+/// size of its motion, and that of a phase by π. The error of every other value is divided by the value itself.
 fn told(judge: &Judge<'_>, case: &Case, got: Dd) -> Answer {
     let real = |value: Dd| Complex::new(value, Dd::from(0.0));
     let instant = match case.asked {
@@ -142,7 +142,8 @@ fn told(judge: &Judge<'_>, case: &Case, got: Dd) -> Answer {
     }
 }
 
-/// Compares every value of the reference with systems over one scalar. `epsilon` is one rounding of the scenes' inputs.
+/// Compares every value of the reference with the results of systems over one scalar type. `epsilon` is the rounding
+/// unit of the scenes' inputs.
 fn compared<S: Float>(epsilon: f64, read: impl Fn(S) -> Dd) -> Tally {
     let mut tally = Tally::default();
     let mut worst_of_ill: f64 = 0.0;
@@ -186,13 +187,13 @@ fn compared<S: Float>(epsilon: f64, read: impl Fn(S) -> Dd) -> Tally {
     tally
 }
 
-/// Returns true if modes are so close that modal data rounded separately lose the difference between them.
+/// Returns true if modes are so close to each other that rounding of the modal data loses their difference.
 fn is_ill_conditioned(scene: &Value) -> bool {
     scene["name"] == "nearly equal modes"
 }
 
-/// Checks the double-double evaluation against the 20 digits of the JSON file. All other tests here use it as the
-/// reference.
+/// Checks the double-double evaluation against the 20 digits of the JSON file. All other tests of this folder use the
+/// double-double evaluation as the reference.
 #[test]
 fn double_double_is_a_reference() {
     let tally = compared::<Dd>(2f64.powi(-64), |value| value);

@@ -1,30 +1,32 @@
-//! Finds the smallest displacement of the inputs that explains all answers at a point together.
+//! Finds the smallest displacement of the inputs for which all answers at a point are exact.
 
 use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
 
 /// Largest number of times that the fit changes its weights.
 const ROUNDS: usize = 60;
-/// Number of weight changes in plain double precision. They are enough at most points.
+/// Number of weight changes in plain double precision. At most points they are enough.
 const QUICK_ROUNDS: usize = 4;
-/// Number of weight changes if the fit exceeds the accepted error by the factor `FAR`. The equations then do not yet
-/// belong to the right point, so more changes would be wasted.
+/// Number of weight changes if the result of the fit exceeds the accepted error by the factor `FAR`. The equations
+/// then do not yet belong to the right displacement, so more weight changes would be wasted.
 const FAR_ROUNDS: usize = 4;
 const FAR: f64 = 100.0;
 /// Fraction of the accepted error below which a fit is not improved further.
 const ENOUGH: f64 = 0.25;
-/// Lower bound on a weight, as a fraction of the largest weight. A weight of zero could not grow again.
+/// Smallest weight, as a fraction of the largest weight. A weight of zero could not grow.
 const FAINT: f64 = 1e-9;
 
-/// Returns the smallest k found such that some inputs δ with |δ_j| ≤ k leave |b_i − Σ a_ij δ_j| ≤ k. The search stops
-/// at a k well below the accepted error.
+/// Returns the smallest k that the fit finds such that some displacements δ of the inputs with |δ_j| ≤ k leave
+/// residuals
+/// b_i − Σ a_ij δ_j| ≤ k. The fit stops at a k well below the accepted error `bar`.
 ///
 /// It is a Chebyshev fit by Lawson's iteration, which is weighted least squares whose weights grow with the residuals.
 /// Every δ proves its own k, so the result is an upper bound.
 pub fn fit(a: &[Vec<Dd>], b: &[Dd], bar: f64) -> f64 {
     let plain: Vec<Vec<f64>> = a.iter().map(|row| to_f64(row)).collect();
     let quick = lawson(a, b, bar, QUICK_ROUNDS, |b, inputs, answers| {
-        // A second solution, for the residuals of the first one, removes its rounding errors.
+        // A second solution, with the residuals of the first one as right-hand side, removes the rounding errors of
+        // the first.
         let moved = shortest(&plain, &to_f64(b), inputs, answers)?;
         let more = shortest(&plain, &left(a, b, &moved), inputs, answers)?;
         Some(
@@ -107,8 +109,8 @@ fn worst(values: impl Iterator<Item = f64>) -> f64 {
     })
 }
 
-/// Returns the δ that minimises Σ w_j δ_j² + Σ v_i (b_i − a_i·δ)². The solution uses orthogonal columns, so that the
-/// condition number is not squared. Answers near a pole change by 10¹⁶ times their error.
+/// Returns the δ that minimises Σ w_j δ_j² + Σ v_i (b_i − a_i·δ)². The solution uses orthogonal columns, so it does
+/// not square the condition number. Answers near a pole change by 10¹⁶ times the relative change of an input.
 pub fn shortest<S: Float>(
     a: &[Vec<S>],
     b: &[S],
@@ -120,7 +122,7 @@ pub fn shortest<S: Float>(
     let answers: Vec<S> = answer_weights.iter().map(root).collect();
     let zero = S::constant(0.0);
     if inputs.len() < answers.len() {
-        // The least squares system is (√v a, √w) δ ≈ (√v b, 0).
+        // The least-squares system is (√v a, √w) δ ≈ (√v b, 0).
         let columns = (0..inputs.len()).map(|j| {
             let weighted = a.iter().zip(&answers);
             let mut column: Vec<S> = weighted.map(|(row, root)| row[j] * *root).collect();
@@ -199,7 +201,8 @@ fn orthogonal<S: Float>(columns: impl Iterator<Item = Vec<S>>) -> Option<[Vec<Ve
     Some([all, parts])
 }
 
-/// One input must not explain two answers that it changes in the same way, if their errors have opposite signs.
+/// Checks that one input does not explain two answers that it changes in the same way, if their errors have opposite
+/// signs.
 #[test]
 fn nothing_is_explained_twice() {
     let dd = Dd::from;
@@ -210,7 +213,7 @@ fn nothing_is_explained_twice() {
     assert!(opposite > 0.99e6, "{opposite:?}");
 }
 
-/// For one answer the fit gives k = |b|/(1 + Σ|a|), calculated by hand.
+/// Checks that for one answer the fit gives k = |b|/(1 + Σ|a|), which was derived by hand.
 #[test]
 fn one_answer() {
     let dd = Dd::from;

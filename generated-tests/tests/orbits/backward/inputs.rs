@@ -20,14 +20,15 @@ pub struct Exact {
 /// A scene with its derivatives with respect to one number of its description.
 struct Along {
     modal: Modal<Dual<Dd>>,
-    /// Value of the number. It turns the derivative into one per relative change.
+    /// Value of the number. Multiplication by it turns the derivative into one per relative change of the number.
     value: Dd,
 }
 
-/// A displaced scene whose data carry derivatives with respect to one number of the description.
+/// A scene with displaced numbers. Its data carry derivatives with respect to one number of the description.
 pub struct Moving {
     pub data: Data<Dual<Dd>>,
-    /// Value of the number of the description, which turns the derivative into one per relative change.
+    /// Value of the number of the description. Multiplication by it turns the derivative into one per relative
+    /// change.
     pub value: Dd,
 }
 
@@ -48,8 +49,8 @@ impl Exact {
         }
     }
 
-    /// Returns the scene with every number displaced by `by` roundings. The modal data change to first order. The
-    /// second order is below a rounding of double-double.
+    /// Returns the scene with number j displaced by `by[j]` rounding units. The modal data change by the term of
+    /// first order. The term of second order is below a rounding unit of double-double.
     pub fn displaced(&self, by: &[f64], epsilon: f64) -> (Data<Dd>, Modal) {
         let mut modal = self.modal.clone();
         for (along, by) in self.along().iter().zip(by) {
@@ -63,14 +64,14 @@ impl Exact {
         (data(&modal), modal)
     }
 
-    /// Returns a scene, displaced or not, without derivatives with respect to its description. It serves for
-    /// derivatives with respect to r, β and τ.
+    /// Returns a scene without derivatives with respect to the numbers of its description. The scene may be
+    /// displaced. Its results have derivatives with respect to r, β and τ.
     pub fn fixed(modal: &Modal) -> Data<Dual<Dd>> {
         data(&modal.fixed())
     }
 
-    /// Returns a scene, displaced or not, once for each number of the description with the derivatives with respect to
-    /// that number.
+    /// Returns a scene once for each number of the description, each time with the derivatives with respect to that
+    /// number. The scene may be displaced.
     pub fn moving<'a>(&'a self, modal: &'a Modal) -> impl Iterator<Item = Moving> + 'a {
         self.along().iter().map(|along| {
             let mut there = along.modal.clone();
@@ -119,7 +120,7 @@ impl Exact {
         let along = |(quantity, value): (Quantity, f64)| {
             let modal = self.modal.along(&self.scene, quantity)?;
             let value = Dd::from(value);
-            // Equal modes change smoothly only in another basis of modes, so that such a scene is not displaced.
+            // Equal modes change smoothly only in another basis of modes. The test does not displace such a number.
             let mut turned = false;
             let mut own = self.modal.clone();
             each(&mut own, &modal, |own, along| {

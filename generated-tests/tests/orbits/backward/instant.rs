@@ -1,26 +1,27 @@
-//! Finds the exact instants of maxima of a sum. Each instant is near the one that a search of the code under test has
-//! found.
+//! Finds the exact instants of maxima of a sum over modes. Each exact instant is near the instant that the code under
+//! test returned.
 
 use frictiongen_kernel::number::dd::Dd;
 use generated_tests::data::{DataAt, DataMotion};
 
-/// Returns the zero of `of` near `from`. Returns `None` if the iteration leaves the neighbourhood or does not converge.
-/// `epsilon` is the accuracy of `from`. The accuracy of the result is a thousandth of `epsilon`.
+/// Returns the zero of the function `of` near `from`. Returns `None` if the iteration leaves the neighbourhood of
+/// `from` or does not converge. `epsilon` is the accuracy of `from`. The accuracy of the zero is a thousandth of
+/// `epsilon`.
 fn zero(of: impl Fn(Dd) -> Dd, from: Dd, epsilon: f64) -> Option<Dd> {
-    // A second attempt has a wider first step, for a function that is flat at its zero.
+    // A second attempt has a wider first step. It serves functions that are flat at their zero.
     [epsilon, 1e6 * epsilon]
         .into_iter()
         .find_map(|first| secant(&of, from, first, 1e-3 * epsilon))
 }
 
-/// Largest distance, in rad, between the found instant and the maximum. A phase that rounding has shifted by a tenth of
-/// a radian still belongs to its own maximum.
+/// Largest distance, in rad, between the returned instant and the exact instant of the maximum. A phase that rounding
+/// has shifted by a tenth of a radian still belongs to its own maximum.
 const ABOUT: f64 = 0.5;
 
-/// Number of roundings by which the value at the found instant may exceed the value at the exact instant.
+/// Number of rounding units by which the value at the returned instant may exceed the value at the exact instant.
 const NEARLY: f64 = 64.0;
 
-/// Finds a zero by the secant method, down to a step of `last`.
+/// Finds a zero by the secant method, with the first step `first`, until a step is below `last`.
 fn secant(of: impl Fn(Dd) -> Dd, from: Dd, first: f64, last: f64) -> Option<Dd> {
     let (mut before, mut tau) = (from, from + Dd::from(first));
     let mut at_before = of(before);
@@ -41,19 +42,19 @@ fn secant(of: impl Fn(Dd) -> Dd, from: Dd, first: f64, last: f64) -> Option<Dd> 
     None
 }
 
-/// Returns the instant next to `tau` at which a mass has zero velocity.
+/// Returns the instant near `tau` at which the velocity is zero.
 pub fn stationary(motion: &DataMotion<'_, Dd>, tau: Dd, epsilon: f64) -> Option<Dd> {
     zero(|tau| motion.velocity(tau), tau, epsilon)
 }
 
-/// Returns x̄″ from a finite difference, for which the digits of [`Dd`] suffice.
+/// Returns the acceleration x̄″ at `tau` from a finite difference, for which the digits of [`Dd`] suffice.
 pub fn acceleration(motion: &DataMotion<'_, Dd>, tau: Dd, epsilon: f64) -> Dd {
     let step = Dd::from(1e-3 * epsilon);
     (motion.velocity(tau + step) - motion.velocity(tau - step)) / (step + step)
 }
 
-/// Returns the instant of the exact motion's maximum near the found instant. The found instant need not be a stationary
-/// point.
+/// Returns the instant of the exact motion's maximum near the returned instant. The returned instant need not be a
+/// stationary point.
 pub fn largest(motion: &DataMotion<'_, Dd>, found: Option<Dd>, epsilon: f64) -> Dd {
     let Some(found) = found else {
         let places = motion.peak().places;
@@ -71,19 +72,19 @@ pub fn largest(motion: &DataMotion<'_, Dd>, found: Option<Dd>, epsilon: f64) -> 
     found + Dd::from(lowest(below, -ABOUT, ABOUT, f64::NEG_INFINITY))
 }
 
-/// Returns the instant of a mass's maximum, near the instant `tau` that it has with other inputs.
+/// Returns the instant of a maximum of the motion, near the instant `tau` of this maximum for other inputs.
 pub fn followed(motion: &DataMotion<'_, Dd>, tau: Dd, epsilon: f64) -> Dd {
     let exact = stationary(motion, tau, epsilon);
     higher(|tau| motion.displacement(tau).abs(), exact, tau)
 }
 
-/// Returns the instant of the velocity constraint's maximum, near the instant that the search has found.
+/// Returns the instant of the velocity constraint's maximum, near the instant that the search under test has found.
 pub fn constraining(at: &DataAt<'_, Dd>, found: Dd, epsilon: f64) -> Dd {
     let exact = zero(|tau| at.constraint_slope(tau), found, epsilon);
     higher(|tau| at.constraint(tau), exact, found)
 }
 
-/// Returns the exact instant, or the found instant if the exact one belongs to a minimum.
+/// Returns the exact instant, or the returned instant if the exact one belongs to a smaller value.
 fn higher(of: impl Fn(Dd) -> Dd, exact: Option<Dd>, found: Dd) -> Dd {
     exact.filter(|tau| of(*tau) > of(found)).unwrap_or(found)
 }

@@ -1,8 +1,8 @@
-//! Backward error of every answer: the number of roundings of masses, springs, damping, r, β and τ for which the answer
-//! is exact.
+//! Tests the backward error of every answer: the number of rounding units by which masses, springs, damping, r, β and
+//! τ must change so that the answer is exact.
 //!
-//! A rounding is the relative spacing ε of a scalar, 2⁻⁵² in double precision. A point (r, β, τ) of a scene is
-//! called `Place` in the code. The largest backward error that a test accepts is called `BAR`.
+//! A rounding unit is the relative spacing ε of a scalar type, 2⁻⁵² in double precision. The code calls a point (r,
+//! β, τ) of a scene `Place`, and the largest backward error that a test accepts `BAR`.
 
 mod asked;
 mod extremes;

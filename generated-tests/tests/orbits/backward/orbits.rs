@@ -1,8 +1,8 @@
-//! Backward error of steady states with stops, found by comparison with the same states in double-double.
+//! Tests the backward error of steady states with stops, by comparison with the same states in double-double.
 //!
-//! Derivatives are differences in double-double, with respect to every number of the description, r and β. If a stop
-//! begins or ends within rounding, the displaced motion has another sequence of events. Such points are counted and
-//! left out.
+//! The derivatives are differences in double-double, with respect to r, β and every number of the description. If a
+//! stop begins or ends within rounding, the displaced motion has another sequence of events. The test counts such
+//! points and leaves them out.
 
 use crate::backward::fit::fit;
 use crate::backward::judge::angle;
@@ -15,24 +15,27 @@ use frictiongen_model::scene::{Damping, Scene};
 use fuzzing::Random;
 use std::collections::BTreeMap;
 
-/// Largest number of masses. Chains of more masses take too long in double-double.
+/// Largest number of masses of a tested chain. Chains with more masses take too long in double-double.
 const MASSES: usize = 5;
-/// Largest ratio of a natural frequency to the excitation frequency. Faster modes need too many steps.
+/// Largest ratio of a natural frequency to the excitation frequency. For faster modes the simulation needs too many
+/// steps.
 const FASTEST: f64 = 60.0;
-/// Relative step of a difference. Its error is of the order of the square of the step.
+/// Relative step of a difference. The relative error of a difference is of the order of the step's square.
 const STEP: f64 = 1e-7;
-/// Largest Floquet multiplier at which a point is judged. With a multiplier nearer to 1 the motion from rest hardly
-/// reaches the steady state.
+/// Largest Floquet multiplier of a judged point. With a multiplier nearer to 1 the motion from rest hardly reaches
+/// the steady state.
 const SLOW: f64 = 0.999;
 
-/// Largest fraction of points above the accepted error. The rounding errors of many events add up in a steady state.
+/// Largest fraction of points whose backward error may exceed the accepted one. The rounding errors of many events
+/// add up in a steady state.
 const ABOVE: f64 = 0.1;
-/// Upper bound on the error of any point in a short run, in roundings.
+/// Largest backward error of any point in a short run, in rounding units.
 const MOST_OF_FEW: f64 = 1024.0;
-/// Upper bound on the error of any point in a long run, in roundings. It is 2e-11 of the motion in double precision.
+/// Largest backward error of any point in a long run, in rounding units. In double precision it is 2e-11 of the
+/// motion.
 const MOST: f64 = 131_072.0;
 
-/// Names of the answers of a steady state. Angles come last.
+/// Names of the answers that a steady state gives. Angles come last.
 const NAMES: [&str; 9] = [
     "contact amplitude",
     "amplitude",
@@ -45,14 +48,14 @@ const NAMES: [&str; 9] = [
     "origin",
 ];
 
-/// Answers of a steady state, each with the size by whose roundings its error is measured.
+/// Answers that a steady state gives, each with the size whose rounding units measure its error.
 type Answers<S> = [(S, S); NAMES.len()];
 
 fn answers<S: Plain>(orbit: &SystemOrbit<'_, S>, mass: usize, tau: S) -> Answers<S> {
     let motion = orbit.mass_at(mass).expect("a mass");
     let (contact, one) = (orbit.contact(), S::constant(1.0));
     let amplitude = motion.amplitude();
-    // Errors are measured against the largest motion in the chain, because the motion of the whole chain determines the
+    // The largest motion in the chain measures the errors, because the motion of the whole chain determines the
     // stops.
     let largest = (0..)
         .map_while(|mass| orbit.mass_at(mass))
@@ -72,7 +75,7 @@ fn answers<S: Plain>(orbit: &SystemOrbit<'_, S>, mass: usize, tau: S) -> Answers
     ]
 }
 
-/// Events of a period: its number of cycles, stops and reversals.
+/// Counts for a period: cycles, stops and reversals.
 type Pattern = (u32, usize, usize);
 
 fn pattern<S: Float>(orbit: &SystemOrbit<'_, S>) -> Pattern {
@@ -84,7 +87,7 @@ fn numbers(scene: &mut Scene) -> Vec<&mut f64> {
     let mut all: Vec<&mut f64> = Vec::new();
     all.extend(scene.masses.iter_mut().map(|mass| &mut mass.value));
     all.extend(scene.springs.iter_mut().map(|spring| &mut spring.stiffness));
-    // μ = 1 is not displaced. It is the smallest value, and any larger value changes the rule for a stop.
+    // The test does not displace μ = 1. It is the smallest value, and any larger value changes the rule for a stop.
     if scene.stiction > 1.0 {
         all.push(&mut scene.stiction);
     }
@@ -101,7 +104,7 @@ fn numbers(scene: &mut Scene) -> Vec<&mut f64> {
 /// Reason why the test leaves out a point.
 type Left = &'static str;
 
-/// Exact answers, with their changes per relative change of each input, and the sequence of events.
+/// Exact answers, their changes per relative change of each input, and the numbers of events.
 struct Exactly {
     pattern: Pattern,
     answers: Answers<Dd>,
@@ -163,7 +166,7 @@ impl Exactly {
     }
 }
 
-/// Returns a − b. For angles the difference is within half a turn.
+/// Returns a − b. The difference of two angles is reduced to at most half a turn.
 fn difference(index: usize, a: Dd, b: Dd) -> Dd {
     if NAMES[index] == "origin" {
         angle(a - b)
@@ -176,14 +179,14 @@ fn difference(index: usize, a: Dd, b: Dd) -> Dd {
 #[derive(Default)]
 struct Seen {
     places: usize,
-    /// Largest backward error of each kind of answer, if the answer is taken alone.
+    /// Largest backward error of each kind of answer, with each answer taken alone.
     alone: BTreeMap<&'static str, (f64, String)>,
     together: (f64, String),
     above: usize,
     skipped: BTreeMap<&'static str, usize>,
 }
 
-/// Judges one point of a random scene.
+/// Judges one point of a random scene. Returns the reason if the test leaves the point out.
 fn place<S: Plain>(seed: u64, exact: impl Fn(S) -> f64, seen: &mut Seen) -> Result<(), Left> {
     let mut random = Random(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) ^ 0x0B17);
     let text = scene(&mut random, 0.5);

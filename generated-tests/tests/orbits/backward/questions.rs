@@ -1,4 +1,4 @@
-//! Asks a system all questions at one point, and collects its answers.
+//! Asks a system all questions at one point, and collects the answers.
 
 use crate::backward::asked::{Asked, Of, Watched, motion};
 use crate::backward::instant::{acceleration, constraining, largest};
@@ -9,42 +9,43 @@ use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::{Complex, Float};
 use generated_tests::data::DataMotion;
 
-/// Fraction of the largest motion. The motion of a mass far from load and contact is measured against this size if it
-/// is smaller.
+/// Fraction of the largest motion in the chain. A motion below this fraction is that of a mass far from load and
+/// contact. Its error is measured against this fraction of the largest motion.
 const FAR: f64 = 1e-3;
-/// Lower bound on the size against which a motion is measured, as a fraction of the largest motion. A sum over modes,
-/// from modal data rounded once, has an error of a few roundings of the largest motion. At the accepted error, 64
-/// roundings of this size are four roundings of the largest motion.
+/// Smallest size against which the error of a motion is measured, as a fraction of the largest motion. A sum over
+/// modes, whose modal data is rounded once, has an error of a few rounding units of the largest motion. The accepted
+/// error of 64 rounding units of this size is four rounding units of the largest motion.
 const SUM: f64 = 1.0 / 16.0;
-/// Size against which a motion below [`FAR`] of the largest motion is measured, as a multiple of the largest motion.
-/// Such a motion is a remainder of larger ones that cancel. Near a resonance of the stuck chain the remainder has an
-/// error of hundreds of their roundings.
+/// Size against which the error of a motion below [`FAR`] of the largest motion is measured, as a multiple of the
+/// largest motion. Such a motion is a remainder of larger motions that cancel. Near a resonance of the stuck chain,
+/// the remainder has an error of hundreds of rounding units of these larger motions.
 const LEFT: f64 = 256.0;
-/// Fraction of the largest motion below which a mass counts as not moving. Only rounding of double-double is left.
+/// Fraction of the largest motion below which a mass counts as not moving. A smaller motion is rounding of
+/// double-double.
 const UNREACHED: f64 = 1e-20;
-/// Ratio of the largest response to V above which V is 0 in double-double as well.
+/// Ratio of the largest response to V above which V counts as 0, because double-double rounds it away too.
 const NOTHING: f64 = 1e25;
-/// Orders of the harmonics that are asked for.
+/// Orders of the harmonics for which the test asks.
 const HARMONICS: [u32; 2] = [1, 3];
-/// Instants at which the size of a velocity is sampled, in half periods.
+/// Instants at which the test samples a velocity for its size, in half periods.
 const SAMPLES: [f64; 5] = [0.0, 0.15, 0.35, 0.6, 0.85];
 
-/// Returns the instant at which a search has ended.
+/// Returns the instant of the maximum that a search has found, or `None` if there is none.
 pub fn first<S: Float>(peak: &Peak<S>) -> Option<S> {
     let mut places = peak.places.iter().flatten();
     places.next().map(|place| place.tau)
 }
 
-/// Collects the answers of one point.
+/// Collects the answers at one point.
 pub struct Questions<'j, 'a, S, E> {
     judge: &'j Judge<'a>,
     /// Conversion of a scalar to double-double without loss.
     exact: E,
     epsilon: f64,
-    /// True if the test searches for every maximum itself in double-double.
+    /// True if the test itself searches for every maximum in double-double.
     searched: bool,
-    /// Ratio of the largest response to V. V is a difference of the masses' responses and keeps their rounding errors.
-    /// Phase and limits inherit these errors.
+    /// Ratio of the largest response to V. V is a difference of the masses' responses, so it has their rounding
+    /// errors. Phase and limits have the same errors.
     faint: Dd,
     pub told: Vec<Answer>,
     /// Number of masses that the load does not reach while the contact is stuck.
@@ -89,7 +90,7 @@ impl<'j, 'a, S: Float, E: Fn(S) -> Dd + Copy> Questions<'j, 'a, S, E> {
         self.faint.to_f64()
     }
 
-    /// Adds an answer that is measured against its own size. `largest` is the largest answer of its kind.
+    /// Adds an answer whose error is measured against its own size. `largest` is the largest answer of its kind.
     fn plain(&mut self, asked: Asked, got: Complex<S>, instant: Option<Dd>, largest: Dd) {
         let watched = Watched {
             asked,
@@ -105,7 +106,7 @@ impl<'j, 'a, S: Float, E: Fn(S) -> Dd + Copy> Questions<'j, 'a, S, E> {
         self.note(watched, got, own, largest.max(carried));
     }
 
-    /// Adds the answers for all continuous limits.
+    /// Adds the answers for all variants of β_lim.
     pub fn limits(&mut self, at: &SystemAt<'_, S>, found: Option<S>, per_mode: bool) {
         let zero = Dd::from(0.0);
         let real = |value: S| Complex::new(value, S::constant(0.0));
@@ -129,7 +130,7 @@ impl<'j, 'a, S: Float, E: Fn(S) -> Dd + Copy> Questions<'j, 'a, S, E> {
         }
     }
 
-    /// Returns true if V is larger than the rounding error of a difference in double-double.
+    /// Returns true if V is larger than the rounding error of the difference that gives it, in double-double.
     pub fn is_reached(&self) -> bool {
         self.faint() < NOTHING
     }
@@ -171,7 +172,8 @@ impl<'j, 'a, S: Float, E: Fn(S) -> Dd + Copy> Questions<'j, 'a, S, E> {
         let zero = S::constant(0.0);
         let contact = motion.contact();
         let exact = self.judge.at().contact(self.judge.place().beta);
-        // Next to a limit the exact contact may not move at all, although it does at a β one rounding away.
+        // Near a limit the exact contact may not move at all, although it moves at a β that differs by one rounding
+        // unit.
         let told = (self.exact)(contact.amplitude());
         let own = exact.amplitude().max(told);
         let real = |value: S| Complex::new(value, zero);
@@ -189,7 +191,7 @@ impl<'j, 'a, S: Float, E: Fn(S) -> Dd + Copy> Questions<'j, 'a, S, E> {
             instant: None,
             lag: None,
         };
-        // The rounding of an angle is that of half a turn, π.
+        // The rounding error of an angle is that of half a turn, π.
         self.note(
             watched,
             Complex::new(phase, Dd::from(0.0)),
@@ -263,8 +265,8 @@ impl<'j, 'a, S: Float, E: Fn(S) -> Dd + Copy> Questions<'j, 'a, S, E> {
         let of = Of::Mass(mass);
         let real = |value: S| Complex::new(value, S::constant(0.0));
         let peak = of_mass.peak();
-        // A motion this small is a remainder of larger motions that cancel. It consists of rounding only, in
-        // double-double too.
+        // A motion this small is a remainder of larger motions that cancel. In double-double too, it consists of
+        // rounding only.
         let is_far = exact.amplitude_monoharmonic() < widest * Dd::from(FAR);
         let found = if self.searched && !is_far {
             None
@@ -283,7 +285,7 @@ impl<'j, 'a, S: Float, E: Fn(S) -> Dd + Copy> Questions<'j, 'a, S, E> {
             self.mark_searched(found.is_none());
         }
         self.wide(Asked::Estimate(mass), estimate, None, amplitude, widest);
-        // τ counts from the maximum of the contact, whose phase has the rounding error of V.
+        // τ counts from the maximum of the contact's motion, whose phase has the rounding error of V.
         let carried = widest.max(amplitude * self.faint);
         let there = real(of_mass.displacement(tau));
         self.wide(Asked::Displacement(of), there, None, amplitude, carried);
@@ -317,9 +319,9 @@ impl<'j, 'a, S: Float, E: Fn(S) -> Dd + Copy> Questions<'j, 'a, S, E> {
         self.note(height, zero_at(lag), amplitude, carried);
     }
 
-    /// Returns the larger of the free response and the fundamental, and 0 for other orders. The fundamental is the
-    /// difference of the free response and the response to friction. Near a resonance both of them are larger than
-    /// their difference.
+    /// Returns the size that measures the error of harmonic n. For the fundamental it is the larger of the free
+    /// response and the fundamental itself. For other orders it is 0. The fundamental is the free response minus the
+    /// response to friction. Near a resonance both responses are larger than their difference.
     fn whole(&self, exact: &DataMotion<Dd>, of: Of, n: u32) -> Dd {
         if n != 1 {
             return Dd::from(0.0);
@@ -342,7 +344,7 @@ impl<'j, 'a, S: Float, E: Fn(S) -> Dd + Copy> Questions<'j, 'a, S, E> {
         }
     }
 
-    /// Adds an answer of known size. `largest` is the largest answer of its kind.
+    /// Adds an answer whose error is measured against the size `own`. `largest` is the largest answer of its kind.
     fn wide(&mut self, asked: Asked, got: Complex<S>, instant: Option<Dd>, own: Dd, largest: Dd) {
         let watched = Watched {
             asked,
@@ -360,12 +362,12 @@ struct MassPlace<'d> {
     widest: Dd,
 }
 
-/// Returns 0, or NaN if the lag is NaN.
+/// Returns 0, which is the exact velocity at a lag, or NaN if the lag is NaN.
 fn zero_at(lag: Dd) -> Complex<Dd> {
     Complex::new(lag * Dd::from(0.0), Dd::from(0.0))
 }
 
-/// Returns the ratio of the largest free response to the free response of the contact.
+/// Returns the ratio of the largest free response of a mass to the free response V of the contact.
 fn faint(judge: &Judge<'_>, masses: usize) -> Dd {
     let (at, zero) = (judge.at(), Dd::from(0.0));
     let own = at.contact(zero).amplitude();
@@ -373,7 +375,7 @@ fn faint(judge: &Judge<'_>, masses: usize) -> Dd {
     every.fold(own, Dd::max) / own
 }
 
-/// Returns an estimate of the largest velocity.
+/// Returns an estimate of the largest velocity of a motion, from samples.
 fn speed(motion: &DataMotion<'_, Dd>) -> Dd {
     let speeds = SAMPLES.map(|t| motion.velocity(Dd::PI * Dd::from(t)).abs());
     speeds.into_iter().fold(Dd::from(0.0), Dd::max)

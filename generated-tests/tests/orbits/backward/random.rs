@@ -1,9 +1,10 @@
-//! Random scenes, the same on every machine.
+//! Generates random scenes, which are the same on every machine.
 
 use fuzzing::Random;
 use std::fmt::Write as _;
 
-/// Returns a relative distance of either sign between 10⁻¹ and the precision `epsilon` of the scalar.
+/// Returns a random relative distance of either sign, whose modulus is between `epsilon` (the rounding unit) and
+/// 10⁻¹.
 pub fn nearness(random: &mut Random, epsilon: f64) -> f64 {
     let distance = random.power(epsilon.log10(), -1.0);
     if random.unit() < 0.5 {

@@ -1,5 +1,5 @@
-//! Tests that faulty answers exceed the accepted error. The faults are errors of a thousand roundings, NaN, or another
-//! maximum. No displacement of the inputs explains them.
+//! Tests that the judge refuses faulty answers: answers that are off by a thousand rounding units, NaN, and the
+//! instant of another maximum. No displacement of the inputs explains such an answer.
 
 use crate::backward::asked::{Asked, Of, Place};
 use crate::backward::inputs::Exact;
@@ -11,7 +11,7 @@ use frictiongen_kernel::Complex;
 use frictiongen_kernel::number::dd::Dd;
 use std::collections::BTreeMap;
 
-/// Error that is added to an answer, in roundings of its size.
+/// Error that the tests add to an answer, in rounding units of its size.
 const FAULT: f64 = 1e3;
 
 /// Scenes of one to four masses, with every contact, damped and undamped.
@@ -30,8 +30,8 @@ const SCENES: [&str; 6] = [
      contact: d - wall, excitation: a, damping: modal[0.01, 0.3, 1.0, 1.7], stiction: 1.3 }",
 ];
 
-/// Visits each scene at several frequencies: ordinary ones, and ones a thousandth away from a resonance or a
-/// subharmonic, where conditions are 10³.
+/// Calls `visit` for each scene at several frequencies: ordinary frequencies, and frequencies a thousandth away from
+/// a resonance or a subharmonic, where condition numbers are 10³.
 fn each_place(mut visit: impl FnMut(&Judge<'_>, &[Answer], &str)) {
     for text in SCENES {
         let system: System = text.parse().expect("a scene");
@@ -73,7 +73,8 @@ fn what_is_right_is_below_the_bar() {
     assert_eq!(places, 24);
 }
 
-/// An error of a thousand roundings in one answer exceeds the accepted error, with all other answers unchanged.
+/// Checks that an error of a thousand rounding units in one answer exceeds the accepted error. All other answers are
+/// right.
 #[test]
 fn a_thousand_roundings_are_above_it() {
     let mut seen: BTreeMap<&str, (u64, u64)> = BTreeMap::new();
@@ -93,7 +94,7 @@ fn a_thousand_roundings_are_above_it() {
     report(&seen, 17);
 }
 
-/// NaN in place of any answer exceeds the accepted error.
+/// Checks that NaN in place of any answer exceeds the accepted error.
 #[test]
 fn nan_is_above_it() {
     let mut seen: BTreeMap<&str, (u64, u64)> = BTreeMap::new();
@@ -110,7 +111,7 @@ fn nan_is_above_it() {
     report(&seen, 17);
 }
 
-/// An error of 1.5 rad in the contact's phase exceeds the accepted error.
+/// Checks that an error of 1.5 rad in the contact's phase exceeds the accepted error.
 #[test]
 fn another_phase_is_above_it() {
     let mut seen: BTreeMap<&str, (u64, u64)> = BTreeMap::new();
@@ -129,7 +130,7 @@ fn another_phase_is_above_it() {
     report(&seen, 1);
 }
 
-/// Asserts that every kind of question was asked, and that no fault stayed within the accepted error.
+/// Asserts that every kind of question was asked, and that the judge refused every fault.
 fn report(seen: &BTreeMap<&str, (u64, u64)>, kinds: usize) {
     for (kind, (all, missed)) in seen {
         println!("{kind:>22}: {all} faults, {missed} missed");

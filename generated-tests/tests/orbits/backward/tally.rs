@@ -1,19 +1,19 @@
-//! Counts results for each kind of answer, and the points that were left out.
+//! Counts the results for each kind of answer, and the points that the test leaves out.
 
 use crate::backward::judge::{Answer, Judged, Verdict};
 use std::collections::BTreeMap;
 
-/// Condition below which the tally records the worst error of all answers together.
+/// Condition number up to which the tally records the worst error of all answers together.
 const ORDINARY: f64 = 100.0;
 
 /// Results for one kind of answer.
 #[derive(Default)]
 struct Kind {
     count: u64,
-    /// Number of answers that exceed the accepted error if taken alone.
+    /// Number of answers whose backward error, with the answer taken alone, exceeds the accepted error.
     above: u64,
-    /// Number of answers of far masses whose error exceeds the accepted error. The error is measured against their own
-    /// size, or a thousandth of the largest motion if that is larger.
+    /// Number of answers of far masses whose error exceeds the accepted error. The size that measures the error is
+    /// the answer itself, or a thousandth of the largest motion if that is larger.
     far: u64,
     direct: Worst,
     of_its_own: Worst,
@@ -43,13 +43,14 @@ pub struct Tally {
     pub scenes: u64,
     places: u64,
     worst: Worst,
-    /// Worst error of all answers of a point together, where the condition is below [`ORDINARY`].
+    /// Worst backward error of all answers of a point together, among points with a condition number below
+    /// [`ORDINARY`].
     together: Worst,
-    /// Number of points whose answers have no common displacement.
+    /// Number of points whose answers are not exact for a common displacement of the inputs.
     disagreeing: u64,
     /// Points above the accepted error.
     pub above: Vec<String>,
-    /// Number of the points above the accepted error that nothing explains.
+    /// Number of points above the accepted error whose answers no displacement explains.
     pub wrong: u64,
     skipped: BTreeMap<&'static str, u64>,
 }
@@ -138,8 +139,8 @@ impl Tally {
         self.kinds.iter().map(|(name, kind)| (*name, kind.count))
     }
 
-    /// Returns three fractions of all points: those above the accepted error, those without a common displacement, and
-    /// those that nothing explains.
+    /// Returns three fractions of all points: points above the accepted error, points whose answers have no common
+    /// displacement, and points whose answers no displacement explains.
     pub fn shares(&self) -> [f64; 3] {
         let counts = [
             self.above.len() as f64,

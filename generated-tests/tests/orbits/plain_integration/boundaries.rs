@@ -5,10 +5,11 @@ use crate::plain_integration::scenes::{on_base, on_each_other, on_wall};
 use frictiongen::study::System;
 use std::f64::consts::PI;
 
-/// Returns the formal motion. Its contact reverses at τ = 0 and τ = π, and the sign of z̄′ in between is ignored.
+/// Returns the phase and the initial state of the formal motion. Its contact reverses at τ = 0 and τ = π. The
+/// function ignores the sign of z̄′ between the reversals.
 ///
-/// Friction is +β for half a period even where that is not physical. The result is the phase and the start of the half
-/// period, by Newton's method on y(π) = −y(0), z̄′(0) = 0.
+/// The friction force is +β for the whole half period, even where that is not physical. Newton's method solves y(π) =
+/// −y(0), z̄′(0) = 0.
 fn formal(chain: &Chain) -> (f64, State) {
     let m = 2 * chain.n;
     let place = |i: usize| if i < chain.n { i } else { 3 + i - chain.n };
@@ -66,7 +67,7 @@ fn formal(chain: &Chain) -> (f64, State) {
     (t, y)
 }
 
-/// Verdict of Coulomb's law on the formal motion.
+/// Tells whether Coulomb's law permits the formal motion.
 #[derive(Debug, PartialEq)]
 enum Verdict {
     Continuous,
@@ -78,8 +79,8 @@ enum Verdict {
 
 fn verdict(chain: &Chain) -> Verdict {
     let (t, start) = formal(chain);
-    // The contact comes to rest from the positive direction, so that the static friction is −μβ. The load has to exceed
-    // it.
+    // The contact comes to rest from the positive direction, so the static friction is −μβ. The contact breaks away
+    // if the load exceeds this friction.
     if -chain.holding_force(t, &start) <= chain.mu * chain.beta {
         return Verdict::Holds;
     }
@@ -93,8 +94,8 @@ fn verdict(chain: &Chain) -> Verdict {
     Verdict::Continuous
 }
 
-/// Checks that the formal motion becomes impossible at β_lim for the given reason. Returns the number of compared
-/// verdicts.
+/// Checks that for β > β_lim Coulomb's law forbids the formal motion, with the verdict `beyond`. Returns the number
+/// of compared verdicts.
 fn check_boundary(mut chain: Chain, text: &str, beyond: Verdict) -> usize {
     let system: System = text
         .parse()
@@ -102,12 +103,12 @@ fn check_boundary(mut chain: Chain, text: &str, beyond: Verdict) -> usize {
     let at = system.at(chain.r).unwrap();
     let limit = at.continuous_limit();
     assert!(limit < at.sliding_limit(), "{text}");
-    // S comes from the search if the limit is clearly smaller than the limit without search.
+    // The limit comes from the search for S if it is clearly smaller than the limit without search.
     let by_search = limit < at.continuous_limit_without_search() * (1.0 - 1e-3);
     assert_eq!(by_search, beyond == Verdict::Turns, "{text}");
     let mut compared = 0;
-    // z̄′ is sampled on a grid, which limits the accuracy of the verdict more than the integration does. The factors
-    // closest to 1 allow for that.
+    // A grid samples z̄′ and limits the accuracy of the verdict more than the integration does. The factors closest
+    // to 1 are chosen accordingly.
     for factor in [0.5, 0.98, 1.0 - 1e-5] {
         chain.beta = factor * limit;
         assert_eq!(
@@ -179,8 +180,8 @@ fn break_away_is_the_boundary() {
     assert_eq!(compared, 4 * (3 + 2));
 }
 
-/// Compares complex amplitudes with the contact stuck, and the largest contact force, with the integration. Returns the
-/// number of compared amplitudes.
+/// Compares two results for a stuck contact with the integration: the complex amplitudes, and the largest contact
+/// force. Returns the number of compared amplitudes.
 fn check_stuck(chain: &Chain, text: &str, names: &[&str]) -> usize {
     let system: System = text
         .parse()
@@ -188,7 +189,7 @@ fn check_stuck(chain: &Chain, text: &str, names: &[&str]) -> usize {
     let at = system.at(chain.r).unwrap();
     let limit = at.sliding_limit();
     let stuck = at.stuck().unwrap();
-    // The contact is stuck where z̄ = 0, and the run starts from rest.
+    // The contact sticks at z̄ = 0, and the integration starts from rest.
     let mut y = [0.0; 6];
     for (y, w) in y.iter_mut().zip(&chain.w) {
         *y = chain.s * w;
@@ -225,7 +226,7 @@ fn check_stuck(chain: &Chain, text: &str, names: &[&str]) -> usize {
         );
         compared += 1;
     }
-    // The largest of 4000 samples of a sinusoid is below its amplitude by at most 3.1e-7 of it.
+    // The largest of 4000 samples of a sinusoid is at most a fraction of 3.1e-7 smaller than its amplitude.
     let error = force / chain.mu / limit - 1.0;
     assert!(
         error < TOLERANCE && error > -4e-7,

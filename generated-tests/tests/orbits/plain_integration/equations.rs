@@ -1,8 +1,8 @@
-//! A scene as equations of motion, with step and tolerance of the comparison.
+//! Defines the equations of motion of a scene, and the step and the tolerance of the comparison.
 
 /// Number of steps in a half period.
 pub const STEPS: usize = 2000;
-/// Tolerance of every comparison, relative to the motion.
+/// Tolerance of every comparison, relative to the size of the motion.
 pub const TOLERANCE: f64 = 1e-10;
 
 /// A scene as equations: r²Γx̄″ + C̄x̄′ + K̄x̄ + wf = p cos τ_e and z̄ = wᵀx̄ − s cos τ_e.
@@ -21,7 +21,7 @@ pub struct Chain {
     pub beta: f64,
 }
 
-/// Displacements, then velocities with respect to τ.
+/// The displacements of all masses, then their velocities with respect to τ.
 pub type State = [f64; 6];
 
 /// State of the contact.
@@ -44,7 +44,7 @@ impl Chain {
         })
     }
 
-    /// Returns the contact force that keeps z̄′ constant, from z̄″ = 0.
+    /// Returns the contact force that keeps z̄′ constant, which follows from z̄″ = 0.
     pub fn holding_force(&self, t: f64, y: &State) -> f64 {
         let load = self.load(t, y);
         let free: f64 = (0..self.n)
@@ -88,8 +88,8 @@ impl Chain {
         dot(&self.w, &y[3..]) + self.s * t.sin()
     }
 
-    /// Returns the response without friction at τ_e, as the start of an integration. It exists only for equations that
-    /// are [`Chain::linear`].
+    /// Returns the state at τ_e of the response without friction, from which an integration starts. The response
+    /// exists only for equations that are [`Chain::linear`].
     pub fn frictionless(&self, t: f64) -> State {
         let n = self.n;
         // The equations are [K̄ − r²Γ, C̄; −C̄, K̄ − r²Γ][a; b] = [p; 0] with x̄ = a cos τ_e + b sin τ_e.

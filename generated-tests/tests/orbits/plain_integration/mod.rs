@@ -5,10 +5,10 @@
 //! the transient has died out. For undamped scenes Newton's method finds the periodic state on the half-period map of
 //! the same integration.
 //!
-//! With [`STEPS`] steps in a half period the fastest mode of the compared scenes advances by less than 4e-3 rad a step.
-//! The error of Runge-Kutta is then some 1e-11. The tests also assert that the rest of the transient, or of Newton's
-//! residual, is below 1e-11. The reversal instants and the displacements then agree within 1e-11, and [`TOLERANCE`]
-//! leaves one more digit.
+//! With [`STEPS`] steps in a half period, the phase of the fastest mode of the compared scenes changes by less than
+//! 4e-3 rad in a step. The error of the Runge-Kutta method is then about 1e-11. The tests also assert that the
+//! remaining transient, or Newton's residual, is below 1e-11. The instants of reversals and the displacements then
+//! agree within 1e-11, and [`TOLERANCE`] leaves one more digit.
 
 mod boundaries;
 mod equations;
@@ -56,8 +56,8 @@ fn compare(chain: &Chain, damped: bool, text: &str, names: &[&str]) {
             amplitude,
             amplitude,
         );
-        // The instant of a maximum is usually known only to the square root of its value's accuracy. Here both sides
-        // solve for zero velocity, which gives the instant with full accuracy.
+        // Usually the instant of a maximum is known only to the square root of the accuracy of its value. Here both
+        // sides solve for zero velocity, which gives the instant with full accuracy.
         near(
             &format!("phase of {name}"),
             wrapped(mass.phase() - lag),

@@ -1,9 +1,9 @@
-//! The scenes of the comparison, as matrices written by hand and as descriptions.
+//! The compared scenes, each as matrices written by hand and as a description.
 
 use crate::plain_integration::equations::Chain;
 
-/// Returns three masses of 2, 3 and 1.5 kg on springs of 50, 40, 60 and 20 N/m. The mass and stiffness ratios γ and κ
-/// are written by hand.
+/// Returns the matrices and the description of three masses of 2, 3 and 1.5 kg on springs of 50, 40, 60 and 20 N/m,
+/// with a contact on the wall. The mass ratios γ and stiffness ratios κ are written by hand.
 pub fn on_wall(damped: bool) -> (Chain, &'static str) {
     let k = [[1.8, -0.8, 0.0], [-0.8, 2.0, -1.2], [0.0, -1.2, 1.6]];
     let gamma = [1.0, 1.5, 0.75];
@@ -50,8 +50,9 @@ pub fn on_wall(damped: bool) -> (Chain, &'static str) {
     )
 }
 
-/// Returns a scene on the moving base. Undamped, it has masses of 0.8 and 2 kg, the second of which rubs on the base.
-/// Their springs have 100 and 150 N/m, and one of 30 N/m joins the second mass to the base. Damped, it has one mass.
+/// Returns the matrices and the description of a scene on the moving base, with the names of its masses. Undamped, it
+/// has masses of 0.8 and 2 kg on springs of 100 and 150 N/m. The second mass rubs on the base, and a spring of 30 N/m
+/// joins it to the base. Damped, it has one mass.
 pub fn on_base(damped: bool) -> (Chain, &'static str, &'static [&'static str]) {
     if !damped {
         let chain = Chain {
@@ -74,7 +75,7 @@ pub fn on_base(damped: bool) -> (Chain, &'static str, &'static [&'static str]) {
             &["low", "up"],
         );
     }
-    // The chain has one mode: C̄ = 2ζr, which acts on the absolute velocity.
+    // The chain has one mode with C̄ = 2ζr, and its damper acts on the absolute velocity.
     let (zeta, r) = (0.12, 1.3);
     let mut c = [[0.0; 3]; 3];
     c[0][0] = 2.0 * zeta * r;
@@ -98,8 +99,8 @@ pub fn on_base(damped: bool) -> (Chain, &'static str, &'static [&'static str]) {
     )
 }
 
-/// Returns two masses of 1 and 2 kg on springs of 10 and 15 N/m that rub on each other. The contact is written with the
-/// later mass first.
+/// Returns the matrices and the description of two masses of 1 and 2 kg on springs of 10 and 15 N/m that rub on each
+/// other. The description names the second mass of the contact first.
 pub fn on_each_other(damped: bool) -> (Chain, &'static str) {
     let gamma = [1.0, 2.0, 1.0];
     let k = [[2.5, -1.5, 0.0], [-1.5, 1.5, 0.0], [0.0; 3]];

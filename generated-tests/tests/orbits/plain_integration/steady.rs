@@ -21,8 +21,8 @@ pub struct Reversal {
     pub from: f64,
 }
 
-/// Integrates from t over `span` with the contact sliding all the time. Returns an error if the contact would stop, or
-/// if it reverses more than twice a period.
+/// Integrates from the time t over `span` with the contact sliding all the time. Returns an error if the contact
+/// would stop, or if it reverses more than twice in a period.
 pub fn integrate(
     chain: &Chain,
     (t0, y0, sign): (f64, State, f64),
@@ -44,8 +44,8 @@ pub fn integrate(
             (t, y, done) = (t + h, next, done + h);
             continue;
         }
-        // Bisection finds the instant of the reversal to the last bits, because z̄′ changes its sign once in so short a
-        // step.
+        // Bisection finds the instant of the reversal to the last bits, because z̄′ changes its sign only once within
+        // the short step.
         let (mut low, mut high) = (0.0, h);
         while high - low > 1e-15 {
             let middle = 0.5 * (low + high);
@@ -83,8 +83,8 @@ pub fn integrate(
     Ok((y, sign, reversals))
 }
 
-/// The steady motion over one period, as its steps and its maximum of z̄. The period starts in the middle of a slide in
-/// the direction of −z̄.
+/// The steady motion over one period, as integration steps, and its maximum of z̄. The period starts in the middle of
+/// a slide in the direction of −z̄.
 pub struct Steady {
     pub pieces: Vec<Piece>,
     pub top: Reversal,
@@ -97,10 +97,10 @@ pub fn distance(chain: &Chain, a: &State, b: &State) -> f64 {
     })
 }
 
-/// Returns the steady motion. For an undamped scene Newton's method finds it as a fixed point of y ↦ −y(τ + π). A
-/// damped scene runs until the transient has died out.
+/// Returns the steady motion of a scene. For an undamped scene Newton's method finds it as a fixed point of y ↦ −y(τ
+/// + π). For a damped scene the integration continues until the transient has died out.
 pub fn steady(chain: &Chain, damped: bool) -> Steady {
-    // A quarter of a period after the maximum of z̄ without friction, the contact slides fast.
+    // A quarter of a period after the maximum of z̄ of the response without friction, the contact slides fast.
     let velocity = |t: f64| chain.relative_velocity(t, &chain.frictionless(t));
     let start = (0..400)
         .map(|i| f64::from(i) * PI / 200.0)
@@ -117,8 +117,8 @@ pub fn steady(chain: &Chain, damped: bool) -> Steady {
         end
     };
     if damped {
-        // The states after successive half periods alternate in sign. The symmetry of the equations maps each half
-        // period to the first one.
+        // The states after successive half periods alternate in sign. With the sign changed, each half period starts
+        // like the first one.
         for _ in 0..400 {
             let end = half(&y).map(|value| -value);
             let change = (0..6).fold(0.0, |most: f64, i| most.max((end[i] - y[i]).abs()));
@@ -172,7 +172,7 @@ pub fn wrapped(angle: f64) -> f64 {
 }
 
 impl Steady {
-    /// Returns x̄_k or x̄_k′ at an instant of the excitation's time.
+    /// Returns x̄_k or x̄_k′ at an instant t of the excitation's time.
     pub fn at(&self, chain: &Chain, t: f64, k: usize) -> f64 {
         let first = self.pieces[0].t;
         let t = first + (t - first).rem_euclid(2.0 * PI);
@@ -180,7 +180,7 @@ impl Steady {
         chain.step(piece.t, &piece.y, t - piece.t, piece.contact)[k]
     }
 
-    /// Returns the largest |x̄_k|, with the lag of that maximum.
+    /// Returns the largest |x̄_k|, and the lag of this maximum behind the excitation.
     pub fn amplitude(&self, chain: &Chain, k: usize) -> (f64, f64) {
         let mut best = (0.0, 0.0);
         for piece in &self.pieces {
@@ -210,7 +210,7 @@ impl Steady {
         best
     }
 
-    /// Returns X_n by Simpson's rule on every step.
+    /// Returns real and imaginary part of the harmonic X_n of mass k, by Simpson's rule on every step.
     pub fn harmonic(&self, chain: &Chain, k: usize, n: u32) -> (f64, f64) {
         let (mut re, mut im) = (0.0, 0.0);
         for Piece { t, y, h, contact } in &self.pieces {

@@ -1,4 +1,4 @@
-//! All answers of a scene at r and β, by name.
+//! Collects all answers of a scene at r and β, each with its name.
 
 use frictiongen::study::SystemAt;
 use frictiongen_kernel::modal_sum::wave::Wave;
@@ -67,7 +67,7 @@ pub fn of_system<S: Float>(at: &SystemAt<'_, S>, masses: usize, beta: S) -> Answ
     all
 }
 
-/// Returns the answers that follow from modal data. The data need not belong to a scene.
+/// Returns the answers that follow from modal data, which need not belong to a scene.
 pub fn of_data<S: Float>(data: &Data<S>, r: S, beta: S) -> Answers<S> {
     let at = data.at(r);
     let mut all = vec![

@@ -1,9 +1,10 @@
-//! Computes differences with Richardson extrapolation, and compares them with the slope of a dual number.
+//! Computes derivatives by differences with Richardson extrapolation, and compares them with the slope of a dual
+//! number.
 //!
-//! The tolerance is the error of the difference itself. It is ten times the last change by extrapolation, plus the
-//! rounding of the values over the smallest step. The rounding is 2^-84 of the values, because a search distinguishes
-//! instants by 2^-90. The non-dimensional terms of an answer are of order 1, so no answer is rounded to less than
-//! 2^-100, even where the terms cancel to 0.
+//! The tolerance is the error of the difference. This error is ten times the last change by extrapolation, plus the
+//! rounding of the values divided by the smallest step. The rounding is 2^-84 of the values, because a search
+//! distinguishes instants to 2^-90. The non-dimensional terms of an answer are of order 1, so no answer is rounded to
+//! less than 2^-100, even where the terms cancel to 0.
 
 use crate::sensitivities::answers::{Answers, is_phase};
 use frictiongen::study::sensitivity::Sensitive;
@@ -11,10 +12,10 @@ use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
 
 const LEVELS: usize = 4;
-/// Largest tolerance, relative to the slope and to the value over the variable. A comparison with a larger tolerance
-/// would prove nothing.
+/// Largest tolerance, as a fraction of the slope plus the value divided by the `unit` of [`compare`]. A comparison
+/// with a larger tolerance would prove nothing.
 const VACUOUS: f64 = 1e-9;
-/// Scale for a value that is 0 and has no size of its own.
+/// Replaces the size of a value that is 0.
 const OF_NOTHING: f64 = 1e-20;
 
 /// Side from which a difference is taken.
@@ -25,14 +26,14 @@ pub enum Side {
     Above,
 }
 
-/// A difference with its error bound.
+/// A derivative from differences, with a bound on its error.
 struct Difference {
     value: Dd,
     error: f64,
 }
 
-/// Extrapolates differences to h = 0. `values` has f(x + h_k) and f(x − h_k), or f(x) for a one-sided difference, with
-/// h_k = h/2^k.
+/// Extrapolates difference quotients to the step h = 0. `values` has f(x + h_k) and f(x − h_k) for the steps h_k =
+/// h/2^k; a one-sided difference has f(x) in place of f(x − h_k).
 fn extrapolated(values: &[[Dd; 2]], h: Dd, side: Side, size: f64) -> Difference {
     let two = Dd::from(2.0);
     let mut step = h;
@@ -64,14 +65,15 @@ fn extrapolated(values: &[[Dd; 2]], h: Dd, side: Side, size: f64) -> Difference 
     }
 }
 
-/// Results of a comparison.
+/// Results of a comparison of slopes with differences.
 #[derive(Default)]
 pub struct Outcome {
     pub compared: usize,
     /// Number of answers that only one of the two evaluations has.
     pub skipped: usize,
     pub worst: f64,
-    /// Largest tolerance, relative to the slope and to the value over the variable.
+    /// Largest tolerance that occurred, as a fraction of the slope plus the value divided by the `unit` of
+    /// [`compare`].
     pub widest: f64,
     pub failures: Vec<String>,
 }
@@ -85,7 +87,7 @@ impl Outcome {
         self.failures.extend(other.failures);
     }
 
-    /// Prints the results, and asserts the number of compared and skipped answers.
+    /// Prints the results, and asserts the numbers of compared and of skipped answers.
     pub fn report(&self, title: &str, counts: (usize, usize)) {
         println!(
             "{title}: {} derivatives, {} skipped that one reading does not have; worst {:.3} of the difference's own error, which is {:.1e} of \
@@ -105,8 +107,8 @@ fn turned(value: Dd, by: Dd) -> Dd {
     value - turns * turn
 }
 
-/// Compares the answers that both evaluations have. `at` returns the answers with the variable shifted by its argument.
-/// `unit` is the scale on which the answers vary.
+/// Compares slopes with differences, for the answers that both evaluations have. `at` returns the answers with the
+/// variable shifted by its argument. `unit` is the size of a shift that changes the answers noticeably.
 pub fn compare(
     name: &str,
     dual: &Answers<Sensitive>,

@@ -1,4 +1,4 @@
-//! Every derivative from dual numbers, compared with central differences in double-double.
+//! Compares every derivative from dual numbers with central differences in double-double.
 
 mod answers;
 mod differences;

@@ -1,8 +1,8 @@
-//! Derivatives of steady states with stops, compared with differences of orbits.
+//! Compares derivatives of steady states with stops with differences of such states.
 //!
-//! The differences use values that the same method gives at shifted quantities, converged to 30 digits. The value at
-//! the centre must also agree with the orbit in double-double from rest, which uses no derivatives. The tolerance is
-//! the error of the difference itself (`differences`).
+//! The differences use states that the same method finds for shifted quantities, converged to 30 digits. The state
+//! without a shift must also agree with the state in double-double that the motion from rest reaches, which uses no
+//! derivatives. The tolerance is the error of the difference itself (`differences`).
 
 use crate::sensitivities::answers::Answers;
 use crate::sensitivities::differences::{Outcome, Side, compare};
@@ -16,11 +16,12 @@ use frictiongen_kernel::Scalar;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::number::dual::Dual;
 
-/// A point (r, β) of an orbit, with the numbers of its stops, its reversals and the cycles of its period.
+/// A point (r, β) of a steady state, with its numbers of stops, of reversals, and of cycles in its period.
 type Place = (f64, f64, (usize, usize, u32));
 
-/// Scenes of 1, 2, 3 and 5 masses, with contacts to wall, base and mass, damped and undamped. They have μ = 1 or above,
-/// and two or more stops. The rounding of the scenes' numbers raises μ = 1 to 1.0625 in all but the first scene.
+/// Scenes of 1, 2, 3 and 5 masses, with contacts to wall, base and mass, damped and undamped. Their steady states
+/// have two or more stops. The test rounds the scenes' numbers, which raises μ = 1 to 1.0625 in all but the first
+/// scene.
 const SCENES: &[(&str, bool, &str, &[Place])] = &[
     (
         "block",
@@ -88,7 +89,7 @@ fn answers(orbit: &SystemOrbit<'_, Sensitive>, masses: usize) -> Answers<Sensiti
             orbit.reversed_contact_phase(),
         ),
     ];
-    // The order of the stops depends on the phase at which the search ended, so that they are sorted.
+    // The order of the stops depends on the phase at which the search ended, so the test sorts them.
     let mut stops: Vec<_> = orbit.sticking_intervals().collect();
     stops.sort_by(|(a, _), (b, _)| a.partial_cmp(b).expect("a number"));
     for (place, (start, length)) in stops.into_iter().enumerate() {
@@ -122,7 +123,7 @@ fn answers(orbit: &SystemOrbit<'_, Sensitive>, masses: usize) -> Answers<Sensiti
     all
 }
 
-/// Returns the answers of a scene with no quantity varied.
+/// Returns the answers of a scene without a shifted quantity.
 fn values(system: &System, r: Dd, beta: Dd) -> Answers<Dd> {
     let varied = system.unvaried();
     let orbit = varied
@@ -154,7 +155,7 @@ fn of_steady_states() {
             assert_eq!(found, *seen, "{name}, r = {r}, β = {beta}");
             stopping += usize::from(orbit.stops() > 0);
             let (r, beta) = (Dd::from(*r), Dd::from(*beta));
-            // The reference is the orbit from rest in double-double.
+            // The reference is the steady state in double-double that the motion from rest reaches.
             let exact = System::<Dd>::try_from(scene.clone()).expect("a valid scene");
             let exact = exact.at(r).expect("in the domain");
             let exact = exact.orbit(beta).expect("an orbit");
@@ -216,7 +217,7 @@ fn of_steady_states() {
     outcome.report("steady states", (3838, 0));
 }
 
-/// Where the contact slides all the time, the closed form gives the same derivatives.
+/// Checks that the derivatives equal those of the closed form where the contact slides all the time.
 #[test]
 fn as_the_closed_form() {
     let mut compared = 0;
@@ -260,7 +261,7 @@ fn as_the_closed_form() {
     assert_eq!(compared, 666);
 }
 
-/// If no derivative exists, the answer is an error and never a number.
+/// Checks that the answer is an error, and never a number, if no derivative exists.
 #[test]
 fn refused() {
     let refused = |text: &str, r: f64, beta: f64| {
@@ -298,7 +299,7 @@ fn refused() {
             "{share}: {slope}"
         );
     }
-    // These derivatives belong to another r than the orbit.
+    // These derivatives are for another r than the steady state.
     let varied = system.unvaried();
     let orbit = system
         .at(0.4)

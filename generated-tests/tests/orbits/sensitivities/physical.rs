@@ -1,5 +1,5 @@
-//! Derivatives in hertz, newtons and metres. They equal differences of responses of descriptions analysed again, and do
-//! not depend on the order of masses and springs.
+//! Tests derivatives with respect to parameters in hertz, newtons and metres. They must equal differences of the
+//! responses of changed descriptions, and must not depend on the order of masses and springs.
 
 use crate::sensitivities::scene::moved;
 use frictiongen::study::scene::Scene;
@@ -12,12 +12,13 @@ use frictiongen::study::{
 };
 use frictiongen::{NotContinuous, Of, Regime};
 
-/// Frequency in Hz, friction force in N, and the regime at this point.
+/// A frequency in Hz, a friction force in N, and the regime at this point.
 type Place = (f64, f64, Regime);
-/// A scene in two orders of its masses and springs, with its load and its points.
+/// A scene written with two orders of its masses and springs, with its load and the tested points.
 type Case = (&'static str, &'static str, Load, &'static [Place]);
 
-/// Scenes, each in two orders. The symbols of the quantities identify them in both.
+/// Scenes, each written with two orders of masses and springs. Parameters with the same symbol correspond to each
+/// other.
 const SCENES: &[Case] = &[
     (
         "struct A { masses: { a: 3.25, b: 3.5 }, springs: { base - a: 1190.0, a - b: 1323.0 },
@@ -48,7 +49,7 @@ const SCENES: &[Case] = &[
     ),
 ];
 
-/// Returns amplitude in m and phase in rad from a response without derivatives.
+/// Returns amplitude in m and phase in rad of a motion, from a response without derivatives.
 fn response(scene: &Scene, (hertz, friction, load): (f64, f64, Load), of: Of) -> (f64, f64) {
     let system = System::<f64>::try_from(scene.clone()).expect("a valid scene");
     let scale = system.load_scale(load).expect("a load");
@@ -95,7 +96,7 @@ fn response(scene: &Scene, (hertz, friction, load): (f64, f64, Load), of: Of) ->
     (scale.displacement(amplitude), phase)
 }
 
-/// Returns a scene and a point after one parameter has been shifted.
+/// Returns the scene and the point after a shift of one parameter.
 fn shifted(
     scene: &Scene,
     (hertz, friction, load): (f64, f64, Load),
@@ -186,8 +187,8 @@ fn in_physical_units() {
                 let at = (*hertz, *friction, *load);
                 for found in &all[0] {
                     // The steps are powers of two near p/10³ and half of that, where p is the value of the parameter.
-                    // The remaining error is of fourth order, some 1e-8 of the change of an answer over p. The rounding
-                    // of the values adds 1e-11.
+                    // The extrapolation leaves an error of fourth order, about 1e-8 of an answer's relative change.
+                    // The rounding of the values adds 1e-11.
                     let h = (found.value.log2().floor() - 11.0).exp2();
                     let middle = response(scene, at, of);
                     let turn = std::f64::consts::TAU;
@@ -229,8 +230,8 @@ fn in_physical_units() {
     assert_eq!((compared, invariant), (776, 1690));
 }
 
-/// The contact on a moving base is stuck at its position at rest, so the other masses are also displaced from their
-/// positions at rest.
+/// Checks derivatives of a state whose contact is stuck at its position at rest on a moving base. The other masses
+/// are then also displaced from their positions at rest.
 #[test]
 fn stuck_off_its_centre() {
     let text = "struct A { masses: { a: 1.0, b: 2.0 }, springs: { base - a: 100.0, a - b: 50.0 }, contact: b - base,
@@ -273,7 +274,8 @@ fn stuck_off_its_centre() {
             size(&System::<f64>::try_from(moved(system.scene(), quantity, by)).expect("valid"))
         });
         let expected = (up - down) / (2.0 * by);
-        // The error of the difference is of the order of the step's square. The bound has a margin for the curvature.
+        // The error of the difference is of the order of the step's square. The bound has a margin for the second
+        // derivative.
         let scale = here / found.value;
         assert!(
             (found.amplitude.derivative - expected).abs() < 1e-6 * scale,

@@ -1,5 +1,5 @@
-//! Derivatives with respect to masses, springs, damping and stiction, compared with differences of descriptions
-//! analysed again.
+//! Compares derivatives with respect to masses, springs, damping and stiction with differences of the answers of
+//! changed descriptions.
 
 use crate::sensitivities::answers::{Answers, of_system};
 use crate::sensitivities::differences::{Outcome, Side, compare};
@@ -14,8 +14,8 @@ use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::number::dual::Dual;
 use frictiongen_model::modal::Modal;
 
-/// Scenes, each with its frequency ratios. They have contacts to wall, base and mass. Damping is absent, modal (with ζ
-/// = 0, 1 and above) or Rayleigh. Some scenes have exactly equal modes, because of equal masses on equal springs.
+/// Scenes, each with its frequency ratios. They have contacts to wall, base and mass. Damping is absent, modal (with
+/// ζ = 0, 1 and above) or Rayleigh. Some scenes have exactly equal modes, because equal masses are on equal springs.
 pub const SCENES: &[(&str, &str, &[f64])] = &[
     (
         "pair",
@@ -71,8 +71,8 @@ pub fn place<S: Float>(system: &System<S>, r: f64) -> f64 {
     0.4 * at.continuous_limit().min(at.sliding_limit()).to_f64()
 }
 
-/// Returns the answers that do not depend on r or β: frequencies, the limits at r = 0 and r = ∞, and resonance
-/// thresholds.
+/// Returns the answers that do not depend on r or β: natural frequencies, the limits at r = 0 and r = ∞, and the
+/// friction ratios from which resonances are bounded.
 fn special<S: Float>(modal: &Modal<S>, equal: bool) -> Answers<S> {
     let ends = modal.ends();
     let mut all = vec![
@@ -80,7 +80,7 @@ fn special<S: Float>(modal: &Modal<S>, equal: bool) -> Answers<S> {
         (String::from("continuous at ∞"), ends.continuous_at_infinity),
         (String::from("sliding at ∞"), ends.sliding_at_infinity),
     ];
-    // Equal modes have no order that would change smoothly, so that their frequencies are left out.
+    // Equal modes have no order that changes smoothly, so the list leaves out their frequencies.
     if !equal {
         let frequencies = modal.natural_frequencies().into_iter().enumerate();
         all.extend(frequencies.map(|(i, omega)| (format!("frequency {i}"), omega)));
@@ -95,7 +95,7 @@ fn special<S: Float>(modal: &Modal<S>, equal: bool) -> Answers<S> {
     all
 }
 
-/// Returns the quantities of a description, with their values.
+/// Returns the quantities of a description that have derivatives, each with its value.
 pub fn quantities(scene: &Scene) -> Vec<(Quantity, f64)> {
     let masses = scene.masses.iter().enumerate();
     let mut all: Vec<_> = masses
@@ -111,7 +111,7 @@ pub fn quantities(scene: &Scene) -> Vec<(Quantity, f64)> {
     all
 }
 
-/// Returns the scene with a quantity shifted by `by`. The sum must be exact in double precision.
+/// Returns the scene with a quantity shifted by `by`. The shifted number must be exact in double precision.
 pub fn moved(scene: &Scene, quantity: Quantity, by: f64) -> Scene {
     let mut scene = scene.clone();
     let value = match (quantity, &mut scene.damping) {
@@ -127,12 +127,13 @@ pub fn moved(scene: &Scene, quantity: Quantity, by: f64) -> Scene {
     scene
 }
 
-/// Returns a number with its last twenty bits cleared, so that it can be shifted without rounding.
+/// Returns a number with its last twenty bits cleared, so that a test can shift it without rounding.
 fn short(value: f64) -> f64 {
     f64::from_bits(value.to_bits() & !0xF_FFFF)
 }
 
-/// Returns the scene with shortened numbers, and with no quantity at a bound of its range.
+/// Returns the scene with numbers that a test can shift without rounding, and with no quantity at a bound of its
+/// range.
 pub fn shortened(text: &str) -> Scene {
     let system: System = text.parse().expect("a valid scene");
     let mut scene = system.scene().clone();
@@ -203,7 +204,7 @@ fn exact_modal(system: &System<Dd>) -> Modal {
     system.modal().clone()
 }
 
-/// `sensitivities` must list every quantity of the description, with the slopes that `along` gives.
+/// Checks that `sensitivities` lists every quantity of the description, with the slopes that `along` gives.
 #[test]
 fn the_whole_gradient() {
     let mut compared = 0;

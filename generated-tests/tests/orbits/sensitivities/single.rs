@@ -1,5 +1,5 @@
-//! Derivatives with respect to r, β and single modal quantities, compared with differences of modal data that belongs
-//! to no scene.
+//! Compares derivatives with respect to r, β and single modal quantities with differences. The differences shift one
+//! modal quantity alone, so their modal data belongs to no scene.
 
 use crate::sensitivities::answers::{of_data, of_system};
 use crate::sensitivities::differences::{Outcome, Side, compare};
@@ -10,8 +10,8 @@ use frictiongen_kernel::number::dual::Dual;
 use frictiongen_model::modal::Modal;
 use generated_tests::data::Data;
 
-/// Returns modal data with one quantity shifted, and with its derived sums: m* = Σ(φᵀw)², wᵀΓ⁻¹p = Σ(φᵀw)(φᵀp), and the
-/// static sums.
+/// Returns modal data with one quantity shifted by `by`, and with the sums that depend on it: m* = Σ(φᵀw)², wᵀΓ⁻¹p =
+/// Σ(φᵀw)(φᵀp), and the static sums.
 fn moved(modal: &Modal, quantity: Quantity, by: Dd) -> Modal {
     let mut modal = modal.clone();
     let value = match quantity {
@@ -142,8 +142,8 @@ fn frequency_and_friction_ratio() {
     outcome.report("r and β", (1560, 0));
 }
 
-/// A search for S that takes hundreds of steps must return a finite derivative. Its derivative with respect to r must
-/// not grow from step to step.
+/// Checks that a search for S (the largest velocity constraint) with hundreds of steps gives a finite derivative. The
+/// derivative with respect to r must not grow from step to step.
 #[test]
 fn a_long_search() {
     let text = "struct A { masses: { a: 0.93, b: 3.2, c: 1.2, d: 1.6, e: 0.39, f: 0.88, g: 0.55, h: 2.7,
@@ -154,13 +154,13 @@ fn a_long_search() {
          1e-3, 0.99994, 0.36, 0.07, 2e-9] }";
     let exact: System<Dd> = text.parse().expect("a valid scene");
     let limit = |r: Dd| exact.at(r).expect("in the domain").continuous_limit();
-    // r lies near the thirty-first subharmonic of the third mode, whose damping nearly vanishes.
+    // r is near the thirty-first subharmonic of the third mode, whose damping nearly vanishes.
     let r = exact.resonances()[2] / Dd::from(31.0) * Dd::from(1.0 - 3e-8);
     let unvaried = exact.unvaried();
     let at = unvaried.at(Dual::variable(r)).expect("in the domain");
     let slope = at.continuous_limit().slope;
-    // Near this r, β_lim is smooth over a range of some 1e-8 in r. A central difference with the step 1e-12 therefore
-    // has a relative error of (1e-12/1e-8)².
+    // Near this r, β_lim is smooth over a range of r of about 1e-8. A central difference with the step 1e-12
+    // therefore has a relative error of (1e-12/1e-8)².
     let h = r * Dd::from(1e-12);
     let difference = (limit(r + h) - limit(r - h)) / (h + h);
     assert!(

@@ -1,5 +1,5 @@
-//! States above β*_lim with μ > 1 that motion from rest reaches, compared with `reference/several_states.json`, which
-//! another program made.
+//! Compares states for β > β*_lim with μ > 1, which motion from rest reaches, with `reference/several_states.json`.
+//! Another program made the reference.
 
 use frictiongen::System;
 use serde_json::Value;

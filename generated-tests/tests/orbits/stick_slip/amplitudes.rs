@@ -1,4 +1,5 @@
-//! Compares the largest |x̄| of a mass in a motion with stops with samples of the motion, and with the contact.
+//! Compares the largest |x̄| of a mass in a motion with stops with two values: samples of the motion, and the
+//! amplitude of the contact.
 
 use frictiongen::friction_system;
 
@@ -13,8 +14,8 @@ friction_system! {
     }
 }
 
-/// While the contact is stuck, its mass moves only by rounding. A search for a level that only this rounding reaches
-/// must not leave the stop.
+/// Checks amplitudes of masses that hardly move. While the contact is stuck, its mass moves only by rounding. A
+/// search for a level that only this rounding reaches must not leave the stop.
 #[test]
 fn of_masses_that_hardly_move() {
     const SAMPLES: u32 = 400;
@@ -25,7 +26,7 @@ fn of_masses_that_hardly_move() {
         let orbit = Slow::at(r).expect("in the domain").orbit(beta);
         let orbit = orbit.unwrap_or_else(|error| panic!("r = {r}, β = {beta}: {error}"));
         compared += 1;
-        // The amplitude of the contact comes from the events.
+        // The amplitude of the contact follows from the events, without a search.
         let (mass, contact) = (orbit.mass(1).amplitude(), orbit.contact().amplitude());
         assert!(
             (mass - contact).abs() <= 1e-9 * contact.max(1e-6),
@@ -38,8 +39,8 @@ fn of_masses_that_hardly_move() {
         };
         let sampled = (0..SAMPLES).map(sample).fold(0.0, f64::max);
         let amplitude = first.amplitude();
-        // The spacing 2π/400 of the samples misses at most (π/400)²/2 = 3e-5 of a sinusoid, and 1e-3 of its tenth
-        // harmonic.
+        // Samples at intervals of 2π/400 miss at most a fraction of (π/400)²/2 = 3e-5 of a sinusoid, and 1e-3 of its
+        // tenth harmonic.
         assert!(
             sampled <= amplitude * (1.0 + 1e-12) && amplitude <= sampled * (1.0 + 1e-3),
             "r = {r}, β = {beta}: {amplitude:e}, of samples {sampled:e}"

@@ -1,6 +1,7 @@
-//! Energy that the contact takes in a cycle, by three ways: the quantity `energy(contact)`, the area of the loop of contact
-//! force over displacement, and the work of the load less the loss by damping. Only the first uses the friction law. The
-//! contact force of the loop follows from the equations of motion, which are dense matrices here.
+//! Compares three results for the energy that the contact takes in a cycle: the quantity `energy(contact)`, the area
+//! of the loop of contact force over displacement, and the work of the load less the loss by damping. Only the first
+//! one uses the friction law. The contact force of the loop follows from the equations of motion, which are dense
+//! matrices in this test.
 
 use super::energy::{GAUSS, section};
 use frictiongen::study::orbit::SystemOrbit;
@@ -10,24 +11,26 @@ use frictiongen::{Of, Regime, System};
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::TAU;
 
-/// The equations r²Γẍ + C̄(ẋ − e ẏ) + K̄x + w f = p cos τ at one frequency ratio.
+/// The equations r²Γẍ + C̄(ẋ − e ẏ) + K̄x + w f = p cos τ at one frequency ratio, for base motion y and contact force
+/// f.
 struct Equations {
     inertia: DVector<f64>,
     damping: DMatrix<f64>,
     stiffness: DMatrix<f64>,
-    /// Load on each mass. The springs to a moving base are among them.
+    /// Load on each mass, including the force of the springs to a moving base.
     load: DVector<f64>,
-    /// Stiffness of each mass's springs to the wall.
+    /// Stiffness of the springs between each mass and the wall.
     to_wall: DVector<f64>,
     contact: DVector<f64>,
     /// 1 if the contact rubs on the moving base.
     on_base: f64,
-    /// 1 if the base moves, and 1 if damping acts relative to it.
+    /// First number: 1 if the base moves, otherwise 0. Second number: 1 if damping acts relative to the base,
+    /// otherwise 0.
     base: [f64; 2],
     driven: Option<usize>,
 }
 
-/// Rates of energy at one instant.
+/// Powers at one instant: energy per unit of τ.
 struct Powers {
     load: f64,
     damping: f64,
@@ -97,7 +100,8 @@ impl Equations {
         }
     }
 
-    /// Returns the powers at a phase of the excitation, for displacements, velocities and accelerations of the masses.
+    /// Returns the powers at the phase τ of the excitation, for displacements, velocities and accelerations of all
+    /// masses.
     fn powers(&self, tau: f64, [x, v, a]: [&DVector<f64>; 3]) -> Powers {
         let (sine, cosine) = tau.sin_cos();
         let base_rate = -sine * self.base[0];
@@ -105,12 +109,12 @@ impl Equations {
         let drag = &self.damping * &slip;
         let residual =
             &self.load * cosine - &self.stiffness * x - &drag - self.inertia.component_mul(a);
-        // Every mass but those of the contact has a residual of zero, so that this is the force along w.
+        // The residual is zero for every mass that is not in the contact, so this is the contact force along w.
         let force = residual.dot(&self.contact) / self.contact.dot(&self.contact);
         let load = match self.driven {
             Some(mass) => cosine * v[mass],
-            // The force of the base on the chain. If the contact rubs on the base, it follows from the momentum of all
-            // masses and the forces of the wall, without the contact force.
+            // The load is the force of the base on the chain. If the contact rubs on the base, this force follows
+            // from the momentum of all masses and the forces of the wall, without the contact force.
             None if self.on_base == 1.0 => {
                 let to_ground = drag.sum() * (1.0 - self.base[1]);
                 base_rate * (self.inertia.dot(a) + self.to_wall.dot(x) + to_ground)
@@ -128,7 +132,7 @@ impl Equations {
     }
 }
 
-/// Returns the lengths of the intervals between events, over a whole period from a maximum of the excitation on.
+/// Returns the lengths of the intervals between events in a whole period that starts at a maximum of the excitation.
 fn intervals(system: &System, (r, beta): (f64, f64), orbit: &SystemOrbit<'_>) -> Vec<f64> {
     let mut left = TAU * f64::from(orbit.period());
     if orbit.never_slides() {
@@ -146,7 +150,7 @@ fn intervals(system: &System, (r, beta): (f64, f64), orbit: &SystemOrbit<'_>) ->
     lengths
 }
 
-/// Returns work of the load, loss by damping and area of the loop, each over a cycle.
+/// Returns three energies for each cycle: work of the load, loss by damping, and area of the loop.
 fn cycle(system: &System, (r, beta): (f64, f64), orbit: &SystemOrbit<'_>) -> [f64; 3] {
     let equations = Equations::of(system, r);
     let n = equations.inertia.len();
@@ -190,7 +194,7 @@ fn block(side: &str, driven: &str, mu: &str, zeta: &str) -> String {
     text.replace("MU", mu).replace("ZETA", zeta)
 }
 
-/// Counts of the compared states by kind. The test checks with them that no regime is missing.
+/// Numbers of compared states of each kind. With them the test checks that no regime is missing.
 #[derive(Debug, Default)]
 struct Seen {
     regimes: Vec<(Regime, usize)>,
@@ -212,7 +216,7 @@ impl Seen {
         let [load, damping, area] = cycle(&system, (r, beta), &orbit);
         let what = format!("{text}\nr = {r}, β = {beta}: {energy} {area} {load} {damping}");
         let size = load.abs().max(energy).max(damping);
-        // The largest power times a cycle, where no work remains over the cycle.
+        // If no work remains over the cycle, the size is that of the largest power times a cycle, about 1e-3.
         let size = size.max(1e-3);
         for other in [area, load - damping] {
             let error = (energy - other).abs() / size;
@@ -236,7 +240,8 @@ fn is_the_area_of_the_loop_and_the_work_of_the_load() {
     for (r, beta) in [(0.3, 0.4), (0.9, 0.3), (2.0, 0.7), (0.8, 2.0)] {
         seen.compare(&block("wall", "block", "1", "0"), r, beta);
     }
-    // Members of a continuum, off their centre, and motions that repeat after two, three and five cycles.
+    // The next states are members of a continuum, states off their centre, and motions that repeat after two, three
+    // and five cycles.
     seen.compare(&block("wall", "block", "1", "0"), 0.5, 0.2);
     seen.compare(&block("base", "base", "2", "0"), 0.4076, 0.01787);
     seen.compare(&block("wall", "block", "2", "0"), 0.352, 0.1563);

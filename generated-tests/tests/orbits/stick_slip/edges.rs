@@ -1,5 +1,5 @@
-//! Tests motions exactly on the boundary between two sequences of events. The cases are the limit of sticking, a start
-//! at the break-away level, two equal maxima, and a stop of zero length.
+//! Tests motions exactly on the boundary between two sequences of events: at the limit of sticking, from a start at
+//! the break-away level, with two equal maxima, and with a stop of zero length.
 
 use frictiongen::System;
 use frictiongen::kernel::simulation::{Contact, Event};
@@ -17,8 +17,8 @@ fn block(rest: &str) -> System {
     ))
 }
 
-/// The force in the stuck contact is cos τ. At μβ = 1 it just reaches the break-away level once in each half cycle, and
-/// the contact never slides.
+/// Checks a stuck contact whose force is cos τ. At μβ = 1 the force just reaches the break-away level once in each
+/// half cycle. The contact must never slide.
 #[test]
 fn at_the_level_exactly() {
     let mut seen = 0;
@@ -41,10 +41,11 @@ fn at_the_level_exactly() {
     println!("{seen} runs of 200 cycles at the level, none skipped");
 }
 
-/// Without friction the relative velocity touches zero and keeps its sign. This must not count as a reversal.
+/// Checks a motion without friction whose relative velocity touches zero but keeps its sign. This must not count as a
+/// reversal.
 ///
-/// At r = 1/2, x̄ = 4/3 (cos τ − ½ sin 2τ) has x̄′ = −4/3 (sin τ + cos 2τ) = −4/3 (1 − sin τ)(1 + 2 sin τ). It has a
-/// zero of second order at π/2, and simple zeros at 7π/6 and 11π/6.
+/// At r = 1/2, x̄ = 4/3 (cos τ − ½ sin 2τ) has x̄′ = −4/3 (sin τ + cos 2τ) = −4/3 (1 − sin τ)(1 + 2 sin τ). This
+/// velocity has a zero of second order at π/2, and simple zeros at 7π/6 and 11π/6.
 #[test]
 fn a_velocity_that_touches_zero() {
     let wall = block("");
@@ -71,8 +72,8 @@ fn a_velocity_that_touches_zero() {
     assert!(cycles >= 100 && reversals + 1 >= 2 * cycles && reversals <= 2 * cycles + 2);
 }
 
-/// The contact force starts at the break-away level itself, with zero slope, and grows. Because of rounding the contact
-/// may seem to stay stuck at first, but it must slide.
+/// Checks a start whose contact force is exactly at the break-away level, with zero slope, and then grows. Because of
+/// rounding the contact may seem to stay stuck at first, but it must slide.
 #[test]
 fn from_the_level_itself() {
     let pair = system(
@@ -115,8 +116,8 @@ fn from_the_level_itself() {
             }
             lengths.push(found);
         }
-        // A start velocity of 1e-9 changes the first segment by that order. The change of later segments is multiplied
-        // by the divergence of the motions.
+        // A change of the start velocity by 1e-9 changes the first segment by the same order. The divergence of the
+        // motions multiplies this change for later segments.
         let last = lengths.pop().expect("a run");
         for other in &lengths {
             for (a, b) in other.iter().zip(&last) {
@@ -129,7 +130,8 @@ fn from_the_level_itself() {
     assert_eq!(compared, 6 * 6 * 6);
 }
 
-/// A stop whose middle coincides with the minimum of the load has end points that lag by ±φ. The positive lag counts.
+/// Checks a stop whose middle coincides with the minimum of the load. The ends of the stop have the lags ±φ. The
+/// phase must be the positive lag.
 #[test]
 fn of_equal_maxima_the_positive_lag() {
     let chain = system(
@@ -177,8 +179,8 @@ fn of_equal_maxima_the_positive_lag() {
     }
 }
 
-/// With μ = 1 every start, and every section at which the search cuts the motion, must lead to the same steady state.
-/// Some of the tested stops are shorter than 1/1000 rad in τ.
+/// Checks that with μ = 1 every start, and every section at which the search cuts the motion, leads to the same
+/// steady state. Some of the tested stops are shorter than 1/1000 rad in τ.
 #[test]
 fn a_short_stop_from_anywhere() {
     let wall = block("damping: modal(0.02)");
@@ -218,7 +220,7 @@ fn a_short_stop_from_anywhere() {
             "from {state:?}"
         );
         let apart = (orbit.stuck_fraction() - expected.stuck_fraction()).abs();
-        // The length of a short stop is the square root of a difference, so that its tolerance is wide.
+        // The length of a short stop is the square root of a difference, so its tolerance is wide.
         assert!(apart < 1e-9, "from {state:?}: {apart:e}");
         compared += 1;
     }
@@ -226,8 +228,8 @@ fn a_short_stop_from_anywhere() {
     assert_eq!(compared, 60_000);
 }
 
-/// Without friction the block follows 1/(1 − r² + 2iζr). This also holds so near the resonance that the motion is
-/// computed from differences.
+/// Checks that a block without friction follows 1/(1 − r² + 2iζr). Very near the resonance the motion is computed
+/// from differences; there the check counts too.
 #[test]
 fn next_to_a_resonance_without_friction() {
     let mut compared = 0;
@@ -258,7 +260,7 @@ fn next_to_a_resonance_without_friction() {
     assert_eq!(compared, 28);
 }
 
-/// A mode that the contact does not touch keeps its own steady motion during stops, slips and sticking.
+/// Checks that a mode that the contact does not touch keeps its own steady motion in stops, in slips and in sticking.
 #[test]
 fn a_mode_that_the_contact_does_not_touch() {
     let pair = system(

@@ -1,4 +1,4 @@
-//! Emitted simulations and orbits equal those of the run-time system to the last bit.
+//! Tests that emitted simulations and orbits equal those of the run-time system to the last bit.
 
 use frictiongen::kernel::motion::ContactChain;
 use frictiongen::kernel::orbit::{Orbit, OrbitMotion};
@@ -6,7 +6,7 @@ use frictiongen::kernel::simulation::{Part, Segment, Simulation};
 use frictiongen::{Complex, NoOrbit, System};
 use frictiongen_kernel::Float;
 
-/// Returns every number of an orbit, as bits.
+/// Returns the bits of every number of an orbit.
 fn said<S, P, V, C, K>(orbit: &Orbit<'_, S, P, V, C, K>, masses: usize) -> Vec<u64>
 where
     S: Float,
@@ -55,7 +55,7 @@ where
     values.map(|value| value.to_f64().to_bits()).to_vec()
 }
 
-/// Returns the first hundred segments of a run.
+/// Returns the bits of the first hundred segments of a run.
 fn segments<S: Float, P: AsMut<[Part<S>]> + AsRef<[Part<S>]>>(
     run: &mut Simulation<'_, S, P>,
 ) -> Vec<Segment<S>> {
@@ -112,7 +112,7 @@ macro_rules! same {
             println!("{values} values of {orbits} orbits and {seen} segments compared, no orbit: {without:?}");
             let points = [$($points)*].len();
             assert_eq!(seen, points * 2 * 100);
-            // Only one point of `plain` lies on a resonance that friction does not bound.
+            // One point of `plain` is on a resonance that friction does not bound. All other points have an orbit.
             let unbounded = if stringify!($test) == "plain" { 2 } else { 0 };
             assert_eq!(orbits, points * 2 - unbounded);
             // An orbit has seven numbers of its own, six numbers for each motion, and the multipliers.
@@ -210,7 +210,7 @@ mod named {
     }
 }
 
-/// A mass can be found by its name, and a run is an iterator.
+/// Checks that a mass can be found by its name, and that a run is an iterator.
 #[test]
 fn by_name() {
     let orbit = named::Frame::at(0.3).expect("in the domain").orbit(0.4);

@@ -6,7 +6,7 @@ use frictiongen::kernel::simulation::Contact;
 use frictiongen::study::orbit::SystemOrbit;
 use std::f64::consts::{PI, TAU};
 
-/// Nodes and weights of Gauss's rule with eight points.
+/// Nodes and weights of Gauss's quadrature rule with eight points.
 pub const GAUSS: [(f64, f64); 4] = [
     (0.183_434_642_495_649_8, 0.362_683_783_378_362),
     (0.525_532_409_916_329, 0.313_706_645_877_887_3),
@@ -26,15 +26,15 @@ pub fn section(system: &System, orbit: &SystemOrbit<'_>) -> (Vec<f64>, Vec<f64>)
         .unzip()
 }
 
-/// Returns the work of the load minus the losses, and the losses by modal damping. Both are fractions of the work of
-/// the load.
+/// Returns the work of the load minus all losses, and the losses by modal damping, both divided by the work of the
+/// load.
 fn balance(system: &System, r: f64, beta: f64) -> (f64, f64) {
     let orbit = system.at(r).expect("in the domain").orbit(beta);
     let orbit = orbit.unwrap_or_else(|error| panic!("r = {r}, β = {beta}: {error}"));
     let scene = system.scene();
     let (m1, k1) = (scene.masses[0].value, scene.springs[0].stiffness);
-    // The work of the load is ∮ pᵀx̄′ cos τ dτ = −π Im X₁ of the loaded mass. Base motion acts through the springs to
-    // the base.
+    // The work of the load in a cycle is ∮ pᵀx̄′ cos τ dτ = −π Im X₁ of the loaded mass. Base motion acts through the
+    // springs to the base.
     let moved = |mass: usize| orbit.mass_at(mass).expect("a mass").harmonic(1).im;
     let input = match scene.excitation {
         frictiongen::study::scene::Excitation::Force(mass) => -PI * moved(mass),
@@ -52,7 +52,7 @@ fn balance(system: &System, r: f64, beta: f64) -> (f64, f64) {
             springs.sum()
         }
     };
-    // A run in time from this state gives the exact sliding distances and events.
+    // A run in time from this state gives the exact sliding distances and the events.
     let (x, v) = section(system, &orbit);
     let mut run = system
         .simulation_from(r, beta, (&x, &v))
@@ -65,8 +65,8 @@ fn balance(system: &System, r: f64, beta: f64) -> (f64, f64) {
         if segment.contact != Contact::Stuck {
             slid += (run.run().relative().0 - before).abs();
         }
-        // The loss is ∮ x̄′ᵀC̄x̄′ dτ = Σ 2ζ r√λ ∮ (φᵀΓx̄′)² dτ. The panels are so short that no mode turns far in one
-        // of them.
+        // The loss by damping is ∮ x̄′ᵀC̄x̄′ dτ = Σ 2ζ r√λ ∮ (φᵀΓx̄′)² dτ. The panels of the quadrature are so short
+        // that the phase of no mode changes much in one of them.
         let panels = (segment.length * 4.0 * (1.0 + 3.0 / r)).ceil();
         let width = segment.length / panels;
         for panel in 0..panels as usize {

@@ -1,8 +1,9 @@
-//! Provokes every reason for which no steady state is returned, in emitted scenes and at run time.
+//! Provokes every error that is returned in place of a steady state, in emitted scenes and at run time.
 
 use frictiongen::{Given, NoOrbit, OutOfDomain, System};
 
-/// Emits a scene. Asks the scene and the run-time system of the same text for a steady state.
+/// Emits a scene. Asks the scene, and the run-time system of the same text, for a steady state, which both must
+/// refuse.
 macro_rules! refused {
     ($test:ident, $error:expr, ($($points:tt)*), struct $name:ident { $($body:tt)* }) => {
         mod $test {
@@ -68,7 +69,7 @@ refused!(
         contact: block - wall, excitation: block,
     }
 );
-// The motion of `reference/orbits_more.json` at r = 0.01, β = 0.5 has a hundred segments.
+// The motion of `reference/orbits_more.json` at r = 0.01, β = 0.5 has a hundred segments in a period.
 refused!(
     too_many_events, NoOrbit::TooManyEvents, ((0.01, 0.5), (0.008, 0.3)),
     struct Block {
@@ -92,7 +93,7 @@ refused!(
         contact: block - base, excitation: base, stiction: 3.0,
     }
 );
-// Friction is so small that the free vibration from the start lasts longer than all cycles that the search follows.
+// With this small friction, the free vibration from the start lasts longer than all cycles that the search follows.
 refused!(
     unsettled, NoOrbit::Unsettled, ((0.06501, 0.000_001_849), (0.1382, 0.000_005_223)),
     struct Block {
@@ -101,7 +102,7 @@ refused!(
     }
 );
 
-/// A state with NaN or infinity is refused, emitted and at run time.
+/// Checks that emitted and run-time solvers refuse a state with NaN or infinity.
 #[test]
 fn a_state_out_of_domain() {
     let text = "struct Block { masses: { block: 1 }, springs: { base - block: 1 },
@@ -124,8 +125,8 @@ fn a_state_out_of_domain() {
     assert_eq!(found, wanted);
 }
 
-/// Friction is below rounding compared with a large free vibration, so that the vibration seems steady. It must not be
-/// reported as the steady state.
+/// Checks a large free vibration beside which the friction is below rounding, so that the vibration seems steady. The
+/// solver must not return it as the steady state.
 #[test]
 fn nothing_larger_than_the_motion() {
     let text = "struct Block { masses: { block: 1 }, springs: { base - block: 1 },

@@ -3,11 +3,11 @@
 use frictiongen::System;
 use frictiongen::kernel::simulation::{Contact, Event};
 
-/// Number of events of a run, the same in every build profile.
+/// Number of events of a run, which is the same in every build profile.
 const EVENTS: u64 = 1_000_000;
 
 /// Asserts that after the transient every cycle has `per_cycle` events. Their phases must equal those of the steady
-/// state, which is found as a fixed point of the map, without a run.
+/// state, which the solver finds as a fixed point of the cycle map, without this run.
 fn run(text: &str, r: f64, beta: f64, per_cycle: u64) {
     let system: System = text.parse().expect("a scene");
     let mut run = system.simulation(r, beta).expect("in the domain");
@@ -50,10 +50,10 @@ fn run(text: &str, r: f64, beta: f64, per_cycle: u64) {
         worst = worst.max(nearest.fold(f64::MAX, f64::min));
     }
     println!("{events} events compared, none skipped, worst {worst:e}");
-    // The number of cycles must belong to exactly this number of events.
+    // The number of cycles must correspond to exactly this number of events.
     assert_eq!(run.run().cycles() - from, EVENTS / per_cycle, "{text}");
-    // The last event must be as exact as the first one. If the velocity reaches zero with zero slope, the instant of a
-    // stop is known only to half of the digits.
+    // The last event must be as accurate as the first one. If the velocity reaches zero with zero slope, the instant
+    // of a stop is known only to half of the digits.
     assert!(worst < 1e-9, "{text}: {worst:e}");
 }
 

@@ -1,4 +1,5 @@
-//! Compares the states that motion from rest reaches, above and below β*_lim, with [`Plain`] runs.
+//! Compares the states that motion from rest reaches, for β below and above β*_lim, with runs of the integrator
+//! [`Plain`].
 
 use super::plain::Plain;
 use frictiongen::study::{SystemAt, orbit::SystemOrbit};
@@ -10,16 +11,17 @@ use std::collections::BTreeMap;
 
 /// Number of cycles after which a run counts as one that does not repeat.
 const MOST: usize = 1500;
-/// Longest period of a run that the test looks for, in cycles.
+/// Longest period for which the test looks in a run, in cycles.
 const LONGEST: usize = 64;
-/// Largest change of the state over a period at which a run counts as settled.
+/// Largest change of the state over a period for which a run counts as settled.
 const SETTLED: f64 = 1e-10;
-/// Smallest change of the state over a shorter period in a settled run. A free vibration that decays slowly nearly
-/// repeats after such a period.
+/// If the state of a run changes by less than this over a shorter period, the run does not count as settled. A free
+/// vibration that decays slowly nearly repeats after such a period.
 const APART: f64 = 1e-6;
-/// Tolerance of the comparison. The run's events have errors of 2e-11, and the settled run still changes by 1e-10.
+/// Tolerance of the comparison. The events of the run have errors of 2e-11, and the settled run still changes by up
+/// to 1e-10.
 const TOLERANCE: f64 = 1e-8;
-/// Tested friction ratios, as factors of β*_lim.
+/// Tested friction ratios, divided by β*_lim.
 const FACTORS: [f64; 10] = [1.001, 1.003, 1.01, 1.02, 1.03, 1.05, 1.08, 1.12, 1.2, 1.3];
 
 /// Returns a damped chain of one to four masses with a random contact.
@@ -80,7 +82,7 @@ struct Settled {
     largest: Vec<f64>,
 }
 
-/// Runs until the motion has settled. `nudge` displaces the first mass at the start by a small length.
+/// Runs until the motion has settled. At the start, `nudge` displaces the first mass by a small length.
 fn settled(plain: &Plain, masses: usize, nudge: f64) -> Option<Settled> {
     let mut run = plain.rest();
     run.state[0] += nudge;
@@ -119,8 +121,8 @@ fn settled(plain: &Plain, masses: usize, nudge: f64) -> Option<Settled> {
     None
 }
 
-/// Returns the largest difference of the amplitudes, relative to the largest amplitude. Returns infinity if the events
-/// differ.
+/// Returns the largest difference of the amplitudes, divided by the largest amplitude. Returns infinity if the
+/// numbers of events differ.
 fn difference(found: &Settled, expected: &Settled) -> f64 {
     let counts = |of: &Settled| (of.period, of.stops, of.reversals);
     if counts(found) != counts(expected) {
@@ -145,7 +147,8 @@ fn answered(orbit: &SystemOrbit<'_>, masses: usize) -> Settled {
     }
 }
 
-/// Judges one point (r, β). Returns the kind of its state, or a text with the difference between answer and run.
+/// Judges one point (r, β). Returns the kind of its state, and a text with the difference between answer and run. If
+/// there is no difference, the text is empty.
 fn judged(system: &System, at: &SystemAt<'_>, r: f64, beta: f64) -> (&'static str, String) {
     let masses = system.scene().masses.len();
     let plain = Plain::new(system.scene(), r, beta);
@@ -166,7 +169,7 @@ fn judged(system: &System, at: &SystemAt<'_>, r: f64, beta: f64) -> (&'static st
         };
         return (kind, String::new());
     }
-    // If a start displaced by 1e-9 changes the result, no program can decide between the two results.
+    // If a start that is displaced by 1e-9 changes the result, no program can decide which of the results is right.
     let sensitive = [1e-9, -1e-9, 1e-8].into_iter().any(|nudge| {
         settled(&plain, masses, nudge).is_none_or(|nudged| {
             0.1 * apart < difference(&nudged, &run) || difference(&answer, &nudged) < TOLERANCE
@@ -180,7 +183,8 @@ fn judged(system: &System, at: &SystemAt<'_>, r: f64, beta: f64) -> (&'static st
     (kind, format!("{apart:.1e}: {answer:?}, run {run:?}"))
 }
 
-/// Judges random scenes at the friction ratios `FACTORS`. Returns the count of each kind of state, and the differences.
+/// Judges random scenes at the friction ratios `FACTORS`. Returns the number of states of each kind, and the
+/// differences.
 fn survey(
     scenes: usize,
     factors: &[f64],
@@ -221,7 +225,7 @@ fn survey(
     )
 }
 
-/// Judges a few scenes in every test run. [`long`] judges more of them.
+/// Judges a few scenes in every test run. [`long`] judges more scenes.
 #[test]
 fn short() {
     let (counts, told) = survey(10, &[1.003, 1.03, 1.3], |at| at.sliding_limit());
@@ -249,8 +253,8 @@ fn long() {
     }
 }
 
-/// Below both limits with μ > 1 the closed form exists, but motion from rest may end in stick-slip. `response` must
-/// report the stick-slip state.
+/// Checks states for β below both limits with μ > 1. The closed form exists there, but motion from rest may end in
+/// stick-slip. `response` must then report the stick-slip state.
 #[test]
 fn response_from_rest() {
     let system: System = "struct Chain {
@@ -280,7 +284,7 @@ fn response_from_rest() {
     }
 }
 
-/// Below both limits with μ > 1, motion from rest may also end in stick-slip.
+/// Judges states for β below both limits with μ > 1, where motion from rest may also end in stick-slip.
 #[test]
 #[ignore = "minutes: SCENES=300 cargo test --release -p generated-tests --test orbits stick_slip::from_rest::below -- --ignored --nocapture"]
 fn below() {

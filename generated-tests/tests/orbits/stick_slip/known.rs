@@ -51,7 +51,7 @@ fn steady_states_that_are_approached_slowly() {
         assert!(orbit.is_symmetric() && orbit.is_stable() && !orbit.is_marginal());
         let multipliers = orbit.multipliers().iter();
         let largest = multipliers.fold(0.0_f64, |most, value| most.max(value.norm()));
-        // The reference has as many digits as it prints.
+        // The reference prints at least nine digits.
         assert!((largest.sqrt() - half).abs() < 1e-9, "{}", largest.sqrt());
         compared += 1;
     }
@@ -59,15 +59,16 @@ fn steady_states_that_are_approached_slowly() {
     assert_eq!(compared, 2);
 }
 
-/// At r = 1/2 a free vibration has two cycles in each cycle of the excitation. It loses no energy until it makes the
-/// contact stop.
+/// Checks a member of a continuum of steady states. At r = 1/2 a free vibration has two cycles in each cycle of the
+/// excitation. It loses no energy until it makes the contact stop.
 #[test]
 fn one_of_a_continuum() {
     let base = block("base", "");
     let orbit = orbit(&base, 0.5, 0.04);
     assert!(orbit.is_marginal() && orbit.is_stable() && !orbit.is_symmetric());
     assert_eq!((orbit.stops(), orbit.reversals()), (0, 2));
-    // The motion from rest approaches the orbit ever more slowly. The fraction of sticking falls as n^(−1/2).
+    // The motion from rest approaches the steady state ever more slowly: after n cycles the fraction of sticking is
+    // of the order n^(−1/2).
     let mut run = base.simulation(0.5, 0.04).expect("in the domain");
     let (mut apart, mut compared) = ([0.0_f64; 2], 0);
     for (cycles, worst) in [200, 20_000].into_iter().zip(&mut apart) {
@@ -89,7 +90,7 @@ fn one_of_a_continuum() {
     assert!(early < 0.1 && late < 0.2 * early, "{apart:?}");
 }
 
-/// At 0.9 β_lim the orbit equals the closed form. From β*_lim on it equals the stuck response.
+/// Checks that for β = 0.9 β_lim the orbit equals the closed form, and for β ≥ β*_lim the stuck response.
 #[test]
 fn the_closed_form_on_either_side() {
     let scenes = [
@@ -142,7 +143,7 @@ fn the_closed_form_on_either_side() {
                 compared += 2 + 4 * 2 + 4;
             }
             let stuck = at.stuck().expect("a response");
-            // The start is the exact stuck motion at a maximum of the excitation, Re(A e^{iτ}), with its derivative.
+            // The start is the exact stuck motion Re(A e^{iτ}) and its derivative, at a maximum of the excitation.
             let state = masses
                 .clone()
                 .map(|mass| stuck.mass_at(mass).expect("a mass"));
@@ -170,7 +171,8 @@ fn the_closed_form_on_either_side() {
     assert_eq!(compared, 20 * (2 + 2 * 3) + places * (14 + 2 * 2));
 }
 
-/// If β is below β*_lim by rounding only, the contact must not move. At β = β*_lim exactly, the limit decides.
+/// Checks that a contact does not move if β is below β*_lim by rounding only. At β = β*_lim exactly, the limit
+/// decides.
 #[test]
 fn at_the_sliding_limit() {
     let base = block("base", "");
@@ -189,8 +191,8 @@ fn at_the_sliding_limit() {
     assert_eq!(compared, 5 * 3);
 }
 
-/// At β = 1 − ε the force exceeds friction by ε − τ²/2 about its peak. The mass slips from −√(2ε) to 2√(2ε), by
-/// 9ε²/2r².
+/// Checks the amplitude of a contact that hardly slides. At β = 1 − ε the force near its peak exceeds friction by ε −
+/// τ²/2. The mass slips from τ = −√(2ε) to 2√(2ε), by 9ε²/2r².
 #[test]
 fn hardly_sliding() {
     let wall = block("block", "");
@@ -218,8 +220,8 @@ fn hardly_sliding() {
     assert_eq!(compared, 200 * 3);
 }
 
-/// On the resonance, between β*_lim and β_n, friction does not bound a sliding motion. A contact that is at rest on the
-/// base stays at rest.
+/// Checks states on the resonance for β between β*_lim and β_n, the friction ratio from which the motion is bounded.
+/// Friction does not bound a sliding motion there. A contact that is at rest on the base stays at rest.
 #[test]
 fn stuck_on_a_resonance() {
     let base = block("base", "stiction: 1.5");
@@ -230,8 +232,8 @@ fn stuck_on_a_resonance() {
     let orbit = at.orbit_from(0.7, (&[1.0], &[0.0])).expect("it sticks");
     assert_eq!((orbit.stuck_fraction(), orbit.offset()), (1.0, 0.0));
     assert!((amplitude(&orbit) - 1.0).abs() < 1e-15);
-    // A mass at absolute rest starts while the base is at Y. The spring breaks the contact away, and its sliding motion
-    // grows.
+    // A mass at absolute rest starts while the base is at Y. The spring breaks the contact away, and the sliding
+    // motion grows.
     let rest = at.orbit(0.7);
     assert_eq!(rest.map(|orbit| orbit.stops()), Err(NoOrbit::Unbounded));
     // With enough friction the contact stays where it starts, with an offset of Y.
@@ -267,8 +269,8 @@ fn where_there_is_none() {
     assert_eq!(error(&pair, 0.6, 0.1), NoOrbit::Undamped(0));
 }
 
-/// The difference of their displacements moves as one oscillator under 5/4 of the friction. The two modes are equal,
-/// and their basis is chosen so that the contact drives only one of them.
+/// Checks a chain with two equal modes, in a basis where the contact drives only one of them. The difference of the
+/// masses' displacements moves as one oscillator under 5/4 of the friction.
 #[test]
 fn equal_modes_are_turned() {
     let alike: System = "struct Alike {

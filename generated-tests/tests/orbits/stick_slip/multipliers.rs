@@ -1,17 +1,17 @@
-//! Compares Floquet multipliers with finite differences of the period map. The test follows the map in time.
+//! Compares Floquet multipliers with finite differences of the period map, which the test evaluates by runs in time.
 
 use super::energy::section;
 use frictiongen::System;
 use nalgebra::DMatrix;
 use std::f64::consts::TAU;
 
-/// Step of the central differences. Their error is of the order of the step's square, plus ε over the step for
-/// rounding.
+/// Step of the central differences. Their error is of the order of the step's square, plus the rounding ε divided by
+/// the step.
 const STEP: f64 = 1e-5;
 /// Tolerance: both errors of the differences, multiplied by the sensitivity of the eigenvalues.
 const TOLERANCE: f64 = 1e-6;
 
-/// Returns the state one period after a state at a maximum of the excitation.
+/// Returns the state of a run one period after `state`, which is at a maximum of the excitation.
 fn period(system: &System, r: f64, beta: f64, state: &[f64]) -> Vec<f64> {
     let (x, v) = state.split_at(state.len() / 2);
     let mut run = system
@@ -113,8 +113,8 @@ fn finite_differences() {
     assert_eq!((fixed, compared), (all, all));
 }
 
-/// If the contact never slides, the upper mass stays in place and loses its velocity. The lower mass vibrates alone on
-/// two springs, with λ² + (α + 2β)λ + 2 = 0 for the Rayleigh factors α and β.
+/// Checks the multipliers of a contact that never slides. The upper mass stays in place and loses its velocity. The
+/// lower mass vibrates alone on two springs, with λ² + (α + 2β)λ + 2 = 0 for the Rayleigh factors α and β.
 #[test]
 fn of_a_contact_that_never_slides() {
     let mut compared = 0;

@@ -1,5 +1,5 @@
-//! Tests states with an offset: a contact that comes to rest off its centre, and members of a continuum. The file also
-//! tests the phase of a contact that stops at its largest displacement.
+//! Tests states with an offset: contacts that come to rest off their centre, and members of a continuum. Also tests
+//! the phase of a contact that stops at its largest displacement.
 
 use frictiongen::study::sensitivity::{OperatingPoint, Parameter};
 use frictiongen::{Of, Regime, Run as _, System};
@@ -15,8 +15,8 @@ fn block() -> System {
     )
 }
 
-/// At r = 1/2n an undamped motion keeps a free vibration. Every call must return the member of the continuum that
-/// motion from rest approaches.
+/// Checks that at r = 1/2n, where an undamped motion keeps a free vibration, every call returns the same member of
+/// the continuum: the one that motion from rest approaches.
 #[test]
 fn one_rule_at_half_the_resonance() {
     let block = block();
@@ -25,8 +25,8 @@ fn one_rule_at_half_the_resonance() {
     assert_eq!(response.regime(), Regime::Continuous);
     assert!(response.is_marginal() && response.is_from_rest());
     let amplitude = |of| response.swing(of).expect("a motion").amplitude;
-    // The closed form is the symmetric member of the continuum, with amplitude 4/3. The last member has an offset of
-    // 2/15.
+    // The closed form is the symmetric member of the continuum, with amplitude 4/3. The member at the other end has
+    // an offset of 2/15.
     for found in [
         amplitude(Of::Contact),
         amplitude(Of::Mass(0)),
@@ -44,7 +44,7 @@ fn one_rule_at_half_the_resonance() {
     let values = history.tracks[0].displacement.iter();
     let largest = values.fold(0.0_f64, |most, value| most.max(value.abs()));
     assert!((largest - 22.0 / 15.0).abs() < 1e-5, "{largest}");
-    // If the motion starts with a smaller offset than that member, it keeps this offset.
+    // A motion that starts with an offset smaller than that of this member keeps its offset.
     let motion = at.motion(0.2).expect("a motion");
     let early = -motion.contact().phase();
     let [x, v] = [
@@ -57,7 +57,8 @@ fn one_rule_at_half_the_resonance() {
     assert!((wider - range).abs() < 1e-9, "{wider}");
 }
 
-/// Compares with runs in time: the offset of a contact that ends stuck, and the largest displacements with that offset.
+/// Compares stuck states with runs in time: the offset of the contact, and the largest displacements with that
+/// offset.
 #[test]
 fn where_a_contact_comes_to_rest() {
     let frame = system(
@@ -79,7 +80,7 @@ fn where_a_contact_comes_to_rest() {
                 let at = system.at(r).expect("in the domain");
                 let beta = over * at.sliding_limit();
                 let response = at.response(beta).expect("a response");
-                // Where motion from rest never settles, there is no offset to compare.
+                // If motion from rest never settles, it has no offset to compare.
                 if response.regime() != Regime::Stuck || !response.is_from_rest() {
                     continue;
                 }
@@ -98,8 +99,8 @@ fn where_a_contact_comes_to_rest() {
                     }
                 }
                 let what = format!("{}, r = {r}, {over}", system.scene().name);
-                // With μ = 1 the offset of the run approaches the offset at which friction just suffices to hold the
-                // contact. The distance falls as 1/n.
+                // With μ = 1 the run approaches the offset at which friction just suffices to hold the contact. After
+                // n cycles the distance from this offset is of the order 1/n.
                 let crawls = system.scene().stiction == 1.0
                     && response.offset().abs() == response.offset_range().expect("a range");
                 let bar = if crawls { 1e-2 } else { 1e-9 };
@@ -107,7 +108,7 @@ fn where_a_contact_comes_to_rest() {
                 assert!(apart.abs() < bar, "{what}: {apart:e}");
                 for (mass, largest) in largest.into_iter().enumerate() {
                     let told = response.swing(Of::Mass(mass)).expect("a mass").amplitude;
-                    // Samples at instants 0.01 rad apart miss a maximum by 1e-5 of its value.
+                    // Samples at intervals of 0.01 rad miss a maximum by at most 1e-5 of its value.
                     let low = told * (1.0 - 2e-5) - bar;
                     assert!(
                         (low..=told + bar).contains(&largest),
@@ -126,8 +127,8 @@ fn where_a_contact_comes_to_rest() {
     assert!(compared > 40 && off_centre > 8, "{compared} {off_centre}");
 }
 
-/// One mass on a moving base with μ = 1: the contact starts with an offset of Y, and slips less and less. It approaches
-/// the offset at which friction just suffices, β = r² + |z̄|.
+/// Checks one mass on a moving base with μ = 1. The contact starts with an offset of Y, and its slips become ever
+/// smaller. It approaches the offset at which friction just suffices, β = r² + |z̄|.
 #[test]
 fn slips_that_shrink_without_end() {
     let block = system(
@@ -148,8 +149,8 @@ fn slips_that_shrink_without_end() {
     }
 }
 
-/// A mass whose offset from its base stays Y moves by cos τ − 1. Its motion starts from zero, where rounding may have
-/// either sign.
+/// Checks a mass whose offset from its base stays Y, so that its displacement is cos τ − 1. The motion starts from
+/// zero, where rounding may give the displacement either sign.
 #[test]
 fn from_zero_and_back() {
     let chain = system(
@@ -169,8 +170,8 @@ fn from_zero_and_back() {
     }
 }
 
-/// The phase of a contact that stops at its largest displacement is the lag of the beginning of the stop. The phase is
-/// continuous in β, and its derivative agrees with differences.
+/// Checks the phase of a contact that stops at its largest displacement. It is the lag of the beginning of the stop.
+/// The phase is continuous in β, and its derivative agrees with differences.
 #[test]
 fn the_phase_of_a_stop() {
     let block = block();
@@ -199,14 +200,13 @@ fn the_phase_of_a_stop() {
             .derivative;
         let h = 1e-5;
         let difference = (phase(beta + h) - phase(beta - h)) / (2.0 * h);
-        // The tolerance allows for two errors: that of numbers known to 1e-12 divided by 2e-5, and that of the third
-        // derivative.
+        // The tolerance covers two errors: numbers known to 1e-12 divided by the step 2e-5, and the third derivative.
         assert!(
             (slope - difference).abs() < 1e-6,
             "{beta}: {slope} {difference}"
         );
     }
-    // The phase of the fundamental is another number.
+    // The phase of the fundamental component is another number.
     let orbit = block
         .at(0.3)
         .expect("in the domain")

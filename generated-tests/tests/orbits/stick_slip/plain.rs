@@ -1,4 +1,5 @@
-//! Integrates the motion from rest by dense matrix exponentials, over steps that are halved down to an event.
+//! Integrates the motion from rest by dense matrix exponentials. The integrator halves a step until it has located an
+//! event.
 //!
 //! The integrator shares no formula with the project. It has no modes of the chain with a stuck contact, no series, no
 //! search with bounds and no Newton's method.
@@ -9,17 +10,18 @@ use std::f64::consts::TAU;
 
 /// Number of steps in a cycle.
 const STEPS: u32 = 256;
-/// Largest number of times that a step is halved. Events are then known to 2e-11 rad.
+/// Largest number of halvings of a step. An event is then located to 2e-11 rad.
 const HALVINGS: usize = 30;
-/// Time in τ after a break-away or a reversal during which rounding would decide the sign of the velocity.
+/// Time, in τ, after a break-away or reversal. Within this time rounding would decide the sign of the velocity.
 const GRACE: f64 = 2e-6;
 
-/// Number of halvings up to which the integrator also looks for events that begin and end within a step.
+/// Number of halvings up to which the integrator also looks for pairs of events within one step.
 const GRAZES: usize = 14;
-/// Distance of the force from the break-away level below which a step is halved, as a fraction of that level.
+/// If the distance of the force from the break-away level is below this fraction of the level, the step is halved.
 const NEAR: f64 = 1e-6;
 
-/// Returns the minimum of a cubic from the values and slopes at both end points of the unit interval.
+/// Returns the minimum over the unit interval of a cubic polynomial, from value and slope at both ends of the
+/// interval.
 fn lowest([a, slope_a]: [f64; 2], [b, slope_b]: [f64; 2]) -> f64 {
     let (quadratic, cubic) = (
         3.0 * (b - a) - 2.0 * slope_a - slope_b,
@@ -37,19 +39,20 @@ fn lowest([a, slope_a]: [f64; 2], [b, slope_b]: [f64; 2]) -> f64 {
     places.map(value).fold(a.min(b), f64::min)
 }
 
-/// A scene at one frequency ratio and one friction ratio. A state has x, dx/dτ, cos τ, sin τ and 1.
+/// A scene at one frequency ratio and one friction ratio. A state vector has x, dx/dτ, cos τ, sin τ and 1.
 pub struct Plain {
     masses: usize,
-    /// exp(A·step/2^k) for each number k of halvings, while the contact slides backward, sticks or slides forward.
+    /// Matrices exp(A·step/2^k), one for each number k of halvings, for a contact that slides backward, sticks or
+    /// slides forward.
     moves: [Vec<DMatrix<f64>>; 3],
-    /// Row vectors that multiply the state. `rate` gives the velocity of z̄, and `holding` the contact force that keeps
-    /// this velocity constant.
+    /// `rate` and `holding` are row vectors that multiply the state. `rate` gives the velocity of z̄. `holding` gives
+    /// the contact force that keeps this velocity constant.
     rate: DVector<f64>,
     holding: DVector<f64>,
-    /// Derivatives of the quantity that decides the next event, while the contact slides backward, sticks or slides
-    /// forward.
+    /// Row vectors that give the derivative of the quantity that decides the next event, for a contact that slides
+    /// backward, sticks or slides forward.
     slopes: [DVector<f64>; 3],
-    /// Γ⁻¹w/m*, the change of the masses' velocities per unit of change of the contact's velocity.
+    /// Γ⁻¹w/m*, the change of the masses' velocities for a unit change of the contact's velocity.
     lift: DVector<f64>,
     grip: f64,
 }
@@ -64,12 +67,12 @@ pub struct Run<'p> {
     pub stops: usize,
     pub reversals: usize,
     pub stuck: f64,
-    /// Largest |x| of each mass, if the run records it.
+    /// Largest |x| of each mass; `None` if the run does not record it.
     pub largest: Option<Vec<f64>>,
 }
 
-/// Mass matrix over m₁, stiffness over k₁, damping over √(m₁k₁), the load and contact vectors, and the coefficient s of
-/// the base motion.
+/// Mass matrix divided by m₁, stiffness by k₁, damping by √(m₁k₁), the load and contact vectors, and the coefficient
+/// s of the base motion.
 type Matrices = (
     DMatrix<f64>,
     DMatrix<f64>,
@@ -151,7 +154,7 @@ impl Plain {
         let weights = mass.map(|value| if value > 0.0 { 1.0 / value } else { 0.0 });
         let mobility = (contact.transpose() * &weights * &contact)[(0, 0)];
         let lift = &weights * &contact / mobility;
-        // This matrix gives dv/dτ without the contact force when it multiplies the state.
+        // This matrix times the state is dv/dτ without the contact force.
         let mut free = DMatrix::zeros(n, size);
         free.view_mut((0, 0), (n, n))
             .copy_from(&(-&weights * &stiffness / (r * r)));
@@ -166,7 +169,7 @@ impl Plain {
         };
         let mut rate = row(&contact, n);
         rate[2 * n + 1] = share;
-        // This row vector is wᵀv′ + s cos τ over its change for a unit of contact force.
+        // This row vector times the state is wᵀv′ + s cos τ, divided by its change for a unit of contact force.
         let mut holding = free.transpose() * &contact;
         holding[2 * n] += share;
         holding *= r * r / mobility;
@@ -205,7 +208,7 @@ impl Plain {
         }
     }
 
-    /// Returns a run that starts at rest where the excitation is at its maximum.
+    /// Returns a run that starts at rest at a maximum of the excitation.
     pub fn rest(&self) -> Run<'_> {
         let mut state = DVector::zeros(2 * self.masses + 3);
         (state[2 * self.masses], state[2 * self.masses + 2]) = (1.0, 1.0);
@@ -232,7 +235,8 @@ impl Run<'_> {
         for _ in 0..STEPS {
             self.step(0);
         }
-        // The excitation is set to its exact value, which is more accurate than that of the matrix exponential.
+        // The state gets the exact value of the excitation, which is more accurate than that of the matrix
+        // exponential.
         let n = self.plain.masses;
         (self.state[2 * n], self.state[2 * n + 1]) = (1.0, 0.0);
     }
@@ -255,8 +259,8 @@ impl Run<'_> {
         let slope = &plain.slopes[(self.way + 1) as usize];
         let [from, to] =
             [&self.state, &next].map(|state| [row.dot(state), length * slope.dot(state)]);
-        // The closure returns two distances from the next event: at the end of the step, and the smallest one within
-        // the step. It measures the velocity while the contact slides, and the force while it sticks.
+        // The closure returns the distance from the next event at the end of the step, and the smallest one within
+        // the step. The distance is a velocity while the contact slides, and a force while it sticks.
         let room = |sign: f64, limit: f64| {
             let [from, to] = [from, to].map(|[value, slope]| [limit - sign * value, -sign * slope]);
             (

@@ -1,10 +1,10 @@
-//! Compares with the steady states of `reference/orbits.json`. Another program followed each motion for up to thousands
-//! of cycles, with an error of about 1e-9.
+//! Compares steady states with those of `reference/orbits.json`. Another program followed each motion for up to
+//! thousands of cycles, with an error of about 1e-9.
 
 use frictiongen::System;
 use serde_json::Value;
 
-/// Tolerance of the comparison. The reference's own error is some 1e-10 where a contact hardly moves.
+/// Tolerance of the comparison. The reference has an error of about 1e-10 where a contact hardly moves.
 const TOLERANCE: f64 = 1e-8;
 
 fn number(value: &Value) -> f64 {

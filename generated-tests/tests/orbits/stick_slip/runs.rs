@@ -1,5 +1,5 @@
-//! Compares motions in time with `reference/runs.json`, which an integrator that shares no code with this project made.
-//! Every segment is compared, and the state after the last one.
+//! Compares motions in time with `reference/runs.json`: every segment, and the state after the last segment. The
+//! reference comes from an integrator that shares no code with this project.
 
 use super::independent::number;
 use frictiongen::System;
@@ -7,8 +7,9 @@ use frictiongen::kernel::simulation::{Contact, Event};
 use serde_json::Value;
 use std::collections::BTreeMap;
 
-/// Tolerance of the comparison. Both sides round the time of an event to some 1e-15 over the slope of the function at
-/// the event. Each event inherits the error of the previous one. The tolerance is twenty times the resulting error.
+/// Tolerance of the comparison. Both sides know the time of an event to about 1e-15 divided by the slope of the
+/// function at the event. Each event inherits the error of the previous one. The tolerance is twenty times the
+/// resulting error.
 const TOLERANCE: f64 = 1e-10;
 
 fn numbers(value: &Value) -> Vec<f64> {
@@ -16,7 +17,7 @@ fn numbers(value: &Value) -> Vec<f64> {
     list.iter().map(number).collect()
 }
 
-/// Collects the largest error of each kind of value, relative to the scale of that kind.
+/// Collects the largest error of each kind of value, divided by the scale of that kind.
 fn compare(expected: &Value, worst: &mut BTreeMap<&'static str, (f64, String)>) -> (usize, usize) {
     let text = expected["description"].as_str().expect("text");
     let (r, beta) = (number(&expected["r"]), number(&expected["beta"]));

@@ -1,11 +1,11 @@
-//! Compares steady states that repeat after several cycles of the excitation with a run in time, emitted and at run
-//! time.
+//! Compares steady states that repeat after several cycles of the excitation with a run in time, for emitted and
+//! run-time solvers.
 
 use frictiongen::study::orbit::SystemOrbit;
 use frictiongen::{Complex, Of, SteadyState, System};
 use std::f64::consts::TAU;
 
-/// Emits a scene. Compares the scene's orbit and that of the run-time system of the same text with a run in time.
+/// Emits a scene. Compares its orbit, and the orbit of the run-time system of the same text, with a run in time.
 macro_rules! repeats {
     ($test:ident, $period:expr, $r:expr, $beta:expr, struct $name:ident { $($body:tt)* }) => {
         mod $test {
@@ -67,7 +67,7 @@ repeats!(
     }
 );
 
-/// Compares the answers of two orbits, one of which may have another precision.
+/// Compares the answers of two orbits that may differ in precision.
 fn alike<T: SteadyState>(one: &SystemOrbit<'_>, other: &T, tolerance: f64) {
     use frictiongen::kernel::Float;
     assert_eq!(one.period(), other.period());
@@ -83,8 +83,8 @@ fn alike<T: SteadyState>(one: &SystemOrbit<'_>, other: &T, tolerance: f64) {
     assert!(apart.abs() < tolerance, "{apart:e}");
 }
 
-/// Compares every answer with a run from rest after it has settled. The run has 2^12 instants in a period, each reached
-/// from event to event.
+/// Compares every answer with a run from rest after the run has settled. The run is sampled at 2^12 instants of a
+/// period.
 fn against_a_run(system: &System, (r, beta): (f64, f64), orbit: &SystemOrbit<'_>) {
     const INSTANTS: usize = 1 << 12;
     const SETTLED: usize = 1200;
@@ -106,7 +106,7 @@ fn against_a_run(system: &System, (r, beta): (f64, f64), orbit: &SystemOrbit<'_>
     for _ in 0..SETTLED * period as usize {
         on(&mut run, TAU);
     }
-    // The run is at a maximum of the excitation, in an unknown cycle of the period.
+    // The run is at a maximum of the excitation, but the number of its cycle within the period is unknown.
     let origin = orbit.origin();
     let apart = |cycle: u32, x: f64| {
         (orbit
@@ -123,8 +123,8 @@ fn against_a_run(system: &System, (r, beta): (f64, f64), orbit: &SystemOrbit<'_>
     let mut components = vec![Complex::new(0.0, 0.0); orders as usize + 1];
     let step = whole / INSTANTS as f64;
     for index in 0..INSTANTS {
-        // The harmonics of the orbit count τ_e from the maximum of the excitation that is nearest to the origin of the
-        // contact's motion.
+        // The harmonics of the orbit count τ_e from the maximum of the excitation that is nearest to τ = 0, the
+        // maximum of the contact's motion.
         let angle = TAU * first + step * index as f64;
         for (mass, largest) in largest.iter_mut().enumerate() {
             let moment = run.mass(names[mass]).expect("a mass");
@@ -145,8 +145,8 @@ fn against_a_run(system: &System, (r, beta): (f64, f64), orbit: &SystemOrbit<'_>
     assert!(worst < 1e-9, "off by {worst:e}");
     for (mass, largest) in largest.iter().enumerate() {
         let amplitude = orbit.mass_at(mass).expect("a mass").amplitude();
-        // The largest sample misses the maximum by at most half the curvature of the fastest motion times the square of
-        // half a step.
+        // The largest sample misses the maximum by at most half the largest acceleration times the square of half a
+        // step.
         assert!(
             largest - amplitude < 1e-9 && amplitude - largest < 1e-4,
             "{largest} {amplitude}"
@@ -154,7 +154,7 @@ fn against_a_run(system: &System, (r, beta): (f64, f64), orbit: &SystemOrbit<'_>
     }
     let share = stuck as f64 / INSTANTS as f64;
     assert!((share - orbit.stuck_fraction()).abs() < 0.01, "{share}");
-    // The acceleration jumps, so the trapezoidal sum has an error of about step².
+    // The acceleration has jumps, so the trapezoidal sum has an error of about the step's square.
     let motion = orbit.mass_at(0).expect("a mass");
     for (order, found) in components.iter().enumerate() {
         let order = order as u32;
@@ -201,8 +201,8 @@ fn against_a_run(system: &System, (r, beta): (f64, f64), orbit: &SystemOrbit<'_>
     );
 }
 
-/// A free vibration that decays slowly nearly repeats after several cycles, although its final state repeats after
-/// fewer cycles. The search must not report the longer period.
+/// Checks that the search does not report a period that is too long. A free vibration that decays slowly nearly
+/// repeats after several cycles, although its final state repeats after fewer cycles.
 #[test]
 fn no_longer_than_it_is() {
     let one = |contact: &str, excitation: &str, stiction: f64| {

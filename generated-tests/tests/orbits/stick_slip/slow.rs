@@ -1,20 +1,20 @@
-//! Tests steady states that motion from rest reaches more slowly than the search follows it. They lie near a resonance
-//! of masses that the contact does not move.
+//! Tests steady states near a resonance of masses that the contact does not move. Motion from rest reaches them later
+//! than after the number of cycles that the search follows.
 
 use frictiongen::study::orbit::SystemOrbit;
 use frictiongen::{SteadyState, System};
 use std::f64::consts::TAU;
 
-/// Returns two equal masses, with load and contact on the lower one. With the contact stuck, the upper one resonates at
-/// r = 1.
+/// Returns two equal masses, with load and contact on the lower one. While the contact is stuck, the upper mass
+/// resonates at r = 1.
 fn two() -> System {
     let text = "struct Two { masses: { lower: 1, upper: 1 }, springs: { base - lower: 1, lower - upper: 1 },
         contact: lower - wall, excitation: lower }";
     text.parse().expect("a scene")
 }
 
-/// Returns the largest difference between the displacements of the orbit and those of a run, over one cycle. The run
-/// has come from rest through `cycles` cycles.
+/// Returns the largest difference, over one cycle, between the displacements of the orbit and those of a run. The run
+/// starts from rest, and the compared cycle follows after `cycles` cycles.
 fn from_a_run(system: &System, (r, beta): (f64, f64), cycles: u32, orbit: &SystemOrbit<'_>) -> f64 {
     let mut run = system.simulation(r, beta).expect("a run");
     let mut on = |mut left: f64| {
@@ -38,8 +38,9 @@ fn from_a_run(system: &System, (r, beta): (f64, f64), cycles: u32, orbit: &Syste
     worst
 }
 
-/// At these points the largest multiplier is above 0.9990 for each cycle. After 512 cycles from rest more than half of
-/// the deviation remains. The run continues until 1e-8 of the deviation remains.
+/// Checks that a run finally reaches the state. At these points the largest multiplier is above 0.9990 for each
+/// cycle, and after 512 cycles from rest more than half of the deviation remains. The run continues until 1e-8 of the
+/// deviation remains.
 #[test]
 fn a_run_comes_to_the_state_at_last() {
     let system = two();
@@ -64,8 +65,8 @@ fn a_run_comes_to_the_state_at_last() {
     }
 }
 
-/// On both sides of the resonance the amplitude tends to √(1 − β²), with a difference that falls as the square root of
-/// the distance. The mean of both sides is closer.
+/// Checks that on both sides of the resonance the amplitude tends to √(1 − β²). The difference falls as the square
+/// root of the distance from the resonance. The mean of the amplitudes on both sides is closer.
 #[test]
 fn both_sides_tend_to_the_same() {
     let system = two();

@@ -5,7 +5,7 @@ use frictiongen_kernel::number::complex;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::{Complex, Float};
 
-/// Returns the difference of two angles within half a turn.
+/// Returns the difference of two angles, reduced to at most half a turn.
 pub fn angle(difference: Dd) -> Dd {
     let turn = Dd::PI + Dd::PI;
     let turns = Float::floor(difference / turn + Dd::from(0.5));
@@ -24,13 +24,13 @@ pub(super) fn same(a: Complex<Dd>, b: Complex<Dd>) -> bool {
     a.re == b.re && a.im == b.im
 }
 
-/// Returns true if an answer is a limit and may be infinite. Near a zero of its denominator a limit grows without
-/// bound, so that its reciprocal is compared.
+/// Returns true if an answer is a limit and infinite. Near a zero of its denominator a limit grows without bound, so
+/// its reciprocal is compared.
 pub(super) fn may_be_infinite(answer: &Answer) -> bool {
     answer.watched.asked.is_limit() && answer.got.re.to_f64() == f64::INFINITY
 }
 
-/// Returns the error of an answer. For a limit that may be infinite it is 1/got − 1/exact, multiplied by exact².
+/// Returns the error of an answer. For an infinite limit it is 1/got − 1/exact, multiplied by exact².
 pub(super) fn error(answer: &Answer, exact: Complex<Dd>) -> Complex<Dd> {
     let (got, zero) = (answer.got, Dd::from(0.0));
     if may_be_infinite(answer) {
@@ -42,7 +42,7 @@ pub(super) fn error(answer: &Answer, exact: Complex<Dd>) -> Complex<Dd> {
     }
 }
 
-/// Returns the sign with which derivatives of an answer enter [`error`].
+/// Returns the sign that the derivatives of an answer have in [`error`].
 pub(super) fn sense(answer: &Answer) -> f64 {
     if may_be_infinite(answer) { -1.0 } else { 1.0 }
 }

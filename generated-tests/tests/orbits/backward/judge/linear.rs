@@ -1,5 +1,5 @@
-//! The equations of the fit about some r and β: the error of each answer, and its derivative with respect to each
-//! input.
+//! The linear equations of the fit at displaced inputs: the error of each answer, and its derivative with respect to
+//! each input.
 
 use super::error::{error, sense};
 use super::{Answer, Judge, Judged};
@@ -13,9 +13,10 @@ use frictiongen_kernel::number::dual::Dual;
 use frictiongen_model::modal::Modal;
 use generated_tests::data::DataAt;
 
-/// Weight of the displacement of an input in the weighted least squares of a step. The weight of an answer is 1.
+/// Weight of the displacement of an input in the weighted least squares of one step. The weight of an answer is at
+/// most 1.
 const STILL: f64 = 1e-4;
-/// Weight of an answer whose error is accepted anyway, in the same least squares.
+/// Weight of an answer whose error is already accepted, in the weighted least squares of one step.
 const IDLE: f64 = 1e-100;
 /// Indices of the columns: r, β and τ come first, then the numbers of the description.
 const RATIO: usize = 0;
@@ -23,11 +24,11 @@ pub(super) const BETA: usize = 1;
 const TAU: usize = 2;
 const OF_PLACE: usize = 3;
 
-/// Equations of the fit about some r and β.
+/// Linear equations of the fit at displaced inputs: Σ a_ij δ_j ≈ b_i for the answers i and the displacements δ_j.
 pub(super) struct Linear {
     pub a: Vec<Vec<Dd>>,
     pub b: Vec<Dd>,
-    /// True if the contact's motion vanishes at this r and β.
+    /// True if the contact does not move at the displaced r and β.
     pub stands: bool,
 }
 
@@ -36,9 +37,9 @@ impl Linear {
         fit(&self.a, &self.b, bar)
     }
 
-    /// Returns the step from one displacement of the inputs to the next one, at which derivatives are evaluated again.
-    /// Each answer above the accepted error is weighted by its sensitivity to the inputs, so that the curvature of the
-    /// worst answer does not outweigh the others.
+    /// Returns the step from the present displacements `to` of the inputs to the next ones, at which the derivatives
+    /// are evaluated again. The weight of each answer above the accepted error falls with its sensitivity to the
+    /// inputs, so that the curvature of the worst answer does not outweigh the others.
     pub fn step(&self, to: &[f64], bar: f64) -> Option<Vec<f64>> {
         let rest = self.a.iter().zip(&self.b).map(|(row, b)| {
             let there = row.iter().zip(to);
@@ -60,7 +61,8 @@ impl Linear {
         Some(moved.iter().map(|moved| moved.to_f64()).collect())
     }
 
-    /// Returns the largest change of an answer for one rounding of every input.
+    /// Returns the condition number: the largest change of an answer, in rounding units, if every input changes by
+    /// one unit.
     pub fn condition(&self) -> f64 {
         let sum = |row: &Vec<Dd>| {
             let sum = row
@@ -71,7 +73,7 @@ impl Linear {
         self.a.iter().map(sum).fold(1.0, f64::max)
     }
 
-    /// Computes the backward error k of every answer taken alone, |b|/(1 + Σ|a|).
+    /// Computes the backward error k = |b|/(1 + Σ|a|) of every answer taken alone.
     pub fn each_alone(&self, told: &[Answer], judged: &mut [Judged]) {
         let mut rows = self.a.iter().zip(&self.b);
         for (answer, judged) in told.iter().zip(judged) {
@@ -93,8 +95,8 @@ impl Linear {
 }
 
 impl Judge<'_> {
-    /// Returns the equations of the fit at displaced inputs. `to` is the displacement in roundings. `every` selects all
-    /// inputs, or only r, β and τ.
+    /// Returns the equations of the fit at displaced inputs. `to` has the displacements in rounding units. `every`
+    /// selects all inputs; otherwise the equations have only r, β and τ.
     pub(super) fn linear(
         &self,
         told: &[Answer],
@@ -122,8 +124,8 @@ impl Judge<'_> {
             let follow = |watched: &Watched<Dd>| follow(&at, &place, *watched, self.epsilon);
             let questions: Vec<_> = here.iter().map(follow).collect();
             let moved = answers(&at, &place, &questions);
-            // Some exact values are more accurate than the formulas in double-double. The value at the displaced inputs
-            // keeps that difference.
+            // Some values in `exact` are more accurate than the formulas in double-double. The value at the displaced
+            // inputs keeps the difference between both.
             let better = exact.iter().zip(self.exact(&here));
             let there = moved.iter().zip(better).map(|(moved, (exact, here))| {
                 Complex::new(
@@ -145,7 +147,7 @@ impl Judge<'_> {
             let (off, sense) = (error(answer, *there), Dd::from(sense(answer)));
             let slopes = |part: fn(Complex<Dd>) -> Dd| -> Vec<Dd> {
                 let of = columns.iter().map(|column| part(column[index]));
-                // A derivative without bound explains nothing to first order, so it counts as 0.
+                // An infinite derivative explains nothing to first order, so it counts as 0.
                 of.map(|slope| slope * sense / answer.size)
                     .map(|slope| {
                         if slope.to_f64().is_finite() {
@@ -170,7 +172,7 @@ impl Judge<'_> {
         linear
     }
 
-    /// Returns x ∂f/∂x of every question f, for every input x.
+    /// Returns x ∂f/∂x of every question f with respect to every input x.
     fn columns(
         &self,
         modal: &Modal,
@@ -214,7 +216,7 @@ impl Judge<'_> {
     }
 }
 
-/// Returns the same question at another r and β, with the instant of its maximum at that r and β.
+/// Returns the same question at another r and β. The instant of its maximum is the one at that r and β.
 fn follow(
     at: &DataAt<'_, Dd>,
     place: &Place<Dd>,

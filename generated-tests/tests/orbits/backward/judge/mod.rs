@@ -1,14 +1,14 @@
-//! Backward error of the answers at one point: the number of roundings of the scene's inputs that makes all answers
-//! exact.
+//! Computes the backward error of the answers at one point: the number of rounding units by which the scene's inputs
+//! must change so that all answers are exact.
 //!
-//! The inputs are the numbers of the description (masses, springs, damping, μ) and r, β and τ. The answers have a
-//! backward error of k if they are the exact answers of one scene within k roundings of each input. Each answer may
-//! also be off by k roundings of its own size. With exact first derivatives the smallest k is a Chebyshev fit. A few
-//! roundings away from a pole the derivatives change within a rounding of r. They are then evaluated again at the r and
-//! β to which the fit has led.
+//! The inputs are the numbers of the description (masses, springs, damping, μ) and r, β and τ. The answers have the
+//! backward error k if they are the exact answers of one scene whose inputs differ by at most k rounding units. Each
+//! answer may also be off by k rounding units of its own size. With exact first derivatives, a Chebyshev fit gives
+//! the smallest k. A few rounding units away from a pole, the derivatives themselves change within a rounding unit of
+//! r. They are then evaluated again at the r and β that the fit has found.
 //!
 //! This module has the answers and the verdict on a point. `error` computes the error of an answer, and `linear` the
-//! equations of the fit. `turning` gives the displacements at which derivatives are evaluated again.
+//! equations of the fit. `turning` chooses the displacements at which derivatives are evaluated again.
 
 mod error;
 mod linear;
@@ -24,16 +24,17 @@ use generated_tests::data::{Data, DataAt};
 use linear::Linear;
 use turning::Turning;
 
-/// Number of roundings up to which an error needs no displaced input as an explanation.
+/// Error, in rounding units, up to which no displacement of the inputs is needed as an explanation.
 pub const PLAIN: f64 = 4.0;
-/// Upper bound on the error of any answer, in roundings. A stuck response is a difference of free responses, which may
-/// be larger by this factor.
+/// Largest accepted error of any answer, in rounding units. A stuck response is a difference of free responses, which
+/// may be larger than the stuck response by this factor.
 const MOST: f64 = 4096.0;
-/// Condition above which the answers of a point need not share one displacement. The answers are different sums, and
-/// the condition magnifies the rounding of each sum. Each answer alone must still have a displacement.
+/// Condition number above which the answers of a point need not be exact for one common displacement. The answers are
+/// different sums, and the condition number magnifies the rounding of each sum. Each answer alone must still be exact
+/// for some displacement.
 const AGREEING: f64 = 100.0;
-/// Number of times that the derivatives are evaluated: `FEW_TURNS` times for r, β and τ alone, then `TURNS` times for
-/// every input.
+/// Numbers of repeated evaluations of the derivatives: `FEW_TURNS` evaluations for r, β and τ alone, then `TURNS`
+/// evaluations for every input.
 const FEW_TURNS: usize = 6;
 const TURNS: usize = 12;
 
@@ -44,17 +45,17 @@ pub struct Answer {
     pub watched: Watched<Dd>,
     /// The answer that was returned.
     pub got: Complex<Dd>,
-    /// True if the test has found the instant by its own search in double-double.
+    /// True if the test has found the instant by its own search, in double-double.
     pub searched: bool,
-    /// Size by whose roundings the error is measured when a displacement of the inputs must explain it.
+    /// Size whose rounding units measure the error if a displacement of the inputs must explain it.
     pub size: Dd,
     /// The larger of two sizes: the answer's own size, and a thousandth of the largest motion.
     pub strict: Dd,
-    /// Absolute value of the exact answer, or a comparable size of its motion.
+    /// Absolute value of the exact answer, or the size of its motion if that is more suitable.
     pub own: Dd,
 }
 
-/// Errors of one answer, measured in several ways.
+/// Errors of one answer, each measured in another unit.
 #[derive(Clone, Copy, Debug)]
 pub struct Judged {
     /// The exact answer.
@@ -65,37 +66,37 @@ pub struct Judged {
     pub strict: f64,
     /// Error in roundings of `Answer::own`.
     pub of_its_own: f64,
-    /// Backward error, in roundings of the inputs, if this answer is taken alone.
+    /// Backward error of this answer taken alone, in rounding units of the inputs.
     pub alone: f64,
 }
 
 impl Judged {
-    /// Returns true if the answer belongs to a motion below a thousandth of the largest motion.
+    /// Returns true if the answer belongs to a motion that is smaller than a thousandth of the largest motion.
     pub fn is_far(&self, answer: &Answer) -> bool {
         answer.own < answer.strict
     }
 }
 
-/// Backward errors of one point.
+/// Verdict on the answers of one point.
 #[derive(Clone, Debug)]
 pub struct Verdict {
-    /// Smallest k found for all answers together.
+    /// Smallest backward error k that the fit finds for all answers together.
     pub together: f64,
-    /// Largest k of the answers, each taken alone.
+    /// Largest backward error k of the answers, each taken alone.
     pub alone: f64,
-    /// Largest change of an answer for one rounding of every input, in roundings.
+    /// Condition number: the largest change of an answer, in rounding units, if every input changes by one unit.
     pub condition: f64,
     pub answers: Vec<Judged>,
 }
 
 impl Verdict {
-    /// Returns true if the point is accepted. Every answer alone must be within the accepted error. All answers
-    /// together must be, unless their condition is large.
+    /// Returns true if the point is accepted. The backward error of every answer alone must be at most `bar`. The
+    /// backward error of all answers together must be too, unless the condition number is large.
     pub fn keeps(&self, bar: f64) -> bool {
         self.alone <= bar && (self.together <= bar || AGREEING < self.condition)
     }
 
-    /// Returns true if an answer has an error larger than any displacement can explain, or is NaN.
+    /// Returns true if an answer is NaN, or has an error that is too large for any displacement.
     pub fn is_wrong(&self) -> bool {
         !(self.alone <= MOST)
     }
@@ -108,7 +109,7 @@ pub struct Judge<'a> {
     at: DataAt<'a, Dd>,
     epsilon: f64,
     bar: f64,
-    /// Number of times that the derivatives are evaluated again, for r, β and τ alone and for all inputs.
+    /// Numbers of repeated evaluations of the derivatives: for r, β and τ alone, then for all inputs.
     turns: [usize; 2],
 }
 
@@ -125,8 +126,8 @@ impl<'a> Judge<'a> {
         }
     }
 
-    /// Restricts the fit to the derivatives at the point itself. They are enough if a thousand roundings of the inputs
-    /// are a small distance.
+    /// Restricts the fit to the derivatives at the point itself. They suffice if a change of the inputs by a thousand
+    /// rounding units is small.
     pub fn at_once(self) -> Self {
         Self {
             turns: [0, 0],
@@ -134,7 +135,7 @@ impl<'a> Judge<'a> {
         }
     }
 
-    /// Returns the data of the scene, not displaced.
+    /// Returns the data of the scene without displacement.
     pub fn data(&self) -> &'a Data<Dd> {
         &self.exact.data
     }
@@ -158,7 +159,7 @@ impl<'a> Judge<'a> {
         self.compared(told, &exact)
     }
 
-    /// Returns the verdict on answers whose exact values are known.
+    /// Returns the verdict on answers whose exact values are given.
     pub fn compared(&self, told: &[Answer], exact: &[Complex<Dd>]) -> Verdict {
         let epsilon = Dd::from(self.epsilon);
         let mut judged: Vec<Judged> = Vec::new();
@@ -233,8 +234,9 @@ impl<'a> Judge<'a> {
         }
     }
 
-    /// Returns the smallest k found, and the condition of the point. The fit first displaces r, β and τ alone, which is
-    /// cheap, and then all inputs. Each time it evaluates the derivatives again at the result of the last step.
+    /// Returns the smallest backward error k that the fit finds, and the condition number of the point. The fit first
+    /// displaces r, β and τ alone, which is cheap, and then all inputs. Each time it evaluates the derivatives again
+    /// at the displacements of its last step.
     fn explained(
         &self,
         told: &[Answer],
@@ -246,7 +248,7 @@ impl<'a> Judge<'a> {
             linear.fitted(self.bar)
         };
         let (mut best, mut condition) = (f64::INFINITY, 1.0);
-        // At most points the derivatives at the point itself are enough.
+        // At most points the derivatives at the undisplaced point are enough.
         let mut here = Vec::new();
         for every in [false, true] {
             let linear = self.linear(told, exact, &[], every);
@@ -276,12 +278,12 @@ impl<'a> Judge<'a> {
     }
 }
 
-/// A group of answers that one displacement must explain together.
+/// Groups of answers. One displacement of the inputs must explain all answers of a group together.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Group {
     Motion,
-    /// The fundamental. It is computed from whole responses and not from the motion, so that it forms a group of its
-    /// own.
+    /// The harmonics. The fundamental is computed from whole responses, not from the motion, so it forms a group of
+    /// its own.
     Harmonics,
 }
 

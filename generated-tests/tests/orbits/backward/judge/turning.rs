@@ -6,11 +6,11 @@ use super::linear::{BETA, Linear};
 pub(super) struct Turning {
     /// Equations at the last displacement.
     pub linear: Linear,
-    /// The last displacement, in roundings.
+    /// The last displacement of each input, in rounding units.
     to: Vec<f64>,
     /// The last displacement at which the contact moved.
     moving: Option<Vec<f64>>,
-    /// Number of roundings by which β is reduced, so that the contact moves again.
+    /// Number of rounding units by which β is reduced, so that the contact moves.
     back: f64,
 }
 
@@ -26,16 +26,16 @@ impl Turning {
 
     pub fn next(&mut self, bar: f64) -> Option<&[f64]> {
         if let (true, Some(moving)) = (self.linear.stands, &self.moving) {
-            // For β beyond |V|/|U| the contact does not move for any input. The next displacement is halfway to the
-            // last one at which the contact moved.
+            // For β > |V|/|U| the contact does not move for any displacement of the other inputs. The next
+            // displacement is halfway to the last one at which the contact moved.
             for (to, moving) in self.to.iter_mut().zip(moving) {
                 *to = 0.5 * (*to + moving);
             }
         } else {
             let step = self.linear.step(&self.to, bar)?;
             if self.linear.stands {
-                // The step leads to inputs at which the exact limits equal the returned ones, and the contact may not
-                // move there. Reducing β by more and more roundings makes it move again.
+                // The step leads to inputs whose exact limits equal the returned limits. At these inputs the contact
+                // may not move. A larger and larger reduction of β makes it move.
                 self.back = (self.back + self.back).min(bar);
                 self.to[BETA] -= self.back;
             } else {

@@ -1,4 +1,4 @@
-//! Searches for maxima by evaluation at instants all over the half period.
+//! Searches for maxima of a motion by its values at many instants of the half period.
 
 use super::BAR;
 use crate::backward::asked::{Asked, Of, Place, motion};
@@ -6,13 +6,14 @@ use crate::backward::judge::{Answer, Judge};
 use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
 
-/// Largest ratio of a natural frequency to the excitation frequency for which the brute-force search is short enough.
+/// Largest ratio of a natural frequency to the excitation frequency at which the brute-force search is short enough.
 pub(super) const FASTEST: f64 = 60.0;
 
-/// Searches for larger values at instants all over the half period. Judges the answers by the values found.
+/// Searches for values larger than the returned maxima, at many instants of the half period. Judges the answers by
+/// the values that it finds.
 ///
-/// The search runs in double precision first, and then on a finer grid in double-double. If double-double has also
-/// searched for the maximum by the library's method, that maximum must be the largest value.
+/// The search runs in double precision first, and then on a finer grid in double-double. If the library's method has
+/// also searched for the maximum in double-double, that maximum must be the largest value.
 pub(super) fn by_force<S: Float>(
     judge: &Judge<'_>,
     told: &mut [Answer],

@@ -1,5 +1,5 @@
-//! Backward error of random scenes of 1 to 16 masses, over the whole range of r, and near poles, subharmonics and
-//! limits.
+//! Tests the backward error for random scenes of 1 to 16 masses, over the whole range of r, and near poles,
+//! subharmonics and limits.
 //!
 //! This module has the runs and their bounds. `subject` draws scenes and points. `told` asks all questions at one
 //! point. `brute_force` searches for values larger than the returned maxima.
@@ -14,11 +14,11 @@ use frictiongen_kernel::number::dd::Dd;
 use subject::{DOUBLE, Range, SINGLE, Subject};
 use told::{Asking, told};
 
-/// Bar for the backward error, in roundings of the inputs.
+/// Largest accepted backward error, in rounding units of the inputs.
 pub const BAR: f64 = 64.0;
 const POINTS: u64 = 10;
 
-/// Checks one scene at its points.
+/// Judges the answers for the scene with number `seed` at its points.
 fn check<S: Float>(seed: u64, range: &Range, exact: impl Fn(S) -> Dd + Copy, tally: &mut Tally) {
     let Some(mut subject) = Subject::<S>::of(seed, range) else {
         tally.skip("a scene that is refused");
@@ -63,20 +63,21 @@ fn run<S: Float>(scenes: &[u64], range: &Range, exact: impl Fn(S) -> Dd + Copy +
 
 /// Number of kinds of answers that occur in a long run.
 const KINDS: usize = 17;
-/// Upper bounds on fractions of the points of a run.
+/// Upper bounds on the fractions of a run's points.
 struct Shares {
-    /// Points above the accepted error. There are two kinds: stuck responses that are differences of larger free
-    /// responses, and points whose condition is near the largest one at which all answers must agree.
+    /// Points above the accepted error. They are of two kinds: stuck responses that are differences of larger free
+    /// responses, and points whose condition number is near the largest one at which one displacement must explain
+    /// all answers.
     above: f64,
-    /// Points at which no displacement of the inputs explains all answers together. All of them have a condition above
-    /// 100.
+    /// Points at which no common displacement of the inputs explains all answers. All of them have a condition number
+    /// above 100.
     disagreeing: f64,
-    /// Points without any explanation, for one of two reasons. No digit of the contact's force may be known, not even
-    /// in double-double. Or r lies within a rounding of a resonance, and this rounding decides whether the contact
-    /// moves.
+    /// Points without any explanation, for one of two reasons. Either no digit of the contact's force is known, not
+    /// even in double-double. Or r is within a rounding unit of a resonance, and this unit decides whether the
+    /// contact moves.
     wrong: f64,
 }
-/// Bounds of a short run. One point in a hundred is a larger fraction than one point in thousands.
+/// Bounds for a short run, in which one point is a larger fraction of all points than in a long run.
 const FEW: Shares = Shares {
     above: 0.0,
     disagreeing: 0.04,
@@ -88,10 +89,10 @@ const MANY: Shares = Shares {
     wrong: 1e-3,
 };
 
-/// Prints a run and asserts its bounds.
+/// Prints the results of a run, and asserts the bounds `most`.
 fn report(title: &str, tally: &Tally, most: &Shares) {
     tally.print(title);
-    // The limit per mode may be missing, because few points ask for it.
+    // The limit per mode may be missing, because the test asks for it at few points.
     assert!(KINDS - 1 <= tally.counts().count(), "a kind is missing");
     let [above, disagreeing, wrong] = tally.shares();
     assert!(
@@ -129,7 +130,8 @@ fn single_precision() {
     single(0..12, &FEW);
 }
 
-/// Returns the range of scenes from the variable SCENES, which is a number of scenes or `from..to`.
+/// Returns the range of scene numbers from the environment variable SCENES, which is a number of scenes or
+/// `from..to`.
 pub fn asked() -> std::ops::Range<u64> {
     let text = std::env::var("SCENES").unwrap_or_else(|_| "10000".to_owned());
     let (from, to) = text.split_once("..").unwrap_or(("0", &text));

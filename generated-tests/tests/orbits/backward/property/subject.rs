@@ -1,4 +1,4 @@
-//! A random scene and the points of its questions.
+//! A random scene, and the random points at which the test asks questions.
 
 use crate::backward::asked::Place;
 use crate::backward::inputs::Exact;
@@ -8,7 +8,7 @@ use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
 use fuzzing::Random;
 
-/// Ranges of the random numbers, which depend on the scalar.
+/// Ranges of the random numbers. They depend on the scalar type.
 pub struct Range {
     /// r is drawn between 2^−`exponents` and 2^`exponents`.
     exponents: f64,
@@ -20,8 +20,8 @@ pub const DOUBLE: Range = Range {
     exponents: 300.0,
     decades: 3.0,
 };
-/// Ranges for single precision. A far mass of a chain moves by r⁻² for each link between it and the load. Beyond this
-/// range nothing of its motion is left in f32.
+/// Ranges for single precision. Each link between the load and a far mass reduces the motion of the mass by r⁻².
+/// Outside these ranges f32 contains nothing of that motion.
 pub const SINGLE: Range = Range {
     exponents: 20.0,
     decades: 1.0,
@@ -36,7 +36,7 @@ pub struct Subject<S> {
 }
 
 impl<S: Float> Subject<S> {
-    /// Returns the scene of a seed, or `None` if the scene is refused.
+    /// Returns the scene with this seed, or `None` if `System` refuses the scene.
     pub fn of(seed: u64, range: &Range) -> Option<Self> {
         let mut random = Random(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) ^ 0x5851_F42D);
         let text = scene(&mut random, range.decades);

@@ -1,4 +1,4 @@
-//! All answers of a system at one point.
+//! Collects all answers of a system at one point.
 
 use super::BAR;
 use super::brute_force::{FASTEST, by_force};
@@ -12,21 +12,21 @@ use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
 use generated_tests::data::Data;
 
-/// Double-double searches for the maxima itself at one of this many points.
+/// At one of this many points, the test itself searches for the maxima in double-double.
 const SEARCHED: u64 = 16;
-/// Largest ratio of a natural frequency to r up to which double-double searches.
+/// Largest ratio of a natural frequency to r at which the test searches in double-double.
 const SEARCHABLE: f64 = 1e3;
-/// The brute-force search runs at one of this many points.
+/// At one of this many points, the brute-force search runs.
 const BY_FORCE: u64 = 8;
 /// The test asks for the limit per mode at one of this many points, because that limit needs many searches.
 const PER_MODE: u64 = 256;
 /// The test asks for the motion of every mass at one of this many points.
 const EVERY_MASS: u64 = 16;
-/// Largest change, in rad, of the fastest mode's angle by a rounding of r. With a larger change no digit of U and S is
-/// known.
+/// Largest change, in rad, of the fastest mode's angle if r changes by a rounding unit. With a larger change no digit
+/// of U and S is known.
 const SLOW: f64 = 1e-3;
-/// Largest fraction of V that may be rounding. With a larger fraction no digit of a mass's motion is known, because its
-/// phase counts from the contact's phase.
+/// Largest fraction of V that may be rounding. With a larger fraction no digit of a mass's motion is known, because τ
+/// counts from the maximum of the contact's motion.
 const LOST: f64 = 1e-2;
 
 /// A point of a random scene, at which all questions are asked.
@@ -36,7 +36,7 @@ pub struct Asking<'s, S> {
     pub mass: usize,
 }
 
-/// Returns all answers of a system at one point, or `None` if the point is skipped.
+/// Returns all answers of a system at one point, or `None` if the test skips the point.
 pub fn told<'e, S: Float>(
     asking: &Asking<'e, S>,
     place: &Place<S>,
@@ -71,7 +71,7 @@ pub fn told<'e, S: Float>(
     if !questions.stuck(&at, &asked, masses) {
         tally.skip("a resonance of the stuck chain");
     }
-    // If the motion is this slow, every angle is below the rounding of r. U and S may then have any value.
+    // At very small r, a rounding unit of r changes the angles of the modes so much that U and S may have any value.
     let zero = S::constant(0.0);
     let (continuous, without) = (at.continuous_limit(), at.continuous_limit_without_search());
     let nearly = S::constant(1.0 + BAR * S::EPSILON);

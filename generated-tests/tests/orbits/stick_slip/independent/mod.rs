@@ -1,6 +1,6 @@
-//! Compares steady states with `reference/orbits_more.json`. An integrator that shares no code with this project made
-//! it (`reference/tools`). The references are asymmetric, subharmonic, unstable or marginal states, or states with many
-//! segments.
+//! Compares steady states with `reference/orbits_more.json`. The reference comes from an integrator that shares no
+//! code with this project (`reference/tools`). Its states are asymmetric, subharmonic, unstable or marginal, or have
+//! many segments.
 //!
 //! This module has the tests. `points` reads the references, and `values` compares them.
 
@@ -14,7 +14,8 @@ use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 use values::{Tally, all_motions, all_values, bars};
 
-/// Tolerance for a motion that approaches its limit as 1/√n and is extrapolated from 4096 cycles.
+/// Tolerance for states that a motion approaches as 1/√n after n cycles. The reference extrapolates them from 4096
+/// cycles.
 const CONTINUED: f64 = 2e-6;
 
 fn reported(point: &Point) -> bool {
@@ -46,7 +47,7 @@ fn of_one_cycle() {
     tally.end(bars);
 }
 
-/// If z̄ has several maxima, τ must count from the largest one.
+/// Checks that τ counts from the largest maximum of z̄, if z̄ has several maxima.
 #[test]
 fn counted_from_the_largest() {
     let several = |point: &Point| {
@@ -72,8 +73,8 @@ fn counted_from_the_largest() {
     assert!(points.len() >= 20);
 }
 
-/// In some references the force at a stop lies between β and μβ. A rule that used β in place of μβ would give other
-/// states there.
+/// Checks references in which the force at a stop lies between β and μβ. A rule that used β in place of μβ would give
+/// other states for them.
 #[test]
 fn the_rule_matters() {
     let (mut other, mut none) = (0, 0);
@@ -111,21 +112,21 @@ fn of_several_cycles() {
     for point in points(|point| point.kind() == "steady" && count(&point.expected["period"]) > 1) {
         all_values(&point, &mut tally);
         *told.entry(count(&point.expected["period"])).or_insert(0) += 1;
-        // The motion has more segments than the orbit can store, so that some are computed again when they are asked
-        // for.
+        // The motion has more segments than the orbit can store, so the orbit computes some segments again when they
+        // are asked for.
         followed += usize::from(count(&point.expected["segments"]) > 64);
     }
     println!("periods and how many: {told:?}; {followed} of more than 64 segments");
     assert!(told.len() >= 12 && told.values().sum::<usize>() >= 40 && followed >= 10);
     tally.end(|kind| match kind {
-        // Over this number of stops, central differences lose more digits.
+        // Over so many stops, central differences lose more digits.
         "multiplier" => 1e-3,
         _ => bars(kind),
     });
 }
 
-/// A motion that starts on an unstable orbit must be reported as unstable. Motion from rest is also unstable if it
-/// neither repeats nor settles.
+/// Checks that a motion that starts on an unstable orbit is reported as unstable. Motion from rest that neither
+/// repeats nor settles must also be reported as unstable.
 #[test]
 fn unstable() {
     let points = points(|point| point.kind() == "unstable");
@@ -147,8 +148,8 @@ fn unstable() {
                 assert!(!seen.is_settled() && !seen.is_stable(), "{what}");
                 let largest = largest_seen(point);
                 let amplitude = seen.contact().amplitude();
-                // The motion has no period. The largest value of the run may lie in cycles that the orbit does not
-                // have.
+                // The motion has no period. The largest value of the run may occur in cycles that the orbit does not
+                // contain.
                 assert!(
                     (amplitude / largest - 1.0).abs() < 0.25,
                     "{what}: {amplitude}, {largest}"
@@ -187,7 +188,8 @@ fn unstable() {
     assert!(points.len() >= 4 && longer >= 1 && bounded >= 3 && left <= longer);
 }
 
-/// Returns, for each cycle of a run from rest, the relative displacement at its end and the largest one at its events.
+/// Returns two relative displacements for each cycle of a run from rest: the one at its end, and the largest at its
+/// events.
 fn cycles(point: &Point, count: usize) -> Vec<(f64, f64)> {
     let mut run = point.system.simulation(point.r, point.beta).expect("a run");
     let one = |_| {
@@ -201,7 +203,7 @@ fn cycles(point: &Point, count: usize) -> Vec<(f64, f64)> {
     (0..count).map(one).collect()
 }
 
-/// Returns the change of a run from rest over `period` cycles, after it has settled.
+/// Returns the change of a run from rest over `period` cycles, after the run has settled.
 fn repeats(point: &Point, period: u32) -> f64 {
     let cycles = cycles(point, 6000);
     let (early, late) = cycles.split_at(cycles.len() - period as usize);

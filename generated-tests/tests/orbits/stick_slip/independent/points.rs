@@ -16,7 +16,7 @@ fn references() -> Vec<Value> {
     serde_json::from_str(include_str!("../../../../reference/orbits_more.json")).expect("JSON")
 }
 
-/// A reference state with its system, r and β.
+/// A reference state, with its system and its r and β.
 pub struct Point {
     pub expected: Value,
     pub system: System,

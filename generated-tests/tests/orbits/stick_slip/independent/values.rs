@@ -1,4 +1,4 @@
-//! Comparison of a steady state with its reference, value by value.
+//! Compares a steady state with its reference, value by value.
 
 use super::points::{Point, count, number};
 use frictiongen::study::orbit::{SystemOrbit, SystemOrbitMotion};
@@ -6,13 +6,14 @@ use serde_json::Value;
 use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
 
-/// Tolerance for values. The reference ends Newton's method at a step of 1e-14 to 1e-12 of the state. It rounds the
-/// time of each event to 1e-15 over the slope of the velocity. The tolerance is twenty times the resulting error.
+/// Tolerance for values. The reference ends Newton's method at a step of 1e-14 to 1e-12 of the state. It finds the
+/// time of each event to 1e-15, divided by the slope of the velocity. The tolerance is twenty times the resulting
+/// error.
 const TOLERANCE: f64 = 1e-11;
 /// Tolerance for phases, in rad. The instant of a smooth maximum is known to half of the digits of its value. The
-/// instant of a maximum at a stop is known as well as an event.
+/// instant of a maximum at a stop is known as accurately as an event.
 const PHASES: f64 = 1e-7;
-/// Tolerance for multipliers. The reference computes them by central differences over 1e-6 of the state.
+/// Tolerance for multipliers. The reference computes them by central differences with a step of 1e-6 of the state.
 const MULTIPLIERS: f64 = 1e-4;
 
 /// Numbers of compared and skipped values, and the worst error of each kind of value.
