@@ -1,12 +1,9 @@
 //! Displacement of the base as a function of time: a harmonic, or a cubic polynomial between two samples.
 
-use super::run::Motion;
-use super::series::Poly;
-use super::size::{Size, add, at, set};
-use super::state::{FREE, STUCK};
+use super::poly::Poly;
+use super::size::{add, at};
 use super::wave::Wave;
 use crate::Float;
-use crate::errors::Halt;
 
 /// A function of time: w(t) + at² + bt³, where w(t) is a [`Wave`] (a straight line and a harmonic).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -114,72 +111,5 @@ impl<S: Float> Curve<S> {
             add(&mut terms, order, bend);
         }
         terms
-    }
-}
-
-impl<S: Float, Z: Size> Motion<S, Z> {
-    /// Changes the motion of the base from the present instant on. Displacement and velocity of the base must not jump
-    /// at this instant.
-    pub(super) fn lead_base(&mut self, to: Curve<S>) {
-        let jump = to.value(self.time, 2) - self.model.base.value(self.time, 2);
-        self.model.base = to;
-        if !jump.is_zero() {
-            self.accelerations_jump();
-        }
-    }
-
-    /// Changes the motion of the base from the present instant on. Displacement and velocity of the base may jump. The
-    /// masses keep their displacements and velocities. In a contact between a mass and the base, the relative
-    /// displacement and velocity jump.
-    ///
-    /// # Errors
-    ///
-    /// [`Halt`] if the solver cannot decide which contacts stick.
-    pub(super) fn jolt_base(&mut self, to: Curve<S>) -> Result<(), Halt> {
-        let zero = S::constant(0.0);
-        let (before, after) = (self.model.base.value(self.time, 0), to.value(self.time, 0));
-        let rounding = S::constant(4.0 * S::EPSILON) * after.abs();
-        let rise = after - before;
-        let rise = if rise.abs() <= rounding { zero } else { rise };
-        self.model.base = to;
-        self.accelerations_jump();
-        let (x, v) = self.nodes();
-        let base = self.model.base_node();
-        for (j, contact) in self.model.contacts().iter().enumerate() {
-            if contact.is_free() || contact.minus != base {
-                continue;
-            }
-            let speed = contact.across(v.as_ref());
-            let slides = if speed > zero { 1 } else { -1 };
-            let phase = match contact.stiffness {
-                None if speed.is_zero() => STUCK,
-                None => slides,
-                Some(stiffness) => {
-                    let level = contact.level.constant;
-                    let slid = self.state.phase(j) != STUCK;
-                    let force = at(self.state.forces.as_ref(), j) - stiffness * rise;
-                    let most = if slid {
-                        level
-                    } else {
-                        contact.stiction * level
-                    };
-                    let breaks = force.abs() > most;
-                    let kept = if breaks { level.copysign(force) } else { force };
-                    set(self.state.forces.as_mut(), j, kept);
-                    let goes = breaks || (slid && kept.abs() >= level);
-                    if goes && kept * speed > zero {
-                        slides
-                    } else {
-                        STUCK
-                    }
-                }
-            };
-            set(self.state.places.as_mut(), j, contact.across(x.as_ref()));
-            if self.state.phase(j) != phase && self.state.phase(j) != FREE {
-                self.state.set_zeros(j, (0, phase));
-            }
-            self.state.set_phase(j, phase);
-        }
-        self.decide_at_once()
     }
 }

@@ -1,9 +1,10 @@
 //! Amplitudes of the masses, and stops, slip, force and energy of the contacts, over one period of a motion.
 
 use super::model::Model;
-use super::roots::{first_negative, value};
+use super::poly::{Poly, TERMS, value};
+use super::roots::first_negative;
 use super::run::Observe;
-use super::series::{Poly, Series, TERMS};
+use super::series::Series;
 use super::size::{Size, add, at};
 use super::state::{STUCK, State};
 use crate::errors::Regime;

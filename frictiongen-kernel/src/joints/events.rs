@@ -17,6 +17,7 @@ impl<S: Float, Z: Size> Motion<S, Z> {
         fraction: S,
         hits: &Z::Contacts<Option<i8>>,
     ) -> Result<(), Halt> {
+        let (_, v) = self.nodes();
         let mut arrived = self.model.size.contacts(false);
         let mut broke = self.model.size.contacts(0);
         let contacts = self.model.contacts().iter().zip(hits.as_ref()).enumerate();
@@ -40,8 +41,14 @@ impl<S: Float, Z: Size> Motion<S, Z> {
                 }
                 (Some(_), false) => {
                     self.state.set_phase(j, STUCK);
-                    let same = contact.stiction == S::constant(1.0);
-                    self.state.set_zeros(j, (if same { 2 } else { 0 }, side));
+                    // The force is at its limit, and its rate is zero. If the velocity already has the opposite sign, the
+                    // force certainly falls. The rate then counts, even if it is only a rounding error.
+                    let turns = sign::<S>(side) * contact.across(v.as_ref());
+                    let rate_is_zero = turns >= S::constant(0.0);
+                    let zeros = if rate_is_zero { 2 } else { 1 };
+                    let at_limit = contact.stiction == S::constant(1.0);
+                    self.state
+                        .set_zeros(j, (if at_limit { zeros } else { 0 }, side));
                 }
             }
         }

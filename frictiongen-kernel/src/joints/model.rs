@@ -2,7 +2,7 @@
 //! base, numbered in this order.
 
 use super::base::Curve;
-use super::series::Poly;
+use super::poly::Poly;
 use super::size::{Size, add, at};
 use super::wave::Wave;
 use crate::Float;

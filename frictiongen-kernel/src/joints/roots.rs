@@ -1,6 +1,6 @@
 //! Finds the first instant at which a polynomial on [0, 1] becomes negative.
 
-use super::series::{Poly, TERMS, terms_of};
+use super::poly::{Poly, TERMS, terms_of, value};
 use crate::Float;
 
 /// Number of bisections after which both bounds of the interval are equal within rounding.
@@ -163,10 +163,4 @@ fn bisect<S: Float>(terms: &[S], mut low: S, mut high: S) -> S {
         }
     }
     high
-}
-
-/// Evaluates a polynomial at a point.
-pub fn value<S: Float>(terms: &[S], at: S) -> S {
-    let terms = terms.iter().rev();
-    terms.fold(S::constant(0.0), |sum, term| sum * at + *term)
 }

@@ -1,8 +1,9 @@
 //! Advances the motion of a chain with several contacts from event to event.
 
 use super::model::Model;
+use super::poly::Poly;
 use super::roots::first_negative;
-use super::series::{Poly, Series};
+use super::series::Series;
 use super::size::{Size, at, set, sign};
 use super::state::{FREE, STUCK, State};
 use super::tree::Tree;

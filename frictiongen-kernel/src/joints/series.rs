@@ -1,30 +1,11 @@
 //! Power series of the motion over one stretch (time interval).
 
 use super::model::Model;
-use super::roots::value;
+use super::poly::{Poly, nothing, terms_of, value};
 use super::size::{Size, add, at, set, sign};
 use super::state::{FREE, STUCK, State};
 use super::tree::Tree;
 use crate::Float;
-
-/// Number of coefficients of a power series in `f64`. Over one radian the first neglected term is below 1/22! = 1e-21
-/// of the first term.
-pub const TERMS: usize = 22;
-
-/// Returns the number of coefficients that the number type needs. In `f32`, the first neglected term is below 1/12! =
-/// 2e-9 of the first term.
-pub(super) fn terms_of<S: Float>() -> usize {
-    if S::EPSILON < 1e-10 { TERMS } else { 12 }
-}
-
-/// Coefficients of the power series of one quantity over a stretch. The variable is the elapsed fraction of the
-/// stretch, from 0 to 1.
-pub type Poly<S> = [S; TERMS];
-
-/// Returns the coefficients of the quantity 0.
-fn nothing<S: Float>() -> Poly<S> {
-    [S::constant(0.0); TERMS]
-}
 
 /// Power series of the motion of all nodes over one stretch.
 #[derive(Clone, Debug)]

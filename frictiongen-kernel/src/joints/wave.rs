@@ -1,6 +1,6 @@
 //! A function of time: a straight line plus one harmonic.
 
-use super::series::{Poly, TERMS, terms_of};
+use super::poly::{Poly, TERMS, terms_of};
 use super::size::at;
 use crate::Float;
 

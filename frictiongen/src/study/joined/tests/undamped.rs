@@ -140,6 +140,27 @@ fn a_contact_that_only_reaches_its_limit_sticks() {
     ));
 }
 
+/// A step of Newton's method changes the state of this chain while the elastic contact slides. The relative velocity then
+/// has the opposite sign of the force.
+#[test]
+fn a_contact_with_the_opposite_velocity_sticks() {
+    let text = "struct Chain {
+        masses: { m0: 1.4195, m1: 0.7766, m2: 1.1827, m3: 0.6518 },
+        springs: { base - m0: 2305.6, m0 - m1: 2511.7, m1 - m2: 1317.4, m2 - m3: 1109.2 },
+        contacts: {
+            c0: m0 - base { share: 1.430 },
+            c1: m1 - wall { share: 0.986, stiffness: 6251.5 },
+            c2: m2 - m1 { share: 1.763 },
+        },
+        excitation: base,
+    }";
+    assert!(check(
+        text,
+        &system(text),
+        (0.8927434556242801, 1.0316973376905607)
+    ));
+}
+
 #[test]
 fn random_scenes_stick() {
     let (settled, _) = check_random(8);
