@@ -7,13 +7,14 @@ use crate::asked::{
 use crate::columns::{Columns, cell};
 use crate::errors::domain;
 use crate::system::NativeSystem;
-use crate::work::without_lock;
+use crate::work::left_at_interrupt;
 use frictiongen::Of;
 use frictiongen::study::columns::{Column, FeatureLists, FeatureTable, FeatureVisitor, Row};
 use frictiongen::study::{features::Sensed, sensitivity::Parameter};
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
+use std::sync::Arc;
 
 /// Largest number of frictions in one call. The command has the same limit.
 const MOST_FRICTIONS: usize = 16;
@@ -48,9 +49,10 @@ pub fn features<'py>(
         parts.retain(|part| Some(part.of) != rubbing);
     }
     let range = [band.from, band.to];
-    let found = without_lock(py, |_| {
-        let features = system.features(measure.load()).map_err(domain)?;
-        FeatureLists::of(&features, &parts, &frictions, range).map_err(domain)
+    let (owned, named) = (Arc::clone(system), parts.clone());
+    let found = left_at_interrupt(py, move |_| {
+        let features = owned.features(measure.load()).map_err(domain)?;
+        FeatureLists::of(&features, &named, &frictions, range).map_err(domain)
     })??;
     let setting = setting(system, measure, band.unit(&measure), &parts);
     let mut lists = Lists {

@@ -7,16 +7,18 @@ use crate::asked::{
 use crate::columns::Columns;
 use crate::errors::{defect, domain};
 use crate::system::NativeSystem;
-use crate::work::without_lock;
+use crate::work::left_at_interrupt;
 use frictiongen::study::SystemAt;
 use frictiongen::study::columns::{Frequency, Friction, OrbitRow, OrbitTable};
 use frictiongen::{OutOfDomain, System};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use std::sync::Arc;
 
 /// Arguments of `orbit` and `states`.
-struct Question<'a> {
-    system: &'a System,
+#[derive(Clone)]
+struct Question {
+    system: Arc<System>,
     measure: Measure,
     frequencies: Frequencies,
     frictions: Frictions,
@@ -28,22 +30,23 @@ struct Question<'a> {
 type Rows =
     fn(&OrbitTable<'_>, &SystemAt<'_>, Frequency, Friction) -> Result<Vec<OrbitRow>, OutOfDomain>;
 
-impl Question<'_> {
+impl Question {
     fn table(&self) -> OrbitTable<'_> {
         let unit = self.frequencies.unit(&self.measure);
         OrbitTable {
-            setting: setting(self.system, self.measure, unit, &self.parts),
+            setting: setting(&self.system, self.measure, unit, &self.parts),
             orders: &self.orders,
         }
     }
 
     /// Returns the columns of each steady state.
     fn answer<'py>(&self, py: Python<'py>, rows: Rows) -> PyResult<Vec<Bound<'py, PyDict>>> {
-        let frequency = self.frequencies.only(self.system)?;
+        let frequency = self.frequencies.only(&self.system)?;
         let (table, friction) = (self.table(), self.frictions.only()?);
-        let rows = without_lock(py, |_| {
-            let at = self.system.at(frequency.r)?;
-            rows(&table, &at, frequency, friction)
+        let owned = self.clone();
+        let rows = left_at_interrupt(py, move |_| {
+            let at = owned.system.at(frequency.r)?;
+            rows(&owned.table(), &at, frequency, friction)
         })?
         .map_err(domain)?;
         let columns = table.columns();
@@ -57,17 +60,17 @@ impl Question<'_> {
 }
 
 /// Reads the arguments. The harmonics begin with the mean value, order 0.
-fn question<'a, 'py>(
-    system: &'a NativeSystem,
+fn question<'py>(
+    system: &NativeSystem,
     (frequency, friction): (&FrequencyArguments<'py>, &FrictionArguments<'py>),
     load: &LoadArguments<'py>,
     of: Option<&Bound<'py, PyAny>>,
     highest: Optional<'py>,
-) -> PyResult<Question<'a>> {
+) -> PyResult<Question> {
     let system = &system.system;
     let measure = measure::of(system, load)?;
     Ok(Question {
-        system,
+        system: Arc::clone(system),
         measure,
         frequencies: Frequencies::of(system, frequency, true)?,
         frictions: Frictions::of(friction, &measure)?,

@@ -4,13 +4,14 @@ use crate::asked::{self, Frictions, Measure, Optional, check_size, names, parts}
 use crate::columns::Columns;
 use crate::errors::domain;
 use crate::system::NativeSystem;
-use crate::work::without_lock;
+use crate::work::left_at_interrupt;
 use frictiongen::System;
 use frictiongen::study::columns::{PeriodicRow, PeriodicTable};
 use frictiongen::study::periodic::{PeriodicError, PeriodicRequest};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use rayon::prelude::*;
+use std::sync::Arc;
 
 /// The Python arguments `load`, `period` and `hold`.
 type PeriodArguments<'py> = (Bound<'py, PyAny>, Bound<'py, PyAny>, bool);
@@ -46,6 +47,7 @@ pub fn periodic<'py>(
 ) -> PyResult<Answer<'py>> {
     let (load, period, hold) = load;
     let (system, load) = asked::periodic::load(&system.system, &load, &period, hold)?;
+    let system = Arc::new(system);
     let frictions = Frictions::listed(&(None, Some(friction)), &Measure::si(&system))?;
     let mut parts = parts(&system, "of", of.as_ref())?;
     if names("of", of.as_ref())?.is_empty() {
@@ -66,11 +68,12 @@ pub fn periodic<'py>(
         friction: 0.0,
         of: parts.iter().map(|part| part.of).collect(),
     };
-    let found = without_lock(py, |stop| {
+    let owned = Arc::clone(&system);
+    let found = left_at_interrupt(py, move |stop| {
         let rows = forces.par_iter().with_max_len(1).map(|friction| {
             let goes_on = stop.goes_on();
             goes_on
-                .then(|| row(&system, &request, *friction))
+                .then(|| row(&owned, &request, *friction))
                 .transpose()
         });
         rows.collect::<Result<Vec<Option<PeriodicRow>>, _>>()

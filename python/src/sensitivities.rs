@@ -7,11 +7,12 @@ use crate::asked::{
 use crate::columns::Columns;
 use crate::errors::domain;
 use crate::system::NativeSystem;
-use crate::work::without_lock;
+use crate::work::left_at_interrupt;
 use frictiongen::study::columns::SensitivityTable;
 use frictiongen::study::words;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use std::sync::Arc;
 
 /// Returns the derivatives at one point as columns, with one row for each parameter.
 #[pyfunction]
@@ -35,7 +36,8 @@ pub fn sensitivities<'py>(
     };
     let point = table.setting.point(frequency, friction);
     let [part] = &parts;
-    let known = without_lock(py, |_| system.response_sensitivities(point, part.of))?;
+    let (owned, of) = (Arc::clone(system), part.of);
+    let known = left_at_interrupt(py, move |_| owned.response_sensitivities(point, of))?;
     let known = known.map_err(|error| match words::no_derivative(&error) {
         Some(word) => domain(format_args!("no derivative ({word}): {error}")),
         None => domain(error),

@@ -7,12 +7,13 @@ use crate::asked::{
 use crate::columns::Columns;
 use crate::errors::domain;
 use crate::system::NativeSystem;
-use crate::work::without_lock;
+use crate::work::left_at_interrupt;
 use frictiongen::System;
 use frictiongen::study::columns::HistoryTable;
 use frictiongen::study::history::{HistoryError, HistoryRequest, MOST_SAMPLES};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use std::sync::Arc;
 
 /// Largest number of cycles, of skipped cycles, and of samples in a cycle.
 const MOST: u32 = MOST_SAMPLES as u32;
@@ -100,10 +101,11 @@ pub fn simulate<'py>(
         cycles: number("cycles", &cycles, 1, 10)?,
         samples: number("samples", &samples, 2, 200)?,
     };
-    let history = without_lock(py, |_| match steady {
-        false => system.history(r, beta, &request),
+    let owned = Arc::clone(system);
+    let history = left_at_interrupt(py, move |_| match steady {
+        false => owned.history(r, beta, &request),
         true => {
-            let response = system.at(r)?.response(beta)?;
+            let response = owned.at(r)?.response(beta)?;
             response.history(&request.of, request.samples)
         }
     })?

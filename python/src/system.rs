@@ -6,12 +6,21 @@ use frictiongen::scalar::Dd;
 use numpy::{PyArray1, PyArray2};
 use pyo3::prelude::*;
 use pyo3::types::PyList;
+use std::sync::Arc;
 
 /// A scene with its modal analysis.
 #[pyclass(frozen, module = "frictiongen._native", name = "System")]
 pub struct NativeSystem {
-    /// System, as a type of the Rust library.
-    pub system: System,
+    /// System, as a type of the Rust library. A computation that outlives its call shares it.
+    pub system: Arc<System>,
+}
+
+impl From<System> for NativeSystem {
+    fn from(system: System) -> Self {
+        Self {
+            system: Arc::new(system),
+        }
+    }
 }
 
 #[pymethods]
@@ -20,7 +29,7 @@ impl NativeSystem {
     #[new]
     fn new(py: Python<'_>, text: &str) -> PyResult<Self> {
         match py.detach(|| text.parse::<System>()) {
-            Ok(system) => Ok(Self { system }),
+            Ok(system) => Ok(system.into()),
             Err(diagnostics) => Err(scene(py, &diagnostics)),
         }
     }
@@ -38,13 +47,13 @@ impl NativeSystem {
     /// Returns the system with other values of some numbers. Each number has its symbol, as in lists of derivatives.
     fn with_values(&self, py: Python<'_>, values: Vec<(String, f64)>) -> PyResult<Self> {
         py.detach(|| {
-            let mut system = self.system.clone();
+            let mut system = System::clone(&self.system);
             for (symbol, value) in values {
                 let tunable = system.tunable_named(&symbol).map_err(domain)?;
                 let changed = system.with_value(tunable, value);
                 system = changed.map_err(|error| domain(format_args!("{symbol}: {error}")))?;
             }
-            Ok(Self { system })
+            Ok(system.into())
         })
     }
 

@@ -1,8 +1,10 @@
-//! Runs computations without Python's global lock, and stops them at Ctrl-C.
+//! Runs computations without Python's global lock, and stops or leaves them at Ctrl-C.
 
-use crate::errors::defect;
+use crate::errors::{defect, domain};
 use pyo3::prelude::*;
+use std::sync::{Arc, Mutex};
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{self, RecvTimeoutError};
 use std::thread::{self, Thread};
 use std::time::Duration;
 
@@ -32,8 +34,9 @@ impl Stop {
     }
 }
 
-/// Runs `work` on a thread of its own without Python's global lock, and returns the result. Ctrl-C requests a stop. If
-/// `work` does not check for the request, it runs to its end, and the function raises the interrupt afterwards.
+/// Runs `work` on a thread of its own without Python's global lock, and returns the result. Ctrl-C requests a stop, and
+/// the function raises the interrupt when `work` has ended. So `work` must check for the request a few times a second.
+/// [`left_at_interrupt`] is for computations that cannot check.
 pub fn without_lock<T: Send>(py: Python<'_>, work: impl FnOnce(&Stop) -> T + Send) -> PyResult<T> {
     let stop = Stop(AtomicBool::new(false));
     let done = AtomicBool::new(false);
@@ -56,8 +59,43 @@ pub fn without_lock<T: Send>(py: Python<'_>, work: impl FnOnce(&Stop) -> T + Sen
         }
         let result = py.detach(|| worker.join());
         interrupt?;
-        result.map_err(|_| {
-            defect("a computation ended without a result: please report this with the description")
-        })
+        result.map_err(|_| no_result())
     })
+}
+
+/// Runs `work` on a thread of its own without Python's global lock, and returns the result. At Ctrl-C the function
+/// raises the interrupt immediately and requests a stop. The thread then runs on until `work` has checked for the
+/// request or has ended, and drops the result. So `work` must own its arguments and change nothing that others see.
+pub fn left_at_interrupt<T: Send + 'static>(
+    py: Python<'_>,
+    work: impl FnOnce(&Stop) -> T + Send + 'static,
+) -> PyResult<T> {
+    let stop = Arc::new(Stop(AtomicBool::new(false)));
+    let heard = Arc::clone(&stop);
+    let (sender, receiver) = mpsc::sync_channel(1);
+    let started = thread::Builder::new().spawn(move || {
+        // After an interrupt nobody receives the result.
+        let _ = sender.send(work(&heard));
+    });
+    started.map_err(|error| domain(format_args!("no thread for the computation: {error}")))?;
+    let receiver = Mutex::new(receiver);
+    loop {
+        let received = py.detach(|| match receiver.lock() {
+            Ok(receiver) => receiver.recv_timeout(PATIENCE),
+            Err(_) => Err(RecvTimeoutError::Disconnected),
+        });
+        match received {
+            Ok(result) => return Ok(result),
+            Err(RecvTimeoutError::Timeout) => {
+                let interrupt = py.check_signals();
+                stop.0.fetch_or(interrupt.is_err(), Ordering::Relaxed);
+                interrupt?;
+            }
+            Err(RecvTimeoutError::Disconnected) => return Err(no_result()),
+        }
+    }
+}
+
+fn no_result() -> PyErr {
+    defect("a computation ended without a result: please report this with the description")
 }

@@ -87,3 +87,15 @@ def test_an_interrupt_ends_a_search(ctrl_c):
     with pytest.raises(KeyboardInterrupt):
         tower.optimum({"m5": 5.0, "accel(m4)": 3.0, "shear": 2.0}, r=(0.1, 2.2))
     assert time.perf_counter() - start < 5.0
+
+
+@pytest.mark.skipif(not hasattr(signal, "pthread_kill"), reason="there are no signals to threads here")
+def test_an_interrupt_leaves_a_single_run(frame, ctrl_c):
+    """Checks that an interrupt ends the wait for one run of 10⁷ cycles, which takes many seconds."""
+    threading.Timer(0.3, lambda: os.kill(os.getpid(), signal.SIGINT)).start()
+    start = time.perf_counter()
+    with pytest.raises(KeyboardInterrupt):
+        frame.simulate(r=0.9, beta=0.4, skip=10_000_000)
+    assert time.perf_counter() - start < 1.3
+    # The thread of the first run has no effect on later calls.
+    assert frame.orbit(r=0.9, beta=0.4) is not None

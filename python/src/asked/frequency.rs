@@ -42,6 +42,7 @@ pub fn survives(given: f64, computed: f64) -> bool {
 }
 
 /// Frequencies in the order of the caller.
+#[derive(Clone)]
 pub struct Frequencies {
     given: Given,
     unit: Unit,

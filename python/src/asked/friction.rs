@@ -13,6 +13,7 @@ use pyo3::prelude::*;
 pub type FrictionArguments<'py> = (Option<Bound<'py, PyAny>>, Option<Bound<'py, PyAny>>);
 
 /// Frictions in the order of the caller.
+#[derive(Clone)]
 pub struct Frictions {
     given: Given,
     argument: &'static str,

@@ -7,6 +7,7 @@ use pyo3::types::{PyBool, PyTuple};
 use std::ops::RangeInclusive;
 
 /// Numbers that the caller gave.
+#[derive(Clone)]
 pub struct Given {
     /// The given values, in their order.
     pub values: Vec<f64>,

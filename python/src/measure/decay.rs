@@ -6,10 +6,11 @@ use crate::asked::{Optional, one};
 use crate::columns::Columns;
 use crate::errors::{domain, measurement};
 use crate::system::NativeSystem;
-use crate::work::without_lock;
+use crate::work::left_at_interrupt;
 use frictiongen::measure::columns::{decay_values, extreme_columns, extremes};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use std::sync::Arc;
 
 /// Finds friction and damping. Returns the single values, and the extremes of the vibration as columns.
 #[pyfunction]
@@ -36,7 +37,8 @@ pub fn free_decay<'py>(
         // The damping of the description counts as known.
         (None, false) => system.described_damping(),
     };
-    let found = without_lock(py, |_| system.free_decay(&recording.recording, known))?;
+    let (owned, record) = (Arc::clone(system), recording.recording.clone());
+    let found = left_at_interrupt(py, move |_| owned.free_decay(&record, known))?;
     let found = found.map_err(|error| measurement(py, recording.source.as_deref(), &error))?;
     let rows = extremes(&found);
     let mut arrays = Columns::new(py, &[rows.len()]);

@@ -5,12 +5,13 @@ use crate::asked::numbers;
 use crate::columns::Columns;
 use crate::errors::{domain, measurement};
 use crate::system::NativeSystem;
-use crate::work::without_lock;
+use crate::work::left_at_interrupt;
 use frictiongen::System;
 use frictiongen::measure::SweepPoint;
 use frictiongen::measure::columns::{fit_values, fitted as fitted_rows, fitted_columns};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use std::sync::Arc;
 
 /// Measured mass: its name, its amplitudes divided by the excitation amplitude, and their standard deviations if they
 /// are known.
@@ -88,19 +89,18 @@ fn points(
 
 fn answer<'py>(
     py: Python<'py>,
-    system: &System,
+    system: &Arc<System>,
     points: &[SweepPoint],
     (damping, source): (bool, Option<&str>),
 ) -> PyResult<Answer<'py>> {
-    let found = without_lock(py, |_| system.fit_sweep(points, damping))?;
+    let (owned, all) = (Arc::clone(system), points.to_vec());
+    let found = left_at_interrupt(py, move |_| owned.fit_sweep(&all, damping))?;
     let found = found.map_err(|error| measurement(py, source, &error))?;
     let once = once(py, fit_values(system, &found))?;
     let rows = fitted_rows(system, points, &found);
     let mut arrays = Columns::new(py, &[rows.len()]);
     arrays.table(&fitted_columns(system), &rows)?;
-    let fitted = NativeSystem {
-        system: found.system,
-    };
+    let fitted = NativeSystem::from(found.system);
     Ok((once, arrays.done(), fitted))
 }
 

@@ -6,13 +6,14 @@ use crate::asked::{Optional, harmonics, names, numbers};
 use crate::columns::Columns;
 use crate::errors::{domain, measurement};
 use crate::system::NativeSystem;
-use crate::work::without_lock;
+use crate::work::left_at_interrupt;
 use frictiongen::Of;
 use frictiongen::measure::columns::{identify_values, residual_columns, residuals};
 use frictiongen::measure::{IdentifyRequest, Unknown};
 use frictiongen::study::sensitivity::Quantity;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use std::sync::Arc;
 
 /// The Python arguments `by`, `also`, `between` and `harmonics`.
 type Asked<'py> = (Option<String>, Optional<'py>, Optional<'py>, Optional<'py>);
@@ -78,14 +79,13 @@ pub fn identify<'py>(
         unknowns: unknowns(also.as_ref())?,
         range: range(between.as_ref())?,
     };
-    let found = without_lock(py, |_| system.identify(&observed.all, &request))?;
+    let (owned, all) = (Arc::clone(system), observed.all.clone());
+    let found = left_at_interrupt(py, move |_| owned.identify(&all, &request))?;
     let found = found.map_err(|error| measurement(py, None, &error))?;
     let once = once(py, identify_values(system, &found))?;
     let rows = residuals(system, &observed.all, &observed.known, &found);
     let mut arrays = Columns::new(py, &[rows.len()]);
     arrays.table(&residual_columns(system), &rows)?;
-    let fitted = NativeSystem {
-        system: found.system,
-    };
+    let fitted = NativeSystem::from(found.system);
     Ok((once, arrays.done(), fitted))
 }
