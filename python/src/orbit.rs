@@ -1,10 +1,10 @@
 //! Computes the steady state at one frequency and one friction.
 
 use crate::asked::{
-    Frequencies, FrequencyArguments, FrictionArguments, Frictions, LoadArguments, Measure,
+    FrequencyValues, FrequencyKeywords, FrictionKeywords, FrictionValues, LoadKeywords, Measure,
     Optional, MovingPart, harmonics, measure, parts, setting,
 };
-use crate::columns::Columns;
+use crate::columns::NamedArrays;
 use crate::errors::{defect, domain};
 use crate::system::NativeSystem;
 use crate::work::without_lock;
@@ -15,11 +15,11 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 /// Arguments of `orbit` and `states`.
-struct Question<'a> {
+struct OrbitKeywords<'a> {
     system: &'a System,
     measure: Measure,
-    frequencies: Frequencies,
-    frictions: Frictions,
+    frequencies: FrequencyValues,
+    frictions: FrictionValues,
     parts: Vec<MovingPart>,
     orders: Vec<u32>,
 }
@@ -28,7 +28,7 @@ struct Question<'a> {
 type Rows =
     fn(&OrbitTable<'_>, &SystemAt<'_>, Frequency, FrictionSetting) -> Result<Vec<OrbitRow>, OutOfDomain>;
 
-impl Question<'_> {
+impl OrbitKeywords<'_> {
     fn table(&self) -> OrbitTable<'_> {
         let unit = self.frequencies.unit(&self.measure);
         OrbitTable {
@@ -48,7 +48,7 @@ impl Question<'_> {
         .map_err(domain)?;
         let columns = table.columns();
         let each = rows.iter().map(|row| {
-            let mut arrays = Columns::new(py, &[]);
+            let mut arrays = NamedArrays::new(py, &[]);
             arrays.table(&columns, std::slice::from_ref(row))?;
             Ok(arrays.done())
         });
@@ -59,18 +59,18 @@ impl Question<'_> {
 /// Reads the arguments. The harmonics begin with the mean value, order 0.
 fn question<'a, 'py>(
     system: &'a NativeSystem,
-    (frequency, friction): (&FrequencyArguments<'py>, &FrictionArguments<'py>),
-    load: &LoadArguments<'py>,
+    (frequency, friction): (&FrequencyKeywords<'py>, &FrictionKeywords<'py>),
+    load: &LoadKeywords<'py>,
     of: Option<&Bound<'py, PyAny>>,
     highest: Optional<'py>,
-) -> PyResult<Question<'a>> {
+) -> PyResult<OrbitKeywords<'a>> {
     let system = &system.system;
     let measure = measure::of(system, load)?;
-    Ok(Question {
+    Ok(OrbitKeywords {
         system,
         measure,
-        frequencies: Frequencies::of(system, frequency, true)?,
-        frictions: Frictions::of(friction, &measure)?,
+        frequencies: FrequencyValues::of(system, frequency, true)?,
+        frictions: FrictionValues::of(friction, &measure)?,
         parts: parts(system, "of", of)?,
         orders: match highest {
             None => Vec::new(),
@@ -84,9 +84,9 @@ fn question<'a, 'py>(
 pub fn orbit<'py>(
     py: Python<'py>,
     system: &NativeSystem,
-    frequency: FrequencyArguments<'py>,
-    friction: FrictionArguments<'py>,
-    load: LoadArguments<'py>,
+    frequency: FrequencyKeywords<'py>,
+    friction: FrictionKeywords<'py>,
+    load: LoadKeywords<'py>,
     of: Optional<'py>,
     highest: Optional<'py>,
 ) -> PyResult<Bound<'py, PyDict>> {
@@ -103,9 +103,9 @@ pub fn orbit<'py>(
 pub fn states<'py>(
     py: Python<'py>,
     system: &NativeSystem,
-    frequency: FrequencyArguments<'py>,
-    friction: FrictionArguments<'py>,
-    load: LoadArguments<'py>,
+    frequency: FrequencyKeywords<'py>,
+    friction: FrictionKeywords<'py>,
+    load: LoadKeywords<'py>,
     of: Optional<'py>,
     highest: Optional<'py>,
 ) -> PyResult<Vec<Bound<'py, PyDict>>> {

@@ -3,7 +3,7 @@
 use super::once::once;
 use super::recording::NativeRecording;
 use crate::asked::{Optional, one};
-use crate::columns::Columns;
+use crate::columns::NamedArrays;
 use crate::errors::{domain, measurement};
 use crate::system::NativeSystem;
 use crate::work::without_lock;
@@ -39,7 +39,7 @@ pub fn free_decay<'py>(
     let found = without_lock(py, |_| system.free_decay(&recording.recording, known))?;
     let found = found.map_err(|error| measurement(py, recording.source.as_deref(), &error))?;
     let rows = extremes(&found);
-    let mut arrays = Columns::new(py, &[rows.len()]);
+    let mut arrays = NamedArrays::new(py, &[rows.len()]);
     arrays.table(&extreme_columns(system), &rows)?;
     Ok((once(py, decay_values(&found))?, arrays.done()))
 }
