@@ -3,8 +3,8 @@
 use crate::failure::Failure;
 use crate::hint;
 use frictiongen::study::UnknownMass;
-pub use frictiongen::study::columns::{CONTACT, Part};
-use frictiongen::study::response::Size;
+pub use frictiongen::study::columns::{CONTACT, MovingPart};
+use frictiongen::study::response::MotionQuantity;
 use frictiongen::{Of, System};
 use std::ops::RangeInclusive;
 
@@ -13,18 +13,18 @@ pub const MOST_HARMONICS: u32 = 9999;
 
 /// A mass that the user has requested.
 #[derive(Clone, Debug)]
-pub struct Mass {
+pub struct RequestedMass {
     /// Index of the mass in the description.
     pub index: usize,
     /// Name of the mass.
     pub name: String,
 }
 
-impl From<Mass> for Part {
-    fn from(mass: Mass) -> Self {
+impl From<RequestedMass> for MovingPart {
+    fn from(mass: RequestedMass) -> Self {
         Self {
             of: Of::Mass(mass.index),
-            size: Size::Displacement,
+            size: MotionQuantity::Displacement,
             name: mass.name,
         }
     }
@@ -76,11 +76,15 @@ pub fn whole(option: &str, text: &str, range: RangeInclusive<u32>) -> Result<u32
 
 /// Returns the named masses. Each occurs once. Without names, returns all masses. Messages contain the name of the
 /// option.
-pub fn masses(system: &System, option: &str, names: &[String]) -> Result<Vec<Mass>, Failure> {
+pub fn masses(
+    system: &System,
+    option: &str,
+    names: &[String],
+) -> Result<Vec<RequestedMass>, Failure> {
     if names.is_empty() {
         return Ok(known(system).collect());
     }
-    let mut masses: Vec<Mass> = Vec::new();
+    let mut masses: Vec<RequestedMass> = Vec::new();
     for name in names {
         let mass = mass(system, option, name)?;
         if masses.iter().all(|known| known.index != mass.index) {
@@ -91,7 +95,7 @@ pub fn masses(system: &System, option: &str, names: &[String]) -> Result<Vec<Mas
 }
 
 /// Returns the contact and the named motions. Each occurs once. Without names, returns the contact and all masses.
-pub fn contact_and(system: &System, names: &[String]) -> Result<Vec<Part>, Failure> {
+pub fn contact_and(system: &System, names: &[String]) -> Result<Vec<MovingPart>, Failure> {
     let mut once: Vec<String> = Vec::new();
     for name in names {
         if !once.contains(name) {
@@ -100,40 +104,42 @@ pub fn contact_and(system: &System, names: &[String]) -> Result<Vec<Part>, Failu
     }
     let mut parts = parts(system, &once)?;
     parts.retain(|part| part.name != CONTACT);
-    parts.insert(0, Part::contact());
+    parts.insert(0, MovingPart::contact());
     Ok(parts)
 }
 
 /// Returns the named motions. Each occurs once. Without names, returns the contact and all masses.
-pub fn parts(system: &System, names: &[String]) -> Result<Vec<Part>, Failure> {
+pub fn parts(system: &System, names: &[String]) -> Result<Vec<MovingPart>, Failure> {
     if names.is_empty() {
-        let masses = known(system).map(Part::from);
-        return Ok(std::iter::once(Part::contact()).chain(masses).collect());
+        let masses = known(system).map(MovingPart::from);
+        return Ok(std::iter::once(MovingPart::contact())
+            .chain(masses)
+            .collect());
     }
-    let mut parts: Vec<Part> = Vec::new();
+    let mut parts: Vec<MovingPart> = Vec::new();
     for name in names {
         if parts.iter().any(|part| part.name == *name) {
             return Err(Failure::new(format_args!(
                 "--of `{name}`: it is given twice"
             )));
         }
-        let part = Part::named(system, name);
+        let part = MovingPart::named(system, name);
         parts.push(part.map_err(|error| Failure::new(format_args!("--of: {error}")))?);
     }
     Ok(parts)
 }
 
 /// Returns all masses of the system.
-fn known(system: &System) -> impl Iterator<Item = Mass> + '_ {
+fn known(system: &System) -> impl Iterator<Item = RequestedMass> + '_ {
     let masses = system.scene().masses.iter().enumerate();
-    masses.map(|(index, mass)| Mass {
+    masses.map(|(index, mass)| RequestedMass {
         index,
         name: mass.name.clone(),
     })
 }
 
 /// Finds a mass by its name.
-fn mass(system: &System, option: &str, name: &str) -> Result<Mass, Failure> {
+fn mass(system: &System, option: &str, name: &str) -> Result<RequestedMass, Failure> {
     known(system).find(|mass| mass.name == name).ok_or_else(|| {
         let (name, known) = (name.to_owned(), known(system).map(|mass| mass.name));
         let known = known.collect();
@@ -143,7 +149,7 @@ fn mass(system: &System, option: &str, name: &str) -> Result<Mass, Failure> {
 
 /// Fails if the user has requested a velocity or an acceleration. Commands that print only displacements and forces
 /// call this function.
-pub fn without_rates(parts: &[Part]) -> Result<(), Failure> {
+pub fn without_rates(parts: &[MovingPart]) -> Result<(), Failure> {
     match parts.iter().find(|part| part.has_rate()) {
         Some(part) => Err(Failure::new(format_args!(
             "--of `{}`: this command has displacements and forces of springs only; `curve`, `response`, `orbit` and `optimum` have velocities, accelerations, and force, energy and equivalent damping of the contact",
@@ -154,7 +160,7 @@ pub fn without_rates(parts: &[Part]) -> Result<(), Failure> {
 }
 
 /// Returns the contact, mass or combination with this name.
-pub fn part(system: &System, name: &str) -> Result<Part, Failure> {
+pub fn part(system: &System, name: &str) -> Result<MovingPart, Failure> {
     let mut parts = parts(system, &[name.to_owned()])?;
     parts
         .pop()

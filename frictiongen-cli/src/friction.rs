@@ -3,17 +3,17 @@
 use crate::args::FrictionArguments;
 use crate::failure::Failure;
 use crate::frequency::Frequencies;
-use crate::grid::{self, GridError, MOST_POINTS, Quantity};
+use crate::grid::{self, GridError, GridQuantity, MOST_POINTS};
 use crate::measure::{self, Measure};
 use crate::number::survives;
-use frictiongen::study::columns::Friction;
+use frictiongen::study::columns::FrictionSetting;
 use frictiongen::study::units::LoadScale;
 
 /// A grid of friction ratios β, or of forces in N.
 #[derive(Clone, Debug)]
 pub struct Frictions {
     given: Vec<f64>,
-    quantity: Quantity,
+    quantity: GridQuantity,
     scale: Option<LoadScale>,
 }
 
@@ -38,11 +38,11 @@ impl Frictions {
     fn read(
         arguments: &FrictionArguments,
         frequencies: Option<&Frequencies>,
-        grid: fn(&str, Quantity) -> Result<Vec<f64>, GridError>,
+        grid: fn(&str, GridQuantity) -> Result<Vec<f64>, GridError>,
     ) -> Result<Self, Failure> {
         let (text, quantity) = match (&arguments.beta, &arguments.friction) {
-            (Some(beta), _) => (beta, Quantity::FrictionRatio),
-            (_, Some(friction)) => (friction, Quantity::FrictionForce),
+            (Some(beta), _) => (beta, GridQuantity::FrictionRatio),
+            (_, Some(friction)) => (friction, GridQuantity::FrictionForce),
             (None, None) => return Err(Failure::new("give --beta or --friction")),
         };
         let given = grid(text, quantity).map_err(Failure::new)?;
@@ -95,17 +95,17 @@ impl Frictions {
     }
 
     /// Returns all frictions in the user's order.
-    pub fn all(&self) -> impl Iterator<Item = Friction> + Clone + '_ {
+    pub fn all(&self) -> impl Iterator<Item = FrictionSetting> + Clone + '_ {
         self.given.iter().map(|given| self.of(*given))
     }
 
     /// Returns true if the user gave frictions as forces.
     pub fn are_forces(&self) -> bool {
-        self.quantity == Quantity::FrictionForce
+        self.quantity == GridQuantity::FrictionForce
     }
 
     /// Returns the only friction, or an error if there are several.
-    pub fn only(&self) -> Result<Friction, Failure> {
+    pub fn only(&self) -> Result<FrictionSetting, Failure> {
         match *self.given {
             [given] => Ok(self.of(given)),
             _ => Err(grid::several(self.quantity, self.len())),
@@ -117,10 +117,10 @@ impl Frictions {
         self.given.len()
     }
 
-    fn of(&self, given: f64) -> Friction {
+    fn of(&self, given: f64) -> FrictionSetting {
         match self.scale {
-            Some(scale) if self.are_forces() => Friction::of_force(given, scale),
-            scale => Friction::of_ratio(given, scale),
+            Some(scale) if self.are_forces() => FrictionSetting::of_force(given, scale),
+            scale => FrictionSetting::of_ratio(given, scale),
         }
     }
 }

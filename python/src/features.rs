@@ -1,15 +1,15 @@
 //! Computes features of a response without a sweep: thresholds, invariant points, ranges and peaks.
 
 use crate::asked::{
-    Band, FrequencyArguments, FrictionArguments, Frictions, LoadArguments, Optional, measure,
-    parts, setting,
+    FrequencyKeywords, FrequencyRange, FrictionKeywords, FrictionValues, LoadKeywords, Optional,
+    measure, parts, setting,
 };
-use crate::columns::{Columns, cell};
+use crate::columns::{NamedArrays, cell};
 use crate::errors::domain;
 use crate::system::NativeSystem;
 use crate::work::left_at_interrupt;
 use frictiongen::Of;
-use frictiongen::study::columns::{Column, FeatureLists, FeatureTable, FeatureVisitor, Row};
+use frictiongen::study::columns::{Column, FeatureLists, FeatureTable, FeatureVisitor, TableRow};
 use frictiongen::study::{features::Sensed, sensitivity::Parameter};
 use numpy::PyArray1;
 use pyo3::prelude::*;
@@ -25,17 +25,17 @@ const MOST_FRICTIONS: usize = 16;
 pub fn features<'py>(
     py: Python<'py>,
     system: &NativeSystem,
-    frequency: FrequencyArguments<'py>,
-    friction: FrictionArguments<'py>,
-    load: LoadArguments<'py>,
+    frequency: FrequencyKeywords<'py>,
+    friction: FrictionKeywords<'py>,
+    load: LoadKeywords<'py>,
     of: Optional<'py>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let system = &system.system;
     let measure = measure::constant(system, &load)?;
-    let band = Band::of_or_usual(system, &frequency, &measure)?;
+    let band = FrequencyRange::of_or_usual(system, &frequency, &measure)?;
     let frictions = match friction {
         (None, None) => Vec::new(),
-        given => Frictions::listed(&given, &measure)?.beta,
+        given => FrictionValues::listed(&given, &measure)?.beta,
     };
     if MOST_FRICTIONS < frictions.len() {
         return Err(domain(format_args!(
@@ -72,13 +72,13 @@ struct Lists<'a, 'py> {
 impl FeatureVisitor for Lists<'_, '_> {
     type Error = PyErr;
 
-    fn list<R: Row>(
+    fn list<R: TableRow>(
         &mut self,
         name: &'static str,
         columns: &[Column<'_, R>],
         rows: &[R],
     ) -> PyResult<()> {
-        let mut arrays = Columns::new(self.all.py(), &[rows.len()]);
+        let mut arrays = NamedArrays::new(self.all.py(), &[rows.len()]);
         arrays.table(columns, rows)?;
         let derivatives = PyDict::new(self.all.py());
         for column in columns.iter().filter(|column| column.has_derivatives()) {

@@ -1,16 +1,17 @@
 //! Finds the friction that minimises the largest amplitude over a frequency range, or the largest of several quotients.
 
 use crate::asked::{
-    Band, FrequencyArguments, LoadArguments, Measure, Part, measure, one, quantity, setting,
+    FrequencyKeywords, FrequencyRange, LoadKeywords, Measure, MovingPart, measure, one, quantity,
+    setting,
 };
-use crate::columns::Columns;
+use crate::columns::NamedArrays;
 use crate::errors::{defect, domain, wrong_type};
 use crate::system::NativeSystem;
 use crate::work::without_lock;
 use frictiongen::System;
 use frictiongen::study::columns::{Cell, Column, Further, OptimumLine, OptimumTable};
 use frictiongen::study::optimum::{FrequencyBand, Optimum, OptimumRequest, Tuning, Weighted};
-use frictiongen::study::response::Size;
+use frictiongen::study::response::MotionQuantity;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyString};
 
@@ -19,16 +20,16 @@ const WEIGHTED: &str = "weighted";
 
 /// A quantity, and the value that divides it, in the unit in which an optimum gives amplitudes.
 struct Valued {
-    part: Part,
+    part: MovingPart,
     value: f64,
 }
 
 /// The columns of the answer, its peaks, tolerances and sensitivities, and the name, the unit and the numbers of each of
 /// several quantities.
-type Answer<'py> = ([Bound<'py, PyDict>; 4], Vec<Quotient<'py>>);
+type OptimumAnswer<'py> = ([Bound<'py, PyDict>; 4], Vec<QuotientAnswer<'py>>);
 
 /// Name, unit and numbers of one of several quantities. The numbers have the keys of the library.
-type Quotient<'py> = (String, &'static str, Bound<'py, PyDict>);
+type QuotientAnswer<'py> = (String, &'static str, Bound<'py, PyDict>);
 
 /// Finds the optimal friction for a quantity, or for several quantities with values.
 #[pyfunction]
@@ -36,13 +37,13 @@ pub fn optimum<'py>(
     py: Python<'py>,
     system: &NativeSystem,
     of: Bound<'py, PyAny>,
-    frequency: FrequencyArguments<'py>,
-    load: LoadArguments<'py>,
+    frequency: FrequencyKeywords<'py>,
+    load: LoadKeywords<'py>,
     vary: Option<(String, f64, f64)>,
-) -> PyResult<Answer<'py>> {
+) -> PyResult<OptimumAnswer<'py>> {
     let system = &system.system;
     let measure = measure::of(system, &load)?;
-    let band = Band::of(system, &frequency)?;
+    let band = FrequencyRange::of(system, &frequency)?;
     if let Ok(quantities) = of.cast::<PyDict>() {
         if vary.is_some() {
             return Err(domain(
@@ -89,7 +90,7 @@ pub fn optimum<'py>(
     Ok((answer, Vec::new()))
 }
 
-fn request(part: &Part, band: &Band, measure: &Measure) -> OptimumRequest {
+fn request(part: &MovingPart, band: &FrequencyRange, measure: &Measure) -> OptimumRequest {
     OptimumRequest {
         of: part.of,
         size: part.size,
@@ -112,7 +113,7 @@ fn valued(system: &System, measure: &Measure, given: &Bound<'_, PyDict>) -> PyRe
             wrong_type("of: the names of quantities are needed, as in {\"accel(roof)\": 5.0}")
         })?;
         let part = quantity(system, "of", &name)?;
-        if part.size == Size::Damping {
+        if part.size == MotionQuantity::Damping {
             return Err(domain(format_args!(
                 "of: `{name}`: an equivalent damping ratio has no upper bound; leave it out"
             )));
@@ -139,9 +140,9 @@ fn valued(system: &System, measure: &Measure, given: &Bound<'_, PyDict>) -> PyRe
 fn weighted<'py>(
     py: Python<'py>,
     system: &System,
-    (band, measure): (&Band, Measure),
+    (band, measure): (&FrequencyRange, Measure),
     all: &[Valued],
-) -> PyResult<Answer<'py>> {
+) -> PyResult<OptimumAnswer<'py>> {
     let missing = || defect("a quantity is missing: please report this with the description");
     let first = all.first().ok_or_else(missing)?;
     let request = request(&first.part, band, &measure);
@@ -162,7 +163,7 @@ fn weighted<'py>(
         setting: setting(system, measure, band.unit(&measure), &parts),
     };
     let values = all.iter().zip(&found.largest);
-    let values: Vec<(Part, f64, f64)> = values
+    let values: Vec<(MovingPart, f64, f64)> = values
         .map(|(valued, largest)| (valued.part.clone(), valued.value, *largest))
         .collect();
     let lines = table.lines_with(&found.optimum, None, Further::Weighted(&values));
@@ -176,9 +177,9 @@ fn weighted<'py>(
 /// Returns the lines about each quantity.
 fn quotients<'py>(
     py: Python<'py>,
-    values: &[(Part, f64, f64)],
+    values: &[(MovingPart, f64, f64)],
     lines: &[OptimumLine],
-) -> PyResult<Vec<Quotient<'py>>> {
+) -> PyResult<Vec<QuotientAnswer<'py>>> {
     let each = (1..).zip(values).map(|(row, (part, ..))| {
         let (numbers, mut unit) = (PyDict::new(py), "");
         let of_row = |line: &&OptimumLine| line.list == Some(WEIGHTED) && line.row == Some(row);
@@ -202,7 +203,7 @@ fn answer<'py>(
     table: &OptimumTable<'_>,
     optimum: &Optimum,
 ) -> PyResult<[Bound<'py, PyDict>; 4]> {
-    let mut once = Columns::new(py, &[]);
+    let mut once = NamedArrays::new(py, &[]);
     once.table(&table.columns(), std::slice::from_ref(optimum))?;
     Ok([
         once.done(),
@@ -222,7 +223,7 @@ fn list<'py, R>(
     columns: &[Column<'_, R>],
     rows: &[R],
 ) -> PyResult<Bound<'py, PyDict>> {
-    let mut arrays = Columns::new(py, &[rows.len()]);
+    let mut arrays = NamedArrays::new(py, &[rows.len()]);
     arrays.table(columns, rows)?;
     Ok(arrays.done())
 }

@@ -1,15 +1,15 @@
 //! Computes the steady state at one frequency and one friction.
 
 use crate::asked::{
-    Frequencies, FrequencyArguments, FrictionArguments, Frictions, LoadArguments, Measure,
-    Optional, Part, harmonics, measure, parts, setting,
+    FrequencyKeywords, FrequencyValues, FrictionKeywords, FrictionValues, LoadKeywords, Measure,
+    MovingPart, Optional, harmonics, measure, parts, setting,
 };
-use crate::columns::Columns;
+use crate::columns::NamedArrays;
 use crate::errors::{defect, domain};
 use crate::system::NativeSystem;
 use crate::work::left_at_interrupt;
 use frictiongen::study::SystemAt;
-use frictiongen::study::columns::{Frequency, Friction, OrbitRow, OrbitTable};
+use frictiongen::study::columns::{Frequency, FrictionSetting, OrbitRow, OrbitTable};
 use frictiongen::{OutOfDomain, System};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -17,20 +17,24 @@ use std::sync::Arc;
 
 /// Arguments of `orbit` and `states`.
 #[derive(Clone)]
-struct Question {
+struct OrbitKeywords {
     system: Arc<System>,
     measure: Measure,
-    frequencies: Frequencies,
-    frictions: Frictions,
-    parts: Vec<Part>,
+    frequencies: FrequencyValues,
+    frictions: FrictionValues,
+    parts: Vec<MovingPart>,
     orders: Vec<u32>,
 }
 
 /// Function that computes the rows of the tables at a point.
-type Rows =
-    fn(&OrbitTable<'_>, &SystemAt<'_>, Frequency, Friction) -> Result<Vec<OrbitRow>, OutOfDomain>;
+type Rows = fn(
+    &OrbitTable<'_>,
+    &SystemAt<'_>,
+    Frequency,
+    FrictionSetting,
+) -> Result<Vec<OrbitRow>, OutOfDomain>;
 
-impl Question {
+impl OrbitKeywords {
     fn table(&self) -> OrbitTable<'_> {
         let unit = self.frequencies.unit(&self.measure);
         OrbitTable {
@@ -51,7 +55,7 @@ impl Question {
         .map_err(domain)?;
         let columns = table.columns();
         let each = rows.iter().map(|row| {
-            let mut arrays = Columns::new(py, &[]);
+            let mut arrays = NamedArrays::new(py, &[]);
             arrays.table(&columns, std::slice::from_ref(row))?;
             Ok(arrays.done())
         });
@@ -62,18 +66,18 @@ impl Question {
 /// Reads the arguments. The harmonics begin with the mean value, order 0.
 fn question<'py>(
     system: &NativeSystem,
-    (frequency, friction): (&FrequencyArguments<'py>, &FrictionArguments<'py>),
-    load: &LoadArguments<'py>,
+    (frequency, friction): (&FrequencyKeywords<'py>, &FrictionKeywords<'py>),
+    load: &LoadKeywords<'py>,
     of: Option<&Bound<'py, PyAny>>,
     highest: Optional<'py>,
-) -> PyResult<Question> {
+) -> PyResult<OrbitKeywords> {
     let system = &system.system;
     let measure = measure::of(system, load)?;
-    Ok(Question {
+    Ok(OrbitKeywords {
         system: Arc::clone(system),
         measure,
-        frequencies: Frequencies::of(system, frequency, true)?,
-        frictions: Frictions::of(friction, &measure)?,
+        frequencies: FrequencyValues::of(system, frequency, true)?,
+        frictions: FrictionValues::of(friction, &measure)?,
         parts: parts(system, "of", of)?,
         orders: match highest {
             None => Vec::new(),
@@ -87,9 +91,9 @@ fn question<'py>(
 pub fn orbit<'py>(
     py: Python<'py>,
     system: &NativeSystem,
-    frequency: FrequencyArguments<'py>,
-    friction: FrictionArguments<'py>,
-    load: LoadArguments<'py>,
+    frequency: FrequencyKeywords<'py>,
+    friction: FrictionKeywords<'py>,
+    load: LoadKeywords<'py>,
     of: Optional<'py>,
     highest: Optional<'py>,
 ) -> PyResult<Bound<'py, PyDict>> {
@@ -106,9 +110,9 @@ pub fn orbit<'py>(
 pub fn states<'py>(
     py: Python<'py>,
     system: &NativeSystem,
-    frequency: FrequencyArguments<'py>,
-    friction: FrictionArguments<'py>,
-    load: LoadArguments<'py>,
+    frequency: FrequencyKeywords<'py>,
+    friction: FrictionKeywords<'py>,
+    load: LoadKeywords<'py>,
     of: Optional<'py>,
     highest: Optional<'py>,
 ) -> PyResult<Vec<Bound<'py, PyDict>>> {

@@ -1,18 +1,18 @@
 //! Draws the curves of `frictiongen curve`.
 
 use super::report::CurveReport;
-use crate::destination::Form;
+use crate::destination::OutputFormat;
 use crate::failure::Failure;
 use crate::picture;
 use frictiongen::Of;
 use frictiongen::study::curve::CurveStart;
-use frictiongen::study::response::Size;
+use frictiongen::study::response::MotionQuantity;
 use frictiongen_plot::desk::{Drawn, curve_figure};
 use frictiongen_plot::{Colour, Label};
 use std::io::Write;
 
 /// Draws amplitude and phase of each motion over frequency.
-pub fn draw(report: &CurveReport, form: Form, out: &mut dyn Write) -> Result<(), Failure> {
+pub fn draw(report: &CurveReport, form: OutputFormat, out: &mut dyn Write) -> Result<(), Failure> {
     let scales = picture::scales(&report.system, report.band.is_physical(), &report.measure);
     let scales = scales.with_log(report.log.frequency(), report.log.amplitude());
     let curves = report.curves.iter().enumerate();
@@ -27,7 +27,7 @@ pub fn draw(report: &CurveReport, form: Form, out: &mut dyn Write) -> Result<(),
         })
         .collect();
     let parts = report.parts.iter();
-    let parts: Vec<(Of, Size, Label)> = parts
+    let parts: Vec<(Of, MotionQuantity, Label)> = parts
         .map(|part| (part.of, part.size, picture::part_name(part)))
         .collect();
     let title = Label::verbatim(&report.system.scene().name);

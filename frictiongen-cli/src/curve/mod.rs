@@ -5,9 +5,9 @@ mod draw;
 mod report;
 
 use crate::args::{CurveArguments, StartFrom};
-use crate::asked::{self, Part};
+use crate::asked::{self, MovingPart};
 use crate::destination::Destination;
-use crate::destination::Form;
+use crate::destination::OutputFormat;
 use crate::failure::Failure;
 use crate::frequency::{Band, Frequencies};
 use crate::friction::Frictions;
@@ -18,12 +18,12 @@ use crate::output;
 use crate::progress::Progress;
 use crate::summary::Summary;
 use frictiongen::System;
-use frictiongen::study::columns::Friction;
+use frictiongen::study::columns::FrictionSetting;
 use frictiongen::study::{
     curve::{Curve, CurveRequest, CurveStart},
     words,
 };
-use frictiongen_codegen::Limits;
+use frictiongen_codegen::SizeLimits;
 use report::CurveReport;
 use std::io::Write;
 use std::sync::Mutex;
@@ -40,13 +40,14 @@ pub fn run(arguments: &CurveArguments, out: &mut dyn Write) -> Result<(), Failur
         Some(highest) => (1..=highest).collect(),
         None => Vec::new(),
     };
-    if arguments.log.is_some() && !matches!(destination.form, Form::Svg | Form::Png) {
+    if arguments.log.is_some() && !matches!(destination.form, OutputFormat::Svg | OutputFormat::Png)
+    {
         return Err(Failure::new(
             "--log: only a picture has axes; write one by -o curve.svg, or leave --log out",
         ));
     }
     let frictions = Frictions::parse(&arguments.point.friction, None)?;
-    let description = arguments.point.file.any(&Limits::RUN_TIME)?;
+    let description = arguments.point.file.any(&SizeLimits::RUN_TIME)?;
     if description.scene.is_joined() {
         joined::refused(&[
             (!orders.is_empty(), "--harmonics"),
@@ -58,7 +59,7 @@ pub fn run(arguments: &CurveArguments, out: &mut dyn Write) -> Result<(), Failur
         let asked = joined::Asked::of(&arguments.point, frequencies, frictions, &arguments.of);
         return destination.write(out, |out| match destination.form {
             #[cfg(feature = "pictures")]
-            form @ (Form::Svg | Form::Png) => {
+            form @ (OutputFormat::Svg | OutputFormat::Png) => {
                 let log = arguments.log.unwrap_or_default();
                 let picture = joined::Picture::Curve(log.frequency(), log.amplitude());
                 asked.draw(description.scene, picture, form, out)
@@ -76,7 +77,7 @@ pub fn run(arguments: &CurveArguments, out: &mut dyn Write) -> Result<(), Failur
     let mut request = CurveRequest {
         widest: band.widest,
         harmonics: orders,
-        rates: arguments.rates || parts.iter().any(Part::has_rate),
+        rates: arguments.rates || parts.iter().any(MovingPart::has_rate),
         turned: measure.turns_contact(),
         // Under a load whose amplitude depends on frequency, frictions are forces.
         rise: measure.fall(),
@@ -87,8 +88,9 @@ pub fn run(arguments: &CurveArguments, out: &mut dyn Write) -> Result<(), Failur
         request.accuracy = asked::number("--accuracy", text)?;
     }
     let starts = starts(&arguments.from)?;
-    let of_friction = |friction: Friction| starts.iter().map(move |start| (friction, *start));
-    let asked: Vec<(Friction, CurveStart)> = frictions.all().flat_map(of_friction).collect();
+    let of_friction =
+        |friction: FrictionSetting| starts.iter().map(move |start| (friction, *start));
+    let asked: Vec<(FrictionSetting, CurveStart)> = frictions.all().flat_map(of_friction).collect();
     let pairs: Vec<(f64, CurveStart)> = asked
         .iter()
         .map(|(friction, start)| (friction.beta, *start))
@@ -96,7 +98,7 @@ pub fn run(arguments: &CurveArguments, out: &mut dyn Write) -> Result<(), Failur
     let found = followed(&system, &request, &pairs)?;
     let curves = asked.iter().map(|(friction, _)| *friction).zip(found);
     let curves = curves.filter_map(|(friction, curve)| Some((friction, curve?)));
-    let curves: Vec<(Friction, Curve)> = curves.collect();
+    let curves: Vec<(FrictionSetting, Curve)> = curves.collect();
     let (done, all) = (curves.len(), asked.len());
     if done == 0 {
         return Err(stopped(done, all));
@@ -118,7 +120,7 @@ pub fn run(arguments: &CurveArguments, out: &mut dyn Write) -> Result<(), Failur
     };
     destination.write(out, |out| match destination.form {
         #[cfg(feature = "pictures")]
-        Form::Svg | Form::Png => draw::draw(&report, destination.form, out),
+        OutputFormat::Svg | OutputFormat::Png => draw::draw(&report, destination.form, out),
         form => output::write(&report, &summary, form, out),
     })?;
     if done < all {

@@ -7,13 +7,13 @@ mod parameters;
 use crate::args::{DiffArguments, FileArgument};
 use crate::failure::Failure;
 use crate::json::object;
-use crate::number::{Cell, Exact as _, computed};
+use crate::number::{Cell, Lossless as _, computed};
 use answers::{Answers, Difference, FREQUENCIES};
 use code::Code;
 use frictiongen::System;
 use frictiongen::study::scene::{Accuracy, Precision, Scene};
-use frictiongen_codegen::{Limits, parse_text};
-use parameters::{Change, Field};
+use frictiongen_codegen::{SizeLimits, parse_text};
+use parameters::{DescriptionField, FieldChange};
 use serde_json::{Value as Json, json};
 use similar::TextDiff;
 use std::io::Write;
@@ -21,7 +21,7 @@ use std::io::Write;
 /// All differences between two descriptions.
 struct Differences {
     names: [String; 2],
-    changes: Vec<Change>,
+    changes: Vec<FieldChange>,
     /// Sentences about results of the emitted code that the comparison does not cover, such as results from tables.
     notes: Vec<String>,
     answers: Answers,
@@ -62,7 +62,7 @@ fn compare(names: [String; 2], texts: &[String; 2]) -> Result<Differences, Failu
     let mut errors = Vec::new();
     let mut systems = Vec::new();
     for (name, text) in names.iter().zip(texts) {
-        match parse_text(text, &Limits::RUN_TIME) {
+        match parse_text(text, &SizeLimits::RUN_TIME) {
             Err(diagnostics) => {
                 let list = diagnostics.list.iter();
                 errors.extend(list.map(|error| format!("{name}:{error}")));
@@ -319,9 +319,9 @@ impl Differences {
     fn json(&self) -> Json {
         let [old, new] = &self.names;
         let number = |value: f64| Cell::from(value).json();
-        let field = |field: &Option<Field>| match field {
+        let field = |field: &Option<DescriptionField>| match field {
             None => Json::Null,
-            Some(Field {
+            Some(DescriptionField {
                 number: Some(value),
                 ..
             }) => number(*value),

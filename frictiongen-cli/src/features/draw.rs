@@ -1,8 +1,8 @@
 //! Draws the amplitudes over frequency, with the features marked.
 
 use super::report::FeaturesReport;
-use crate::asked::Part;
-use crate::destination::Form;
+use crate::asked::MovingPart;
+use crate::destination::OutputFormat;
 use crate::failure::Failure;
 use crate::measure::Measure;
 use crate::picture;
@@ -22,7 +22,7 @@ const MARKS: [(&str, Marker, &str); 3] = [
 /// Returns the marks of the features on the amplitude curve of a motion.
 pub fn marks(
     lines: &[FeatureLine],
-    part: &Part,
+    part: &MovingPart,
     measure: &Measure,
     scales: &Scales,
 ) -> Vec<Markers> {
@@ -54,9 +54,9 @@ pub fn marks(
 /// shows the motion without friction.
 pub fn draw(
     report: &FeaturesReport<'_>,
-    parts: &[Part],
+    parts: &[MovingPart],
     frictions: &[f64],
-    form: Form,
+    form: OutputFormat,
     out: &mut dyn Write,
 ) -> Result<(), Failure> {
     let scales = picture::scales(report.system, report.band.is_physical(), &report.measure);

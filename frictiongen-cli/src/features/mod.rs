@@ -9,7 +9,7 @@ use crate::args::{FeaturesArguments, FrequencyArguments, FrictionArguments};
 use crate::asked;
 use crate::destination::Destination;
 #[cfg(feature = "pictures")]
-use crate::destination::Form;
+use crate::destination::OutputFormat;
 use crate::failure::Failure;
 use crate::frequency::Band;
 use crate::friction::Frictions;
@@ -18,7 +18,7 @@ use crate::output;
 use crate::summary::Summary;
 use frictiongen::study::columns::FeaturesAsked;
 use frictiongen::{Of, System};
-use frictiongen_codegen::Limits;
+use frictiongen_codegen::SizeLimits;
 use report::FeaturesReport;
 use std::io::Write;
 
@@ -47,7 +47,7 @@ pub fn run(arguments: &FeaturesArguments, out: &mut dyn Write) -> Result<(), Fai
             "at most {MOST_FRICTIONS} frictions are possible, because each has its own list"
         )));
     }
-    let description = arguments.file.constant_level(&Limits::RUN_TIME)?;
+    let description = arguments.file.constant_level(&SizeLimits::RUN_TIME)?;
     let system = System::try_from(description.scene).map_err(Failure::new)?;
     let frequency = FrequencyArguments {
         r: arguments.r.clone(),
@@ -98,7 +98,9 @@ pub fn run(arguments: &FeaturesArguments, out: &mut dyn Write) -> Result<(), Fai
     };
     destination.write(out, |out| match destination.form {
         #[cfg(feature = "pictures")]
-        Form::Svg | Form::Png => draw::draw(&report, &parts, &frictions, destination.form, out),
+        OutputFormat::Svg | OutputFormat::Png => {
+            draw::draw(&report, &parts, &frictions, destination.form, out)
+        }
         form => output::write(&report, &summary, form, out),
     })
 }

@@ -1,14 +1,14 @@
 //! Draws pictures of scenes with several contacts.
 
 use super::Question;
-use crate::args::Shade;
-use crate::destination::Form;
+use crate::args::ShadeArgument;
+use crate::destination::OutputFormat;
 use crate::failure::Failure;
 use crate::interrupt;
 use crate::picture;
 use crate::progress::Progress;
 use frictiongen::Regime;
-use frictiongen::study::columns::{Frequency, Friction, JoinedRow};
+use frictiongen::study::columns::{Frequency, FrictionSetting, JoinedRow};
 use frictiongen::study::joined::JoinedHistory;
 use frictiongen_plot::Label;
 use frictiongen_plot::desk::{
@@ -26,7 +26,7 @@ pub enum Picture {
     /// Amplitudes over frequency, with a logarithmic frequency axis and logarithmic amplitude axes on request.
     Curve(bool, bool),
     /// A map of regimes, or of the amplitude of the first mass.
-    Map(Shade),
+    Map(ShadeArgument),
 }
 
 /// Draws a motion over time.
@@ -34,7 +34,7 @@ pub fn motion(
     question: &Question<'_>,
     (history, frequency): (&JoinedHistory, Frequency),
     caption: &str,
-    (form, out): (Form, &mut dyn Write),
+    (form, out): (OutputFormat, &mut dyn Write),
 ) -> Result<(), Failure> {
     let mut scales = picture::scales(question.system, false, &question.measure);
     let in_seconds = question.frequencies.are_physical() || question.measure.scale().is_some();
@@ -79,10 +79,10 @@ pub fn motion(
 pub fn steady(
     question: &Question<'_>,
     picture: Picture,
-    (form, out): (Form, &mut dyn Write),
+    (form, out): (OutputFormat, &mut dyn Write),
 ) -> Result<(), Failure> {
     let frequencies: Vec<Frequency> = question.frequencies.all(question.system).collect();
-    let frictions: Vec<Friction> = question.frictions.all().collect();
+    let frictions: Vec<FrictionSetting> = question.frictions.all().collect();
     if frequencies.len() < 2 || (matches!(picture, Picture::Map(_)) && frictions.len() < 2) {
         return Err(Failure::new(match picture {
             Picture::Map(_) => "a picture of a map needs two frequencies and two frictions",
@@ -140,7 +140,7 @@ pub fn steady(
 /// Returns the panels and the curves: the amplitude of each mass, and the stuck fraction of each contact.
 fn curves(
     question: &Question<'_>,
-    rows: &[(Friction, Vec<JoinedRow>)],
+    rows: &[(FrictionSetting, Vec<JoinedRow>)],
     scales: &Scales,
 ) -> (Vec<(Label, Label)>, Vec<JoinedCurve>) {
     let names = question.table().parts();
@@ -182,12 +182,12 @@ fn curves(
 /// Returns the cells of a map, row by row from the lowest friction.
 fn cells(
     question: &Question<'_>,
-    rows: &[(Friction, Vec<JoinedRow>)],
-    shade: Shade,
+    rows: &[(FrictionSetting, Vec<JoinedRow>)],
+    shade: ShadeArgument,
     scales: &Scales,
 ) -> JoinedCells {
     let all = rows.iter().flat_map(|(_, line)| line);
-    if shade == Shade::Amplitude {
+    if shade == ShadeArgument::Amplitude {
         let contacts = question.joined.contact_names().len();
         let name = question.table().parts().get(contacts).cloned();
         let sizes = all.map(|row| {

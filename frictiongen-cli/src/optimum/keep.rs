@@ -1,47 +1,47 @@
 //! The option `--keep` of `frictiongen optimum`, which sets upper bounds on amplitudes: `--keep 'roof-base <= 5mm'`.
 
-use super::valued::Valued;
-use crate::asked::Part;
+use super::valued::QuantityArgument;
+use crate::asked::MovingPart;
 use crate::failure::Failure;
 use crate::measure::Measure;
 use crate::number::computed;
 use frictiongen::System;
 use frictiongen::study::columns::{Further, OptimumLine, OptimumTable};
-use frictiongen::study::optimum::{Kept, OptimumError, OptimumRequest};
+use frictiongen::study::optimum::{KeptQuantity, OptimumError, OptimumRequest};
 
 /// Parses the bounds of `--keep`.
 pub fn parsed(
     system: &System,
     texts: &[String],
     measure: &Measure,
-) -> Result<Vec<Valued>, Failure> {
+) -> Result<Vec<QuantityArgument>, Failure> {
     texts
         .iter()
         .map(|text| one(system, text, measure))
         .collect()
 }
 
-fn one(system: &System, text: &str, measure: &Measure) -> Result<Valued, Failure> {
+fn one(system: &System, text: &str, measure: &Measure) -> Result<QuantityArgument, Failure> {
     let wrong =
         |problem: &dyn std::fmt::Display| Failure::new(format_args!("--keep `{text}`: {problem}"));
     let (name, limit) = text
         .split_once("<=")
         .or_else(|| text.split_once('≤'))
         .ok_or_else(|| wrong(&"a quantity and its bound are needed, as in roof-base <= 5mm"))?;
-    Valued::parsed(system, (name, limit), measure, &wrong)
+    QuantityArgument::parsed(system, (name, limit), measure, &wrong)
 }
 
 /// Finds the best friction within the bounds, and returns the lines of the answer.
 pub fn lines(
     table: &OptimumTable<'_>,
     request: &OptimumRequest,
-    bounds: &[Valued],
+    bounds: &[QuantityArgument],
     watch: &(dyn Fn() -> bool + Sync),
 ) -> Result<Vec<OptimumLine>, Failure> {
     let (system, measure) = (table.setting.system, &table.setting.measure);
-    let kept: Vec<Kept> = bounds
+    let kept: Vec<KeptQuantity> = bounds
         .iter()
-        .map(|bound| Kept {
+        .map(|bound| KeptQuantity {
             of: bound.part.of,
             size: bound.part.size,
             most: bound.value,
@@ -76,7 +76,7 @@ pub fn lines(
         error => Failure::new(error),
     })?;
     let values = bounds.iter().zip(&found.largest);
-    let values: Vec<(Part, f64, f64)> = values
+    let values: Vec<(MovingPart, f64, f64)> = values
         .map(|(bound, largest)| (bound.part.clone(), bound.value, *largest))
         .collect();
     Ok(table.lines_with(&found.optimum, None, Further::Kept(&values)))

@@ -5,13 +5,13 @@ mod valued;
 mod weigh;
 
 use crate::args::OptimumArguments;
-use crate::asked::{self, Part};
+use crate::asked::{self, MovingPart};
 use crate::failure::Failure;
 use crate::frequency::Band;
 use crate::interrupt;
 use crate::joined;
 use crate::measure::{self, Measure};
-use crate::output::{self, Table, Visitor};
+use crate::output::{self, ResultTable, Visitor};
 use crate::progress::Progress;
 use crate::summary::Summary;
 use crate::vary::Vary;
@@ -20,14 +20,14 @@ use frictiongen::study::columns::{Column, OptimumLine, OptimumTable, Setting, Tu
 use frictiongen::study::optimum::{
     FrequencyBand, Optimum, OptimumError, OptimumRequest, Tunable, TunedOptimum, Tuning,
 };
-use frictiongen_codegen::Limits;
+use frictiongen_codegen::SizeLimits;
 use std::io::Write;
 use std::sync::Mutex;
-use valued::Valued;
+use valued::QuantityArgument;
 
 /// Runs `frictiongen optimum`.
 pub fn run(arguments: &OptimumArguments, out: &mut dyn Write) -> Result<(), Failure> {
-    let description = arguments.file.any(&Limits::RUN_TIME)?;
+    let description = arguments.file.any(&SizeLimits::RUN_TIME)?;
     if description.scene.is_joined() {
         return joined::optimum(arguments, description.scene, out);
     }
@@ -97,7 +97,11 @@ pub fn run(arguments: &OptimumArguments, out: &mut dyn Write) -> Result<(), Fail
 
 impl OptimumArguments {
     /// Parses the quantities of `--of`, if there are several. The list is empty for a single quantity.
-    fn several(&self, system: &System, measure: &Measure) -> Result<Vec<Valued>, Failure> {
+    fn several(
+        &self,
+        system: &System,
+        measure: &Measure,
+    ) -> Result<Vec<QuantityArgument>, Failure> {
         if self.of.len() < 2 {
             return Ok(Vec::new());
         }
@@ -114,7 +118,7 @@ impl OptimumArguments {
     }
 
     /// Returns the only quantity, or the first of several.
-    fn first(&self, system: &System, several: &[Valued]) -> Result<Part, Failure> {
+    fn first(&self, system: &System, several: &[QuantityArgument]) -> Result<MovingPart, Failure> {
         match several.first() {
             Some(valued) => Ok(valued.part.clone()),
             None => asked::part(system, self.of.first().map_or("", String::as_str)),
@@ -146,7 +150,7 @@ struct OptimumReport<'a> {
     lines: Vec<OptimumLine>,
 }
 
-impl Table for OptimumReport<'_> {
+impl ResultTable for OptimumReport<'_> {
     type Row = OptimumLine;
 
     fn len(&self) -> usize {

@@ -1,26 +1,26 @@
 //! A quantity in the options of `frictiongen optimum`, with its value. The value is an upper bound, or the number by
 //! which the quantity is divided.
 
-use crate::asked::Part;
+use crate::asked::MovingPart;
 use crate::failure::Failure;
 use crate::measure::Measure;
 use frictiongen::System;
 use frictiongen::study::columns::bound;
-use frictiongen::study::response::Size;
+use frictiongen::study::response::MotionQuantity;
 use std::fmt::Display;
 
 /// A quantity and its value, as the command line gives them.
-pub struct Valued {
+pub struct QuantityArgument {
     /// Name of the quantity.
     pub name: String,
     /// Text of the value.
     pub text: String,
-    pub part: Part,
+    pub part: MovingPart,
     /// The value in the unit in which an optimum gives amplitudes.
     pub value: f64,
 }
 
-impl Valued {
+impl QuantityArgument {
     /// Parses a name and a value. `wrong` converts a problem to a failure whose message names the option and its text.
     pub fn parsed(
         system: &System,
@@ -28,8 +28,8 @@ impl Valued {
         measure: &Measure,
         wrong: &dyn Fn(&dyn Display) -> Failure,
     ) -> Result<Self, Failure> {
-        let part = Part::named(system, name).map_err(|error| wrong(&error))?;
-        if part.size == Size::Damping {
+        let part = MovingPart::named(system, name).map_err(|error| wrong(&error))?;
+        if part.size == MotionQuantity::Damping {
             return Err(wrong(
                 &"an equivalent damping ratio has no upper bound; leave it out",
             ));

@@ -1,8 +1,8 @@
 //! The option `--of` of `frictiongen optimum` with several quantities, each divided by its own value: `--of roof/5mm
 //! --of 'accel(roof)/2m/s2'`.
 
-use super::valued::Valued;
-use crate::asked::Part;
+use super::valued::QuantityArgument;
+use crate::asked::MovingPart;
 use crate::failure::Failure;
 use crate::measure::Measure;
 use frictiongen::System;
@@ -14,7 +14,7 @@ pub fn parsed(
     system: &System,
     texts: &[String],
     measure: &Measure,
-) -> Result<Vec<Valued>, Failure> {
+) -> Result<Vec<QuantityArgument>, Failure> {
     let one = |text: &String| {
         let wrong = |problem: &dyn std::fmt::Display| {
             Failure::new(format_args!("--of `{text}`: {problem}"))
@@ -22,7 +22,7 @@ pub fn parsed(
         let (name, value) = text.split_once('/').ok_or_else(|| {
             wrong(&"each of several quantities needs a value to divide it by, as in roof/5mm")
         })?;
-        let valued = Valued::parsed(system, (name, value), measure, &wrong)?;
+        let valued = QuantityArgument::parsed(system, (name, value), measure, &wrong)?;
         if !(0.0 < valued.value) {
             return Err(wrong(&"the value must be above 0"));
         }
@@ -34,9 +34,9 @@ pub fn parsed(
 /// Finds the best friction for all quantities together, and returns the lines of the answer. The decisive quantity is
 /// the one with the largest quotient. `table` creates the table for it.
 pub fn lines<'a>(
-    table: &dyn Fn(&'a Part) -> OptimumTable<'a>,
+    table: &dyn Fn(&'a MovingPart) -> OptimumTable<'a>,
     request: &OptimumRequest,
-    all: &'a [Valued],
+    all: &'a [QuantityArgument],
     watch: &(dyn Fn() -> bool + Sync),
 ) -> Result<Vec<OptimumLine>, Failure> {
     let weighted: Vec<Weighted> = all
@@ -54,7 +54,7 @@ pub fn lines<'a>(
     let found = system.weighted_optimum(request, &weighted, watch);
     let found = found.map_err(Failure::new)?;
     let values = all.iter().zip(&found.largest);
-    let values: Vec<(Part, f64, f64)> = values
+    let values: Vec<(MovingPart, f64, f64)> = values
         .map(|(valued, largest)| (valued.part.clone(), valued.value, *largest))
         .collect();
     let decisive = all.get(found.decisive).unwrap_or(first);

@@ -6,17 +6,17 @@ mod load;
 
 use crate::args::{FileArgument, PeriodicArguments};
 use crate::asked::{parts, without_rates};
-use crate::destination::{Destination, Form};
+use crate::destination::{Destination, OutputFormat};
 use crate::failure::Failure;
-use crate::grid::{self, Quantity};
+use crate::grid::{self, GridQuantity};
 use crate::measure::Measure;
-use crate::output::{self, Table, Visitor};
+use crate::output::{self, ResultTable, Visitor};
 use crate::summary::Summary;
 use frictiongen::study::columns::{Column, PeriodicRow, PeriodicSample, PeriodicTable};
 use frictiongen::study::periodic::PeriodicRequest;
 use frictiongen::study::scene::{Excitation, Provide, StepInput};
 use frictiongen::{Of, System};
-use frictiongen_codegen::Limits;
+use frictiongen_codegen::SizeLimits;
 use std::io::Write;
 
 /// Runs `frictiongen periodic`.
@@ -24,7 +24,7 @@ pub fn run(arguments: &PeriodicArguments, out: &mut dyn Write) -> Result<(), Fai
     let (scene_file, output) = (&arguments.scene, arguments.output.as_deref());
     let destination = Destination::of(output, Some(scene_file), &arguments.format, true)?;
     let form = destination.form;
-    if matches!(form, Form::Svg | Form::Png) && !arguments.motion {
+    if matches!(form, OutputFormat::Svg | OutputFormat::Png) && !arguments.motion {
         return Err(Failure::new(
             "a picture shows the motion over a period: add --motion",
         ));
@@ -41,13 +41,14 @@ pub fn run(arguments: &PeriodicArguments, out: &mut dyn Write) -> Result<(), Fai
         }
     }
     let load = load::of(arguments, &system)?;
-    let forces = grid::parse(&arguments.friction, Quantity::FrictionForce).map_err(Failure::new)?;
+    let forces =
+        grid::parse(&arguments.friction, GridQuantity::FrictionForce).map_err(Failure::new)?;
     if arguments.motion && forces.len() != 1 {
         return Err(Failure::new(
             "--motion prints one motion: give one force with --friction",
         ));
     }
-    let asked = Asked {
+    let asked = PeriodicQuestion {
         table: PeriodicTable {
             system: &system,
             parts: &parts,
@@ -67,7 +68,7 @@ pub fn run(arguments: &PeriodicArguments, out: &mut dyn Write) -> Result<(), Fai
         let force = asked.forces.first().copied().unwrap_or_default();
         let row = asked.row(force)?;
         #[cfg(feature = "pictures")]
-        if matches!(form, Form::Svg | Form::Png) {
+        if matches!(form, OutputFormat::Svg | OutputFormat::Png) {
             return draw::motion(&asked.table, &row, form, out);
         }
         output::write(
@@ -87,7 +88,7 @@ fn scene(arguments: &PeriodicArguments) -> Result<System, Failure> {
     let file = FileArgument {
         file: Some(arguments.scene.clone()),
     };
-    let mut description = file.description(&Limits::RUN_TIME)?;
+    let mut description = file.description(&SizeLimits::RUN_TIME)?;
     if arguments.hold {
         description.scene.stepping.input = StepInput::Hold;
         // A description may set the input only if it provides a stepper.
@@ -99,13 +100,13 @@ fn scene(arguments: &PeriodicArguments) -> Result<System, Failure> {
 }
 
 /// Arguments of the command, after parsing.
-struct Asked<'a> {
+struct PeriodicQuestion<'a> {
     table: PeriodicTable<'a>,
     request: PeriodicRequest,
     forces: Vec<f64>,
 }
 
-impl Asked<'_> {
+impl PeriodicQuestion<'_> {
     /// Finds the steady state at one friction force.
     fn row(&self, friction: f64) -> Result<PeriodicRow, Failure> {
         let request = PeriodicRequest {
@@ -123,9 +124,9 @@ impl Asked<'_> {
 }
 
 /// Writes one steady state for each friction force.
-struct StatesReport<'a>(&'a Asked<'a>);
+struct StatesReport<'a>(&'a PeriodicQuestion<'a>);
 
-impl Table for StatesReport<'_> {
+impl ResultTable for StatesReport<'_> {
     type Row = PeriodicRow;
 
     fn len(&self) -> usize {
@@ -144,11 +145,11 @@ impl Table for StatesReport<'_> {
 
 /// Writes the motion over a period.
 struct MotionReport<'a> {
-    asked: &'a Asked<'a>,
+    asked: &'a PeriodicQuestion<'a>,
     row: &'a PeriodicRow,
 }
 
-impl<'a> Table for MotionReport<'a> {
+impl<'a> ResultTable for MotionReport<'a> {
     type Row = PeriodicSample<'a>;
 
     fn len(&self) -> usize {

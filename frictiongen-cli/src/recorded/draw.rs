@@ -1,9 +1,9 @@
 //! Draws the residuals of an identification, and the motion under a recorded input.
 
 use super::driven::DrivenReport;
-use super::spectrum::SpectrumReport;
-use crate::asked::Part;
-use crate::destination::Form;
+use super::spectrum::ResponseSpectrumReport;
+use crate::asked::MovingPart;
+use crate::destination::OutputFormat;
 use crate::failure::Failure;
 use crate::picture::{self, over_time};
 use frictiongen::System;
@@ -24,7 +24,7 @@ pub fn residuals(
     system: &System,
     observations: &[Observation],
     found: &Identified,
-    form: Form,
+    form: OutputFormat,
     out: &mut dyn Write,
 ) -> Result<(), Failure> {
     let (mut real, mut imaginary) = (Vec::new(), Vec::new());
@@ -67,11 +67,11 @@ pub fn residuals(
 pub fn driven(
     system: &System,
     driven: &DrivenReport<'_>,
-    form: Form,
+    form: OutputFormat,
     out: &mut dyn Write,
 ) -> Result<(), Failure> {
     let motions = driven.parts.iter().zip(&driven.motion.motions);
-    let motions: Vec<(&Part, &[f64])> = motions
+    let motions: Vec<(&MovingPart, &[f64])> = motions
         .map(|(part, [values, _])| (part, values.as_slice()))
         .collect();
     let panels = over_time(&driven.motion.time, &motions, &driven.motion.force);
@@ -83,8 +83,8 @@ pub fn driven(
 /// Draws pseudo-acceleration and displacement against the period, with the natural periods of the scene.
 pub fn spectrum(
     system: &System,
-    spectrum: &SpectrumReport<'_>,
-    form: Form,
+    spectrum: &ResponseSpectrumReport<'_>,
+    form: OutputFormat,
     out: &mut dyn Write,
 ) -> Result<(), Failure> {
     let acceleration = |peak: &PeakResponse| peak.displacement * peak.omega() * peak.omega();

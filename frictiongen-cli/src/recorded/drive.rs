@@ -3,12 +3,12 @@
 use super::driven::DrivenReport;
 use super::joined;
 use super::read;
-use super::spectrum::SpectrumReport;
+use super::spectrum::ResponseSpectrumReport;
 use crate::args::DriveArguments;
 use crate::asked::{number_that, parts, without_rates};
 use crate::destination::Destination;
 #[cfg(feature = "pictures")]
-use crate::destination::Form;
+use crate::destination::OutputFormat;
 use crate::failure::Failure;
 use crate::joined::refused;
 use crate::measure::Measure;
@@ -39,18 +39,18 @@ pub fn run(arguments: &DriveArguments, out: &mut dyn Write) -> Result<(), Failur
             |zeta| (0.0..1.0).contains(&zeta),
             needed,
         )?;
-        let spectrum = SpectrumReport::of(&system, files, zeta)?;
+        let spectrum = ResponseSpectrumReport::of(&system, files, zeta)?;
         let summary = Summary::of(&system, true, Measure::groups(&system));
         return destination.write(out, |out| {
             #[cfg(feature = "pictures")]
-            if matches!(form, Form::Svg | Form::Png) {
+            if matches!(form, OutputFormat::Svg | OutputFormat::Png) {
                 return super::draw::spectrum(&system, &spectrum, form, out);
             }
             output::write(&spectrum, &summary, form, out)
         });
     }
     if system.scene().is_joined() {
-        let driven = joined::Asked::of(&system, &arguments.of, friction)?;
+        let driven = joined::DriveRequest::of(&system, &arguments.of, friction)?;
         return destination.write(out, |out| driven.write(files, form, out));
     }
     let mut parts = parts(&system, &arguments.of)?;
@@ -66,7 +66,7 @@ pub fn run(arguments: &DriveArguments, out: &mut dyn Write) -> Result<(), Failur
     let summary = Summary::of(&system, true, Measure::groups(&system));
     destination.write(out, |out| {
         #[cfg(feature = "pictures")]
-        if matches!(form, Form::Svg | Form::Png) {
+        if matches!(form, OutputFormat::Svg | OutputFormat::Png) {
             return super::draw::driven(&system, &driven, form, out);
         }
         output::write(&&driven, &summary, form, out)

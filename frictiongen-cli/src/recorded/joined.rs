@@ -2,12 +2,12 @@
 
 use super::read;
 use crate::args::RecordingArguments;
-use crate::asked::{Part, without_rates};
-use crate::destination::Form;
+use crate::asked::{MovingPart, without_rates};
+use crate::destination::OutputFormat;
 use crate::failure::Failure;
 use crate::measure::Measure;
 use crate::number::computed;
-use crate::output::{self, Table, Visitor};
+use crate::output::{self, ResultTable, Visitor};
 #[cfg(feature = "pictures")]
 use crate::picture;
 use crate::summary::Summary;
@@ -26,14 +26,14 @@ use serde_json::{Value as Json, json};
 use std::io::Write;
 
 /// Motions and friction that the user requests.
-pub struct Asked<'s> {
+pub struct DriveRequest<'s> {
     system: &'s System,
     joined: Joined<'s>,
     parts: Vec<JoinedPart>,
     friction: Option<f64>,
 }
 
-impl<'s> Asked<'s> {
+impl<'s> DriveRequest<'s> {
     /// Finds the motions with the names of `--of`. Without names, these are all contacts and all masses. If the base
     /// moves, the displacements of the masses are then relative to the base.
     pub fn of(
@@ -47,7 +47,7 @@ impl<'s> Asked<'s> {
         if names.is_empty() {
             // Under a recorded acceleration the base drifts by metres, which hides all relative motion.
             let masses = system.scene().masses.iter();
-            let masses = masses.map(|mass| Part::named(system, &mass.name));
+            let masses = masses.map(|mass| MovingPart::named(system, &mass.name));
             parts.extend((0..contacts.len()).map(JoinedPart::Contact));
             for mass in masses {
                 let mass = mass.map_err(Failure::new)?.from_base(system);
@@ -78,17 +78,17 @@ impl<'s> Asked<'s> {
     pub fn write(
         &self,
         files: &RecordingArguments,
-        form: Form,
+        form: OutputFormat,
         out: &mut dyn Write,
     ) -> Result<(), Failure> {
         let recording = files.inputs()?;
         let inputs = read::drive(files, &recording, self.system, self.friction)?;
-        let report = Report {
+        let report = DriveReport {
             asked: self,
             motion: self.motion(&inputs)?,
         };
         #[cfg(feature = "pictures")]
-        if matches!(form, Form::Svg | Form::Png) {
+        if matches!(form, OutputFormat::Svg | OutputFormat::Png) {
             let title = Label::verbatim(&self.system.scene().name);
             let figure = joined_motion_figure(title, &report.drawn());
             let (what, energy) = report.energy();
@@ -145,9 +145,9 @@ impl<'s> Asked<'s> {
 }
 
 /// Finds a mass or a combination of masses and base by its name.
-fn named(system: &System, name: &str, contacts: &[String]) -> Result<Part, Failure> {
+fn named(system: &System, name: &str, contacts: &[String]) -> Result<MovingPart, Failure> {
     let contacts = contacts.join(", ");
-    let part = Part::named(system, name);
+    let part = MovingPart::named(system, name);
     let part = part.map_err(|error| {
         Failure::new(format_args!("--of: {error}; the contacts are {contacts}"))
     })?;
@@ -161,12 +161,12 @@ fn named(system: &System, name: &str, contacts: &[String]) -> Result<Part, Failu
 }
 
 /// Motion under a recorded input, with the settings for its output.
-struct Report<'a, 's> {
-    asked: &'a Asked<'s>,
+struct DriveReport<'a, 's> {
+    asked: &'a DriveRequest<'s>,
     motion: JoinedDriven,
 }
 
-impl Report<'_, '_> {
+impl DriveReport<'_, '_> {
     /// Returns the energy that friction has dissipated in each contact, with the name of the contact.
     fn energies(&self) -> Vec<(String, f64)> {
         let last: &[JoinedContactNow] = self.motion.contacts.last().map_or(&[], Vec::as_slice);
@@ -222,7 +222,7 @@ impl Report<'_, '_> {
     }
 }
 
-impl<'d> Table for &'d Report<'_, '_> {
+impl<'d> ResultTable for &'d DriveReport<'_, '_> {
     type Row = JoinedDrivenRow<'d>;
 
     fn len(&self) -> usize {

@@ -1,14 +1,14 @@
 //! Table of results with one quantity in each line: its value with an interval, and its unit.
 
 use crate::failure::Failure;
-use crate::output::{Table, Visitor};
+use crate::output::{ResultTable, Visitor};
 use frictiongen::System;
 use frictiongen::measure::columns::{QuantityLine, line_columns};
 use frictiongen::study::columns::Column;
 use serde_json::Value as Json;
 
 /// The quantities of a result, and texts for the lines above them.
-pub struct Lines<'a> {
+pub struct ResultLines<'a> {
     /// The system of the results.
     pub system: &'a System,
     /// The quantities of the result, one for each line.
@@ -19,7 +19,7 @@ pub struct Lines<'a> {
     pub keys: Vec<(&'static str, &'static str)>,
 }
 
-impl Table for Lines<'_> {
+impl ResultTable for ResultLines<'_> {
     type Row = QuantityLine;
 
     fn len(&self) -> usize {

@@ -4,8 +4,10 @@ use crate::args::{FileArgument, RecordingArguments};
 use crate::asked::number_that;
 use crate::failure::{Failure, reason};
 use frictiongen::System;
-use frictiongen::measure::{Column, CsvRequest, Inputs, MeasureError, Measured, Recording, Unit};
-use frictiongen_codegen::Limits;
+use frictiongen::measure::{
+    CsvColumn, CsvRequest, Inputs, MeasureError, Measured, Recording, Unit,
+};
+use frictiongen_codegen::SizeLimits;
 use std::fs;
 use std::path::Path;
 
@@ -14,7 +16,7 @@ pub fn scene(path: &Path) -> Result<System, Failure> {
     let file = FileArgument {
         file: Some(path.to_owned()),
     };
-    let description = file.description(&Limits::RUN_TIME)?;
+    let description = file.description(&SizeLimits::RUN_TIME)?;
     System::try_from(description.scene).map_err(Failure::new)
 }
 
@@ -24,7 +26,7 @@ pub fn any_scene(path: &Path) -> Result<System, Failure> {
     let file = FileArgument {
         file: Some(path.to_owned()),
     };
-    let description = file.maybe_joined(&Limits::RUN_TIME, false)?;
+    let description = file.maybe_joined(&SizeLimits::RUN_TIME, false)?;
     System::try_from(description.scene).map_err(Failure::new)
 }
 
@@ -111,7 +113,7 @@ impl RecordingArguments {
 }
 
 /// Parses a channel `NAME=COLUMN:UNIT`.
-fn column(text: &str) -> Result<Column, Failure> {
+fn column(text: &str) -> Result<CsvColumn, Failure> {
     let wrong = || {
         Failure::new(format_args!(
             "--channel `{text}`: NAME=COLUMN:UNIT is needed, as in lower=AI1:mm"
@@ -126,7 +128,7 @@ fn column(text: &str) -> Result<Column, Failure> {
         return Err(wrong());
     }
     let unit = unit.map(str::parse::<Unit>).transpose();
-    Ok(Column {
+    Ok(CsvColumn {
         name: name.trim().to_owned(),
         column: column.trim().to_owned(),
         unit: unit.map_err(|error| Failure::new(format_args!("--channel `{text}`: {error}")))?,

@@ -1,14 +1,14 @@
 //! Finds the best friction for each mass that the page shows.
 
-use super::asked::Asked;
+use super::asked::ReportRequest;
 use super::found::at_once;
-use super::words::{Words, digits, number, object};
-use crate::asked::Part;
-use crate::measure::Dimension;
+use super::words::{PageUnits, digits, number, object};
+use crate::asked::MovingPart;
+use crate::measure::PhysicalQuantity;
 use frictiongen::Of;
 use frictiongen::study::{
     optimum::{FrequencyBand, Optimum, OptimumEnd, OptimumKind, OptimumRequest},
-    response::Size,
+    response::MotionQuantity,
     words,
 };
 use maud::{Markup, html};
@@ -31,14 +31,14 @@ const MOST_OF_LONG: usize = 2;
 /// Best friction for one motion, or the reason why none was found.
 pub struct Best {
     /// The contact or mass whose largest amplitude is minimised.
-    pub part: Part,
+    pub part: MovingPart,
     /// The result of the search.
     pub found: Result<Optimum, String>,
 }
 
 /// Searches for the friction with the smallest peak of each motion. Returns an error with the reason if the page has no
 /// search.
-pub fn search(asked: &Asked) -> Result<Vec<Best>, String> {
+pub fn search(asked: &ReportRequest) -> Result<Vec<Best>, String> {
     let masses = asked.system.scene().masses.len();
     if MOST_MASSES < masses {
         return Err(format!(
@@ -49,10 +49,10 @@ pub fn search(asked: &Asked) -> Result<Vec<Best>, String> {
     let only_contact = asked.parts.iter().all(|part| part.of == Of::Contact);
     let parts = asked.parts.iter();
     let parts = parts.filter(|part| only_contact || part.of != Of::Contact);
-    let mut parts: Vec<Part> = parts.cloned().collect();
+    let mut parts: Vec<MovingPart> = parts.cloned().collect();
     // The command searches only for the motions that are largest with the contact stuck.
     let farthest = asked.farthest_if_stuck();
-    let rank = |part: &Part| match part.of {
+    let rank = |part: &MovingPart| match part.of {
         Of::Mass(mass) => farthest.iter().position(|other| *other == mass),
         _ => None,
     };
@@ -66,7 +66,7 @@ pub fn search(asked: &Asked) -> Result<Vec<Best>, String> {
     if let Some(last) = ranks.get(most.saturating_sub(1)) {
         parts.retain(|part| rank(part).is_some_and(|rank| rank <= *last));
     }
-    let best = |part: Part| {
+    let best = |part: MovingPart| {
         let request = OptimumRequest {
             of: part.of,
             size: part.size,
@@ -104,10 +104,10 @@ pub fn worst(best: &Result<Vec<Best>, String>) -> Option<(&Best, &Optimum)> {
 }
 
 /// Returns the equivalent damping ratio ζ_eq of the contact at the highest peak, with the best friction.
-fn damping(optimum: &Optimum, asked: &Asked) -> Option<f64> {
+fn damping(optimum: &Optimum, asked: &ReportRequest) -> Option<f64> {
     let peak = optimum.peaks.first()?;
     let response = asked.system.at(peak.r).ok()?.response(optimum.beta).ok()?;
-    response.largest(Of::Contact, Size::Damping)
+    response.largest(Of::Contact, MotionQuantity::Damping)
 }
 
 /// Returns words for the reason why every other friction gives a higher amplitude.
@@ -130,7 +130,7 @@ pub fn kind(optimum: &Optimum) -> &'static str {
 }
 
 /// Returns the section of the page as HTML.
-pub fn html(best: &Result<Vec<Best>, String>, asked: &Asked) -> Markup {
+pub fn html(best: &Result<Vec<Best>, String>, asked: &ReportRequest) -> Markup {
     let words = &asked.words;
     html! {
         section #best {
@@ -169,7 +169,7 @@ pub fn html(best: &Result<Vec<Best>, String>, asked: &Asked) -> Markup {
 }
 
 /// Formats an amplitude, which may be zero or unbounded.
-pub fn bound(words: &Words, ratio: f64) -> String {
+pub fn bound(words: &PageUnits, ratio: f64) -> String {
     match ratio {
         0.0 => "at rest".to_owned(),
         ratio if ratio.is_finite() => words.length(ratio),
@@ -177,7 +177,7 @@ pub fn bound(words: &Words, ratio: f64) -> String {
     }
 }
 
-fn row(best: &Best, asked: &Asked) -> Markup {
+fn row(best: &Best, asked: &ReportRequest) -> Markup {
     let words = &asked.words;
     html! {
         tr {
@@ -214,13 +214,13 @@ fn row(best: &Best, asked: &Asked) -> Markup {
 }
 
 /// Returns the section as JSON data.
-pub fn data(best: &Result<Vec<Best>, String>, asked: &Asked) -> Json {
+pub fn data(best: &Result<Vec<Best>, String>, asked: &ReportRequest) -> Json {
     let words = &asked.words;
     let one = |best: &Best| match &best.found {
         Err(error) => json!({ "of": best.part.name, "none": error }),
         Ok(optimum) => {
             let length = |ratio: f64| number(words.measure.length(ratio));
-            let name = |name: &str| words.measure.name(name, Dimension::Length);
+            let name = |name: &str| words.measure.name(name, PhysicalQuantity::Length);
             let mut fields: Vec<(String, Json)> = vec![
                 ("of".to_owned(), best.part.name.as_str().into()),
                 ("limited_by".to_owned(), kind(optimum).into()),

@@ -1,7 +1,7 @@
 //! Formats the numbers of the page with four digits and their unit.
 
-use crate::measure::{Dimension, Measure};
-use crate::number::Exact as _;
+use crate::measure::{Measure, PhysicalQuantity};
+use crate::number::Lossless as _;
 use frictiongen::System;
 use frictiongen::study::units;
 use frictiongen_plot::desk::Scales;
@@ -9,7 +9,7 @@ use serde_json::Value as Json;
 
 /// Units in which the page shows its numbers.
 #[derive(Clone, Copy, Debug)]
-pub struct Words {
+pub struct PageUnits {
     /// Units of the axes of pictures.
     pub scales: Scales,
     /// True if the page shows frequencies in Hz.
@@ -62,7 +62,7 @@ pub fn rounded(value: f64) -> f64 {
     format!("{value:.5e}").parse().unwrap_or(value)
 }
 
-impl Words {
+impl PageUnits {
     /// Returns the unit of displacements.
     pub fn length_unit(&self) -> &'static str {
         match (self.measure.scale(), self.measure.is_base_motion()) {
@@ -134,7 +134,7 @@ impl Words {
 
     /// Returns the JSON field of an amplitude.
     pub fn length_json(&self, ratio: f64) -> (String, Json) {
-        let name = self.measure.name("amplitude", Dimension::Length);
+        let name = self.measure.name("amplitude", PhysicalQuantity::Length);
         (name, number(self.measure.length(ratio)))
     }
 }

@@ -1,12 +1,14 @@
 //! Settings of a motion over time: frequency, friction, units, and the contact and masses.
 
-use crate::asked::Part;
+use crate::asked::MovingPart;
 use crate::measure::Measure;
 use frictiongen::System;
-use frictiongen::study::columns::{Frequency, FrequencyUnit, Friction, HistoryTable, Setting};
+use frictiongen::study::columns::{
+    Frequency, FrequencyUnit, FrictionSetting, HistoryTable, Setting,
+};
 
 /// Settings of a motion over time: frequency, friction, units, and the contact and masses.
-pub struct Course<'a> {
+pub struct RunSettings<'a> {
     /// The system that the answers describe.
     pub system: &'a System,
     /// Unit in which the user gave the frequency.
@@ -14,16 +16,16 @@ pub struct Course<'a> {
     /// Frequency of the excitation, as ratio r, in Hz and in rad/s.
     pub frequency: Frequency,
     /// Friction in the contact, as ratio β and, under a load, as force in N.
-    pub friction: Friction,
+    pub friction: FrictionSetting,
     /// Units of the answers: SI units under a load, otherwise non-dimensional groups.
     pub measure: Measure,
     /// The contact and masses whose motions the output contains.
-    pub parts: Vec<Part>,
+    pub parts: Vec<MovingPart>,
     /// True if the output has times in seconds as well.
     pub in_seconds: bool,
 }
 
-impl Course<'_> {
+impl RunSettings<'_> {
     /// Returns the tables of the motion.
     pub fn table(&self) -> HistoryTable<'_> {
         HistoryTable {

@@ -1,8 +1,8 @@
 //! Draws motions over time and spectra.
 
-use super::motion::Motion;
+use super::motion::RunMotion;
 use super::spectrum::spectra;
-use crate::destination::Form;
+use crate::destination::OutputFormat;
 use crate::failure::Failure;
 use crate::picture;
 use frictiongen::System;
@@ -13,9 +13,9 @@ use std::io::Write;
 /// Draws the motion or its spectrum.
 pub fn draw(
     system: &System,
-    motion: &Motion<'_>,
+    motion: &RunMotion<'_>,
     spectrum: bool,
-    form: Form,
+    form: OutputFormat,
     out: &mut dyn Write,
 ) -> Result<(), Failure> {
     let course = &motion.course;

@@ -12,7 +12,7 @@ use crate::args::TimeArguments;
 use crate::asked::{parts, without_rates};
 use crate::destination::Destination;
 #[cfg(feature = "pictures")]
-use crate::destination::Form;
+use crate::destination::OutputFormat;
 use crate::failure::Failure;
 use crate::frequency::Frequencies;
 use crate::friction::Frictions;
@@ -20,12 +20,12 @@ use crate::joined;
 use crate::measure;
 use crate::output;
 use crate::summary::Summary;
-use asked::{Asked, start};
-use course::Course;
+use asked::{TimeRequest, start};
+use course::RunSettings;
 use frictiongen::System;
 use frictiongen::study::scene::FrictionLaw;
-use frictiongen_codegen::Limits;
-use motion::Motion;
+use frictiongen_codegen::SizeLimits;
+use motion::RunMotion;
 use samples::{EventsReport, SamplesReport};
 use spectrum::{SpectrumReport, spectra};
 use std::io::Write;
@@ -39,11 +39,11 @@ pub fn run(arguments: &TimeArguments, out: &mut dyn Write) -> Result<(), Failure
         !arguments.events,
     )?;
     let form = destination.form;
-    let asked = Asked::parse(arguments)?;
+    let asked = TimeRequest::parse(arguments)?;
     let frequencies = Frequencies::parse(&arguments.point.frequency, true)?;
     let frictions = Frictions::parse(&arguments.point.friction, Some(&frequencies))?;
     let file = &arguments.point.file;
-    let description = file.maybe_joined(&Limits::RUN_TIME, arguments.steady)?;
+    let description = file.maybe_joined(&SizeLimits::RUN_TIME, arguments.steady)?;
     if description.scene.is_joined() {
         joined::refused(&[(arguments.spectrum, "--spectrum")])?;
         let point = joined::Asked::of(&arguments.point, frequencies, frictions, &arguments.of);
@@ -73,7 +73,7 @@ pub fn run(arguments: &TimeArguments, out: &mut dyn Write) -> Result<(), Failure
     let frequency = frequencies.only(&system)?;
     let friction = frictions.only()?;
     let summary = Summary::of(&system, frequencies.are_physical(), measure);
-    let course = Course {
+    let course = RunSettings {
         system: &system,
         unit: frequencies.unit(),
         frequency,
@@ -84,10 +84,10 @@ pub fn run(arguments: &TimeArguments, out: &mut dyn Write) -> Result<(), Failure
     };
     let from = arguments.from.as_deref();
     let from = from.map(|text| start(text, &system, &course)).transpose()?;
-    let motion = Motion::of(course, &asked, from)?;
+    let motion = RunMotion::of(course, &asked, from)?;
     let write = |out: &mut dyn Write| {
         #[cfg(feature = "pictures")]
-        if matches!(form, Form::Svg | Form::Png) {
+        if matches!(form, OutputFormat::Svg | OutputFormat::Png) {
             return draw::draw(&system, &motion, arguments.spectrum, form, out);
         }
         if arguments.events {

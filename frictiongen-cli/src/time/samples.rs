@@ -1,25 +1,25 @@
 //! Tables of the samples and of the events of a motion.
 
-use super::motion::Motion;
+use super::motion::RunMotion;
 use crate::failure::Failure;
 use crate::layout::Layout;
-use crate::output::{Table, Visitor};
+use crate::output::{ResultTable, Visitor};
 use frictiongen::study::columns::{Column, EventRow, SampleRow};
 use serde_json::Value as Json;
 
 /// Table of the samples of a motion.
 pub struct SamplesReport<'m> {
     /// The motion over time.
-    pub motion: &'m Motion<'m>,
+    pub motion: &'m RunMotion<'m>,
 }
 
 /// Table of the events of a motion.
 pub struct EventsReport<'m> {
     /// The motion over time.
-    pub motion: &'m Motion<'m>,
+    pub motion: &'m RunMotion<'m>,
 }
 
-impl<'m> Table for SamplesReport<'m> {
+impl<'m> ResultTable for SamplesReport<'m> {
     type Row = SampleRow<'m>;
 
     fn len(&self) -> usize {
@@ -48,7 +48,7 @@ impl<'m> Table for SamplesReport<'m> {
     }
 }
 
-impl<'m> Table for EventsReport<'m> {
+impl<'m> ResultTable for EventsReport<'m> {
     type Row = EventRow<'m>;
 
     fn len(&self) -> usize {

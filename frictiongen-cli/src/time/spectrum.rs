@@ -1,10 +1,10 @@
 //! Table of the spectra of a motion.
 
-use super::motion::Motion;
+use super::motion::RunMotion;
 use crate::failure::Failure;
 use crate::layout::Layout;
-use crate::output::{Table, Visitor};
-use frictiongen::study::columns::{Column, SpectrumRow};
+use crate::output::{ResultTable, Visitor};
+use frictiongen::study::columns::{Column, HarmonicRow};
 use frictiongen::study::history::Spectrum;
 use serde_json::Value as Json;
 use std::borrow::Cow;
@@ -12,13 +12,13 @@ use std::borrow::Cow;
 /// Table of the spectra of a motion.
 pub struct SpectrumReport<'m> {
     /// The motion over time.
-    pub motion: &'m Motion<'m>,
+    pub motion: &'m RunMotion<'m>,
     /// Spectra of the contact and masses in the output.
     pub spectra: &'m [Spectrum],
 }
 
 /// Returns the exact spectra of a steady state. For a run, computes the spectra of its samples.
-pub fn spectra<'m>(motion: &'m Motion<'_>) -> Cow<'m, [Spectrum]> {
+pub fn spectra<'m>(motion: &'m RunMotion<'_>) -> Cow<'m, [Spectrum]> {
     if !motion.exact.is_empty() {
         return Cow::Borrowed(&*motion.exact);
     }
@@ -27,19 +27,19 @@ pub fn spectra<'m>(motion: &'m Motion<'_>) -> Cow<'m, [Spectrum]> {
     Cow::Owned(spectra.collect())
 }
 
-impl<'m> Table for SpectrumReport<'m> {
-    type Row = SpectrumRow<'m>;
+impl<'m> ResultTable for SpectrumReport<'m> {
+    type Row = HarmonicRow<'m>;
 
     fn len(&self) -> usize {
         self.spectra.first().map_or(0, |first| first.lines.len())
     }
 
-    fn each(&self, visit: Visitor<'_, SpectrumRow<'m>>) -> Result<(), Failure> {
+    fn each(&self, visit: Visitor<'_, HarmonicRow<'m>>) -> Result<(), Failure> {
         let mut rows = self.motion.course.table().lines(self.spectra);
         rows.try_for_each(|row| visit(&row))
     }
 
-    fn columns(&self) -> Vec<Column<'_, SpectrumRow<'m>>> {
+    fn columns(&self) -> Vec<Column<'_, HarmonicRow<'m>>> {
         self.motion.course.table().spectrum_columns()
     }
 

@@ -5,10 +5,10 @@ use frictiongen::Of;
 use frictiongen::study::{
     System,
     optimum::{
-        FrequencyBand, Kept, Optimum, OptimumEnd, OptimumError, OptimumKind, OptimumRequest,
-        Tuning, Weighted,
+        FrequencyBand, KeptQuantity, Optimum, OptimumEnd, OptimumError, OptimumKind,
+        OptimumRequest, Tuning, Weighted,
     },
-    response::Size,
+    response::MotionQuantity,
     units::Load,
 };
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -40,7 +40,13 @@ fn amplitude(load: Load, hertz: f64) -> f64 {
 
 /// Returns a quantity in SI units at a frequency in Hz and a friction force in N. The load is computed by hand, and the
 /// steady state is followed from rest.
-fn quantity(system: &System, (of, size): (Of, Size), load: Load, hertz: f64, newtons: f64) -> f64 {
+fn quantity(
+    system: &System,
+    (of, size): (Of, MotionQuantity),
+    load: Load,
+    hertz: f64,
+    newtons: f64,
+) -> f64 {
     let omega = 2.0 * std::f64::consts::PI * hertz;
     let scene = system.scene();
     let (mass, stiffness) = (scene.masses[0].value, scene.springs[0].stiffness);
@@ -58,13 +64,13 @@ fn quantity(system: &System, (of, size): (Of, Size), load: Load, hertz: f64, new
     };
     let value = response.largest(of, size).expect("a quantity");
     match size {
-        Size::Displacement if of.is_force() => value * force,
-        Size::Displacement => value * length,
-        Size::Velocity => value * length * omega,
-        Size::Acceleration => value * length * omega * omega,
-        Size::Force => value * force,
-        Size::Energy => value * force * length,
-        Size::Damping => value,
+        MotionQuantity::Displacement if of.is_force() => value * force,
+        MotionQuantity::Displacement => value * length,
+        MotionQuantity::Velocity => value * length * omega,
+        MotionQuantity::Acceleration => value * length * omega * omega,
+        MotionQuantity::Force => value * force,
+        MotionQuantity::Energy => value * force * length,
+        MotionQuantity::Damping => value,
     }
 }
 
@@ -106,13 +112,13 @@ fn physical(system: &System, request: &OptimumRequest, optimum: &Optimum) -> (f6
         .expect("a scale");
     let omega = system.angular_frequency(1.0);
     let unit = match request.size {
-        Size::Displacement if request.of.is_force() => scale.force(),
-        Size::Displacement => scale.length(),
-        Size::Velocity => scale.length() * omega,
-        Size::Acceleration => scale.length() * omega * omega,
-        Size::Force => scale.force(),
-        Size::Energy => scale.force() * scale.length(),
-        Size::Damping => 1.0,
+        MotionQuantity::Displacement if request.of.is_force() => scale.force(),
+        MotionQuantity::Displacement => scale.length(),
+        MotionQuantity::Velocity => scale.length() * omega,
+        MotionQuantity::Acceleration => scale.length() * omega * omega,
+        MotionQuantity::Force => scale.force(),
+        MotionQuantity::Energy => scale.force() * scale.length(),
+        MotionQuantity::Damping => 1.0,
     };
     (scale.friction(optimum.beta), unit * optimum.amplitude)
 }
@@ -196,7 +202,7 @@ fn trivial_answers_are_named() {
         assert_eq!(optimum.kind, OptimumKind::Trivial, "{of}: {optimum:?}");
     }
     let wrong = OptimumRequest {
-        size: Size::Force,
+        size: MotionQuantity::Force,
         ..request(&system, "f2", load, [2.5, 9.0])
     };
     assert_eq!(
@@ -242,7 +248,7 @@ fn bounds_hold_on_a_map() {
         "{free_drift} {}",
         least.amplitude
     );
-    let kept = [Kept {
+    let kept = [KeptQuantity {
         of: drift.of,
         size: drift.size,
         most,
@@ -269,7 +275,7 @@ fn bounds_hold_on_a_map() {
         assert!(!holds || value <= at(&own, other) * (1.0 + 1e-5), "{share}");
     }
     // A bound that holds already changes nothing.
-    let wide = [Kept {
+    let wide = [KeptQuantity {
         most: 1.01 * free_drift,
         ..kept[0]
     }];
@@ -281,7 +287,7 @@ fn bounds_hold_on_a_map() {
         (free.beta, free.kind)
     );
     // Below the best drift no friction holds the bound.
-    let narrow = [Kept {
+    let narrow = [KeptQuantity {
         most: 0.99 * least.amplitude,
         ..kept[0]
     }];
@@ -300,11 +306,11 @@ fn bounds_hold_on_a_map() {
     assert!((beta / least.beta - 1.0).abs() < 1e-6, "{beta}");
     // Each of two bounds may hold alone, but not both.
     let two = [
-        Kept {
+        KeptQuantity {
             most: 1.0001 * least.amplitude,
             ..kept[0]
         },
-        Kept {
+        KeptQuantity {
             of: own.of,
             size: own.size,
             most: 1.0001 * free.amplitude,
@@ -329,7 +335,7 @@ fn a_stopped_search_keeps_its_best() {
     let system: System = block.parse().expect("a description");
     let request = OptimumRequest {
         of: system.motion_named("block").expect("a motion"),
-        size: Size::Displacement,
+        size: MotionQuantity::Displacement,
         band: FrequencyBand::Ratio(0.2, 1.2),
         load: None,
     };
@@ -381,9 +387,9 @@ fn a_stopped_search_keeps_its_best() {
 
     // The bound does not hold with the best friction, so that the search for the bounded one begins.
     let bound = |most: f64| {
-        [Kept {
+        [KeptQuantity {
             of: request.of,
-            size: Size::Velocity,
+            size: MotionQuantity::Velocity,
             most,
         }]
     };

@@ -1,11 +1,11 @@
 //! Columns of the motions of the contact and of masses. Several tables have these columns.
 
 use super::builder::Columns;
-use super::column::{Head, Row, Shown};
-use super::measure::Dimension;
-use super::setting::Part;
+use super::column::{Head, Shown, TableRow};
+use super::measure::PhysicalQuantity;
+use super::setting::MovingPart;
 use crate::Complex;
-use crate::study::response::{Size, Swing};
+use crate::study::response::{MotionQuantity, Swing};
 use crate::study::units::polar;
 
 /// The motion of the contact or of a mass in one row of a table, in non-dimensional groups. A quantity is `None` if the
@@ -34,14 +34,14 @@ pub struct PartMotion<'r> {
 }
 
 /// A row of a table that contains motions.
-pub trait Moving: Row {
+pub trait MotionRow: TableRow {
     /// Returns the motion of the contact or mass with this index in the table.
     fn motion(&self, part: usize) -> Option<PartMotion<'_>>;
 }
 
 /// The columns that each motion has in addition to amplitude and phase.
 #[derive(Clone, Copy, Debug)]
-pub struct Extent<'a> {
+pub struct MotionColumns<'a> {
     /// True if each motion has a column for the monoharmonic amplitude.
     pub monoharmonic: bool,
     /// True if each motion has columns for velocity and acceleration.
@@ -53,28 +53,32 @@ pub struct Extent<'a> {
 }
 
 /// Adds the columns of the motions of the contact and masses in `parts` to a table.
-pub fn motions<'a, R: Moving + 'a>(columns: &mut Columns<'a, R>, parts: &[Part], of: Extent<'_>) {
-    use Dimension::{Acceleration, Angle, Velocity};
+pub fn motions<'a, R: MotionRow + 'a>(
+    columns: &mut Columns<'a, R>,
+    parts: &[MovingPart],
+    of: MotionColumns<'_>,
+) {
+    use PhysicalQuantity::{Acceleration, Angle, Velocity};
     let angle = columns.measure().title(Angle);
     for (part, named) in parts.iter().enumerate() {
         let size = named.dimension();
         let length = columns.measure().title(size);
         columns.begin_part(&named.name);
-        if named.size != Size::Displacement {
+        if named.size != MotionQuantity::Displacement {
             // A largest velocity or acceleration has neither a phase nor harmonics.
             let of = named.size;
             let name = match of {
-                Size::Energy => "cycle",
-                Size::Damping => "ratio",
+                MotionQuantity::Energy => "cycle",
+                MotionQuantity::Damping => "ratio",
                 _ => "amplitude",
             };
             columns.number(Head::of(name, size), move |row: &R| {
                 let motion = row.motion(part)?;
                 Some(match of {
-                    Size::Velocity => motion.rates?.0,
-                    Size::Force => motion.contact?.0,
-                    Size::Energy => motion.contact?.1,
-                    Size::Damping => motion.damping?,
+                    MotionQuantity::Velocity => motion.rates?.0,
+                    MotionQuantity::Force => motion.contact?.0,
+                    MotionQuantity::Energy => motion.contact?.1,
+                    MotionQuantity::Damping => motion.damping?,
                     _ => motion.rates?.1,
                 })
             });
@@ -114,13 +118,13 @@ pub fn motions<'a, R: Moving + 'a>(columns: &mut Columns<'a, R>, parts: &[Part],
 }
 
 /// Adds the columns of a harmonic: amplitude and lag. JSON files also get the real and imaginary part.
-fn harmonic<'a, R: Moving + 'a>(
+fn harmonic<'a, R: MotionRow + 'a>(
     columns: &mut Columns<'a, R>,
     (part, place): (usize, usize),
     order: u32,
-    (size, complex): (Dimension, bool),
+    (size, complex): (PhysicalQuantity, bool),
 ) {
-    use Dimension::Angle;
+    use PhysicalQuantity::Angle;
     let of = move |row: &R| row.motion(part)?.harmonics.get(place).copied();
     columns.begin_harmonic(order);
     let [length, angle] = [size, Angle].map(|dimension| columns.measure().title(dimension));

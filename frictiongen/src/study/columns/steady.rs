@@ -7,12 +7,12 @@ pub use orbit::{OrbitRow, OrbitTable};
 pub use response::{ResponseRow, ResponseTable};
 
 use super::motion::PartMotion;
-use super::setting::Part;
+use super::setting::MovingPart;
 use crate::Complex;
 use crate::study::units::{fundamental_phase, reversed_phase};
 use crate::study::{
     orbit::SystemOrbitMotion,
-    response::{Size, Swing, SystemResponse},
+    response::{MotionQuantity, Swing, SystemResponse},
 };
 use crate::{Of, Regime};
 
@@ -32,11 +32,14 @@ struct MotionGroups {
 
 impl MotionGroups {
     /// Reads the motion from a response in any regime.
-    fn of_response(response: &SystemResponse<'_>, part: &Part, orders: &[u32]) -> Self {
+    fn of_response(response: &SystemResponse<'_>, part: &MovingPart, orders: &[u32]) -> Self {
         let of = part.of;
         let rates = || {
-            let velocity = response.largest(of, Size::Velocity)?;
-            Some((velocity, response.largest(of, Size::Acceleration)?))
+            let velocity = response.largest(of, MotionQuantity::Velocity)?;
+            Some((
+                velocity,
+                response.largest(of, MotionQuantity::Acceleration)?,
+            ))
         };
         let harmonics = orders.iter().map(|order| response.harmonic(of, *order));
         Self {
@@ -47,7 +50,7 @@ impl MotionGroups {
             rates: if part.has_rate() { rates() } else { None },
             contact: Some((response.contact_force(), response.friction_work())),
             damping: if part.has_rate() {
-                response.largest(of, Size::Damping)
+                response.largest(of, MotionQuantity::Damping)
             } else {
                 None
             },

@@ -1,6 +1,6 @@
 //! A checked request for the best friction, and the full result for a friction.
 
-use super::amplitude::{FrictionAmount, Watch};
+use super::amplitude::{FrictionAmount, KeepGoing};
 use super::answer::{Optimum, OptimumEnd, OptimumKind, OptimumPeak};
 use super::flat;
 use super::objective::Objective;
@@ -11,7 +11,7 @@ use super::search::{self, Least, MinimumKind, SearchEnd};
 use crate::Regime;
 use crate::study::parameter::{OperatingPoint, Parameter, Slope};
 use crate::study::physical::ResponseSensitivities;
-use crate::study::response::Size;
+use crate::study::response::MotionQuantity;
 use crate::study::system::System;
 use crate::study::units::{Load, angular_frequency};
 
@@ -29,7 +29,7 @@ pub(super) struct OptimumProblem<'s> {
     pub load: Option<Load>,
     /// Ends of the band, as frequency ratios r.
     pub ends: [f64; 2],
-    watch: Option<Watch<'s>>,
+    watch: Option<KeepGoing<'s>>,
 }
 
 impl<'s> OptimumProblem<'s> {
@@ -81,7 +81,7 @@ impl<'s> OptimumProblem<'s> {
     }
 
     /// Lets the caller's function stop every search of this problem.
-    pub(super) fn watched_by(self, watch: Option<Watch<'s>>) -> Self {
+    pub(super) fn watched_by(self, watch: Option<KeepGoing<'s>>) -> Self {
         Self { watch, ..self }
     }
 
@@ -123,7 +123,7 @@ impl<'s> OptimumProblem<'s> {
             peaks.first().map_or(f64::NAN, |peak| peak.value)
         };
         let without_friction = largest(FrictionAmount::Ratio(0.0));
-        if without_friction == 0.0 && self.objective.size != Size::Force {
+        if without_friction == 0.0 && self.objective.size != MotionQuantity::Force {
             return Err(OptimumError::AtRest);
         }
         let beta = least.at.beta;

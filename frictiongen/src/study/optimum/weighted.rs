@@ -1,7 +1,7 @@
 //! Finds the best friction for several quantities: each quantity is divided by a value, and the largest of these
 //! quotients is smallest.
 
-use super::amplitude::Watch;
+use super::amplitude::KeepGoing;
 use super::answer::{Optimum, OptimumEnd, OptimumKind};
 use super::peaks::AmplitudeBand;
 use super::problem::OptimumProblem;
@@ -10,7 +10,7 @@ use super::scan::{Scanned, scanned_at};
 use super::search::{Least, SearchEnd, narrowed_by};
 use super::whole::{WORK_OF_ALL_CHECKS, whole};
 use crate::Of;
-use crate::study::response::Size;
+use crate::study::response::MotionQuantity;
 use crate::study::system::System;
 use std::cell::Cell;
 
@@ -35,7 +35,7 @@ pub struct Weighted {
     /// The motion to which the quantity belongs.
     pub of: Of,
     /// The quantity of the motion.
-    pub size: Size,
+    pub size: MotionQuantity,
     /// The value by which the quantity is divided, above 0. It has the unit of [`Optimum::amplitude`] for this
     /// quantity.
     pub over: f64,
@@ -111,7 +111,7 @@ struct WeightedSearch<'s> {
     bands: Vec<AmplitudeBand<'s>>,
     /// The value by which each quantity is divided.
     over: Vec<f64>,
-    watch: Watch<'s>,
+    watch: KeepGoing<'s>,
     /// Work that the checks of the whole band may still take.
     left: &'s Cell<usize>,
 }

@@ -1,10 +1,11 @@
 //! Computes all features of a system's response: resonances, limits, invariant points, ranges and peaks.
 
-use crate::study::columns::column::Row;
-use crate::study::columns::setting::Part;
+use crate::study::columns::column::TableRow;
+use crate::study::columns::setting::MovingPart;
 use crate::study::features::{
     Antiresonance, Certainty, Crossing, FeatureError, Features, HeldResonance, InvariantPoint,
-    Inversion, LimitsAtEnd, Measured, RegimeRange, Resonance, ResonantPeak, Sensed, SlidingRange,
+    InvariantQuantity, Inversion, LimitsAtEnd, RegimeRange, Resonance, ResonantPeak, Sensed,
+    SlidingRange,
 };
 
 /// A feature of the response that belongs to the motion of the contact or of a mass.
@@ -34,9 +35,9 @@ pub struct FeatureLists {
     /// Antiresonances: frequencies at which a motion vanishes without friction.
     pub(super) antiresonances: Vec<Named<Antiresonance>>,
     /// Invariant points: frequencies at which friction does not change the amplitude of a motion.
-    pub(super) invariant: Vec<Named<(Measured, InvariantPoint)>>,
+    pub(super) invariant: Vec<Named<(InvariantQuantity, InvariantPoint)>>,
     /// Inversions: ranges of frequency in which more friction makes a motion larger.
-    pub(super) inversions: Vec<Named<(Measured, Inversion)>>,
+    pub(super) inversions: Vec<Named<(InvariantQuantity, Inversion)>>,
     /// Displacement of each mass for the frequency ratio r → 0. `None` if the contact is stuck.
     pub(super) starts: Vec<FeatureAt<Named<Option<Sensed>>>>,
     /// Ranges of frequency in which the contact slides.
@@ -50,11 +51,11 @@ pub struct FeatureLists {
     pub(super) crossings: Vec<FeatureAt<Named<(f64, Crossing)>>>,
 }
 
-impl<T> Row for Named<T> {}
+impl<T> TableRow for Named<T> {}
 
-impl<T> Row for FeatureAt<T> {}
+impl<T> TableRow for FeatureAt<T> {}
 
-impl Row for HeldResonance {}
+impl TableRow for HeldResonance {}
 
 /// A resonance of the chain, with the number of its mode, counted from 1.
 pub(super) struct NumberedResonance {
@@ -62,7 +63,7 @@ pub(super) struct NumberedResonance {
     pub(super) it: Resonance,
 }
 
-impl Row for NumberedResonance {}
+impl TableRow for NumberedResonance {}
 
 /// The limits β_lim and β*_lim for r → 0 or for r → ∞.
 pub(super) struct EndRow {
@@ -70,7 +71,7 @@ pub(super) struct EndRow {
     pub(super) limits: LimitsAtEnd,
 }
 
-impl Row for EndRow {}
+impl TableRow for EndRow {}
 
 impl FeatureLists {
     /// Computes all features of a response in a range of frequency ratios.
@@ -79,7 +80,7 @@ impl FeatureLists {
     /// Same errors as the calls of [`Features`].
     pub fn of(
         features: &Features<'_>,
-        parts: &[Part],
+        parts: &[MovingPart],
         frictions: &[f64],
         range: [f64; 2],
     ) -> Result<Self, FeatureError> {
@@ -138,17 +139,17 @@ impl FeatureLists {
     fn undamped(
         &mut self,
         features: &Features<'_>,
-        part: &Part,
+        part: &MovingPart,
         range: [f64; 2],
     ) -> Result<(), FeatureError> {
-        fn named<T>(part: &Part, it: T) -> Named<T> {
+        fn named<T>(part: &MovingPart, it: T) -> Named<T> {
             let of = part.name.clone();
             Named { of, it }
         }
         let zeros = features.antiresonances(part.of, range)?;
         self.antiresonances
             .extend(zeros.into_iter().map(|it| named(part, it)));
-        for measured in [Measured::Amplitude, Measured::Fundamental] {
+        for measured in [InvariantQuantity::Amplitude, InvariantQuantity::Fundamental] {
             let points = features.invariant_points(part.of, measured, range)?;
             self.invariant
                 .extend(points.into_iter().map(|it| named(part, (measured, it))));
@@ -162,7 +163,7 @@ impl FeatureLists {
     fn with_friction(
         &mut self,
         features: &Features<'_>,
-        parts: &[Part],
+        parts: &[MovingPart],
         beta: f64,
         range: [f64; 2],
     ) -> Result<(), FeatureError> {
