@@ -3,7 +3,8 @@
 use super::face::{Face, Function, Kind, Opaque, Passed, Record, type_name};
 use super::status;
 
-/// Writes `src/lib.rs`.  `name` is the scene's type, `prefix` begins the names in C.
+/// Returns the text of `src/lib.rs` of an exported crate. `name` is the scene's type in Rust, and `prefix` begins the
+/// names in C.
 pub fn library(face: &Face, head: &str, (prefix, name, scalar): (&str, &str, &str)) -> String {
     let records: String = face
         .records
@@ -31,7 +32,7 @@ pub fn library(face: &Face, head: &str, (prefix, name, scalar): (&str, &str, &st
     )
 }
 
-/// Writes the functions that several exported functions call.
+/// Returns the Rust functions that several exported functions call.
 fn helpers(face: &Face, prefix: &str, scalar: &str) -> String {
     let has = |name: &str| face.records.iter().any(|record| record.name == name);
     let mut text = format!(

@@ -1,4 +1,4 @@
-//! Functions of the motion in time under a harmonic load, from event to event.
+//! Exported functions that compute the motion in time under a harmonic load, from event to event.
 
 use super::face::{Face, Field, Function, Kind, Opaque, Passed, Record};
 use super::names::{mass_fields, of_masses};
@@ -10,7 +10,8 @@ const STATE: &str = "simulation";
 const CHANGED: (&str, Passed) = ("simulation", Passed::Changed(STATE));
 const READ: (&str, Passed) = ("simulation", Passed::Read(STATE));
 
-/// Adds the simulation with its structs.  `name` is the scene's type in Rust, `unit` the unit of displacements.
+/// Adds the functions of the simulation with their structs. `name` is the scene's type in Rust, and `unit` the unit of
+/// displacements.
 pub fn add(face: &mut Face, scene: &Scene, (name, unit): (&str, &str)) {
     let shape = StepperShape::of(scene);
     let parts = shape.modes + shape.held;
@@ -86,7 +87,8 @@ fn records(face: &mut Face, scene: &Scene, unit: &str) {
     });
 }
 
-/// Adds the functions that start a motion.  A friction law over the speed needs the amplitude of the load.
+/// Adds the functions that start a motion in time. With a friction law over the speed, they need the amplitude of the
+/// load.
 fn starts(face: &mut Face, scene: &Scene, has_law: bool) {
     let (given, call) = if has_law {
         ("r, beta, amplitude", "simulation_under")

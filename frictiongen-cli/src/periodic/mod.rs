@@ -82,7 +82,7 @@ pub fn run(arguments: &PeriodicArguments, out: &mut dyn Write) -> Result<(), Fai
     })
 }
 
-/// Reads the scene. With `--hold` the input is constant between samples.
+/// Reads the scene from its description. With `--hold` the input is constant between samples.
 fn scene(arguments: &PeriodicArguments) -> Result<System, Failure> {
     let file = FileArgument {
         file: Some(arguments.scene.clone()),
@@ -90,7 +90,7 @@ fn scene(arguments: &PeriodicArguments) -> Result<System, Failure> {
     let mut description = file.description(&Limits::RUN_TIME)?;
     if arguments.hold {
         description.scene.stepping.input = StepInput::Hold;
-        // A description may set the input only if it provides a stepper.
+        // A description may have the field `input` only if it provides a stepper.
         if !description.scene.provides(&Provide::Stepper) {
             description.scene.provide.push(Provide::Stepper);
         }
@@ -98,7 +98,7 @@ fn scene(arguments: &PeriodicArguments) -> Result<System, Failure> {
     System::try_from(description.scene).map_err(Failure::new)
 }
 
-/// Arguments of the command, after parsing.
+/// Parsed arguments of `frictiongen periodic`.
 struct Asked<'a> {
     table: PeriodicTable<'a>,
     request: PeriodicRequest,
@@ -106,7 +106,7 @@ struct Asked<'a> {
 }
 
 impl Asked<'_> {
-    /// Finds the steady state at one friction force.
+    /// Finds the steady state at one kinetic friction force, in N.
     fn row(&self, friction: f64) -> Result<PeriodicRow, Failure> {
         let request = PeriodicRequest {
             friction,
@@ -122,7 +122,7 @@ impl Asked<'_> {
     }
 }
 
-/// Writes one steady state for each friction force.
+/// Report of the steady states, one for each friction force.
 struct StatesReport<'a>(&'a Asked<'a>);
 
 impl Table for StatesReport<'_> {
@@ -142,7 +142,7 @@ impl Table for StatesReport<'_> {
     }
 }
 
-/// Writes the motion over a period.
+/// Report of the motion over one period of a steady state.
 struct MotionReport<'a> {
     asked: &'a Asked<'a>,
     row: &'a PeriodicRow,

@@ -1,13 +1,13 @@
-//! Settings of a motion over time: frequency, friction, units, and the contact and masses.
+//! Settings of a motion over time: frequency, friction, units, and the list of motions.
 
 use crate::asked::Part;
 use crate::measure::Measure;
 use frictiongen::System;
 use frictiongen::study::columns::{Frequency, FrequencyUnit, Friction, HistoryTable, Setting};
 
-/// Settings of a motion over time: frequency, friction, units, and the contact and masses.
+/// Settings of a motion over time: frequency, friction, units, and the list of motions.
 pub struct Course<'a> {
-    /// The system that the answers describe.
+    /// The system whose motion the output contains.
     pub system: &'a System,
     /// Unit in which the user gave the frequency.
     pub unit: FrequencyUnit,
@@ -15,16 +15,16 @@ pub struct Course<'a> {
     pub frequency: Frequency,
     /// Friction in the contact, as ratio β and, under a load, as force in N.
     pub friction: Friction,
-    /// Units of the answers: SI units under a load, otherwise non-dimensional groups.
+    /// Units of the results: SI units under a load, otherwise non-dimensional groups.
     pub measure: Measure,
     /// The contact and masses whose motions the output contains.
     pub parts: Vec<Part>,
-    /// True if the output has times in seconds as well.
+    /// True if the output contains times in seconds next to the phase τ.
     pub in_seconds: bool,
 }
 
 impl Course<'_> {
-    /// Returns the tables of the motion.
+    /// Returns the tables of the motion over time.
     pub fn table(&self) -> HistoryTable<'_> {
         HistoryTable {
             setting: Setting {

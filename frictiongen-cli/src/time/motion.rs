@@ -12,9 +12,9 @@ use frictiongen::study::{
 use frictiongen::{NoOrbit, Of};
 use serde_json::{Value as Json, json};
 
-/// A motion over time.
+/// A motion over time, with the settings for its output.
 pub struct Motion<'a> {
-    /// Frequency, friction, units, and the contact and masses.
+    /// Settings of the motion: frequency, friction, units, and the list of motions.
     pub course: Course<'a>,
     /// Samples and events of the motion.
     pub history: History,
@@ -22,12 +22,12 @@ pub struct Motion<'a> {
     pub exact: Vec<Spectrum>,
     /// Words for the kind of motion: from rest, from a state, or a steady state.
     kind: &'static str,
-    /// Regime of a steady state.
+    /// Regime of the motion if it is a steady state. Otherwise `None`.
     regime: Option<&'static str>,
 }
 
 impl<'a> Motion<'a> {
-    /// Computes the motion.
+    /// Computes the motion over time that the user requests.
     pub fn of(course: Course<'a>, asked: &Asked, from: Option<Start>) -> Result<Self, Failure> {
         let system = course.system;
         let (r, beta) = (course.frequency.r, course.friction.beta);
@@ -70,7 +70,7 @@ impl<'a> Motion<'a> {
         })
     }
 
-    /// Returns frequency and friction, each with its name.
+    /// Returns frequency and friction of the motion, each with its name.
     fn point(&self) -> impl Iterator<Item = (String, Cell<'static>)> {
         let (course, setting) = (&self.course, self.course.table().setting);
         let frequency = setting.frequency_columns().into_iter();
@@ -98,7 +98,7 @@ impl<'a> Motion<'a> {
         head
     }
 
-    /// Returns the lines above a printed table.
+    /// Returns the lines before the printed table of the motion.
     pub fn preamble(&self) -> Vec<(&'static str, String)> {
         let history = &self.history;
         let number = |value: &Cell<'_>| match value {
@@ -128,7 +128,7 @@ impl<'a> Motion<'a> {
     }
 }
 
-/// Returns the message for an error, with the names of the command's options.
+/// Returns the message for an error. The message contains the names of the command's options.
 fn told(error: HistoryError) -> Failure {
     match error {
         HistoryError::TooManySamples => {
