@@ -8,10 +8,10 @@ use frictiongen::study::response::MotionQuantity;
 use frictiongen::{Of, System};
 use std::ops::RangeInclusive;
 
-/// Largest order of a harmonic that the commands accept.
+/// Largest order of a harmonic that the commands accept on the command line.
 pub const MOST_HARMONICS: u32 = 9999;
 
-/// A mass that the user has requested.
+/// A mass whose motion the user has requested.
 #[derive(Clone, Debug)]
 pub struct RequestedMass {
     /// Index of the mass in the description.
@@ -30,7 +30,7 @@ impl From<RequestedMass> for MovingPart {
     }
 }
 
-/// Parses the highest order of a harmonic, if the user has given it.
+/// Parses the highest order of a harmonic, if the user has given an order.
 pub fn harmonics(highest: Option<&str>) -> Result<Option<u32>, Failure> {
     let of = |text| whole("--harmonics", text, 1..=MOST_HARMONICS);
     highest.map(of).transpose()
@@ -44,7 +44,7 @@ pub fn number(option: &str, text: &str) -> Result<f64, Failure> {
     })
 }
 
-/// Parses a finite number that is the value of an option. The number must satisfy `sound`. For any other number the
+/// Parses a finite number that is the value of an option. The number must satisfy `sound`. If it does not, the error
 /// message states the condition `needed`.
 pub fn number_that(
     option: &str,
@@ -74,8 +74,8 @@ pub fn whole(option: &str, text: &str, range: RangeInclusive<u32>) -> Result<u32
         })
 }
 
-/// Returns the named masses. Each occurs once. Without names, returns all masses. Messages contain the name of the
-/// option.
+/// Returns the masses with the given names, each once. Without names, returns all masses. Error messages contain the
+/// name of the option.
 pub fn masses(
     system: &System,
     option: &str,
@@ -94,7 +94,8 @@ pub fn masses(
     Ok(masses)
 }
 
-/// Returns the contact and the named motions. Each occurs once. Without names, returns the contact and all masses.
+/// Returns the contact and the motions with the given names, each once. Without names, returns the contact and all
+/// masses.
 pub fn contact_and(system: &System, names: &[String]) -> Result<Vec<MovingPart>, Failure> {
     let mut once: Vec<String> = Vec::new();
     for name in names {
@@ -108,7 +109,7 @@ pub fn contact_and(system: &System, names: &[String]) -> Result<Vec<MovingPart>,
     Ok(parts)
 }
 
-/// Returns the named motions. Each occurs once. Without names, returns the contact and all masses.
+/// Returns the motions with the given names, each once. Without names, returns the contact and all masses.
 pub fn parts(system: &System, names: &[String]) -> Result<Vec<MovingPart>, Failure> {
     if names.is_empty() {
         let masses = known(system).map(MovingPart::from);
@@ -138,7 +139,7 @@ fn known(system: &System) -> impl Iterator<Item = RequestedMass> + '_ {
     })
 }
 
-/// Finds a mass by its name.
+/// Returns the mass called `name`, which the option `option` gives.
 fn mass(system: &System, option: &str, name: &str) -> Result<RequestedMass, Failure> {
     known(system).find(|mass| mass.name == name).ok_or_else(|| {
         let (name, known) = (name.to_owned(), known(system).map(|mass| mass.name));
@@ -148,7 +149,7 @@ fn mass(system: &System, option: &str, name: &str) -> Result<RequestedMass, Fail
 }
 
 /// Fails if the user has requested a velocity or an acceleration. Commands that print only displacements and forces
-/// call this function.
+/// call this check.
 pub fn without_rates(parts: &[MovingPart]) -> Result<(), Failure> {
     match parts.iter().find(|part| part.has_rate()) {
         Some(part) => Err(Failure::new(format_args!(
@@ -159,7 +160,7 @@ pub fn without_rates(parts: &[MovingPart]) -> Result<(), Failure> {
     }
 }
 
-/// Returns the contact, mass or combination with this name.
+/// Returns the contact, the mass or the combination of masses with this name.
 pub fn part(system: &System, name: &str) -> Result<MovingPart, Failure> {
     let mut parts = parts(system, &[name.to_owned()])?;
     parts

@@ -1,5 +1,5 @@
-//! Writes CSV. The words in its cells are regimes, kinds of answers and Rust identifiers, so that no cell contains a
-//! comma or a quote.
+//! Writes tables as CSV. The words in the cells are regimes, kinds of results and Rust identifiers. No cell therefore
+//! contains a comma or a quote.
 
 use std::borrow::Cow;
 use std::io::{self, Write};

@@ -1,5 +1,5 @@
-//! Decimal numbers with the digits that the user wrote. The points of a grid of decimals are exact. Steps in binary
-//! floating point would add rounding errors.
+//! Decimal numbers with the digits that the user wrote. The points of a grid of decimal numbers are therefore exact.
+//! Steps in binary floating point would add rounding errors.
 
 /// A decimal number: `digits` times 10 to the power of `exponent`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -8,7 +8,7 @@ pub struct Decimal {
     exponent: i32,
 }
 
-/// Largest number of digits of an exact decimal. Numbers with more digits become floating-point numbers.
+/// Largest number of digits of an exact decimal number. A number with more digits becomes a floating-point number.
 const MOST_DIGITS: usize = 30;
 
 impl Decimal {
@@ -36,33 +36,33 @@ impl Decimal {
         })
     }
 
-    /// Returns the nearest number in double precision.
+    /// Returns the nearest number in double precision to this decimal number.
     pub fn value(self) -> f64 {
         let text = format!("{}e{}", self.digits, self.exponent);
         text.parse().unwrap_or(f64::NAN)
     }
 
-    /// Returns the digits of the same number for a smaller exponent. Returns `None` if the digits do not fit into the
-    /// type.
+    /// Returns the digits of the same number for a smaller exponent of 10. Returns `None` if the digits do not fit into
+    /// the type.
     fn scaled(self, exponent: i32) -> Option<i128> {
         let by = u32::try_from(self.exponent.checked_sub(exponent)?).ok()?;
         self.digits.checked_mul(10_i128.checked_pow(by)?)
     }
 }
 
-/// A range of decimals: first point, step, and number of steps to the last point.
+/// A range of decimal numbers: first point, step, and number of steps from the first to the last point.
 #[derive(Clone, Copy, Debug)]
 pub struct Decimals {
     first: i128,
     step: i128,
     exponent: i32,
-    /// Number of steps.
+    /// Number of steps from the first to the last point.
     pub steps: i128,
 }
 
 impl Decimals {
-    /// Creates a range. Returns `None` if the step is 0, or if the last point is not a whole number of steps from the
-    /// first.
+    /// Creates a range of decimal numbers. Returns `None` if the step is 0, or if the last point is not a whole number
+    /// of steps away from the first.
     pub fn new(first: Decimal, step: Decimal, last: Decimal) -> Option<Self> {
         let exponent = first.exponent.min(step.exponent).min(last.exponent);
         let (first, step, last) = (
@@ -80,7 +80,7 @@ impl Decimals {
         (steps > 0 || (steps == 0 && (last - first).signum() * step.signum() >= 0)).then_some(range)
     }
 
-    /// Creates a range of 100 equal steps. Returns `None` if its points are not exact decimals.
+    /// Creates a range of 100 equal steps. Returns `None` if its points are not exact decimal numbers.
     pub fn hundredths(first: Decimal, last: Decimal) -> Option<Self> {
         let exponent = first.exponent.min(last.exponent);
         let step = Decimal {
@@ -92,7 +92,7 @@ impl Decimals {
         Self::new(first, step, last)
     }
 
-    /// Returns a point of the range.
+    /// Returns the point of the range with this index, counted from 0.
     pub fn point(&self, index: i128) -> f64 {
         Decimal {
             digits: self.first + index * self.step,

@@ -7,16 +7,16 @@ use crate::fit::TableLayout;
 use std::io::Write;
 use std::path::Path;
 
-/// Additions to a CSV file: a row of units, and comment lines.
+/// Optional additions to a CSV file: a row of units, and comment lines.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Extras {
-    /// A second line with the units of the columns.
+    /// True for a second line with the units of the columns.
     pub unit_row: bool,
-    /// Comment lines (#) before the table.
+    /// True for comment lines (#) before the table.
     pub comments: bool,
 }
 
-/// The format of an output.
+/// The format of a command's output.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum OutputFormat {
     /// A printed table for people, within the available width.
@@ -39,7 +39,7 @@ impl FormatArguments {
         }
     }
 
-    /// Returns the available width of a printed table.
+    /// Returns the available width of the printed table, as the options give it.
     fn fit(&self) -> TableLayout {
         match self.width {
             None => TableLayout::of_output(self.groups),
@@ -54,7 +54,7 @@ impl FormatArguments {
         }
     }
 
-    /// Returns an error if an option for CSV is given with another format.
+    /// Fails if the user gives an option for CSV together with another format.
     fn check(&self, form: OutputFormat) -> Result<(), Failure> {
         let asked = [(self.unit_row, "--unit-row"), (self.comments, "--comments")];
         match (form, asked.iter().find(|(asked, _)| *asked)) {
@@ -65,7 +65,7 @@ impl FormatArguments {
         }
     }
 
-    /// Returns the format that the options select, for standard output.
+    /// Returns the format that the options select for standard output.
     pub fn checked(&self) -> Result<OutputFormat, Failure> {
         self.check(self.form()).map(|()| self.form())
     }
@@ -80,17 +80,17 @@ impl FormatArguments {
     }
 }
 
-/// The destination of an output: its format, and the file or standard output.
+/// The destination of a command's output: its format, and the file or standard output.
 #[derive(Debug)]
 pub struct Destination<'a> {
-    /// Format of the answer: table, CSV, JSON or picture.
+    /// Format of the output: table, CSV, JSON or picture.
     pub form: OutputFormat,
     /// The file, and the path of the description, which the command must not overwrite. `None` is standard output.
     file: Option<(&'a Path, Option<&'a Path>)>,
 }
 
 impl<'a> Destination<'a> {
-    /// Reads the destination from the options. `draws` is true if the command can draw.
+    /// Reads the destination from the options. `draws` is true if the command can draw a picture.
     pub fn of(
         path: Option<&'a Path>,
         description: Option<&'a Path>,
@@ -145,8 +145,7 @@ impl<'a> Destination<'a> {
             )));
         }
         format.check(form)?;
-        // The command checks the file before the computation, so that the user gets an error about the file without
-        // waiting.
+        // The command checks the file before it computes. The user then gets an error about the file without waiting.
         file::check(path, description)?;
         Ok(Self {
             form,

@@ -1,17 +1,17 @@
 //! Reads emitted code as text, and lists the functions whose documentation states a number of operations.
 
-/// An emitted function.
+/// A function of the emitted code.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct EmittedFunction {
     /// Name of the function.
     pub name: String,
-    /// First line of its documentation.
+    /// First line of the function's documentation.
     pub about: String,
     /// Number of operations, as the documentation of the function states it.
     pub operations: String,
 }
 
-/// Returns the functions whose documentation states a number of operations.
+/// Returns the functions of the emitted code whose documentation states a number of operations.
 pub fn functions(source: &str) -> Vec<EmittedFunction> {
     let (mut found, mut about, mut operations) = (Vec::new(), String::new(), None);
     for line in source.lines().map(str::trim) {

@@ -5,19 +5,19 @@ use std::io;
 /// The reason why a command ends early.
 #[derive(Debug)]
 pub enum Failure {
-    /// Lines of a message, ready for printing.
+    /// Lines of an error message, ready for printing.
     Lines(Vec<String>),
-    /// The program that reads the output has closed it.
+    /// The program that reads the output of the command has closed it.
     Closed,
 }
 
 impl Failure {
-    /// Returns a failure with a message of one line.
+    /// Creates a failure whose message has one line.
     pub fn new(message: impl std::fmt::Display) -> Self {
         Self::Lines(vec![format!("frictiongen: {message}")])
     }
 
-    /// Returns the failure for an error while writing to standard output.
+    /// Returns the failure for an error that occurred while the program wrote to standard output.
     pub fn output(error: &io::Error) -> Self {
         if error.kind() == io::ErrorKind::BrokenPipe {
             Self::Closed
@@ -27,8 +27,8 @@ impl Failure {
     }
 }
 
-/// Returns the reason why the program cannot read or write a file. The most common reasons have the same words on every
-/// operating system.
+/// Returns the reason why the program cannot read or write a file, in words. For the most common reasons, the words are
+/// the same on every operating system.
 pub fn reason(error: &io::Error) -> String {
     match error.kind() {
         io::ErrorKind::NotFound => "there is no such file or folder".to_owned(),

@@ -1,16 +1,17 @@
-//! Writes files completely or not at all. The program first writes a file under a temporary name, and then renames it.
+//! Writes a whole file or nothing. The program first writes a file under a temporary name, and then renames it.
 
 use crate::failure::{Failure, reason};
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-/// Writes a text to a file, which must not be the description.
+/// Writes a text to a file. The file must not be the description.
 pub fn write_file(path: &Path, description: Option<&Path>, text: &str) -> Result<(), Failure> {
     write_with(path, description, |out| Ok(out.write_all(text.as_bytes())?))
 }
 
-/// Writes a file, which must not be the description. After a failure, an existing file is unchanged.
+/// Writes a file by the function `write`. The file must not be the description. After a failure, an existing file is
+/// unchanged.
 pub fn write_with(
     path: &Path,
     description: Option<&Path>,
@@ -22,7 +23,7 @@ pub fn write_with(
     let file = place.open().map_err(|error| refused(&error))?;
     let mut out = Noting { file, error: None };
     let written = match write(&mut out) {
-        // If the write has stored an error, that error is the reason.
+        // If a write has stored an error of the operating system, this error is the reason of the failure.
         Err(failure) => Err(out.error.as_ref().map_or(failure, refused)),
         Ok(()) => place.keep().map_err(|error| refused(&error)),
     };
@@ -50,7 +51,7 @@ pub fn check(path: &Path, description: Option<&Path>) -> Result<(), Failure> {
     Err(refusal(path, &kind.into()))
 }
 
-/// Fails if the file does not have the extension of a web page. A browser would show any other file as text.
+/// Fails unless the file's name has the extension of a web page. A browser would show any other file as text.
 pub fn check_page(path: &Path, what: &str) -> Result<(), Failure> {
     let shown = path.display();
     let ending = path
@@ -76,7 +77,7 @@ fn refusal(path: &Path, error: &io::Error) -> Failure {
     ))
 }
 
-/// Returns the folder of a file.
+/// Returns the folder that contains a file.
 fn folder(path: &Path) -> &Path {
     match path.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
@@ -91,8 +92,8 @@ fn is_same(one: &Path, other: &Path) -> bool {
     }
 }
 
-/// Final path of a file, and a temporary path for its contents. A final path that is not a regular file, such as a
-/// device, has no temporary path.
+/// The final path of a file, and a temporary path for its contents. If the final path is not a regular file but, for
+/// example, a device, there is no temporary path.
 struct OutputPath {
     last: PathBuf,
     first: Option<PathBuf>,
@@ -100,7 +101,7 @@ struct OutputPath {
 
 impl OutputPath {
     fn of(path: &Path) -> Self {
-        // If the path is a symbolic link, the link stays, and its target is replaced.
+        // If the path is a symbolic link, the command replaces the target of the link, and keeps the link.
         let last = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
         let is_file = fs::metadata(&last).map_or(true, |found| found.is_file());
         let beside = last.file_name().map(|name| {
@@ -118,7 +119,7 @@ impl OutputPath {
             return OpenOptions::new().write(true).open(&self.last);
         };
         if let Ok(found) = fs::metadata(&self.last) {
-            // A file without write permission is rejected before the temporary file is written.
+            // The command rejects a file without write permission before it writes the temporary file.
             OpenOptions::new().write(true).open(&self.last)?;
             let file = File::create(first)?;
             fs::set_permissions(first, found.permissions())?;
@@ -136,7 +137,7 @@ impl OutputPath {
 
     fn discard(&self) {
         if let Some(first) = &self.first {
-            // An error is ignored, because the temporary file may not exist.
+            // The code ignores an error, because the temporary file may not exist.
             let _ = fs::remove_file(first);
         }
     }
@@ -151,7 +152,7 @@ struct Noting {
 impl Noting {
     fn noted<T>(&mut self, result: io::Result<T>) -> io::Result<T> {
         result.inspect_err(|error| {
-            // The error's kind is stored, because it contains the reason.
+            // The code stores the kind of the error, because the kind contains the reason.
             self.error = Some(error.kind().into());
         })
     }

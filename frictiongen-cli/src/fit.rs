@@ -8,9 +8,9 @@ use std::io::{self, IsTerminal as _, Write};
 
 /// Width of a table on a terminal, in characters.
 const WIDTH: usize = 100;
-/// Indentation of the second and later lines of a wrapped text.
+/// Number of blanks before the second and all later lines of a wrapped text.
 const INDENT: usize = 29;
-/// Width of the gap between two columns.
+/// Number of blanks between two columns of a table.
 const GAP: usize = 2;
 
 /// Available width of a printed table, and the choice of its optional columns.
@@ -18,7 +18,7 @@ const GAP: usize = 2;
 pub struct TableLayout {
     /// Largest width in characters. `None` for a table of any width.
     pub width: Option<usize>,
-    /// True if the table contains the columns r and β in addition to Hz and N.
+    /// True if the table contains the columns r and β next to the columns in Hz and N.
     pub groups: bool,
 }
 
@@ -29,7 +29,7 @@ impl TableLayout {
         Self { width, groups }
     }
 
-    /// Returns the columns that fit, and the names of the columns that do not fit.
+    /// Returns the columns that fit into the width, and the names of the columns that do not fit.
     pub fn chosen<'a, R>(
         self,
         columns: Vec<Column<'a, R>>,
@@ -81,8 +81,8 @@ impl TableLayout {
         (shown, left)
     }
 
-    /// Returns the rank of each column. Columns of rank 0 are in every table. The table takes columns of higher rank,
-    /// in ascending order, while they fit. It never contains columns with `None`.
+    /// Returns the rank of each column. A column of rank 0 is in every table. The table takes columns of higher rank in
+    /// ascending order, as long as they fit. It never contains a column without a rank (`None`).
     fn ranks<R>(self, columns: &[Column<'_, R>]) -> Vec<Option<usize>> {
         let mut part: Option<&str> = None;
         let mut place = 0;
@@ -101,8 +101,7 @@ impl TableLayout {
                 None if column.axis != ColumnAxis::Row => Some(0),
                 None if is_answer(column.name()) => Some(2),
                 None => Some(4),
-                // The amplitude of each motion has a rank before all other numbers, and its phase a rank before most
-                // other numbers.
+                // The amplitude of each motion comes before all other numbers, and its phase before most other numbers.
                 Some(_) if place == 0 || column.name().starts_with("largest") => Some(1),
                 Some(_) if column.name().starts_with("phase") => Some(3),
                 Some(_) => Some(4 + place),
@@ -111,7 +110,7 @@ impl TableLayout {
         ranks
     }
 
-    /// Writes a text with the lines wrapped at blanks.
+    /// Writes a text, and breaks its lines at blanks so that they fit into the width.
     pub fn wrapped(self, text: &str, out: &mut dyn Write) -> io::Result<()> {
         let Some(width) = self.width else {
             return out.write_all(text.as_bytes());
@@ -142,7 +141,7 @@ impl TableLayout {
         Ok(())
     }
 
-    /// Writes the names of the columns that a table leaves out.
+    /// Writes a line with the names of the columns that a table leaves out.
     pub fn note(self, left: &[String], out: &mut dyn Write) -> io::Result<()> {
         if left.is_empty() {
             return Ok(());
@@ -162,7 +161,7 @@ impl TableLayout {
     }
 }
 
-/// Blanks for the indentation.
+/// Blanks from which the code takes the indentation.
 const BLANKS: &str = "                                        ";
 
 /// Returns true if a column contains r or β, and another column contains the same quantity in Hz or N.
@@ -177,7 +176,7 @@ fn is_group<R>(columns: &[Column<'_, R>], column: &Column<'_, R>) -> bool {
     others.any(|other| other.name() == physical || (column.name() == "r" && other.name() == rad))
 }
 
-/// Returns true for a column without which a reader cannot interpret the numbers of a row.
+/// Returns true for a column that a reader needs to interpret the numbers of a row.
 fn is_answer(name: &str) -> bool {
     let starts = [
         "regime",
@@ -190,13 +189,13 @@ fn is_answer(name: &str) -> bool {
     name == "of" || starts.iter().any(|start| name.starts_with(start))
 }
 
-/// Returns the lines of a column's heading.
+/// Returns the lines of a column's heading in this layout.
 fn heading<R>(column: &Column<'_, R>, layout: Layout) -> Vec<String> {
     let part = column.part.iter().filter(|_| layout != Layout::Lines);
     part.chain(&column.title).cloned().collect()
 }
 
-/// Keeps for every motion the same columns as for the first motion.
+/// Keeps, for every motion, the same columns as for the first motion.
 fn follow_first<R>(columns: &[Column<'_, R>], kept: &mut [bool]) {
     let first = columns.iter().find_map(|column| column.part.as_ref());
     let of_first: Vec<(String, bool)> = columns
@@ -214,9 +213,9 @@ fn follow_first<R>(columns: &[Column<'_, R>], kept: &mut [bool]) {
     }
 }
 
-/// Returns the width that a column adds to a table with one line for each motion. All motions share their columns, so
-/// that only the columns of the first motion add to the width. The first of them also adds the width of the column with
-/// the names.
+/// Returns the width that a column adds to a table with one line for each motion. All motions share the columns of the
+/// first motion. Only the columns of the first motion therefore add to the width. Its first column also adds the width
+/// of the column with the names.
 fn own_width<R>(columns: &[Column<'_, R>], column: &Column<'_, R>) -> usize {
     let first = columns.iter().find_map(|other| other.part.as_ref());
     if column.part.as_ref() != first {

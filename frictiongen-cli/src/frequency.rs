@@ -8,7 +8,7 @@ use crate::number::survives;
 use frictiongen::System;
 use frictiongen::study::columns::{Frequency, FrequencyUnit as Unit};
 
-/// Number of frequencies in a range without a step.
+/// Number of frequencies in a range that the user gives without a step.
 const SPREAD: u32 = 200;
 
 /// A continuous range of frequencies, with the unit in which the user gave it.
@@ -24,7 +24,7 @@ pub struct Band {
 }
 
 impl Band {
-    /// Parses a range a:b or a:step:b.
+    /// Parses a range a:b or a:step:b of frequencies.
     pub fn parse(arguments: &FrequencyArguments, system: &System) -> Result<Self, Failure> {
         let (text, unit) = given(arguments)?;
         let quantity = quantity(unit, true);
@@ -45,7 +45,7 @@ impl Band {
         }
     }
 
-    /// Returns the default range, from below the lowest resonance to above the highest.
+    /// Returns the default range of frequencies, from below the lowest resonance to above the highest.
     pub fn about_resonances(system: &System, in_hertz: bool) -> Self {
         let [from, to] = system.about_resonances();
         Self {
@@ -56,7 +56,7 @@ impl Band {
         }
     }
 
-    /// Returns the range between two ratios. If `in_hertz` is true, tables print it in Hz.
+    /// Returns the range between two frequency ratios. If `in_hertz` is true, tables print frequencies in Hz.
     #[cfg(feature = "report")]
     pub fn between(from: f64, to: f64, in_hertz: bool) -> Self {
         Self {
@@ -67,7 +67,8 @@ impl Band {
         }
     }
 
-    /// Returns the range for results under this load. If the load has units, tables contain Hz next to r.
+    /// Returns the range for results under this load. If the load has units, tables contain frequencies in Hz next to
+    /// r.
     pub fn under(mut self, measure: &Measure) -> Self {
         self.unit = self.unit.under(measure);
         self
@@ -78,18 +79,18 @@ impl Band {
         self.unit.is_physical()
     }
 
-    /// Returns true if tables contain the frequency in Hz in addition to r.
+    /// Returns true if tables contain the frequency in Hz next to r.
     pub fn tells_hertz(&self) -> bool {
         self.unit.has_hertz()
     }
 
-    /// Returns the unit of the range.
+    /// Returns the unit in which the user gave the range.
     pub fn unit(&self) -> Unit {
         self.unit
     }
 }
 
-/// Returns the text of the given frequency option, and its unit.
+/// Returns the text of the frequency option that the user gave, and its unit.
 fn given(arguments: &FrequencyArguments) -> Result<(&str, Unit), Failure> {
     match (&arguments.r, &arguments.hz, &arguments.omega) {
         (Some(r), ..) => Ok((r, Unit::Ratio)),
@@ -106,8 +107,8 @@ fn too_far(quantity: GridQuantity, given: f64) -> Failure {
     ))
 }
 
-/// Returns the quantity that tells the parser how to read frequencies in this unit. If `in_time` is true, a frequency
-/// must be above 0 and finite.
+/// Returns the quantity by which the parser reads frequencies in this unit. If `in_time` is true, a frequency must be
+/// above 0 and finite.
 fn quantity(unit: Unit, in_time: bool) -> GridQuantity {
     match (unit, in_time) {
         (Unit::Ratio | Unit::RatioUnderLoad, false) => GridQuantity::FrequencyRatio,
@@ -124,12 +125,12 @@ fn quantity(unit: Unit, in_time: bool) -> GridQuantity {
 pub struct Frequencies {
     given: Vec<f64>,
     unit: Unit,
-    /// Quantity with which the parser read the frequencies.
+    /// Quantity by which the parser has read the frequencies.
     pub quantity: GridQuantity,
 }
 
 impl Frequencies {
-    /// Parses the grid. If `in_time` is true, every frequency must be above 0 and finite.
+    /// Parses a grid of frequencies. If `in_time` is true, every frequency must be above 0 and finite.
     pub fn parse(arguments: &FrequencyArguments, in_time: bool) -> Result<Self, Failure> {
         let (text, unit) = given(arguments)?;
         let quantity = quantity(unit, in_time);
@@ -140,7 +141,7 @@ impl Frequencies {
         })
     }
 
-    /// Parses a range a:b or a:step:b. A range without a step has 200 equally spaced frequencies.
+    /// Parses a range a:b or a:step:b as a grid. A range without a step has 200 equally spaced frequencies.
     pub fn spread(arguments: &FrequencyArguments) -> Result<Self, Failure> {
         let (text, unit) = given(arguments)?;
         let quantity = quantity(unit, true);
@@ -156,7 +157,7 @@ impl Frequencies {
         })
     }
 
-    /// Fails if the ratio r of a frequency is outside the range of `f64`.
+    /// Fails if the frequency ratio r of a frequency is out of the range of `f64`.
     pub fn check(&self, system: &System) -> Result<(), Failure> {
         let lost = |given: &&f64| !survives(**given, self.of(system, **given).r);
         match self.given.iter().find(lost) {
@@ -165,7 +166,7 @@ impl Frequencies {
         }
     }
 
-    /// Returns the only frequency, or an error if there are several.
+    /// Returns the only frequency of the grid, or an error if there are several.
     pub fn only(&self, system: &System) -> Result<Frequency, Failure> {
         match *self.given {
             [given] => Ok(self.of(system, given)),
@@ -178,13 +179,13 @@ impl Frequencies {
         self.given.len()
     }
 
-    /// Returns the grid for results under this load. If the load has units, tables contain Hz next to r.
+    /// Returns the grid for results under this load. If the load has units, tables contain frequencies in Hz next to r.
     pub fn under(mut self, measure: &Measure) -> Self {
         self.unit = self.unit.under(measure);
         self
     }
 
-    /// Returns the unit of the frequencies.
+    /// Returns the unit in which the user gave the frequencies.
     pub fn unit(&self) -> Unit {
         self.unit
     }
@@ -194,7 +195,7 @@ impl Frequencies {
         &self.given
     }
 
-    /// Returns all frequencies in the user's order.
+    /// Returns all frequencies of the grid in the user's order.
     pub fn all<'a>(&'a self, system: &'a System) -> impl Iterator<Item = Frequency> + 'a {
         self.given.iter().map(|given| self.of(system, *given))
     }

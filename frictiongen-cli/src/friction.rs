@@ -1,4 +1,4 @@
-//! Frictions on the command line: ratios β, or forces in N.
+//! Frictions on the command line: friction ratios β, or forces in N.
 
 use crate::args::FrictionArguments;
 use crate::failure::Failure;
@@ -9,7 +9,7 @@ use crate::number::survives;
 use frictiongen::study::columns::FrictionSetting;
 use frictiongen::study::units::LoadScale;
 
-/// A grid of friction ratios β, or of forces in N.
+/// A grid of frictions: friction ratios β, or forces in N.
 #[derive(Clone, Debug)]
 pub struct Frictions {
     given: Vec<f64>,
@@ -18,8 +18,8 @@ pub struct Frictions {
 }
 
 impl Frictions {
-    /// Parses the grid. If the command also has a grid of frequencies, the number of frequencies times the number of
-    /// frictions must not be too large.
+    /// Parses a grid of frictions. If the command also has a grid of frequencies, the number of frequencies times the
+    /// number of frictions must not exceed a limit.
     pub fn parse(
         arguments: &FrictionArguments,
         frequencies: Option<&Frequencies>,
@@ -27,7 +27,7 @@ impl Frictions {
         Self::read(arguments, frequencies, grid::parse)
     }
 
-    /// Parses the grid of a map, which allows a range without a step.
+    /// Parses the grid of frictions of a map. It may contain a range without a step.
     pub fn of_map(
         arguments: &FrictionArguments,
         frequencies: &Frequencies,
@@ -89,22 +89,22 @@ impl Frictions {
         Ok(self)
     }
 
-    /// Returns the frictions as the user gave them, as ratios or in N.
+    /// Returns the frictions as the user gave them, as friction ratios or in N.
     pub fn given(&self) -> &[f64] {
         &self.given
     }
 
-    /// Returns all frictions in the user's order.
+    /// Returns all frictions of the grid in the user's order.
     pub fn all(&self) -> impl Iterator<Item = FrictionSetting> + Clone + '_ {
         self.given.iter().map(|given| self.of(*given))
     }
 
-    /// Returns true if the user gave frictions as forces.
+    /// Returns true if the user gave the frictions as forces.
     pub fn are_forces(&self) -> bool {
         self.quantity == GridQuantity::FrictionForce
     }
 
-    /// Returns the only friction, or an error if there are several.
+    /// Returns the only friction of the grid, or an error if there are several.
     pub fn only(&self) -> Result<FrictionSetting, Failure> {
         match *self.given {
             [given] => Ok(self.of(given)),

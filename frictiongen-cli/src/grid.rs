@@ -1,28 +1,28 @@
-//! Parses grids: a number, a range `a:step:b` or `a:b`, or a comma-separated list of them.
+//! Parses grids of numbers: a number, a range `a:step:b` or `a:b`, or a comma-separated list of numbers and ranges.
 
 use crate::decimal::{Decimal, Decimals};
 use crate::failure::Failure;
 use crate::hint;
 use std::fmt;
 
-/// Largest number of points of a grid. For two grids it is the largest product of their numbers of points.
+/// Largest number of points of a grid. For two grids it is the largest product of the two numbers of points.
 pub const MOST_POINTS: usize = 10_000_000;
 
-/// Number of equal steps in a range `a:b`.
+/// Number of equal steps in a range `a:b` without a step.
 pub const STEPS: u32 = 100;
 
 /// Physical quantity of the numbers in a grid.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum GridQuantity {
-    /// Frequency ratio r; 0 and infinity are allowed.
+    /// Frequency ratio r. It may be 0 or infinite.
     FrequencyRatio,
     /// Frequency ratio r of a motion in time. It must be above 0 and finite, so that the excitation has a cycle.
     FrequencyRatioInTime,
-    /// Frequency in Hz; 0 and infinity are allowed.
+    /// Frequency in Hz. It may be 0 or infinite.
     Hertz,
     /// Frequency in Hz of a motion in time. It must be above 0 and finite, so that the excitation has a cycle.
     HertzInTime,
-    /// Angular frequency in rad/s; 0 and infinity are allowed.
+    /// Angular frequency in rad/s. It may be 0 or infinite.
     Omega,
     /// Angular frequency in rad/s of a motion in time. It must be above 0 and finite, so that the excitation has a
     /// cycle.
@@ -34,7 +34,7 @@ pub enum GridQuantity {
 }
 
 impl GridQuantity {
-    /// Returns the command-line option for the quantity.
+    /// Returns the command-line option that takes numbers of this quantity.
     pub fn option(self) -> &'static str {
         match self {
             Self::FrequencyRatio | Self::FrequencyRatioInTime => "--r",
@@ -70,7 +70,7 @@ impl GridQuantity {
         )
     }
 
-    /// Returns true if the quantity is a frequency. A range of frequencies needs no step.
+    /// Returns true if the quantity is a frequency. The user may give a range of frequencies without a step.
     fn is_frequency(self) -> bool {
         !matches!(self, Self::FrictionRatio | Self::FrictionForce)
     }
@@ -95,18 +95,18 @@ impl fmt::Display for GridError {
     }
 }
 
-/// Parses a grid. Returns at least one point, in the order of the text. A range `a:b` of frequencies has [`STEPS`]
-/// steps.
+/// Parses a grid of numbers. Returns at least one point, in the order of the text. A range `a:b` of frequencies has
+/// [`STEPS`] steps.
 pub fn parse(text: &str, quantity: GridQuantity) -> Result<Vec<f64>, GridError> {
     points(text, quantity, quantity.is_frequency())
 }
 
-/// Parses a grid as [`parse`] does. Ranges `a:b` are also allowed for frictions.
+/// Parses a grid as [`parse`] does. In addition, it permits ranges `a:b` of frictions.
 pub fn parse_ranges(text: &str, quantity: GridQuantity) -> Result<Vec<f64>, GridError> {
     points(text, quantity, true)
 }
 
-/// Parses a grid. If `open` is true, ranges without a step are allowed.
+/// Parses a grid. If `open` is true, the text may contain ranges without a step.
 fn points(text: &str, quantity: GridQuantity, open: bool) -> Result<Vec<f64>, GridError> {
     let mut points = Vec::new();
     for entry in text.split(',').map(str::trim) {
@@ -119,7 +119,8 @@ fn points(text: &str, quantity: GridQuantity, open: bool) -> Result<Vec<f64>, Gr
     Ok(points)
 }
 
-/// Parses a range a:b or a:step:b. Returns its end points, and the step or 0.
+/// Parses a range a:b or a:step:b. Returns its first and last number, and its step. The step is 0 if the text gives
+/// none.
 pub fn band(text: &str, quantity: GridQuantity) -> Result<[f64; 3], GridError> {
     let parts: Vec<&str> = text.split(':').collect();
     let ends = |first: &str, step: &str, last: &str| -> Result<[f64; 3], String> {
@@ -158,7 +159,7 @@ pub fn band(text: &str, quantity: GridQuantity) -> Result<[f64; 3], GridError> {
     })
 }
 
-/// Returns the error for a grid of several points, for a command that needs a single point.
+/// Returns the error of a command that needs a single point but gets a grid of several points.
 pub fn several(quantity: GridQuantity, points: usize) -> Failure {
     Failure::new(format_args!(
         "{}: one {} is needed, but this is a grid of {points}",
@@ -167,7 +168,7 @@ pub fn several(quantity: GridQuantity, points: usize) -> Failure {
     ))
 }
 
-/// Adds the points of one entry of the list.
+/// Adds the points of one entry of the comma-separated list to `points`.
 fn extend(
     points: &mut Vec<f64>,
     entry: &str,
@@ -223,15 +224,15 @@ fn extend(
     Ok(())
 }
 
-/// Returns the range of decimals if all three numbers are decimals.
+/// Returns the range as decimal numbers, if all three texts are decimal numbers.
 fn decimals(texts: [&str; 3]) -> Option<Decimals> {
     let [first, step, last] = texts.map(Decimal::parse);
     Decimals::new(first?, step?, last?)
 }
 
-/// Checks that `more` new points fit into a grid that has `already` points. Returns `more` as an integer.
+/// Checks that `more` new points fit into a grid that already has `already` points. Returns `more` as an integer.
 fn room(already: usize, more: f64) -> Result<usize, String> {
-    // Both conversions are exact, because the numbers are whole numbers, and small where they fit.
+    // Both conversions are exact, because the numbers are whole numbers and small enough.
     if more <= MOST_POINTS.saturating_sub(already) as f64 {
         Ok(more as usize)
     } else {
@@ -284,7 +285,8 @@ impl GridRange {
     fn point(&self, index: usize) -> f64 {
         let index = index as f64;
         if self.ends_at_last && index == self.steps {
-            // The last point is the number that the user wrote. It equals the computed point within rounding.
+            // The last point is exactly the number that the user wrote. It equals the computed point except for
+            // rounding.
             self.last
         } else {
             self.first + index * self.step
@@ -292,7 +294,7 @@ impl GridRange {
     }
 }
 
-/// Parses a number and replaces −0 by 0.
+/// Parses a number. Replaces −0 by 0.
 fn number(text: &str, quantity: GridQuantity) -> Result<f64, String> {
     let text = text.trim();
     let value: f64 = text.parse().map_err(|_| {
@@ -315,7 +317,7 @@ fn number(text: &str, quantity: GridQuantity) -> Result<f64, String> {
     Ok(value + 0.0)
 }
 
-/// Fails if the quantity cannot have this value.
+/// Fails if the quantity cannot have this value, such as a negative friction.
 fn admit(value: f64, quantity: GridQuantity) -> Result<(), String> {
     let (article, name) = (quantity.article(), quantity.name());
     if value < 0.0 {

@@ -1,4 +1,4 @@
-//! Grid of frequencies and frictions, with the settings for results at its points.
+//! A grid of frequencies and frictions, with the setting for the results at its points.
 
 use crate::asked::MovingPart;
 use crate::frequency::Frequencies;
@@ -9,11 +9,11 @@ use frictiongen::study::columns::Setting;
 
 /// System, frequencies, frictions, units and motions of a command that computes at each point of a grid.
 pub struct Grids {
-    /// The system that the answers describe.
+    /// The system that the results describe.
     pub system: System,
-    /// Frequencies of the results.
+    /// Frequencies at which the command computes results.
     pub frequencies: Frequencies,
-    /// Frictions of the results.
+    /// Frictions at which the command computes results.
     pub frictions: Frictions,
     /// Units of the results: SI units under a load, otherwise non-dimensional groups.
     pub measure: Measure,
@@ -22,7 +22,7 @@ pub struct Grids {
 }
 
 impl Grids {
-    /// Returns the settings for the tables of the library.
+    /// Returns the setting for the tables of the library.
     pub fn setting(&self) -> Setting<'_> {
         Setting {
             system: &self.system,
@@ -35,7 +35,7 @@ impl Grids {
         }
     }
 
-    /// Returns the number of points: frequencies times frictions.
+    /// Returns the number of points: the number of frequencies times the number of frictions.
     pub fn len(&self) -> usize {
         self.frequencies.len().saturating_mul(self.frictions.len())
     }

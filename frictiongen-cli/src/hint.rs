@@ -1,6 +1,7 @@
-//! Advice about a text that is not a number. It may have a decimal comma, or a unit after the number.
+//! Advice for the user about a text that is not a number. The text may have a decimal comma, or a unit after the
+//! number.
 
-/// Units that users write after numbers, with their power of ten in m, N, Hz or kg.
+/// Units that users write after numbers, each with its power of ten in m, N, Hz or kg.
 const UNITS: [(&str, i32); 13] = [
     ("m", 0),
     ("mm", -3),
@@ -33,8 +34,8 @@ pub fn decimal(text: &str) -> String {
     }
 }
 
-/// Returns advice about a text that is not a number, for the end of a message. The advice is empty if the text does not
-/// resemble a number.
+/// Returns advice about a text that is not a number, for the end of an error message. The advice is empty if the text
+/// does not resemble a number.
 pub fn of(text: &str) -> String {
     let text = text.trim();
     if text.contains(',') {
@@ -45,7 +46,7 @@ pub fn of(text: &str) -> String {
         let Some(number) = number.filter(|number| number.parse::<f64>().is_ok()) else {
             continue;
         };
-        // The power of ten is appended to the text, so that 1.2 mm becomes 0.0012 without rounding.
+        // The code appends the power of ten to the text. The text 1.2 mm then becomes 0.0012 without rounding.
         let scaled = format!("{number}e{power}").parse::<f64>();
         let scaled = scaled.map_or_else(|_| number.to_owned(), |scaled| scaled.to_string());
         return format!(

@@ -9,11 +9,11 @@ use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
 
-/// Largest size of a description in bytes. A larger file cannot be a description.
+/// Largest size of a description in bytes. The command rejects a larger file.
 const MOST_BYTES: usize = 16 << 20;
 
 impl FileArgument {
-    /// Returns the path of the file, or `None` for standard input.
+    /// Returns the path of the description's file, or `None` for standard input.
     pub fn path(&self) -> Option<&Path> {
         self.file.as_deref().filter(|path| *path != Path::new("-"))
     }
@@ -24,7 +24,7 @@ impl FileArgument {
             .map_or_else(|| "<stdin>".to_owned(), |path| path.display().to_string())
     }
 
-    /// Reads the text of the description.
+    /// Reads the text of the description from the file or from standard input.
     pub fn text(&self) -> Result<String, Failure> {
         let bytes = match self.path() {
             Some(path) => File::open(path).and_then(read),
@@ -58,8 +58,8 @@ impl FileArgument {
         self.maybe_joined(limits, true)
     }
 
-    /// Reads and parses the description of a scene that may have several contacts and dashpots. If `constant` is true, it
-    /// fails unless the kinetic friction is constant.
+    /// Reads and parses the description of a scene that may have several contacts and dashpots. If `constant` is true,
+    /// it fails unless the kinetic friction is constant.
     pub fn maybe_joined(
         &self,
         limits: &SizeLimits,
@@ -91,7 +91,7 @@ impl FileArgument {
         })
     }
 
-    /// Fails for a description with an elastic contact.
+    /// Fails if the contact of the description is elastic.
     pub fn check_rigid(&self, description: &Description) -> Result<(), Failure> {
         if description.scene.stiffness.is_none() {
             return Ok(());
@@ -119,7 +119,7 @@ impl FileArgument {
         Ok((description, text))
     }
 
-    /// Reads and parses a description for a command that needs the code of the macro. Also returns its text.
+    /// Reads and parses a description for a command that needs the macro's code. Also returns its text.
     pub fn exported(&self, limits: &SizeLimits) -> Result<(Description, String), Failure> {
         let text = self.text()?;
         let description = self.single(self.parsed(&text, limits)?)?;
@@ -138,7 +138,7 @@ impl FileArgument {
     }
 }
 
-/// Reads a source, at most one byte more than the largest allowed size.
+/// Reads from a source at most one byte more than the largest permitted size.
 fn read(source: impl Read) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     source.take(MOST_BYTES as u64 + 1).read_to_end(&mut bytes)?;

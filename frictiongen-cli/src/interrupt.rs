@@ -5,9 +5,9 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 static PRESSED: AtomicBool = AtomicBool::new(false);
 
-/// Starts to watch for Ctrl-C. The first Ctrl-C asks the computation to end, the second ends the program.
+/// Starts to watch for Ctrl-C. The first Ctrl-C asks the computation to end. The second Ctrl-C ends the program.
 pub fn watch() {
-    // If the program cannot catch signals, or already catches them, Ctrl-C ends it as usual.
+    // If the program cannot catch the signal, or already catches it, Ctrl-C ends the program as usual.
     let _ = ctrlc::set_handler(|| {
         if PRESSED.swap(true, Ordering::Relaxed) {
             std::process::exit(130);
@@ -20,7 +20,8 @@ pub fn pressed() -> bool {
     PRESSED.load(Ordering::Relaxed)
 }
 
-/// Returns the failure of a search that Ctrl-C stopped, after it has printed the best result so far.
+/// Returns the failure of a search that the user stopped by Ctrl-C. The command has already printed the best result so
+/// far.
 pub fn search_stopped() -> Failure {
     Failure::new("stopped: the search did not end, and the friction is the best so far")
 }

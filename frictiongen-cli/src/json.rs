@@ -1,5 +1,5 @@
-//! Writes an output as one JSON object. The program writes each point, on a line of its own, as soon as it has computed
-//! it.
+//! Writes the output of a command as one JSON object. The program writes each point as soon as it has computed it, on a
+//! line of its own.
 
 use crate::number::{Cell, Lossless as _};
 use crate::summary::Summary;
@@ -9,14 +9,14 @@ use std::io::{self, Write};
 /// Version of the object's format. It increases when a field gets another name or another meaning.
 const VERSION: u32 = 1;
 
-/// Writes a JSON object step by step.
+/// Writes the output of a command as a JSON object, step by step.
 pub struct JsonWriter<'a> {
     out: &'a mut dyn Write,
     empty: bool,
 }
 
 impl<'a> JsonWriter<'a> {
-    /// Begins the object and writes all its fields before the points.
+    /// Begins the JSON object, and writes all fields that come before the points.
     pub fn begin(
         out: &'a mut dyn Write,
         summary: &Summary,
@@ -46,7 +46,7 @@ impl<'a> JsonWriter<'a> {
         Ok(Self { out, empty: true })
     }
 
-    /// Writes a point to the list of points.
+    /// Writes a point to the object's list of points.
     pub fn point(&mut self, point: &Json) -> io::Result<()> {
         let comma = if self.empty { "" } else { "," };
         self.empty = false;

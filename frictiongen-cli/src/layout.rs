@@ -1,4 +1,4 @@
-//! Arranges the cells of a row for the output: as lines of text, or as objects in JSON.
+//! Arranges the cells of a table row for the output: as lines of text, or as JSON objects.
 
 use crate::number::{Cell, Lossless as _};
 use crate::table;
@@ -16,15 +16,16 @@ pub enum Layout {
     Masses,
     /// Text has one line for each moving contact or mass. JSON is the same as for [`Layout::Masses`].
     Lines,
-    /// Several contacts. Text output is as for [`Layout::Lines`], and JSON output is as for [`Layout::Objects`].
+    /// For scenes with several contacts. Text output is as for [`Layout::Lines`], and JSON output is as for
+    /// [`Layout::Objects`].
     Joints,
 }
 
-/// Heading of the column with the name of the contact or mass.
+/// Heading of the column that contains the name of the contact or mass.
 const MOTION: &str = "motion";
 
 impl Layout {
-    /// Returns the columns of a printed table.
+    /// Returns the columns of the printed table in this layout.
     pub fn titles<R>(self, columns: &[Column<'_, R>]) -> Vec<table::PrintedColumn> {
         let first = columns.iter().find_map(|column| column.part.as_ref());
         let shown = columns.iter().filter(|column| column.is_in_text());
@@ -55,7 +56,7 @@ impl Layout {
         titles
     }
 
-    /// Returns the lines of a printed table for one row.
+    /// Returns the lines of the printed table for one row.
     pub fn lines<'r, R>(self, columns: &'r [Column<'_, R>], row: &'r R) -> Vec<Vec<Cell<'r>>> {
         let shown = || columns.iter().filter(|column| column.is_in_text());
         if !matches!(self, Self::Lines | Self::Joints) {
@@ -77,7 +78,7 @@ impl Layout {
                 line.push(column.read(row));
             }
         }
-        // A contact or mass without an amplitude does not move, and gets no line.
+        // A contact or mass without an amplitude does not move. It gets no line.
         let amplitude = once.len() + 1;
         lines.retain(|line| line.get(amplitude) != Some(&Cell::Missing));
         match lines.first_mut() {
@@ -90,7 +91,7 @@ impl Layout {
         lines
     }
 
-    /// Returns a row as a JSON object. If `motions` is false, the object contains no motions and no lists.
+    /// Returns a table row as a JSON object. If `motions` is false, the object contains neither motions nor lists.
     pub fn json<R>(self, columns: &[Column<'_, R>], row: &R, motions: bool) -> Json {
         let mut fields = Map::new();
         let mut parts: Vec<(&str, Map<String, Json>)> = Vec::new();
@@ -136,12 +137,12 @@ impl Layout {
     }
 }
 
-/// Name of the list of harmonics in JSON.
+/// Name of the JSON field with the list of harmonics.
 const HARMONICS: &str = "harmonics";
-/// Name of the order in an entry of the list of harmonics.
+/// Name of the JSON field with the order, in an entry of the list of harmonics.
 const ORDER: &str = "n";
 
-/// Adds a value to the entry of its harmonic.
+/// Adds a value to the entry of its harmonic in the list of harmonics.
 fn harmonic(fields: &mut Map<String, Json>, order: u32, name: &str, value: Json) {
     let list = fields
         .entry(HARMONICS)

@@ -60,14 +60,14 @@ use failure::Failure;
 use std::ffi::OsString;
 use std::io::Write;
 
-/// The reason why a command gave no result or an incomplete result.
+/// The reason why a command ended without a whole result.
 #[derive(Debug)]
 pub enum Ended {
     /// The command line is not valid, or asks for help.
     Usage(clap::Error),
     /// Lines of a message for the user.
     Lines(Vec<String>),
-    /// The program that reads the output has closed it.
+    /// The program that reads the output of the command has closed it.
     Closed,
 }
 
@@ -80,7 +80,7 @@ impl From<Failure> for Ended {
     }
 }
 
-/// Runs a command line. Its first word is the program's name. The results go to `out`.
+/// Runs a command line. Its first word is the name of the program. The command writes its results to `out`.
 ///
 /// # Errors
 /// [`Ended`] contains the message for the user.

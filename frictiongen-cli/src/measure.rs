@@ -10,7 +10,7 @@ pub use frictiongen::study::columns::PhysicalQuantity;
 use frictiongen::study::columns::{base_load, unbalance};
 use frictiongen::study::units::{Load, LoadError};
 
-/// Returns the units under the given load. Without a load the units are non-dimensional groups.
+/// Returns the units of the results under the given load. Without a load the results are non-dimensional groups.
 pub fn of(arguments: &LoadArguments, system: &System) -> Result<Measure, Failure> {
     let groups = Measure::groups(system);
     let under = |load: Load, name: &str, text: &str| {
@@ -36,7 +36,7 @@ pub fn of(arguments: &LoadArguments, system: &System) -> Result<Measure, Failure
             Err(problem) if problem.starts_with("the unit") && !text.contains(',') => {
                 return Err(wrong("--base", text, &problem));
             }
-            // A length is a number without a unit, as in all other options.
+            // As in all other options, a length is a number without a unit.
             _ => Load::Base(number("--base", text)?),
         };
         measure = under(load, "--base", text)?;
@@ -49,7 +49,7 @@ fn wrong(option: &str, text: &str, problem: &str) -> Failure {
     Failure::new(format_args!("{option} `{text}`: {problem}{hint}"))
 }
 
-/// Returns the units under a load of constant amplitude. Fails for any other load.
+/// Returns the units of the results under a load of constant amplitude. Fails for any other load.
 pub fn constant(arguments: &LoadArguments, system: &System) -> Result<Measure, Failure> {
     let measure = of(arguments, system)?;
     if let Some(load) = measure.load() {
@@ -64,7 +64,7 @@ pub fn constant(arguments: &LoadArguments, system: &System) -> Result<Measure, F
     Ok(measure)
 }
 
-/// Returns the option for the load: `--base` if the base drives the scene, otherwise `--force`.
+/// Returns the name of the option for the load: `--base` if the base drives the scene, otherwise `--force`.
 pub fn option(measure: &Measure) -> &'static str {
     if measure.is_base_motion() {
         "--base"
@@ -73,7 +73,7 @@ pub fn option(measure: &Measure) -> &'static str {
     }
 }
 
-/// Describes the load, with its units of force and length. Returns `None` without a load.
+/// Describes the load in words, with its units of force and length. Returns `None` without a load.
 pub fn description(measure: &Measure, number: impl Fn(f64) -> String) -> Option<String> {
     let scale = measure.scale()?;
     let (force, length) = (number(scale.force()), number(scale.length()));

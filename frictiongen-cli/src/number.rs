@@ -3,14 +3,14 @@
 pub use frictiongen::study::columns::Cell;
 use std::borrow::Cow;
 
-/// Returns the text of a flag in printed tables and CSV.
+/// Returns the text of a flag (true or false) in printed tables and CSV.
 pub fn word(flag: bool) -> &'static str {
     if flag { "true" } else { "false" }
 }
 
-/// A value that programs can read without loss.
+/// A value with a text that programs can read without loss.
 pub trait Lossless {
-    /// Formats a value with as few digits as possible, so that a program reads the same number again.
+    /// Formats a value with as few digits as possible. A program that reads the text gets the same number.
     fn exact(&self) -> Cow<'_, str>;
     /// Converts a value to JSON.
     fn json(&self) -> serde_json::Value;
@@ -23,7 +23,7 @@ impl Lossless for Cell<'_> {
             Self::Count(value) => Cow::Owned(value.to_string()),
             Self::Word(text) => Cow::Borrowed(text),
             Self::Flag(value) => Cow::Borrowed(word(*value)),
-            // CSV has no column for lists.
+            // A list does not fit into a cell of a CSV file.
             Self::Pairs(_) | Self::Missing => Cow::Borrowed(""),
         }
     }
@@ -49,13 +49,14 @@ impl Lossless for Cell<'_> {
     }
 }
 
-/// Returns true if the conversion from `given` to `computed` has neither overflowed nor underflowed. The computed
-/// number must be 0 if and only if the given number is 0, and finite if and only if the given number is finite.
+/// Returns true if the conversion from `given` to `computed` has neither overflowed nor underflowed. In this case, the
+/// computed number is 0 exactly if the given number is 0, and finite exactly if the given number is finite.
 pub fn survives(given: f64, computed: f64) -> bool {
     computed.is_finite() == given.is_finite() && (computed == 0.0) == (given == 0.0)
 }
 
-/// Formats a computed number for people. It has six decimals, or six significant digits if six decimals are not enough.
+/// Formats a computed number for people: with six decimals, or with six significant digits if six decimals are not
+/// enough.
 pub fn computed(value: f64) -> String {
     let size = value.abs();
     if size == 0.0 {
@@ -68,10 +69,10 @@ pub fn computed(value: f64) -> String {
 }
 
 /// Formats a computed number that is known only to lie within an interval of this width. The format is that of
-/// [`computed`], without the digits that the width makes meaningless.
+/// [`computed`], but it leaves out the digits that the width makes meaningless.
 pub fn within(value: f64, width: f64) -> String {
     let size = value.abs();
-    // The last printed decimal is the first one that the width changes.
+    // The last printed decimal is the first one that the width of the interval changes.
     let decimals = (-width.log10()).ceil();
     if size == 0.0 || size.is_infinite() || !width.is_finite() {
         computed(value)
@@ -96,7 +97,7 @@ pub fn given(value: f64, decimals: usize) -> String {
     }
 }
 
-/// Returns the number of decimals that a number needs. Digits that only rounding has caused do not count.
+/// Returns the number of decimals that a number needs. Digits that come only from rounding do not count.
 pub fn decimals(value: f64) -> usize {
     let text = given(value, MOST_DECIMALS);
     match text.split_once('.') {

@@ -11,7 +11,7 @@ use crate::{csv, json, table};
 use frictiongen::study::columns::Column;
 use std::io::{BufWriter, Write};
 
-/// Function that receives the points.
+/// Function that receives the rows of a table, one after the other.
 pub type Visitor<'a, P> = &'a mut dyn FnMut(&P) -> Result<(), Failure>;
 
 /// A table of results: its rows and columns, and their layout.
@@ -25,28 +25,28 @@ pub trait ResultTable {
     fn each(&self, visit: Visitor<'_, Self::Row>) -> Result<(), Failure>;
     /// Returns the columns of the table, from left to right.
     fn columns(&self) -> Vec<Column<'_, Self::Row>>;
-    /// Returns the arrangement of the motions of a row in text and in JSON.
+    /// Returns the arrangement of a row's motions in text and in JSON.
     fn layout(&self) -> Layout {
         Layout::Flat
     }
-    /// Returns true if the JSON of a row contains motions and lists.
+    /// Returns true if the JSON object of a row contains motions and lists.
     fn has_motions(&self, _row: &Self::Row) -> bool {
         true
     }
-    /// Returns fields that JSON contains once, after the fields of the scene.
+    /// Returns fields that the JSON output contains once, after the fields of the scene.
     fn head(&self) -> Vec<(String, serde_json::Value)> {
         Vec::new()
     }
-    /// Returns the lines of a printed table between the lines of the scene and the rows. Each line has a title and a
-    /// text.
+    /// Returns the lines of a printed table that come after the lines of the scene and before the rows. Each line has a
+    /// title and a text.
     fn preamble(&self) -> Vec<(&'static str, String)> {
         Vec::new()
     }
-    /// Returns an additional JSON field of a row, or `None`.
+    /// Returns an additional JSON field for a row, or `None`.
     fn more(&self, _row: &Self::Row) -> Option<(&'static str, serde_json::Value)> {
         None
     }
-    /// Returns the lines of a printed table for one row.
+    /// Returns the lines of the printed table for one row.
     fn lines<'r>(
         &self,
         columns: &'r [Column<'_, Self::Row>],

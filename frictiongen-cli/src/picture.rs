@@ -9,15 +9,15 @@ use frictiongen_plot::desk::{Scales, sketch};
 use frictiongen_plot::{Axis, Colour, Figure, Label, Line, Panel, Sketch, Stroke};
 use std::io::Write;
 
-/// Number of PNG pixels along a side of an SVG pixel.
+/// Number of PNG pixels along the side of an SVG pixel.
 #[cfg(feature = "png")]
 const SCALE: f32 = 2.0;
 
-/// Ratio of the end of an axis to the largest value on it.
+/// The end of an axis, divided by the largest value on the axis.
 pub const ROOM: f64 = 1.15;
 
-/// Returns panels against time in s, with displacements in m, spring forces in N and the friction force in N. `motions`
-/// has the values of each displacement or spring force at the times.
+/// Returns the panels of a picture against time in s. They show displacements in m, spring forces in N and the friction
+/// force in N. `motions` has the values of each displacement or spring force at the times.
 pub fn over_time(times: &[f64], motions: &[(&MovingPart, &[f64])], force: &[f64]) -> Vec<Panel> {
     let ends = [times.first(), times.last()].map(|end| end.copied().unwrap_or(0.0));
     let [first, last] = ends;
@@ -84,7 +84,7 @@ pub fn scales(system: &System, in_hertz: bool, measure: &Measure) -> Scales {
     }
 }
 
-/// Adds the amplitude of the load to the caption of a figure, if the figure is in N and m. For a figure in
+/// Adds the amplitude of the load to the caption of a figure if the figure is in N and m. If the figure is in
 /// non-dimensional groups, the caption is only `more`.
 pub fn under_load(figure: Figure, measure: &Measure, more: &str) -> Figure {
     let caption = match measure::description(measure, short) {
@@ -98,13 +98,13 @@ pub fn under_load(figure: Figure, measure: &Measure, more: &str) -> Figure {
     }
 }
 
-/// Formats a number for a caption, with four digits.
+/// Formats a number with four significant digits for a caption.
 pub fn short(value: f64) -> String {
     let rounded = format!("{value:.3e}").parse().unwrap_or(value);
     format!("{rounded}")
 }
 
-/// Returns the title of the panel of a motion.
+/// Returns the title of the panel that shows the motion of `part`.
 pub fn part_name(part: &MovingPart) -> Label {
     Label::verbatim(&part.name)
 }
@@ -129,7 +129,7 @@ pub fn write_with(
     write_alone(&figure.with_sketch(sketch), form, out)
 }
 
-/// Writes a figure as it is.
+/// Writes a figure without a sketch.
 pub fn write_alone(
     figure: &Figure,
     form: OutputFormat,

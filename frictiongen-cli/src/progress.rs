@@ -3,14 +3,14 @@
 use std::io::{self, IsTerminal, Write};
 use std::time::{Duration, Instant};
 
-/// Time from the start of the run to the first message.
+/// Time from the start of a run to the first message about its progress.
 const PATIENCE: Duration = Duration::from_secs(1);
 /// Time between two messages about the progress.
 const PACE: Duration = Duration::from_millis(200);
 
 /// The progress of a run, for messages to the user.
 pub struct Progress {
-    /// Number of items. `None` for a search, whose length is unknown.
+    /// Number of items of the run. `None` for a search, whose length is unknown.
     total: Option<usize>,
     done: usize,
     what: &'static str,
@@ -20,20 +20,20 @@ pub struct Progress {
 }
 
 impl Progress {
-    /// Starts the progress of a run over `total` items. The run prints results while it finds them. Messages call the
-    /// items `what`.
+    /// Starts the progress of a run over `total` items that prints its results one by one. In the messages, the items
+    /// have the name `what`.
     pub fn new(total: usize, what: &'static str) -> Self {
-        // If the output goes to the same terminal, the lines of the output already show the progress.
+        // If the output goes to the same terminal, its lines already show the progress.
         Self::seen(Some(total), what, !io::stdout().is_terminal())
     }
 
-    /// Starts the progress of a run over `total` items. The run prints no results before its end. Messages call the
-    /// items `what`.
+    /// Starts the progress of a run over `total` items that prints no results before its end. In the messages, the
+    /// items have the name `what`.
     pub fn silent(total: usize, what: &'static str) -> Self {
         Self::seen(Some(total), what, true)
     }
 
-    /// Starts the progress of a search of unknown length. Messages state the time since the start.
+    /// Starts the progress of a search whose length is unknown. Its messages state the time since the start.
     pub fn search() -> Self {
         Self::seen(None, "", true)
     }
@@ -51,7 +51,7 @@ impl Progress {
         }
     }
 
-    /// Counts one more item as done.
+    /// Counts one more item as finished.
     pub fn step(&mut self) {
         self.reach(self.done + 1);
     }
@@ -82,7 +82,7 @@ impl Drop for Progress {
     }
 }
 
-/// Returns the message of a run with `done` finished items after the time `passed`.
+/// Returns the message of a run that has finished `done` items after the time `passed`.
 fn line(done: usize, total: usize, what: &str, passed: Duration) -> String {
     let percent = done.saturating_mul(100) / total.max(1);
     let mut line = format!("frictiongen: {percent:>3} % of {total} {what}");
@@ -109,7 +109,7 @@ fn spell(seconds: f64) -> String {
     }
 }
 
-/// Writes a text to standard error.
+/// Writes a message to standard error.
 pub fn say(text: &str) {
     let mut stderr = io::stderr().lock();
     // If standard error cannot be written, the computation continues.

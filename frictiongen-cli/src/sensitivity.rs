@@ -57,7 +57,7 @@ pub fn run(arguments: &SensitivityArguments, out: &mut dyn Write) -> Result<(), 
 struct SensitivityReport {
     of: Of,
     grids: Grids,
-    /// True if the output has a line with the values before the lines with their derivatives.
+    /// True if the output has a line with the results themselves before the lines with their derivatives.
     with_answers: bool,
 }
 
@@ -94,7 +94,7 @@ impl ResultTable for SensitivityReport {
     }
 }
 
-/// Visits the rows of an operating point. If `with_answers` is true, a row with the values themselves comes first.
+/// Visits the rows of an operating point. If `with_answers` is true, a row with the results themselves comes first.
 pub fn each_row<D: Clone>(
     rows: &[SensitivityRow<D>],
     with_answers: bool,

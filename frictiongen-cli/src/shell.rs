@@ -1,5 +1,5 @@
-//! Prints or installs completion scripts for shells and the manual pages. The crates `clap_complete` and `clap_mangen` generate them
-//! from the definition of the arguments.
+//! Prints or installs the manual pages, and the scripts for completion in shells. The crates `clap_complete` and
+//! `clap_mangen` generate them from the definition of the arguments.
 
 use crate::args::{Arguments, CompletionsArguments, ManArguments, SetupArguments};
 use crate::failure::{Failure, reason};
@@ -8,14 +8,14 @@ use clap_complete::Shell;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-/// For each shell, the folder in which the shell looks for the completions of a program, below the folder of shared
-/// data.
+/// The folder in which each shell looks for the completions of a program. The paths are relative to the folder of
+/// shared data.
 const FOLDERS: [(Shell, &str); 3] = [
     (Shell::Bash, "bash-completion/completions"),
     (Shell::Zsh, "zsh/site-functions"),
     (Shell::Fish, "fish/vendor_completions.d"),
 ];
-/// Folder of the manual pages, below the folder of shared data.
+/// Folder of the manual pages, relative to the folder of shared data.
 const PAGES: &str = "man/man1";
 
 /// Prints the completion script of a shell.
@@ -71,11 +71,11 @@ pub fn setup(arguments: &SetupArguments, out: &mut dyn Write) -> Result<(), Fail
     Ok(out.flush()?)
 }
 
-/// Returns the folder for shared data of this user.
+/// Returns the folder of this user for data that programs share.
 fn shared_data() -> Result<PathBuf, Failure> {
     let set = |name| std::env::var_os(name).filter(|value| !value.is_empty());
     let home = || set("HOME").map(|home| Path::new(&home).join(".local/share"));
-    // The standard tells programs to ignore a relative path here.
+    // According to the XDG standard, programs ignore a relative path in this variable.
     let given = set("XDG_DATA_HOME").map(PathBuf::from);
     let given = given.filter(|path| path.is_absolute());
     given.or_else(home).ok_or_else(|| {

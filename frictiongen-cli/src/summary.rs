@@ -1,4 +1,4 @@
-//! Lines above a table: the scene, its natural frequencies and the non-dimensional groups.
+//! Lines before a table: the scene, its natural frequencies and the non-dimensional groups.
 
 use crate::measure::{self, Measure};
 use crate::number::computed;
@@ -7,10 +7,10 @@ use frictiongen::study::scene::{Damping, DampingFrom, Excitation, Scene};
 use frictiongen::study::units;
 use std::io::{self, Write};
 
-/// Largest number of natural frequencies above a table.
+/// Largest number of natural frequencies in the lines before a table.
 const MOST_SHOWN: usize = 8;
 
-/// Contents of the lines above a table.
+/// Contents of the lines before a table.
 #[derive(Clone, Debug)]
 pub struct Summary {
     /// Name of the scene.
@@ -31,7 +31,7 @@ pub struct Summary {
 }
 
 impl Summary {
-    /// Collects the contents for a system.
+    /// Collects the contents of the lines for a system.
     pub fn of(system: &System, physical: bool, measure: Measure) -> Self {
         let scene = system.scene();
         let natural_frequencies = system.natural_frequencies();
@@ -48,12 +48,12 @@ impl Summary {
         }
     }
 
-    /// Returns the definition of β for this excitation.
+    /// Returns the definition of the friction ratio β for this excitation, as text.
     pub fn friction_ratio(&self) -> &'static str {
         if self.base_motion { "F/(k1 Y)" } else { "F/P" }
     }
 
-    /// Writes the text of [`write`](Self::write), with each line as a comment.
+    /// Writes the text of [`write`](Self::write), but each line as a comment.
     pub fn comment(&self, out: &mut dyn Write, more: &[(&str, String)]) -> io::Result<()> {
         let mut text = Vec::new();
         self.write(&mut text, more)?;
@@ -62,7 +62,7 @@ impl Summary {
         lines.try_for_each(|line| writeln!(out, "# {line}"))
     }
 
-    /// Writes the lines above a table, followed by additional lines of the command.
+    /// Writes the lines before a table, and then additional lines of the command.
     pub fn write(&self, out: &mut dyn Write, more: &[(&str, String)]) -> io::Result<()> {
         writeln!(out, "{}: {}", self.scene, self.description)?;
         writeln!(out)?;
@@ -88,7 +88,8 @@ impl Summary {
     }
 }
 
-/// Returns the first numbers as text, each with a fixed width. The text ends with the number of omitted numbers.
+/// Returns the first numbers of a list as text, each with a fixed width. The text ends with the number of omitted
+/// numbers.
 pub fn row(values: &[f64]) -> String {
     let mut cells: Vec<String> = values
         .iter()

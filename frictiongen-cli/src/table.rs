@@ -1,10 +1,10 @@
-//! Writes printed tables, with columns aligned at the decimal points.
+//! Writes printed tables. Columns are aligned at the decimal points.
 
 use crate::number::{Cell, computed, decimals, given, within, word};
 use frictiongen::study::columns::{self, ColumnKind};
 use std::io::{self, Write};
 
-/// The format of a column's values.
+/// The format of the values in a column of a printed table.
 #[derive(Clone, Copy, Debug)]
 enum Style {
     /// Words, aligned left.
@@ -25,7 +25,7 @@ pub struct PrintedColumn {
     width: usize,
 }
 
-/// Width of most computed numbers, such as -1234.567891 or -1.23457e-10.
+/// Width of most computed numbers in characters, such as -1234.567891 or -1.23457e-10.
 const COMPUTED_WIDTH: usize = 12;
 
 impl PrintedColumn {
@@ -45,7 +45,7 @@ impl PrintedColumn {
         Self::new(title, Style::Words, widest.unwrap_or(0))
     }
 
-    /// Returns a column for the numbers of a grid.
+    /// Returns a column for the numbers of a grid, which the user gave.
     pub fn given(title: &[&str], grid: &[f64]) -> Self {
         let most = grid.iter().map(|value| decimals(*value)).max().unwrap_or(0);
         let widest = grid.iter().map(|value| given(*value, most).len()).max();
@@ -62,7 +62,7 @@ impl PrintedColumn {
         Self::new(title, Style::Computed, COMPUTED_WIDTH)
     }
 
-    /// Returns the printed column for a column of the library, under this heading.
+    /// Returns the printed column that shows a column of the library, with the heading `title`.
     pub fn of<R>(column: &columns::Column<'_, R>, title: &[&str]) -> Self {
         match column.kind {
             ColumnKind::Given(grid) => Self::given(title, grid),

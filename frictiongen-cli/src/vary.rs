@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use std::fmt::Display;
 
-/// The text of the option, divided into its name and its interval.
+/// The text of the option `--vary`, divided into a name and an interval.
 pub struct Vary<'t> {
     text: &'t str,
     /// Name of the number that varies.
@@ -12,7 +12,7 @@ pub struct Vary<'t> {
 }
 
 impl<'t> Vary<'t> {
-    /// Divides the text.
+    /// Divides the text of the option into the name and the interval.
     pub fn parsed(text: &'t str) -> Result<Self, Failure> {
         let (name, interval) = text.rsplit_once('=').ok_or_else(|| {
             wrong(
@@ -27,7 +27,7 @@ impl<'t> Vary<'t> {
         })
     }
 
-    /// Returns the ends of the interval.
+    /// Returns the lower and the upper bound of the interval.
     pub fn ends(&self) -> Result<(f64, f64), Failure> {
         let (from, to) = self
             .interval
@@ -40,7 +40,7 @@ impl<'t> Vary<'t> {
         Ok((end(from)?, end(to)?))
     }
 
-    /// Returns the failure for a problem with the option.
+    /// Returns the failure for an error in the option.
     pub fn wrong(&self, problem: &dyn Display) -> Failure {
         wrong(self.text, problem)
     }

@@ -2,7 +2,7 @@
 //!
 //! The modules, from the lowest layer to the highest, are [`number`], [`oscillator`], [`modal_sum`], [`contact`],
 //! [`response`], [`table`] and [`motion`]. Each module uses only modules that precede it in this list. [`simulation`],
-//! [`stepper`] and [`orbit`] use the modules of this list, and not one another. [`joints`] has the motion of scenes
+//! [`stepper`] and [`orbit`] use the modules of this list, but not each other. [`joints`] computes the motion of scenes
 //! with several contacts. [`errors`] has the error types of all modules.
 #![cfg_attr(not(any(test, feature = "std")), no_std)]
 

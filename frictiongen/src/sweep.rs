@@ -1,5 +1,5 @@
-//! Sweeps over the frequency ratio r and the friction ratio β, for emitted and run-time systems. They are serial, do
-//! not allocate, and write into the caller's slices.
+//! Sweeps over the frequency ratio r and the friction ratio β, for emitted and run-time systems. The functions run on
+//! one thread, do not allocate, and write their results into the caller's slices.
 //!
 //! ```
 //! use frictiongen::sweep::{self, LimitsPoint};
@@ -51,13 +51,14 @@ pub struct LimitsPoint<S> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum SweepError {
-    /// A value of r or β is outside the domain. The results before this value are already written.
+    /// A frequency ratio r or friction ratio β is outside the domain. The function has already written the results for
+    /// all earlier values.
     OutOfDomain(OutOfDomain),
-    /// The slice for the results does not have one entry for each point.
+    /// The length of the slice for the results differs from the number of points.
     Length {
-        /// Number of points, for each of which there is one result.
+        /// Number of points. Each point has one result.
         points: usize,
-        /// Number of results that fit into the slice.
+        /// Length of the slice for the results.
         room: usize,
     },
 }
@@ -92,7 +93,7 @@ fn check_length(points: usize, room: usize) -> Result<(), SweepError> {
     }
 }
 
-/// Computes the limits β_lim and β*_lim at every frequency ratio, and writes them to a slice.
+/// Computes the limits β_lim and β*_lim at every frequency ratio, and writes them to the slice of results.
 ///
 /// # Errors
 /// [`SweepError`] if a frequency ratio is outside the domain, or if the slices have different lengths.
@@ -113,8 +114,8 @@ pub fn limits<F: FrictionSystem>(
     Ok(())
 }
 
-/// Computes the regime at every pair of frequency ratio and friction ratio, and writes it to a slice. The results for
-/// all β of the first r come first. The call computes the limits once for each r.
+/// Computes the regime at every pair of frequency ratio r and friction ratio β, and writes it to the slice of results.
+/// The results for the first r and all β come first. The call computes the limits once for each r.
 ///
 /// # Errors
 /// [`SweepError`] if an r or β is outside the domain, or if the slice does not have one entry for each pair.
@@ -134,9 +135,9 @@ pub fn regimes<F: FrictionSystem>(
     Ok(())
 }
 
-/// Computes the exact amplitude at every pair of frequency ratio and friction ratio, and writes it to a slice. The
-/// results for all β of the first r come first. An entry is `None` outside the continuous regime, on an unbounded
-/// resonance, and for a motion that the scene does not provide.
+/// Computes the exact amplitude at every pair of frequency ratio r and friction ratio β, and writes it to the slice of
+/// results. The results for the first r and all β come first. An entry is `None` if the regime is not continuous, on an
+/// unbounded resonance, and for a motion that the scene does not provide.
 ///
 /// # Errors
 /// [`SweepError`] if an r or β is outside the domain, or if the slice does not have one entry for each pair.

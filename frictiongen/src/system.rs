@@ -1,5 +1,5 @@
-//! Traits that emitted solvers and the run-time `System` have in common. A sweep, map or fit that uses these traits
-//! works for emitted solvers and for a `System`.
+//! Traits that emitted solvers and the run-time `System` implement. A sweep, map or fit that uses these traits works
+//! with both.
 
 pub use crate::steady::{Of, Steady};
 use crate::targets::{HeldStill, InParts, Limited, Moved};
@@ -50,10 +50,10 @@ pub trait FrictionSystem {
     /// Evaluates the scene at the frequency ratio r = ω√(m₁/k₁).
     ///
     /// # Errors
-    /// [`OutOfDomain`] for NaN and negative r. At r = 0 and r = ∞ the system returns the limiting values.
+    /// [`OutOfDomain`] for NaN and negative r. At r = 0 and r = ∞ the scene returns limiting values.
     fn at(&self, r: Self::Scalar) -> Result<Self::At<'_>, OutOfDomain>;
-    /// Returns β_lim and β*_lim at r without a search over time. This is the fastest call if no other result is needed
-    /// at this r.
+    /// Returns β_lim and β*_lim at the frequency ratio r without a search over time. β_lim is an upper bound. This is
+    /// the fastest call if no other result is needed at this r.
     ///
     /// # Errors
     /// [`OutOfDomain`] for NaN and negative r. At r = 0 and r = ∞ the results are the limiting values.
@@ -67,8 +67,8 @@ pub trait FrictionSystem {
     /// Computes [`limits_without_search`](Self::limits_without_search) at each frequency ratio of a slice, and writes
     /// β_lim and β*_lim to two slices of the same length.
     ///
-    /// The results have the same bits as those of single calls. If all modes are undamped or all are lightly damped,
-    /// the call takes less time, because it computes several frequencies at once.
+    /// The results are equal to those of single calls, to the last bit. If all modes are undamped or all are lightly
+    /// damped, the call takes less time than single calls, because it computes several frequencies at once.
     ///
     /// ```
     /// use frictiongen::{FrictionSystem, friction_system};
@@ -90,8 +90,8 @@ pub trait FrictionSystem {
     /// ```
     ///
     /// # Errors
-    /// [`OutOfDomain`] for a slice of another length, which leaves both slices unchanged. [`OutOfDomain`] also at the
-    /// first NaN or negative r. The results before this r are already written.
+    /// [`OutOfDomain`] for a slice of another length. Both slices are then unchanged. [`OutOfDomain`] also at the first
+    /// NaN or negative r. The call has then written the results for all earlier r.
     fn limits_without_search_into(
         &self,
         rs: &[Self::Scalar],
@@ -147,18 +147,19 @@ macro_rules! emitted_system {
     };
 }
 
-/// The limits of the regimes at one frequency ratio.
+/// The limits β_lim and β*_lim, and the regimes, at one frequency ratio.
 pub trait LimitsAt {
     /// The scalar type of the scene.
     type Scalar: Float;
 
     /// Returns the exact limit of continuous motion β_lim (5.65, 5.80, 5.96, 7.49).
     fn continuous_limit(&self) -> Self::Scalar;
-    /// Returns an upper bound on β_lim. It uses the limit of the velocity constraint for τ → 0 in place of its maximum
-    /// S (5.64).
+    /// Returns an upper bound on β_lim (5.64). In place of the maximum S of the velocity constraint, the bound uses the
+    /// limit of the constraint for τ → 0.
     fn continuous_limit_without_search(&self) -> Self::Scalar;
-    /// Returns the lower bound on β_lim that the thesis prints (5.55, 7.37). The exact velocity constraint S is the
-    /// maximum over time of a sum over the modes. The bound uses the sum of the maxima of the single modes instead.
+    /// Returns the lower bound on β_lim that the thesis prints (5.55, 7.37). In the exact limit, the velocity
+    /// constraint S is the maximum over time of a sum over the modes. The bound uses the sum of the maxima of the
+    /// single modes instead.
     fn continuous_limit_per_mode(&self) -> Self::Scalar;
     /// Returns the limit of sliding β*_lim. A stuck state exists for β ≥ β*_lim (6.11, 6.27, 6.33).
     fn sliding_limit(&self) -> Self::Scalar;
@@ -174,8 +175,8 @@ pub trait LimitsAt {
     /// # Errors
     /// [`OutOfDomain`] for NaN, negative and infinite β.
     fn regime(&self, beta: Self::Scalar) -> Result<Regime, OutOfDomain>;
-    /// Returns the margin β/min(β_lim, β*_lim) − 1. It is negative if β is below β_lim and β*_lim. The closed form then
-    /// exists.
+    /// Returns the margin β/min(β_lim, β*_lim) − 1. If it is negative, β is less than β_lim and β*_lim, and the contact
+    /// can slide all the time.
     ///
     /// # Errors
     /// [`OutOfDomain`] for NaN, negative and infinite β.
@@ -243,8 +244,9 @@ where
     label = "add `stuck` to the scene's `provide: [...]`"
 )]
 pub trait StuckAt: LimitsAt {
-    /// Returns x̄* = V_k − H_kV/H, the complex amplitude of mass k while the contact is stuck. `index` is the index of
-    /// the mass in the description. Returns `None` if no mass has this index.
+    /// Returns x̄* = V_k − H_kV/H, the complex amplitude of mass k while the contact is stuck. V_k and V are the
+    /// motions of mass k and of the contact without friction. H_k and H are their responses to a unit force in the
+    /// contact. `index` is the index of the mass in the description. Returns `None` if no mass has this index.
     ///
     /// # Errors
     /// [`StuckResonance`] on an undamped resonance of the chain with its contact stuck.

@@ -1,10 +1,9 @@
 //! Evaluates one frequency of a signal, sample by sample, in a fixed amount of memory. A device can use it to monitor
 //! its own friction.
-//!
-//! A [`Watch`] is a sliding Goertzel filter. It computes the Fourier sum of its last N samples at one frequency, which
-//! must have whole cycles in N samples. Two filters, one for the base and one for a mass, give the displacement
-//! transmissibility. [`friction_ratio`] computes the friction ratio from the transmissibility. The code neither
-//! allocates nor panics, and rounding errors do not accumulate.
+//! A [`Watch`] is a sliding Goertzel filter. It computes the Fourier sum of its last N samples at one frequency. This
+//! frequency must have a whole number of cycles in N samples. Two filters, one for the base and one for a mass, give
+//! the displacement transmissibility. [`friction_ratio`] computes the friction ratio from the transmissibility. The
+//! code neither allocates nor panics. Its rounding errors do not accumulate.
 
 use crate::Complex;
 use frictiongen_kernel::Float;
@@ -33,16 +32,17 @@ pub struct Watch<S, const N: usize> {
     /// Fourier sum Σ x e^{−iωt} of the last N samples, before normalisation.
     sum: Complex<S>,
     /// Fourier sum of the samples since the last return to the start of the buffer. Every N samples it replaces `sum`,
-    /// so that older rounding errors disappear.
+    /// so that the rounding errors of older samples disappear.
     fresh: Complex<S>,
-    /// `turn` is the factor e^{−iωt} of the next sample. `step` is the ratio of this factor for two successive samples.
+    /// The field `turn` is the factor e^{−iωt} of the next sample. The field `step` is the quotient of this factor for
+    /// two successive samples.
     turn: Complex<S>,
     step: Complex<S>,
 }
 
 impl<S: Float, const N: usize> Watch<S, N> {
-    /// Creates a filter for the frequency with `cycles` whole cycles in N samples. This frequency is cycles/N times the
-    /// sampling rate. Returns `None` for zero cycles, and for N below 2·cycles + 1.
+    /// Creates a filter for the frequency with `cycles` whole cycles in N samples, which is cycles/N times the sampling
+    /// rate. Returns `None` for zero cycles, and if N is less than 2·cycles + 1.
     #[must_use]
     pub fn new(cycles: u16) -> Option<Self> {
         let zero = S::constant(0.0);
@@ -69,7 +69,7 @@ impl<S: Float, const N: usize> Watch<S, N> {
         let Some(slot) = self.samples.get_mut(self.place) else {
             return;
         };
-        // With whole cycles in N, the sample N steps ago has the same factor e^{−iωt} as the new one.
+        // N samples contain whole cycles. The sample N steps ago therefore has the same factor e^{−iωt} as the new one.
         let change = sample - *slot;
         *slot = sample;
         let turn = self.turn;
@@ -96,8 +96,8 @@ impl<S: Float, const N: usize> Watch<S, N> {
         }
     }
 
-    /// Returns the complex amplitude X of the fundamental x = Re X e^{iωt} over the last N samples. t = 0 is the first
-    /// of all samples. Returns `None` before N samples have been added.
+    /// Returns the complex amplitude X of the fundamental x = Re X e^{iωt} over the last N samples. The time t is 0 at
+    /// the first sample ever added. Returns `None` if fewer than N samples have been added.
     #[must_use]
     pub fn fundamental(&self) -> Option<Complex<S>> {
         #[allow(clippy::cast_precision_loss, reason = "a count of samples")]
@@ -121,14 +121,14 @@ pub fn transmissibility<S: Float>(mass: Complex<S>, base: Complex<S>) -> Option<
 
 /// Returns the friction ratio β from a mass's measured transmissibility, for a contact that slides all the time.
 ///
-/// If the contact slides all the time, the fundamental is X = V − (4iβ/π)e^{−iφ}H, so that |X − V| = 4β|H|/π (thesis
-/// 4.5, 6.4.2). V is the fundamental without friction, and H the response to a harmonic force in the contact. Friction
-/// therefore shifts the fundamental by a distance proportional to β. The scene's response at one known β gives the
-/// factor.
+/// If the contact slides all the time, the fundamental is X = V − (4iβ/π)e^{−iφ}H. Therefore |X − V| = 4β|H|/π (thesis
+/// 4.5, 6.4.2). V is the fundamental without friction, and H the response to a harmonic unit force in the contact.
+/// Friction therefore shifts the fundamental by a distance proportional to β. The scene's response at one known β gives
+/// the factor.
 ///
 /// `measured` is the measured fundamental, and `still` the scene's fundamental without friction. `known` is the scene's
-/// fundamental at the friction ratio `beta`. Above β_lim, which `continuous_limit` returns, the contact stops and the
-/// result is too small. Returns `None` if friction does not shift the fundamental.
+/// fundamental at the friction ratio `beta`. If β exceeds β_lim, which `continuous_limit` returns, the contact stops,
+/// and the result is too small. Returns `None` if friction does not shift the fundamental.
 ///
 /// ```
 /// use frictiongen::watch::friction_ratio;

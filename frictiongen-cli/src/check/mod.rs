@@ -16,13 +16,13 @@ use std::ops::Range;
 pub fn run(arguments: &CheckArguments, out: &mut dyn Write) -> Result<(), Failure> {
     let name = arguments.file.name();
     let text = arguments.file.text()?;
-    // The command rejects every description that the macro rejects. Scenes with several contacts or dashpots are the
-    // exception: the command accepts all valid ones.
+    // The command rejects every description that the macro rejects, with one exception: it accepts all valid scenes
+    // with several contacts or dashpots.
     let description = parse_text(&text, &SizeLimits::CHECK).map_err(|diagnostics| {
         if arguments.json {
             let answer =
                 json!({ "file": name, "errors": listed(&diagnostics.list), "warnings": [] });
-            // The errors go to standard error too, so that the user sees them even if this write fails.
+            // The command also writes the errors to standard error. The user then sees them even if this write fails.
             let _ = writeln!(out, "{answer:#}");
             let _ = out.flush();
         }
@@ -73,7 +73,7 @@ pub fn run(arguments: &CheckArguments, out: &mut dyn Write) -> Result<(), Failur
     Ok(out.flush()?)
 }
 
-/// Returns errors or warnings as JSON, each with its line and column, counted from 1.
+/// Returns errors or warnings of a description as JSON, each with its line and column, counted from 1.
 fn listed(list: &[Diagnostic]) -> Json {
     let one =
         |of: &Diagnostic| json!({ "line": of.line, "column": of.column, "message": of.message });
@@ -89,8 +89,8 @@ fn shown(name: &str, text: &str, error: &Diagnostic, level: Level<'_>) -> String
     Renderer::plain().render(&[report])
 }
 
-/// Returns the range of bytes of the token at a line and a column, both counted from 1. The range is empty beyond the
-/// end of the text.
+/// Returns the range of bytes of the token at a line and a column of the description, both counted from 1. The range is
+/// empty if the position is after the end of the text.
 fn token(text: &str, line: usize, column: usize) -> Range<usize> {
     let before: usize = text
         .split_inclusive('\n')

@@ -8,9 +8,9 @@ use frictiongen::study::units::{Load, hertz};
 use serde_json::{Map, Value as Json, json};
 use std::io::{self, Write};
 
-/// Amplitude of the base motion for the printed static displacement, in m.
+/// Amplitude of the base motion under which the command prints the static displacement, in m.
 const BASE: f64 = 1e-3;
-/// Force for the printed static displacement, in N.
+/// Force under which the command prints the static displacement, in N.
 const FORCE: f64 = 1.0;
 
 /// Writes natural frequencies in Hz, modal damping ratios, the total mass, and the static displacement under a load.
@@ -36,7 +36,7 @@ pub fn write(scene: &Scene, out: &mut dyn Write) -> io::Result<()> {
             (Load::Force(FORCE), format!("1 N on {name}"))
         }
     };
-    // A mass that no spring holds has no static displacement.
+    // A mass that no path of springs connects to a support has no static displacement.
     let held = system.resonances().iter().all(|root| *root > 0.0);
     if let Ok(scale) = system.load_scale(load)
         && held

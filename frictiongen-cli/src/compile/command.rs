@@ -1,4 +1,4 @@
-//! Text of the command for the head of an emitted file, in a form that a user can run again.
+//! Text of the command in the head of an emitted file, in a form that a user can run once more.
 
 use crate::args::{CompileArguments, FileArgument, TableFormat};
 use std::path::Path;
@@ -46,7 +46,7 @@ fn name(path: &Path) -> String {
     quoted(&name.to_string_lossy())
 }
 
-/// Returns a word. If a shell would split or change it, the result is in quotes.
+/// Returns a word of the command. If a shell would split or change the word, the result is in quotes.
 fn quoted(word: &str) -> String {
     let plain = |letter: char| letter.is_alphanumeric() || "-_.:,+=".contains(letter);
     if !word.is_empty() && word.chars().all(plain) {

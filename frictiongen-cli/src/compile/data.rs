@@ -1,4 +1,4 @@
-//! Tables as JSON.
+//! Writes the tables of `frictiongen compile` as JSON.
 
 use frictiongen::kernel::table::{Factor, Root};
 use frictiongen::study::scene::{Scene, Side};
@@ -27,7 +27,7 @@ pub(super) fn written<S: frictiongen::scalar::Float>(source: &Source<'_, S>) -> 
     format!("{{\"generated\":{generated},\"units\":{units},\"known_answers\":{known},{tables}")
 }
 
-/// Converts the constants that relate ratios to units to JSON.
+/// Converts the constants that relate non-dimensional ratios to physical units to JSON.
 fn units<S: frictiongen::scalar::Float>(scene: &Scene) -> Value {
     let units = UnitConstants::of::<S>(scene);
     json!({
@@ -39,7 +39,7 @@ fn units<S: frictiongen::scalar::Float>(scene: &Scene) -> Value {
     })
 }
 
-/// Converts the known answers to JSON.
+/// Converts the known answers, with which a reader can check an evaluation of the tables, to JSON.
 fn known<S: frictiongen::scalar::Float>(source: &Source<'_, S>) -> Value {
     let (tolerance, all) = known_answers(source);
     let motion = |motion: &MotionAnswers| {

@@ -20,8 +20,8 @@ use frictiongen_codegen::{SceneTables, SizeLimits};
 use std::io::Write;
 use std::path::Path;
 
-/// Limits that the macro sets for a description, but without tables. The command builds the tables itself, according to
-/// its options.
+/// The limits that the macro sets for a description, but without a declared accuracy. The command builds the tables
+/// itself, according to its options.
 const LIMITS: SizeLimits = SizeLimits {
     tables: false,
     ..SizeLimits::MACRO
@@ -72,7 +72,7 @@ pub fn run(arguments: &CompileArguments, out: &mut dyn Write) -> Result<(), Fail
     Ok(())
 }
 
-/// Returns the prefix of the names in C.
+/// Returns the prefix of all names in the emitted C code.
 fn c_prefix(scene: &Scene, arguments: &CompileArguments) -> Result<String, Failure> {
     let Some(name) = &arguments.name else {
         return Ok(c_name(scene));
@@ -93,7 +93,7 @@ fn c_prefix(scene: &Scene, arguments: &CompileArguments) -> Result<String, Failu
     Ok(name.clone())
 }
 
-/// Prints a line on standard error about those items of `provide` that the files do not contain.
+/// Prints a line on standard error about those items of `provide` that the emitted files do not contain.
 fn say_what_is_left_out(scene: &Scene) {
     let left_out = left_out(scene);
     if !left_out.is_empty() {
@@ -107,8 +107,8 @@ fn say_what_is_left_out(scene: &Scene) {
 /// Replaces the accuracy, range and side of the description by those that the options give.
 fn declare(scene: &mut Scene, arguments: &CompileArguments) -> Result<(), Failure> {
     let declared = &mut scene.declared;
-    // The option --prove decides whether the command makes a proof. The `proof` of the description applies only to the
-    // macro.
+    // The option --prove decides whether the command proves the accuracy of the tables. The field `proof` of the
+    // description applies only to the macro.
     declared.proof = Proving::Quick;
     if let Some(accuracy) = &arguments.accuracy {
         declared.accuracy = Accuracy::Relative(number(accuracy, "--accuracy")?);
@@ -125,8 +125,8 @@ fn declare(scene: &mut Scene, arguments: &CompileArguments) -> Result<(), Failur
         scene.declared.range = Some(Range { r, beta });
     }
     if scene.declared.accuracy == Accuracy::Exact && scene.declared.budget.is_none() {
-        // A description with a range but without an accuracy is an error too, but its message would not fit the
-        // options.
+        // A description with a range but without an accuracy is also an error. Its own message, however, would not fit
+        // the options.
         return Err(Failure::new(NO_ACCURACY));
     }
     if arguments.safe {
@@ -143,7 +143,7 @@ fn declare(scene: &mut Scene, arguments: &CompileArguments) -> Result<(), Failur
     checked.map(drop).map_err(told)
 }
 
-/// Returns the range of r from --r, --hz or --omega, or `None` without these options.
+/// Returns the range of the frequency ratio r from --r, --hz or --omega, or `None` without these options.
 fn range(scene: &Scene, arguments: &CompileArguments) -> Result<Option<(f64, f64)>, Failure> {
     let options = [
         (&arguments.r, "--r", FrequencyUnit::Ratio, "0.2:2.5"),
@@ -171,7 +171,7 @@ fn range(scene: &Scene, arguments: &CompileArguments) -> Result<Option<(f64, f64
     if unit == FrequencyUnit::Ratio {
         return Ok(Some((low, high)));
     }
-    // A description may declare an accuracy without a range, which would be an error here. The conversion to r needs
+    // A description may declare an accuracy without a range, which is an error for the macro. The conversion to r needs
     // only the chain.
     let chain = Scene {
         declared: Declared::default(),
@@ -236,7 +236,7 @@ fn write<S: frictiongen::scalar::Float>(
     }
 }
 
-/// Returns a sentence about the accuracy of the tables between the checked points.
+/// Returns a sentence about the accuracy of the tables between the points at which they were checked.
 fn told<S: frictiongen::scalar::Float>(tables: &Tables<S>, proof: &Proof, proves: bool) -> String {
     if proves || proof.evidence != Evidence::Checked {
         return proof.told();

@@ -79,7 +79,7 @@ pub fn run(arguments: &CurveArguments, out: &mut dyn Write) -> Result<(), Failur
         harmonics: orders,
         rates: arguments.rates || parts.iter().any(MovingPart::has_rate),
         turned: measure.turns_contact(),
-        // Under a load whose amplitude depends on frequency, frictions are forces.
+        // If the amplitude of the load depends on frequency, the user gives frictions as forces.
         rise: measure.fall(),
         fall: measure.fall(),
         ..CurveRequest::new(band.from, band.to, &of)
@@ -129,8 +129,8 @@ pub fn run(arguments: &CurveArguments, out: &mut dyn Write) -> Result<(), Failur
     Ok(())
 }
 
-/// Returns one curve for each pair of friction ratio and initial state. After Ctrl-C, the curves that have not begun
-/// are `None`.
+/// Returns one curve for each pair of friction ratio and initial state. After Ctrl-C, the curves whose computation has
+/// not begun are `None`.
 fn followed(
     system: &System,
     request: &CurveRequest,
@@ -153,7 +153,7 @@ fn stopped(done: usize, all: usize) -> Failure {
     ))
 }
 
-/// Returns the initial states of the curves. Each occurs once, in the order of the options.
+/// Returns the initial states of the curves, each once, in the order of the options.
 fn starts(asked: &[StartFrom]) -> Result<Vec<CurveStart>, Failure> {
     let mut starts = Vec::new();
     for from in asked {

@@ -1,4 +1,4 @@
-//! Table of curves, with one line for each point. Each line has the index of the piece of its curve.
+//! Table of curves, with one line for each point. Each line has the number of its curve's continuous piece.
 
 #[cfg(feature = "pictures")]
 use crate::args::LogAxes;
@@ -15,7 +15,7 @@ use frictiongen::study::curve::{Curve, CurveRequest};
 
 /// The curves, with the settings for their output.
 pub struct CurveReport {
-    /// The system that the answers describe.
+    /// The system that the results describe.
     pub system: System,
     /// Range of frequencies of the results.
     pub band: Band,
@@ -34,7 +34,7 @@ pub struct CurveReport {
     /// The axes of a picture that are logarithmic.
     #[cfg(feature = "pictures")]
     pub log: LogAxes,
-    /// True if the user has requested an initial state other than rest.
+    /// True if the user has requested curves with an initial state other than rest.
     pub swept: bool,
 }
 

@@ -4,23 +4,23 @@ use frictiongen::System;
 use frictiongen::study::scene::{Accuracy, Beyond, Excitation, FrictionLaw, Provide, Scene};
 use frictiongen::study::units::{Load, hertz};
 
-/// Number of compared frequencies.
+/// Number of frequencies at which the command compares two scenes.
 pub const FREQUENCIES: u32 = 400;
-/// Range of the compared frequencies. It begins at the first number times the lowest natural frequency, and ends at the
+/// Range of the compared frequencies. It begins at the first number times the lowest natural frequency. It ends at the
 /// second number times the highest natural frequency.
 const BAND: (f64, f64) = (0.2, 1.5);
-/// A value counts as 0 if it is at most this fraction of the largest value of the same result over the frequencies.
-/// Where the exact result is 0, rounding leaves such a value.
+/// Largest value that counts as 0, divided by the largest value of the same result over the frequencies. If the exact
+/// result is 0, rounding leaves such a value.
 const NOISE: f64 = 1e-12;
-/// Friction for the comparison of motions, as a fraction of the smaller of β_lim and β*_lim of the old scene.
+/// Friction for the comparison of motions, divided by the smaller one of β_lim and β*_lim of the old scene.
 const FRICTION: f64 = 0.5;
 
-/// Words for the frequencies at which the limit is finite in both scenes.
+/// Words for the frequencies at which a limit is finite in both scenes.
 const FINITE: &str = "where both are finite";
 /// Words for the frequencies at which both scenes have a continuous motion.
 const CONTINUOUS: &str = "where both motions are continuous";
 
-/// Largest difference of one result over the frequencies.
+/// Largest difference of one result of two scenes over the compared frequencies.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Difference {
     /// Name of the result.
@@ -29,16 +29,16 @@ pub struct Difference {
     pub unit: &'static str,
     /// Frequency of the largest difference, Hz.
     pub hertz: f64,
-    /// Old and new value at this frequency.
+    /// Value in the old scene and value in the new scene at this frequency.
     pub values: (f64, f64),
-    /// Difference of the two values at this frequency, divided by the larger value.
+    /// Difference of the two values at this frequency, divided by the larger one of them.
     pub relative: f64,
-    /// Median of the relative differences.
+    /// Median of the relative differences over the compared frequencies.
     pub median: f64,
     /// Number of frequencies at which both scenes have a result.
     pub compared: usize,
-    /// Words for the scenes whose emitted code leaves this result out. Empty if the code of both scenes provides the
-    /// result.
+    /// Words for the scenes whose emitted code does not provide this result. The text is empty if the code of both
+    /// scenes provides it.
     pub left_out_by: &'static str,
     /// Words for the compared frequencies, if they are not all frequencies of the band.
     pub where_both: &'static str,
@@ -50,7 +50,7 @@ pub type NaturalFrequencies = Vec<(Option<f64>, Option<f64>)>;
 /// Comparison of the results of two scenes.
 #[derive(Clone, Debug, Default)]
 pub struct Answers {
-    /// Natural frequencies.
+    /// Natural frequencies of both scenes.
     pub modes: NaturalFrequencies,
     /// Lowest and highest compared frequency, in Hz.
     pub band: Option<(f64, f64)>,
@@ -62,7 +62,7 @@ pub struct Answers {
     pub left_out: Vec<String>,
 }
 
-/// Compares the answers of two scenes.
+/// Compares the results of two scenes.
 pub fn compare(old: &System, new: &System) -> Answers {
     let frequencies = |system: &System| -> Vec<f64> {
         system
@@ -133,8 +133,8 @@ pub fn compare(old: &System, new: &System) -> Answers {
     answers
 }
 
-/// Returns the range of frequencies in Hz in which the emitted code of a scene answers. Returns `None` if the code answers
-/// at every frequency.
+/// Returns the range of frequencies in Hz in which the emitted code of a scene gives results. Returns `None` if the
+/// code gives results at every frequency.
 fn answered(system: &System) -> Option<(f64, f64)> {
     let declared = &system.scene().declared;
     let exact = declared.accuracy == Accuracy::Exact && declared.budget.is_none();
@@ -146,7 +146,7 @@ fn answered(system: &System) -> Option<(f64, f64)> {
     Some((low / ratio_at_one_hertz, high / ratio_at_one_hertz))
 }
 
-/// Returns true if the emitted code of a scene has the continuous motion of a mass. `None` stands for the contact.
+/// Returns true if the emitted code of a scene provides the continuous motion of a mass. `None` stands for the contact.
 fn provides(scene: &Scene, mass: Option<&str>) -> bool {
     let named = |index: &usize| {
         let own = scene.masses.get(*index).map(|own| own.name.as_str());
@@ -159,7 +159,7 @@ fn provides(scene: &Scene, mass: Option<&str>) -> bool {
     })
 }
 
-/// Returns words for the scenes whose emitted code leaves out the continuous motion of a mass, or of the contact.
+/// Returns words for the scenes whose emitted code does not provide the continuous motion of a mass, or of the contact.
 fn left_out_by(old: &Scene, new: &Scene, mass: Option<&str>) -> &'static str {
     match (provides(old, mass), provides(new, mass)) {
         (true, true) => "",
@@ -183,7 +183,7 @@ fn unshared(old: &System, new: &System) -> Option<String> {
     (!names.is_empty()).then(|| format!("motions of {}: only one scene has them", names.join(", ")))
 }
 
-/// Values of one result over the frequencies.
+/// Values of one result of a scene over the compared frequencies.
 struct ResultSeries {
     name: String,
     unit: &'static str,
@@ -251,7 +251,7 @@ impl ResultSeries {
 
 fn differences(old: &System, new: &System, band: &[f64]) -> Vec<Difference> {
     let on_base = old.scene().excitation == Excitation::Base;
-    // The load is 1, so the results are the limits and displacements divided by the amplitude of the load.
+    // The load is 1. The results are therefore the limits and displacements, divided by the amplitude of the load.
     let load = if on_base {
         Load::Base(1.0)
     } else {

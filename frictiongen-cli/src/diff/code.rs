@@ -15,7 +15,7 @@ pub struct Code {
     pub bytes: (usize, usize),
     /// Number of bytes of the tables of a declared accuracy, for the old and the new description.
     pub tables: (usize, usize),
-    /// Functions with a different number of operations: name, old operations and new operations. `None` if a source
+    /// Functions whose numbers of operations differ: name, old number and new number. A number is `None` if the source
     /// does not contain the function.
     pub functions: Vec<(String, Option<String>, Option<String>)>,
 }

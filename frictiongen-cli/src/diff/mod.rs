@@ -22,7 +22,7 @@ use std::io::Write;
 struct Differences {
     names: [String; 2],
     changes: Vec<FieldChange>,
-    /// Sentences about results of the emitted code that the comparison does not cover, such as results from tables.
+    /// Sentences about results of the emitted code that the comparison leaves out, such as results from tables.
     notes: Vec<String>,
     answers: Answers,
     code: Result<Code, String>,
@@ -44,7 +44,7 @@ pub fn run(arguments: &DiffArguments, out: &mut dyn Write) -> Result<(), Failure
     let found = match found {
         Ok(found) => found,
         Err(failure) => {
-            // If a description cannot be read, the command compares the texts.
+            // If a description cannot be parsed, the command compares the texts line by line.
             unified(&files, &texts, out)?;
             return Err(failure);
         }
@@ -89,7 +89,7 @@ fn compare(names: [String; 2], texts: &[String; 2]) -> Result<Differences, Failu
     })
 }
 
-/// Returns a sentence if the emitted code of a scene does not use the exact formulas in double precision. The
+/// Returns a sentence about a scene whose emitted code does not use the exact formulas in double precision. The
 /// comparison uses these formulas for every scene.
 fn note(which: &str, scene: &Scene) -> Option<String> {
     let tables = match (scene.declared.accuracy, scene.declared.budget) {
@@ -117,7 +117,7 @@ fn unified(
         .unified_diff()
         .header(&name(0), &name(1))
         .to_string();
-    // The errors on standard error then begin on a new line of the terminal.
+    // The line break lets the errors on standard error begin on a new line of the terminal.
     if !text.is_empty() && !text.ends_with('\n') {
         text.push('\n');
     }
@@ -125,8 +125,7 @@ fn unified(
     Ok(out.flush()?)
 }
 
-/// Two results count as equal if their relative difference is at most this value. Rounding in both scenes can cause
-/// such a difference.
+/// Largest relative difference of two results that count as equal. Rounding in both scenes can cause such a difference.
 const ROUNDINGS: f64 = 1e-12;
 
 /// Formats a relative change in per cent, with its sign.

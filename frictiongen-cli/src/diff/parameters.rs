@@ -28,7 +28,7 @@ pub struct FieldChange {
 }
 
 impl FieldChange {
-    /// Returns the change relative to the old number. Returns `None` unless both values are numbers.
+    /// Returns the change of the number, divided by the old number. Returns `None` unless both values are numbers.
     pub fn relative(&self) -> Option<f64> {
         let (old, new) = (self.old.as_ref()?.number?, self.new.as_ref()?.number?);
         (old != 0.0).then(|| (new - old) / old)
@@ -58,7 +58,7 @@ pub fn renamed(old: &Scene, new: &Scene) -> (Scene, Vec<FieldChange>) {
     (scene, changes)
 }
 
-/// Returns the fields that differ, in the order of the old description.
+/// Returns the fields whose values differ, in the order of the old description.
 pub fn changes(old: &Scene, new: &Scene) -> Vec<FieldChange> {
     let (old, new) = (fields(old), fields(new));
     let find = |fields: &[DescriptionField], name: &str| {
@@ -180,7 +180,7 @@ fn damping(damping: &Damping, fields: &mut Vec<DescriptionField>) {
     }
 }
 
-/// Adds the fields of tables with a declared accuracy.
+/// Adds the fields `accuracy`, `range` and others that declare tables.
 fn tables(scene: &Scene, fields: &mut Vec<DescriptionField>) {
     let declared = &scene.declared;
     if let Accuracy::Relative(accuracy) = declared.accuracy {

@@ -1,10 +1,10 @@
-//! The exported functions and structs. The header and the Rust file are written from this list, so they declare the
-//! same functions.
+//! The functions and structs that an exported crate offers to C. The command writes the header and the Rust file from
+//! this list. Both therefore declare the same functions.
 
-/// Type of a number or a struct.
+/// Type of a number or a struct in the C interface.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum FieldType {
-    /// The scene's scalar.
+    /// A number of the scene's scalar type.
     Real,
     /// A signed number of 32 bits, for flags and enumerations.
     Int,
@@ -18,19 +18,19 @@ pub enum FieldType {
     Bytes(usize),
 }
 
-/// A field of a struct.
+/// A field of a struct in the C interface.
 #[derive(Clone, Debug)]
 pub struct StructField {
     /// Name in C and in Rust.
     pub name: String,
-    /// Type.
+    /// Type of the field.
     pub kind: FieldType,
-    /// Meaning and unit, for a comment.
+    /// Meaning and unit of the field, for a comment.
     pub about: String,
 }
 
 impl StructField {
-    /// Returns a field.
+    /// Creates a field from its name, its type, and its meaning with the unit.
     pub fn new(name: impl Into<String>, kind: FieldType, about: impl Into<String>) -> Self {
         Self {
             name: name.into(),
@@ -40,18 +40,18 @@ impl StructField {
     }
 }
 
-/// A struct of numbers.
+/// A struct of numbers in the C interface.
 #[derive(Clone, Debug)]
 pub struct ExportedStruct {
-    /// Name in snake case, without the prefix.
+    /// Name of the struct in snake case, without the prefix.
     pub name: &'static str,
-    /// Meaning, for a comment.
+    /// Meaning of the struct, for a comment.
     pub about: String,
-    /// The fields.
+    /// The fields of the struct.
     pub fields: Vec<StructField>,
 }
 
-/// The way in which a parameter is passed.
+/// The way in which an exported function takes a parameter.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Passed {
     /// By value.
@@ -68,21 +68,21 @@ pub enum Passed {
     Read(&'static str),
 }
 
-/// A function.
+/// A function of the C interface.
 #[derive(Clone, Debug)]
 pub struct ExportedFunction {
-    /// Name without the prefix.
+    /// Name of the function without the prefix.
     pub name: &'static str,
-    /// Meaning, for a comment.
+    /// Meaning of the function, for a comment.
     pub about: String,
     /// Names and types of the parameters.
     pub parameters: Vec<(&'static str, Passed)>,
-    /// Body in Rust: statements that return `Result<(), i32>` and write results last.
+    /// Body of the function in Rust. Its statements return `Result<(), i32>`, and write the results last.
     pub body: String,
 }
 
 impl ExportedFunction {
-    /// Returns a function.
+    /// Creates an exported function.
     pub fn new(
         name: &'static str,
         about: impl Into<String>,
@@ -98,23 +98,23 @@ impl ExportedFunction {
     }
 }
 
-/// An opaque struct, which C allocates.
+/// An opaque struct of the C interface. C allocates its memory.
 #[derive(Clone, Debug)]
 pub struct Opaque {
-    /// Name in snake case, without the prefix.
+    /// Name of the struct in snake case, without the prefix.
     pub name: &'static str,
-    /// Meaning, for a comment.
+    /// Meaning of the struct, for a comment.
     pub about: &'static str,
-    /// Rust type of the contents.
+    /// Rust type of the struct's contents.
     pub contents: String,
-    /// Size in words of 64 bits, including the word for the mark of an initialised struct.
+    /// Size of the struct in words of 64 bits. It includes the word that marks an initialised struct.
     pub words: usize,
 }
 
 /// All exported items of a scene.
 #[derive(Clone, Debug, Default)]
 pub struct ExportedItems {
-    /// The structs, each before the structs that contain it.
+    /// The structs of numbers. Each struct comes before the structs that contain it.
     pub records: Vec<ExportedStruct>,
     /// The opaque structs.
     pub opaque: Vec<Opaque>,
@@ -122,7 +122,7 @@ pub struct ExportedItems {
     pub functions: Vec<ExportedFunction>,
 }
 
-/// Returns the name of a struct in Rust.
+/// Returns the name of a struct in Rust, for its name in snake case.
 pub fn type_name(name: &str) -> String {
     let words = name.split('_');
     let words = words.map(|word| {

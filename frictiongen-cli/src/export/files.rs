@@ -4,7 +4,8 @@ use frictiongen::study::scene::{Excitation, Provide, Scene};
 use frictiongen_codegen::standalone::StepperShape;
 use std::path::Path;
 
-/// Writes `Cargo.toml`.  `library` is the folder of the crate `frictiongen`. `None` means the crate of the registry.
+/// Returns the text of `Cargo.toml` of an exported crate. `library` is the folder of the crate `frictiongen`. `None`
+/// means the crate of the registry.
 pub fn manifest(prefix: &str, library: Option<&Path>) -> String {
     let head = head(&format!("{prefix}_solver"), "staticlib", library);
     format!(
@@ -15,7 +16,8 @@ pub fn manifest(prefix: &str, library: Option<&Path>) -> String {
     )
 }
 
-/// Writes `Cargo.toml` of an FMU.
+/// Returns the text of `Cargo.toml` of an FMU. `library` is the folder of the crate `frictiongen`. `None` means the
+/// crate of the registry.
 pub fn fmu_manifest(prefix: &str, library: Option<&Path>) -> String {
     let head = head(&format!("{prefix}_fmu"), "cdylib", library);
     format!(
@@ -26,11 +28,11 @@ pub fn fmu_manifest(prefix: &str, library: Option<&Path>) -> String {
     )
 }
 
-/// Writes the package section and the dependency on `frictiongen`.
+/// Returns the package section of `Cargo.toml` and the dependency on `frictiongen`.
 fn head(name: &str, kind: &str, library: Option<&Path>) -> String {
     let version = env!("CARGO_PKG_VERSION");
     let place = match library {
-        // A backslash begins an escape in a TOML string, so the path is escaped as a Rust string.
+        // A backslash begins an escape in a TOML string. The code therefore escapes the path as a Rust string.
         Some(path) => format!("path = {:?}", path.display().to_string()),
         None => format!("version = \"={version}\""),
     };
@@ -42,7 +44,7 @@ fn head(name: &str, kind: &str, library: Option<&Path>) -> String {
     )
 }
 
-/// Writes a Makefile that builds the library by cargo, then the example.
+/// Returns the text of a Makefile. It builds the exported library by cargo, and then the example.
 pub fn makefile(prefix: &str) -> String {
     format!(
         "# Builds the library by cargo, then the example.  For a microcontroller:\n\
@@ -57,7 +59,7 @@ pub fn makefile(prefix: &str) -> String {
     )
 }
 
-/// Writes a CMake file with the library and the example.
+/// Returns the text of a CMake file with the exported library and the example.
 pub fn cmake(prefix: &str) -> String {
     format!(
         "# add_subdirectory() of this folder gives the library `{prefix}`.\n\
@@ -81,7 +83,7 @@ pub fn cmake(prefix: &str) -> String {
     )
 }
 
-/// Writes an example program.
+/// Returns the text of an example program in C.
 pub fn example(scene: &Scene, (prefix, real): (&str, &str)) -> String {
     let mut body = String::new();
     let suffix = if real == "float" { "F" } else { "" };

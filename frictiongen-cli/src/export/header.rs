@@ -1,18 +1,18 @@
-//! Writes the header of an exported crate.
+//! Writes the C header of an exported crate.
 
 use super::face::{ExportedFunction, ExportedItems, ExportedStruct, FieldType, Opaque, Passed};
 use super::status::STATUSES;
 use frictiongen::study::scene::{Provide, Scene};
 use frictiongen_codegen::standalone::{UnitConstants, c_text, scene_hash};
 
-/// Comment in the header that states the rules for all functions.
+/// Comment in the C header that states the rules for all functions.
 const CONTRACT: &str = "Every function returns a status.  Unless it is 0, no result is written, and a stepper keeps its state.\n \
      * A null pointer gives a status.  Any other pointer must point to memory of its type, and no other thread may\n \
      * change that memory during the call.  Results and inputs may not overlap.  The memory of a stepper and of a saved\n \
      * state must be initialised before the first call: a static variable is, any other needs memset to 0.\n \
      * All functions are reentrant, allocate nothing and print nothing.";
 
-/// Writes the header.
+/// Returns the text of the C header.
 pub fn header(
     face: &ExportedItems,
     scene: &Scene,
@@ -65,7 +65,7 @@ pub fn header(
     )
 }
 
-/// Writes the constants that convert between ratios and units.
+/// Returns the constants of the C header that convert between non-dimensional ratios and units.
 fn constants(scene: &Scene, upper: &str) -> String {
     let units = UnitConstants::of::<f64>(scene);
     let mut text = format!(

@@ -27,13 +27,13 @@ use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-/// A checked request.
+/// A checked request for an export.
 struct ExportRequest<'a> {
     arguments: &'a ExportArguments,
     description: &'a Description,
-    /// Prefix of all names in C.
+    /// Prefix of all names in the exported C interface.
     prefix: &'a str,
-    /// Text of the description, and the command.
+    /// Text of the description, and of the command that exported it.
     origin: Origin<'a>,
     /// Folder of the crate `frictiongen`. `None` means the crate of the registry.
     library: Option<&'a Path>,
@@ -75,7 +75,7 @@ fn write_c(asked: &ExportRequest<'_>) -> Result<(), Failure> {
     let source = asked.arguments.file.path();
     let all = files(asked, &face);
     create(&folder.join("src"))?;
-    // The copy of the description in the folder may be the file that the command has read.
+    // The folder may already contain a copy of the description, and the command may have read this copy.
     let copy = folder.join(format!("{prefix}.friction"));
     let is_same = source.is_some_and(|source| same(source, &copy));
     for (path, text) in &all {
@@ -148,7 +148,7 @@ fn files(asked: &ExportRequest<'_>, face: &ExportedItems) -> Vec<(PathBuf, Strin
     ]
 }
 
-/// Returns the name of the scalar in C.
+/// Returns the C type of the scene's scalar.
 fn real(scene: &Scene) -> &'static str {
     match scene.precision {
         Precision::F64 => "double",
@@ -156,7 +156,7 @@ fn real(scene: &Scene) -> &'static str {
     }
 }
 
-/// Collects the functions of the scene.
+/// Collects the functions and structs that the scene offers to C.
 fn face_of(description: &Description) -> ExportedItems {
     let scene = &description.scene;
     let mut face = ExportedItems::default();
@@ -171,7 +171,7 @@ fn face_of(description: &Description) -> ExportedItems {
     face
 }
 
-/// Fails for a description that gives the crate `frictiongen` another path.
+/// Fails for a description that gives the crate `frictiongen` another path, by its field `crate`.
 fn check_facade(description: &Description) -> Result<(), Failure> {
     let path = description.facade.to_string().replace(' ', "");
     if path == "::frictiongen" {
@@ -182,7 +182,7 @@ fn check_facade(description: &Description) -> Result<(), Failure> {
     )))
 }
 
-/// Returns the absolute path of the library's folder, which must contain the crate `frictiongen`.
+/// Returns the absolute path of a folder. Fails unless the folder contains the crate `frictiongen`.
 fn library(path: &Path) -> Result<PathBuf, Failure> {
     let refused = |why: &str| {
         Failure::new(format_args!(
@@ -193,7 +193,7 @@ fn library(path: &Path) -> Result<PathBuf, Failure> {
     let whole = fs::canonicalize(path).map_err(|error| refused(&reason(&error)))?;
     let manifest = fs::read_to_string(whole.join("Cargo.toml"));
     let manifest = manifest.map_err(|_| refused("the folder has no Cargo.toml"))?;
-    // A binary target of another crate may have this name too, so the code compares the name of the package.
+    // A binary target of another crate may also have this name. The code therefore compares the name of the package.
     let mut package = manifest
         .lines()
         .map(str::trim)

@@ -1,18 +1,18 @@
-//! Names of a scene in C.
+//! Names of a scene's items in C.
 
 use super::face::{FieldType, StructField};
 use crate::failure::Failure;
 use frictiongen::study::scene::Scene;
 use frictiongen_codegen::standalone::c_name;
 
-/// Headers of the C library.  An exported header of the same name would hide a header of the library.
+/// Headers of the C library. If an exported header had one of these names, it would hide the header of the library.
 const TAKEN: [&str; 24] = [
     "assert", "complex", "ctype", "errno", "fenv", "float", "inttypes", "iso646", "limits",
     "locale", "math", "setjmp", "signal", "stdarg", "stdbool", "stddef", "stdint", "stdio",
     "stdlib", "string", "tgmath", "time", "wchar", "wctype",
 ];
 
-/// Returns the prefix of the names in C: --name, or the scene's name in snake case.
+/// Returns the prefix of all names in C: the value of --name, or the scene's name in snake case.
 pub fn prefix(scene: &Scene, given: Option<&str>) -> Result<String, Failure> {
     let name = given.map_or_else(|| c_name(scene), str::to_owned);
     let is_letter = |letter: char| letter.is_ascii_alphabetic();
@@ -40,8 +40,8 @@ pub fn check_header(name: &str) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Returns the name of a mass as the name of a struct field.  If the name has letters outside ASCII, the function uses
-/// the number of the mass instead.
+/// Returns the name of a struct field for a mass. It is `start` and the name of the mass. If the name has letters
+/// outside ASCII, the number of the mass replaces the name.
 pub fn field(scene: &Scene, index: usize, start: &str) -> String {
     match scene.masses.get(index) {
         Some(mass) if mass.name.is_ascii() => format!("{start}_{}", mass.name),
@@ -54,15 +54,15 @@ pub fn mass(scene: &Scene, index: usize) -> &str {
     scene.masses.get(index).map_or("", |mass| &mass.name)
 }
 
-/// Returns a text for each mass. `text` creates it from the name of the mass as a struct field, and from the name in the
-/// description.
+/// Returns one text for each mass. `text` creates it from two names: the name of the mass as a struct field, and its
+/// name in the description.
 pub fn of_masses(scene: &Scene, text: impl Fn(&str, &str) -> String) -> Vec<String> {
     (0..scene.masses.len())
         .map(|index| text(&field(scene, index, "mass"), mass(scene, index)))
         .collect()
 }
 
-/// Returns a struct field for a mass, which contains the struct `record`.
+/// Returns a struct field for a mass. The field contains the struct `record`.
 pub fn mass_field(scene: &Scene, index: usize, record: &'static str) -> StructField {
     let about = format!("mass {}", mass(scene, index));
     StructField::new(
@@ -72,7 +72,7 @@ pub fn mass_field(scene: &Scene, index: usize, record: &'static str) -> StructFi
     )
 }
 
-/// Returns such a field for each mass.
+/// Returns one struct field for each mass. Each field contains the struct `record`.
 pub fn mass_fields(scene: &Scene, record: &'static str) -> Vec<StructField> {
     let masses = 0..scene.masses.len();
     masses

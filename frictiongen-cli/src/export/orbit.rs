@@ -1,4 +1,4 @@
-//! Exported functions of steady states, with or without stops.
+//! Exported functions that compute steady states, with or without stops of the contact.
 
 use super::face::{
     ExportedFunction, ExportedItems, ExportedStruct, FieldType, Passed, StructField,
@@ -9,7 +9,7 @@ use frictiongen::study::scene::Scene;
 const R: (&str, Passed) = ("r", Passed::Value(FieldType::Real));
 const BETA: (&str, Passed) = ("beta", Passed::Value(FieldType::Real));
 
-/// Writes the statements that fill the struct `orbit` from the steady state `found`.
+/// Rust statements that fill the struct `orbit` from the steady state `found`.
 const WRITTEN: &str = "let count = |count: usize| u32::try_from(count).unwrap_or(u32::MAX);
 orbit.write(Orbit {
     period: found.period(),
@@ -23,8 +23,8 @@ orbit.write(Orbit {
 });
 Ok(())";
 
-/// Adds the functions that return the numbers of a steady state, for motion from rest and for motion from any state.
-/// `unit` is the unit of displacements.
+/// Adds the functions that return the numbers of a steady state. One starts the motion from rest, and another from a
+/// given state. `unit` is the unit of displacements.
 pub fn add(face: &mut ExportedItems, scene: &Scene, unit: &str) {
     records(face, scene, unit);
     let output = ("orbit", Passed::Output(FieldType::Record("orbit")));

@@ -1,4 +1,5 @@
-//! Sizes of a stepper, of its saved state and of a simulation in bytes, so that C can allocate them.
+//! Computes the sizes of a stepper, of its saved state and of a simulation in bytes, so that C can allocate their
+//! memory.
 
 use frictiongen::kernel::motion::ElasticChain;
 use frictiongen::kernel::simulation::{FixedLinesSimulation, FixedSimulation};
@@ -6,19 +7,19 @@ use frictiongen::kernel::stepper::{FixedStepper, FixedStore, Saved};
 use frictiongen::study::scene::Precision;
 use frictiongen_codegen::standalone::StepperShape;
 
-/// Bytes that padding may add to an extrapolated size.
+/// Number of bytes that padding may add to an extrapolated size.
 const PADDING: i64 = 16;
 
-/// Sizes of a stepper and of its saved state, for one or two modes, one or two modes of the stuck chain, and one or two
-/// inputs.
+/// Size of a stepper and of its saved state for one combination of small numbers: one or two modes, one or two modes of
+/// the stuck chain, and one or two inputs.
 type Corner = [usize; 2];
 
-/// Returns the size of a stepper and the size of its saved state, in words of 64 bits. Each size includes one word for
-/// the mark.
+/// Returns the size of a stepper and the size of its saved state, in words of 64 bits. Each size includes one word that
+/// marks an initialised struct.
 ///
-/// The size of a stepper is linear in each of three numbers: modes, modes of the stuck chain, and inputs.  The sizes
-/// for eight combinations therefore determine all sizes.  The exported crate asserts that the result suffices on its
-/// target.
+/// The size of a stepper is linear in each of three numbers: modes, modes of the stuck chain, and inputs. The sizes for
+/// eight combinations therefore determine all sizes. The exported crate asserts at compile time that the size suffices
+/// on its target.
 pub fn words(shape: &StepperShape, precision: Precision) -> [usize; 2] {
     let corners = match precision {
         Precision::F64 => corners::<f64>(shape),
@@ -42,14 +43,14 @@ pub fn words(shape: &StepperShape, precision: Precision) -> [usize; 2] {
                 });
             sum + weight * size
         });
-        // The mark before the contents is one more word.
+        // The word that marks an initialised struct comes before the contents.
         usize::try_from((sum + PADDING + 7) / 8).unwrap_or(0) + 1
     })
 }
 
-/// Returns the size of a simulation in words of 64 bits, including the mark in front.  `parts` is the number of its
-/// oscillators, in which the size is linear.  The flags are true for a friction law over the speed and for an elastic
-/// contact.
+/// Returns the size of a simulation in words of 64 bits. It includes one word that marks an initialised struct. `parts`
+/// is the number of the simulation's oscillators. The size is linear in this number. The flags are true for a friction
+/// law over the speed and for an elastic contact.
 pub fn simulation_words(parts: usize, of: (bool, bool), precision: Precision) -> usize {
     let [one, two] = match precision {
         Precision::F64 => simulations::<f64>(of),
@@ -59,7 +60,7 @@ pub fn simulation_words(parts: usize, of: (bool, bool), precision: Precision) ->
     size.div_ceil(8) + 1
 }
 
-/// Returns the sizes of simulations with one and with two oscillators.
+/// Returns the size of a simulation with one oscillator and of a simulation with two oscillators, in bytes.
 fn simulations<S: frictiongen::scalar::Float + 'static>(
     (law, elastic): (bool, bool),
 ) -> [usize; 2] {

@@ -5,7 +5,8 @@ use super::face::{
 };
 use super::status;
 
-/// Writes `src/lib.rs`.  `name` is the scene's type, `prefix` begins the names in C.
+/// Returns the text of `src/lib.rs` of an exported crate. `name` is the scene's type in Rust, and `prefix` begins the
+/// names in C.
 pub fn library(
     face: &ExportedItems,
     head: &str,
@@ -37,7 +38,7 @@ pub fn library(
     )
 }
 
-/// Writes the functions that several exported functions call.
+/// Returns the Rust functions that several exported functions call.
 fn helpers(face: &ExportedItems, prefix: &str, scalar: &str) -> String {
     let has = |name: &str| face.records.iter().any(|record| record.name == name);
     let mut text = format!(

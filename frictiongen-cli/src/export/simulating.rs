@@ -1,4 +1,4 @@
-//! Functions of the motion in time under a harmonic load, from event to event.
+//! Exported functions that compute the motion in time under a harmonic load, from event to event.
 
 use super::face::{
     ExportedFunction, ExportedItems, ExportedStruct, FieldType, Opaque, Passed, StructField,
@@ -12,7 +12,8 @@ const STATE: &str = "simulation";
 const CHANGED: (&str, Passed) = ("simulation", Passed::Changed(STATE));
 const READ: (&str, Passed) = ("simulation", Passed::Read(STATE));
 
-/// Adds the simulation with its structs.  `name` is the scene's type in Rust, `unit` the unit of displacements.
+/// Adds the functions of the simulation with their structs. `name` is the scene's type in Rust, and `unit` the unit of
+/// displacements.
 pub fn add(face: &mut ExportedItems, scene: &Scene, (name, unit): (&str, &str)) {
     let shape = StepperShape::of(scene);
     let parts = shape.modes + shape.held;
@@ -100,7 +101,8 @@ fn records(face: &mut ExportedItems, scene: &Scene, unit: &str) {
     });
 }
 
-/// Adds the functions that start a motion.  A friction law over the speed needs the amplitude of the load.
+/// Adds the functions that start a motion in time. With a friction law over the speed, they need the amplitude of the
+/// load.
 fn starts(face: &mut ExportedItems, scene: &Scene, has_law: bool) {
     let (given, call) = if has_law {
         ("r, beta, amplitude", "simulation_under")

@@ -1,15 +1,15 @@
-//! The causes of an error, each with its number in C.
+//! The causes of an error of an exported function, each with its number in C.
 
 /// Cause of an error: its name and number in C, its meaning, and the error in Rust to which it corresponds.
 #[derive(Debug)]
 pub struct StatusCode {
-    /// Name without the prefix.
+    /// Name of the cause without the prefix.
     pub name: &'static str,
-    /// Number, which stays the same in every version and for every scene.
+    /// Number of the cause. It stays the same in every version and for every scene.
     pub number: i32,
-    /// Meaning.
+    /// Meaning of the cause, for a comment.
     pub about: &'static str,
-    /// Variant of `OutOfDomain` with this meaning, as a pattern.
+    /// Variant of `OutOfDomain` with the same meaning, as a Rust pattern.
     pattern: Option<&'static str>,
 }
 
@@ -27,7 +27,7 @@ const fn status(
     }
 }
 
-/// All causes in the order of their numbers.
+/// All causes of an error, in the order of their numbers.
 pub const STATUSES: [StatusCode; 35] = [
     status("OK", 0, "success", None),
     status("NULL_POINTER", 1, "a pointer is null", None),
@@ -226,7 +226,7 @@ pub const STATUSES: [StatusCode; 35] = [
     ),
 ];
 
-/// Returns the Rust functions that turn the library's errors into numbers.
+/// Returns the Rust functions that convert the library's errors to numbers.
 pub fn conversions() -> String {
     let number = |name: &str| {
         let found = STATUSES.iter().find(|status| status.name == name);

@@ -1,4 +1,5 @@
-//! Functions that take a frequency ratio: limits, regimes, continuous motions, stuck responses and steady states.
+//! Exported functions that take a frequency ratio. They return limits, regimes, continuous motions, stuck responses and
+//! steady states.
 
 use super::face::{
     ExportedFunction, ExportedItems, ExportedStruct, FieldType, Passed, StructField,
@@ -98,7 +99,7 @@ pub fn add(face: &mut ExportedItems, scene: &Scene) {
     }
 }
 
-/// Returns the unit of displacements.
+/// Returns the unit of displacements in the exported interface.
 pub fn unit(scene: &Scene) -> &'static str {
     match scene.excitation {
         Excitation::Base => "the amplitude Y of the base",
@@ -157,7 +158,7 @@ fn limits(face: &mut ExportedItems) {
     ));
 }
 
-/// Motions of the contact and of masses, as fields of one struct.
+/// The motions of the contact and of masses, which the exported interface returns as fields of one struct.
 struct Motions {
     name: &'static str,
     prepare: &'static str,
@@ -178,8 +179,8 @@ impl Motions {
         std::iter::once(contact).chain(masses).collect()
     }
 
-    /// Returns the fields of the struct in Rust code. The value of each field is a motion of the contact or of a mass,
-    /// passed to the macro `function`.
+    /// Returns the fields of the struct in Rust code. The value of each field is the macro `function`, applied to a
+    /// motion of the contact or of a mass.
     fn written(&self, scene: &Scene, function: &str) -> String {
         let contact = format!("contact: {function}!(motion.contact()), ");
         let masses = self.masses.iter().map(|index| {

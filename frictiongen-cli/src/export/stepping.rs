@@ -1,4 +1,4 @@
-//! Functions of the stepper.
+//! Exported functions of the stepper.
 
 use super::face::{
     ExportedFunction, ExportedItems, ExportedStruct, FieldType, Opaque, Passed, StructField,
@@ -14,7 +14,7 @@ const SAVED: &str = "stepper_saved";
 const CHANGED: (&str, Passed) = ("stepper", Passed::Changed(STATE));
 const READ: (&str, Passed) = ("stepper", Passed::Read(STATE));
 
-/// Adds the stepper with its structs.  `name` is the scene's type in Rust.
+/// Adds the functions of the stepper with their structs. `name` is the scene's type in Rust.
 pub fn add(face: &mut ExportedItems, scene: &Scene, name: &str) {
     let shape = StepperShape::of(scene);
     let [words, saved] = room::words(&shape, scene.precision);
@@ -41,7 +41,7 @@ pub fn add(face: &mut ExportedItems, scene: &Scene, name: &str) {
     storage(face, &shape, scene.precision);
 }
 
-/// Returns the fields of an input in C, with the fields of the Rust type.
+/// Returns the fields of the stepper's input in C, each with the corresponding field of the Rust type.
 pub fn inputs(scene: &Scene, shape: &StepperShape) -> Vec<(StructField, String)> {
     let mut fields = Vec::new();
     let mut add = |name: String, inner: &str, about: String| {

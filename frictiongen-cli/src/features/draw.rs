@@ -1,4 +1,4 @@
-//! Draws the amplitudes over frequency, with the features marked.
+//! Draws the amplitudes over frequency, and marks the features on them.
 
 use super::report::FeaturesReport;
 use crate::asked::MovingPart;
@@ -29,13 +29,13 @@ pub fn marks(
     let mut marks = Vec::new();
     for (feature, marker, name) in MARKS {
         // The curves of the picture are amplitudes. Features of the fundamental component do not lie on these curves,
-        // so they get no mark.
+        // and get no mark.
         let marked = lines.iter().filter(|line| {
             line.feature == feature
                 && line.of == part.name
                 && !line.detail.starts_with("fundamental")
         });
-        // The amplitude of a line is already in m, but the axes are in mm.
+        // The amplitude in a line is in m under a load, but the axes are in mm.
         let points: Vec<_> = marked
             .filter_map(|line| {
                 let height = measure.length_ratio(line.amplitude?);
@@ -50,8 +50,8 @@ pub fn marks(
     marks
 }
 
-/// Draws each motion in a panel of its own, at the friction that the user gives. Without a given friction, the panel
-/// shows the motion without friction.
+/// Draws each motion in a panel of its own, at the given friction. If the user gives no friction, the panel shows the
+/// motion without friction.
 pub fn draw(
     report: &FeaturesReport<'_>,
     parts: &[MovingPart],

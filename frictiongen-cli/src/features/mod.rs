@@ -22,7 +22,7 @@ use frictiongen_codegen::SizeLimits;
 use report::FeaturesReport;
 use std::io::Write;
 
-/// Largest number of frictions in one call.
+/// Largest number of frictions in one call of `frictiongen features`.
 const MOST_FRICTIONS: usize = 16;
 
 /// Runs `frictiongen features`.
@@ -69,7 +69,8 @@ pub fn run(arguments: &FeaturesArguments, out: &mut dyn Write) -> Result<(), Fai
     let mut parts = asked::parts(&system, &arguments.of)?;
     asked::without_rates(&parts)?;
     if arguments.of.is_empty() && !system.modal().on_moving_base {
-        // A mass that rubs on a support at rest moves as the contact does. Its motion is therefore listed only once.
+        // A mass that rubs on a support at rest moves as the contact does. The output therefore lists its motion only
+        // once.
         let rubbing = system.modal().rubbing().map(Of::Mass);
         parts.retain(|part| Some(part.of) != rubbing);
     }

@@ -12,7 +12,7 @@ use serde_json::{Value as Json, json};
 
 /// The features, with the settings for their output.
 pub struct FeaturesReport<'s> {
-    /// The system that the answers describe.
+    /// The system that the results describe.
     pub system: &'s System,
     /// Range of frequencies of the results.
     pub band: Band,
@@ -22,7 +22,7 @@ pub struct FeaturesReport<'s> {
     pub lines: Vec<FeatureLine>,
 }
 
-/// Returns the columns of features, for a system and its units.
+/// Returns the columns of the table of features, for a system and its units.
 pub fn table<'a>(
     system: &'a System,
     band: &Band,
@@ -43,7 +43,7 @@ pub fn table<'a>(
 }
 
 impl FeaturesReport<'_> {
-    /// Returns the columns of features, for the system and the units of this report.
+    /// Returns the columns of the table of features, for the system and the units of this report.
     pub fn table(&self) -> FeatureTable<'_> {
         table(self.system, &self.band, self.measure, &[])
     }

@@ -39,7 +39,7 @@ fn ranges_include_their_end_and_are_not_accumulated() {
     }
 }
 
-/// Checks that the points of a decimal grid equal the decimal numbers, for any length and any exponents.
+/// Checks that the points of a decimal grid equal the decimal numbers, for grids of any length and any exponents.
 #[test]
 fn decimal_points() {
     let (mut compared, mut differ) = (0, 0);
@@ -62,7 +62,7 @@ fn decimal_points() {
             compared += 1;
         }
     }
-    // The grids are chosen so that steps in binary floating point would give wrong points in many of them.
+    // In many of these grids, steps in binary floating point would give wrong points.
     assert!(
         compared == 1000 + 20 + 2500 + 8301 + 991 && differ > 1000,
         "{compared} {differ}"

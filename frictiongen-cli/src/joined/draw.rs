@@ -1,4 +1,4 @@
-//! Draws pictures of scenes with several contacts.
+//! Draws results of scenes with several contacts.
 
 use super::Question;
 use crate::args::ShadeArgument;
@@ -17,19 +17,20 @@ use frictiongen_plot::desk::{
 };
 use std::io::Write;
 
-/// Number of frequencies of the line that shows the limit of the stuck state.
+/// Number of frequencies at which the picture evaluates the limit of the stuck state.
 const LINE: usize = 400;
 
-/// The picture of steady states: responses over frequency, or a map.
+/// The kind of a picture of steady states: responses over frequency, or a map.
 #[derive(Clone, Copy, Debug)]
 pub enum Picture {
-    /// Amplitudes over frequency, with a logarithmic frequency axis and logarithmic amplitude axes on request.
+    /// Amplitudes over frequency. The flags are true for a logarithmic frequency axis and for logarithmic amplitude
+    /// axes.
     Curve(bool, bool),
-    /// A map of regimes, or of the amplitude of the first mass.
+    /// A map over frequency and friction. Its colours show the regimes, or the amplitude of the first mass.
     Map(ShadeArgument),
 }
 
-/// Draws a motion over time.
+/// Draws a motion of a scene with several contacts over time.
 pub fn motion(
     question: &Question<'_>,
     (history, frequency): (&JoinedHistory, Frequency),
@@ -75,7 +76,7 @@ pub fn motion(
     picture::write_alone(&figure, form, out)
 }
 
-/// Computes steady states over frequency and friction, and draws them.
+/// Computes steady states over frequency and friction, and draws them as curves or as a map.
 pub fn steady(
     question: &Question<'_>,
     picture: Picture,
@@ -137,7 +138,8 @@ pub fn steady(
     picture::write_alone(&figure, form, out)
 }
 
-/// Returns the panels and the curves: the amplitude of each mass, and the stuck fraction of each contact.
+/// Returns the panels of the picture, and the curves in them: the amplitude of each mass, and the stuck fraction of
+/// each contact.
 fn curves(
     question: &Question<'_>,
     rows: &[(FrictionSetting, Vec<JoinedRow>)],
@@ -179,7 +181,7 @@ fn curves(
     (titles, curves.collect())
 }
 
-/// Returns the cells of a map, row by row from the lowest friction.
+/// Returns the cells of a map, row by row from the lowest friction to the highest.
 fn cells(
     question: &Question<'_>,
     rows: &[(FrictionSetting, Vec<JoinedRow>)],
@@ -211,7 +213,8 @@ fn cells(
     JoinedCells::Regimes(classes.collect())
 }
 
-/// Returns the friction above which no contact slides, over the frequency, up to somewhat above the map.
+/// Returns the line of the smallest friction at which no contact slides, over the frequency. The line ends somewhat
+/// above the map.
 fn limit(
     question: &Question<'_>,
     (frequencies, frictions): (&[Frequency], &[f64]),
@@ -227,7 +230,7 @@ fn limit(
         let r = low + (high - low) * place as f64 / LINE as f64;
         let frequency = Frequency::at(question.system, r);
         let at = question.table().at(frequency).map_err(Failure::new)?;
-        // On an undamped resonance no friction is enough.
+        // On an undamped resonance, no friction keeps all contacts stuck.
         let limit = at.stuck().map_or(f64::INFINITY, |stuck| stuck.limit());
         points.push((scales.frequency(r), scales.friction(limit).min(top)));
     }

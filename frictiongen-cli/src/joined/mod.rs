@@ -1,5 +1,5 @@
-//! Answers of the commands for a scene with several contacts, dashpots, or masses without a path of springs to a
-//! support.
+//! Results of the commands for a scene with several contacts, with dashpots, or with masses that no path of springs
+//! connects to a support.
 
 #[cfg(feature = "pictures")]
 mod draw;
@@ -30,7 +30,7 @@ pub use draw::Picture;
 pub use optimum::optimum;
 pub use time::OfTime;
 
-/// Fails if one of these options is given, because the option is not available for several contacts.
+/// Fails if the user gives one of these options. They are not available for several contacts.
 pub fn refused(options: &[(bool, &str)]) -> Result<(), Failure> {
     match options.iter().find(|(given, _)| *given) {
         None => Ok(()),
@@ -48,7 +48,7 @@ pub struct Asked<'a> {
     of: &'a [String],
 }
 
-/// Frequencies, frictions and load that the user requests, in the units of the answers.
+/// Frequencies, frictions and load that the user requests, in the units of the results.
 struct Question<'s> {
     system: &'s System,
     joined: &'s Joined<'s>,
@@ -96,7 +96,7 @@ impl<'a> Asked<'a> {
         }
     }
 
-    /// Converts the request to the units of the answers, and calls `answer` with it.
+    /// Converts the request to the units of the results, and calls `answer` with it.
     fn question(
         self,
         scene: Scene,
@@ -115,7 +115,7 @@ impl<'a> Asked<'a> {
             measure,
             masses: masses.into_iter().map(|mass| mass.index).collect(),
         };
-        // A scene without springs needs physical units. The message must come before any output.
+        // A scene without springs requires physical units. The error message must come before any output.
         if let Some(first) = question.frequencies.all(&system).next() {
             question.table().at(first).map_err(Failure::new)?;
         }
@@ -137,7 +137,8 @@ impl<'a> Asked<'a> {
         })
     }
 
-    /// Writes the derivatives of the amplitude of a mass, or of the energy of a contact, with respect to every number.
+    /// Writes derivatives with respect to every number of the scene: those of a mass's amplitude, or of a contact's
+    /// energy.
     pub fn write_sensitivities(
         self,
         scene: Scene,

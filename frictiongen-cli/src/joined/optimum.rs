@@ -24,8 +24,8 @@ use frictiongen::study::scene::Scene;
 use std::io::Write;
 use std::sync::Mutex;
 
-/// Finds the common friction with which the largest amplitude of a mass over a band is smallest. Writes the steady state
-/// at the frequency of this amplitude.
+/// Finds the common friction with which the largest amplitude of a mass over a band of frequencies is smallest. Also
+/// writes the steady state at the frequency of this largest amplitude.
 pub fn optimum(
     arguments: &OptimumArguments,
     scene: Scene,
@@ -60,7 +60,7 @@ pub fn optimum(
         joined: &joined,
         masses: &all,
     };
-    // Without a spring, this fails unless the units are physical.
+    // If the scene has no spring, this call fails unless the units are physical.
     table
         .at(Frequency::at(&system, band.from))
         .map_err(Failure::new)?;
@@ -111,8 +111,9 @@ pub fn optimum(
     Ok(())
 }
 
-/// Reads the shares that `--vary` names: `share pads=a:b` is the share of one contact. `share=a:b` are the shares of all
-/// contacts but the first, because a common factor on all shares has the effect of the common friction.
+/// Reads the shares that `--vary` names. `share pads=a:b` means the share of one contact. `share=a:b` means the shares
+/// of all contacts but the first. The first keeps its share, because a common factor on all shares has the effect of
+/// the common friction.
 fn ranges(joined: &Joined<'_>, text: &str) -> Result<Vec<ShareRange>, Failure> {
     let vary = Vary::parsed(text)?;
     let contacts = joined.contact_names();
@@ -152,12 +153,12 @@ struct OptimumReport<'a> {
     found: JoinedOptimum,
     measure: Measure,
     name: &'a str,
-    /// The names of the contacts, and the best shares.
+    /// The names of the contacts and the best shares, if `--vary` is given.
     shares: Option<(Vec<String>, JoinedDistribution)>,
 }
 
 impl OptimumReport<'_> {
-    /// Returns the share of each contact with the name of the contact, if `--vary` is given.
+    /// Returns the best share of each contact, with the name of the contact. The list is empty without `--vary`.
     fn shares(&self) -> Vec<(&str, f64)> {
         let Some((names, best)) = &self.shares else {
             return Vec::new();

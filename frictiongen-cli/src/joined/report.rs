@@ -6,11 +6,11 @@ use crate::layout::Layout;
 use crate::output::{ResultTable, Visitor};
 use frictiongen::study::columns::{Column, JoinedRow};
 
-/// Steady states, with the settings for their output.
+/// Steady states of a scene with several contacts, with the settings for their output.
 pub struct JoinedReport<'q> {
     /// Frequencies, frictions, units and masses.
     pub(super) question: &'q Question<'q>,
-    /// True if the user requested every steady state.
+    /// True if the user requests every steady state.
     pub states: bool,
 }
 
@@ -30,7 +30,7 @@ impl ResultTable for JoinedReport<'_> {
                 if self.states {
                     rows = table.states(frequency, friction).map_err(Failure::new)?;
                 }
-                // Without a steady state, the line contains the reason.
+                // If there is no steady state, the line contains the reason.
                 if rows.is_empty() {
                     rows.push(table.row(frequency, friction).map_err(Failure::new)?);
                 }

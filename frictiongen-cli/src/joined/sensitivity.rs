@@ -1,4 +1,4 @@
-//! Writes derivatives of steady states of several contacts.
+//! Writes derivatives of steady states of scenes with several contacts.
 
 use super::Question;
 use crate::failure::Failure;
@@ -28,13 +28,13 @@ pub fn number(system: &System, joined: &Joined<'_>, name: &str) -> Result<Joined
     Ok(JoinedNumber::Amplitude(mass, name.to_owned()))
 }
 
-/// Derivatives of a number, with the settings for their output.
+/// Derivatives of a number of a steady state, with the settings for their output.
 pub struct SensitivityReport<'q> {
     /// Frequencies, frictions and units.
     pub(super) question: &'q Question<'q>,
     /// The number whose derivatives the user requests.
     pub of: &'q JoinedNumber,
-    /// True if the output has a line with the value above the lines with its derivatives.
+    /// True if the output has a line with the number itself before the lines with its derivatives.
     pub with_answers: bool,
 }
 

@@ -13,18 +13,18 @@ use frictiongen::study::joined::JoinedHistory;
 use frictiongen::study::scene::Scene;
 use std::io::Write;
 
-/// Length, initial state and form of the motion.
+/// Length, initial state and form of a motion over time.
 pub struct OfTime<'a> {
-    /// Numbers of cycles and samples, and whether the output is a steady state.
+    /// Numbers of cycles and samples, and whether the output is one period of a steady state.
     pub asked: Length,
-    /// Initial state, as the text of `--from`.
+    /// Initial state of the motion, as the text of the option `--from`.
     pub from: Option<&'a str>,
     /// True if the output contains the events instead of samples.
     pub events: bool,
 }
 
 impl Asked<'_> {
-    /// Writes a motion over time.
+    /// Writes a motion over time of a scene with several contacts.
     pub fn time(
         self,
         scene: Scene,
@@ -60,7 +60,7 @@ impl Asked<'_> {
     }
 }
 
-/// Returns the caption of a picture: frequency, friction and kind of motion.
+/// Returns the caption of the picture of a motion: frequency, friction and kind of motion.
 #[cfg(feature = "pictures")]
 fn caption(
     question: &Question<'_>,
@@ -85,7 +85,7 @@ fn caption(
     Ok(format!("{frequency}; {friction}; {kind}"))
 }
 
-/// Returns the motion and its frequency.
+/// Returns the motion over time, and the frequency of the load.
 fn history(
     question: &Question<'_>,
     time: &OfTime<'_>,
@@ -115,14 +115,14 @@ fn history(
     Ok((history.map_err(Failure::new)?, frequency))
 }
 
-/// The samples of a motion.
+/// The samples of a motion, with the settings for their output.
 struct SamplesReport<'m> {
     question: &'m Question<'m>,
     history: &'m JoinedHistory,
     omega: f64,
 }
 
-/// The events of a motion.
+/// The events of a motion, with the settings for their output.
 struct EventsReport<'m> {
     question: &'m Question<'m>,
     history: &'m JoinedHistory,

@@ -10,10 +10,10 @@ use frictiongen_plot::Label;
 use frictiongen_plot::desk::{self, map_figure};
 use std::io::Write;
 
-/// Largest distance between a limit and its line in the picture, in β/(1 + β).
+/// Largest distance between a limit and its line in the picture, measured in β/(1 + β).
 const LINES: f64 = 2e-4;
 
-/// Draws a map. Lines over the map show β_lim and β*_lim.
+/// Draws a map over frequency and friction. Lines over the map show β_lim and β*_lim.
 pub fn draw(
     report: &MapReport<'_>,
     boundaries: &[Boundary],

@@ -6,19 +6,20 @@ use crate::output::{ResultTable, Visitor};
 use frictiongen::study::columns::{BoundaryRow, Column, MapRow, MapTable};
 use frictiongen::study::map::{Boundary, Map};
 
-/// The map, with the settings for its output.
+/// A map, with the settings for its output.
 pub struct MapReport<'m> {
     /// Grids, units, and the contact and masses whose motions the map contains.
     pub grids: Grids,
-    /// The map.
+    /// The map that the command has computed.
     pub map: &'m Map,
 }
 
 /// The boundaries between the regions of a map, with the map itself.
 pub struct BoundaryReport<'m> {
-    /// The map with these regions.
+    /// The map to which the boundaries belong.
     pub map: &'m MapReport<'m>,
-    /// The boundaries, in the order of the frequencies. At each frequency, friction ascends.
+    /// The boundaries, in the order of their frequencies. The boundaries at one frequency are in ascending order of
+    /// friction.
     pub boundaries: Vec<Boundary>,
 }
 

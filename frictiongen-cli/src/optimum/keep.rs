@@ -9,7 +9,7 @@ use frictiongen::System;
 use frictiongen::study::columns::{Further, OptimumLine, OptimumTable};
 use frictiongen::study::optimum::{KeptQuantity, OptimumError, OptimumRequest};
 
-/// Parses the bounds of `--keep`.
+/// Parses the upper bounds that `--keep` sets.
 pub fn parsed(
     system: &System,
     texts: &[String],
@@ -31,7 +31,7 @@ fn one(system: &System, text: &str, measure: &Measure) -> Result<QuantityArgumen
     QuantityArgument::parsed(system, (name, limit), measure, &wrong)
 }
 
-/// Finds the best friction within the bounds, and returns the lines of the answer.
+/// Finds the best friction within the bounds, and returns the lines of the result.
 pub fn lines(
     table: &OptimumTable<'_>,
     request: &OptimumRequest,

@@ -1,4 +1,4 @@
-//! `frictiongen optimum`: finds the friction for which the largest amplitude over a band is smallest.
+//! `frictiongen optimum`: finds the friction with which the largest amplitude over a band of frequencies is smallest.
 
 mod keep;
 mod valued;
@@ -96,7 +96,7 @@ pub fn run(arguments: &OptimumArguments, out: &mut dyn Write) -> Result<(), Fail
 }
 
 impl OptimumArguments {
-    /// Parses the quantities of `--of`, if there are several. The list is empty for a single quantity.
+    /// Parses the quantities of `--of`, if the user gives several. The list is empty for a single quantity.
     fn several(
         &self,
         system: &System,
@@ -117,7 +117,7 @@ impl OptimumArguments {
         weigh::parsed(system, &self.of, measure)
     }
 
-    /// Returns the only quantity, or the first of several.
+    /// Returns the quantity of `--of`, or the first one if the user gives several.
     fn first(&self, system: &System, several: &[QuantityArgument]) -> Result<MovingPart, Failure> {
         match several.first() {
             Some(valued) => Ok(valued.part.clone()),

@@ -1,5 +1,5 @@
-//! A quantity in the options of `frictiongen optimum`, with its value. The value is an upper bound, or the number by
-//! which the quantity is divided.
+//! A quantity in the options of `frictiongen optimum`, with a value. The value is an upper bound on the quantity, or
+//! the number by which the quantity is divided.
 
 use crate::asked::MovingPart;
 use crate::failure::Failure;
@@ -9,19 +9,19 @@ use frictiongen::study::columns::bound;
 use frictiongen::study::response::MotionQuantity;
 use std::fmt::Display;
 
-/// A quantity and its value, as the command line gives them.
+/// A quantity with its value, as the command line gives them.
 pub struct QuantityArgument {
     /// Name of the quantity.
     pub name: String,
-    /// Text of the value.
+    /// Text of the value on the command line.
     pub text: String,
     pub part: MovingPart,
-    /// The value in the unit in which an optimum gives amplitudes.
+    /// The value in the unit of `Optimum::amplitude` for this quantity.
     pub value: f64,
 }
 
 impl QuantityArgument {
-    /// Parses a name and a value. `wrong` converts a problem to a failure whose message names the option and its text.
+    /// Parses a name and a value. `wrong` converts an error to a failure whose message names the option and its text.
     pub fn parsed(
         system: &System,
         (name, text): (&str, &str),
@@ -41,7 +41,7 @@ impl QuantityArgument {
                 &"a value with a unit needs the load; give --base, --force or --unbalance",
             ));
         }
-        // The groups of an optimum refer to the load at r = 1.
+        // The non-dimensional groups in the result of an optimum refer to the load at r = 1.
         let reference = system.angular_frequency(1.0);
         let unit = measure.convert(part.dimension(), 1.0, reference);
         Ok(Self {

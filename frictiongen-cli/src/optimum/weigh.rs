@@ -9,7 +9,7 @@ use frictiongen::System;
 use frictiongen::study::columns::{Further, OptimumLine, OptimumTable};
 use frictiongen::study::optimum::{OptimumRequest, Weighted};
 
-/// Parses the quantities with their values.
+/// Parses the quantities of `--of` with their values.
 pub fn parsed(
     system: &System,
     texts: &[String],
@@ -31,8 +31,9 @@ pub fn parsed(
     texts.iter().map(one).collect()
 }
 
-/// Finds the best friction for all quantities together, and returns the lines of the answer. The decisive quantity is
-/// the one with the largest quotient. `table` creates the table for it.
+/// Finds the best friction for all quantities together, and returns the lines of the result. The decisive quantity is
+/// the one with the largest quotient of the quantity and its value. `table` creates the table for the decisive
+/// quantity.
 pub fn lines<'a>(
     table: &dyn Fn(&'a MovingPart) -> OptimumTable<'a>,
     request: &OptimumRequest,

@@ -1,5 +1,5 @@
-//! Table of steady states. The printed table has a line for each moving contact or mass. CSV has a line, and JSON an
-//! object, for each point.
+//! Table of steady states. The printed table has one line for each moving contact or mass. CSV has one line for each
+//! point, and JSON one object.
 
 use crate::failure::Failure;
 use crate::grids::Grids;
@@ -13,8 +13,8 @@ pub struct OrbitReport {
     pub grids: Grids,
     /// Orders n of the harmonics in the output.
     pub orders: Vec<u32>,
-    /// True if the user has requested every steady state. If false, the output contains only the state that motion from
-    /// rest reaches.
+    /// True if the output contains every steady state that the search finds. If false, it contains only the state that
+    /// the motion from rest reaches.
     pub states: bool,
 }
 
@@ -45,7 +45,7 @@ impl ResultTable for OrbitReport {
                         .states(&at, frequency, friction)
                         .map_err(Failure::new)?;
                 }
-                // If no steady state exists, the line contains the reason.
+                // If the search finds no steady state, the line contains the reason.
                 if rows.is_empty() {
                     let row = table.row(&at, frequency, friction);
                     rows.push(row.map_err(Failure::new)?);

@@ -1,4 +1,4 @@
-//! Draws the motion over a period of a steady state, and the hysteresis loop of the contact.
+//! Draws the motion over one period of a steady state, and the hysteresis loop of the contact.
 
 use crate::destination::OutputFormat;
 use crate::failure::Failure;
@@ -10,8 +10,8 @@ use frictiongen_plot::desk::sketch_under_record;
 use frictiongen_plot::{Axis, Colour, Figure, Label, Line, Panel, Stroke};
 use std::io::Write;
 
-/// Draws the motion over a period. If the contact is among the motions, the picture also shows the friction force
-/// against the slip.
+/// Draws the motion over one period of a steady state. If the contact is among the motions, the picture also shows the
+/// friction force against the slip.
 pub fn motion(
     table: &PeriodicTable<'_>,
     row: &PeriodicRow,

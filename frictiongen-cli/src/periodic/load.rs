@@ -8,7 +8,7 @@ use frictiongen::measure::Dimension;
 use frictiongen::study::periodic::{BaseTable, Harmonic, PeriodicError, PeriodicLoad};
 use frictiongen::study::scene::Excitation;
 
-/// Returns the load that the arguments describe.
+/// Returns the periodic load that the arguments describe.
 pub fn of(arguments: &PeriodicArguments, system: &System) -> Result<PeriodicLoad, Failure> {
     match (&arguments.table, &arguments.harmonics, &arguments.hz) {
         (Some(_), None, None) => table(arguments, system),
@@ -31,7 +31,7 @@ pub fn of(arguments: &PeriodicArguments, system: &System) -> Result<PeriodicLoad
     }
 }
 
-/// Reads a table of one period.
+/// Reads a table of one period of the load.
 fn table(arguments: &PeriodicArguments, system: &System) -> Result<PeriodicLoad, Failure> {
     let Some(path) = &arguments.table else {
         return Err(Failure::new("give the file of a table"));
@@ -84,8 +84,8 @@ fn table(arguments: &PeriodicArguments, system: &System) -> Result<PeriodicLoad,
     load.map_err(|error| told(&error))
 }
 
-/// Parses harmonics such as `1:100@0, 3:20@45`: order, amplitude, and lag in degrees. The lag is optional, with the
-/// default 0.
+/// Parses harmonics such as `1:100@0, 3:20@45`. Each harmonic has an order, an amplitude and a lag in degrees. Without
+/// a lag, the lag is 0.
 fn parsed(text: &str) -> Result<Vec<Harmonic>, Failure> {
     let one = |text: &str| {
         let wrong = || {

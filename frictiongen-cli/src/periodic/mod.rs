@@ -83,7 +83,7 @@ pub fn run(arguments: &PeriodicArguments, out: &mut dyn Write) -> Result<(), Fai
     })
 }
 
-/// Reads the scene. With `--hold` the input is constant between samples.
+/// Reads the scene from its description. With `--hold` the input is constant between samples.
 fn scene(arguments: &PeriodicArguments) -> Result<System, Failure> {
     let file = FileArgument {
         file: Some(arguments.scene.clone()),
@@ -91,7 +91,7 @@ fn scene(arguments: &PeriodicArguments) -> Result<System, Failure> {
     let mut description = file.description(&SizeLimits::RUN_TIME)?;
     if arguments.hold {
         description.scene.stepping.input = StepInput::Hold;
-        // A description may set the input only if it provides a stepper.
+        // A description may have the field `input` only if it provides a stepper.
         if !description.scene.provides(&Provide::Stepper) {
             description.scene.provide.push(Provide::Stepper);
         }
@@ -99,7 +99,7 @@ fn scene(arguments: &PeriodicArguments) -> Result<System, Failure> {
     System::try_from(description.scene).map_err(Failure::new)
 }
 
-/// Arguments of the command, after parsing.
+/// Parsed arguments of `frictiongen periodic`.
 struct PeriodicQuestion<'a> {
     table: PeriodicTable<'a>,
     request: PeriodicRequest,
@@ -107,7 +107,7 @@ struct PeriodicQuestion<'a> {
 }
 
 impl PeriodicQuestion<'_> {
-    /// Finds the steady state at one friction force.
+    /// Finds the steady state at one kinetic friction force, in N.
     fn row(&self, friction: f64) -> Result<PeriodicRow, Failure> {
         let request = PeriodicRequest {
             friction,
@@ -123,7 +123,7 @@ impl PeriodicQuestion<'_> {
     }
 }
 
-/// Writes one steady state for each friction force.
+/// Report of the steady states, one for each friction force.
 struct StatesReport<'a>(&'a PeriodicQuestion<'a>);
 
 impl ResultTable for StatesReport<'_> {
@@ -143,7 +143,7 @@ impl ResultTable for StatesReport<'_> {
     }
 }
 
-/// Writes the motion over a period.
+/// Report of the motion over one period of a steady state.
 struct MotionReport<'a> {
     asked: &'a PeriodicQuestion<'a>,
     row: &'a PeriodicRow,

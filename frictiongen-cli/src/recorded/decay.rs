@@ -1,4 +1,4 @@
-//! `frictiongen identify --decay`: finds friction in a free vibration.
+//! `frictiongen identify --decay`: finds the friction force from a free vibration.
 
 use super::lines::ResultLines;
 use super::read;
@@ -7,7 +7,7 @@ use crate::failure::Failure;
 use frictiongen::System;
 use frictiongen::measure::columns::decay_lines;
 
-/// Identifies friction from the only recording, and returns the result as lines.
+/// Finds the friction force from the recording of a free vibration, and returns the result as lines.
 pub fn lines<'a>(
     arguments: &IdentifyArguments,
     system: &'a System,
@@ -19,7 +19,7 @@ pub fn lines<'a>(
             "--decay: one recording of one free vibration is needed",
         ));
     };
-    // The damping of the description counts as known, unless the user requests to fit it.
+    // Damping in the description counts as known, unless the user requests a fit of the damping.
     let described = system.described_damping();
     let known = described.filter(|_| arguments.also.is_empty());
     let found = system

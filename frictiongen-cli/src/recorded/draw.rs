@@ -15,11 +15,11 @@ use frictiongen_plot::{
 };
 use std::io::Write;
 
-/// Ratio of the end of an axis to the largest value on it.
+/// The end of an axis, divided by the largest value on the axis.
 const ROOM: f64 = 1.15;
 
-/// Draws residuals over frequency, divided by their standard deviations. The picture shows real parts, imaginary parts,
-/// and lines at ±2.
+/// Draws the residuals of an identification over frequency, divided by their standard deviations. The picture shows
+/// real parts, imaginary parts, and lines at ±2.
 pub fn residuals(
     system: &System,
     observations: &[Observation],
@@ -63,7 +63,7 @@ pub fn residuals(
     picture::write(figure, system, form, out)
 }
 
-/// Draws displacements and the friction force over time.
+/// Draws the displacements and the friction force under a recorded input over time.
 pub fn driven(
     system: &System,
     driven: &DrivenReport<'_>,
@@ -80,7 +80,8 @@ pub fn driven(
     picture::write_with(figure, sketch_under_record(system.scene()), form, out)
 }
 
-/// Draws pseudo-acceleration and displacement against the period, with the natural periods of the scene.
+/// Draws pseudo-acceleration and displacement of a response spectrum against the period. The picture also shows the
+/// natural periods of the scene.
 pub fn spectrum(
     system: &System,
     spectrum: &ResponseSpectrumReport<'_>,

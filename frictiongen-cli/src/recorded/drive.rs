@@ -56,7 +56,7 @@ pub fn run(arguments: &DriveArguments, out: &mut dyn Write) -> Result<(), Failur
     let mut parts = parts(&system, &arguments.of)?;
     without_rates(&parts)?;
     if arguments.of.is_empty() {
-        // Under a recorded acceleration the base drifts by metres, which hides all relative motion.
+        // Under a recorded acceleration the base drifts by metres. This drift would hide all relative motion.
         let all = parts.into_iter().map(|part| part.from_base(&system));
         parts = all.collect();
     }

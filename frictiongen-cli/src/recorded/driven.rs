@@ -11,7 +11,7 @@ use frictiongen::measure::columns::{Driven, DrivenRow};
 use frictiongen::study::columns::Column;
 use serde_json::{Value as Json, json};
 
-/// Motion under a recorded input, with the settings for its output.
+/// Motion of a scene under a recorded input, with the settings for its output.
 pub struct DrivenReport<'s> {
     system: &'s System,
     /// The contact and masses whose motions the output contains.
@@ -23,7 +23,7 @@ pub struct DrivenReport<'s> {
 }
 
 impl<'s> DrivenReport<'s> {
-    /// Computes the motion under the recorded input.
+    /// Computes the motion of the scene under the recorded input.
     pub fn of(
         system: &'s System,
         inputs: &Inputs<'_>,
@@ -54,7 +54,7 @@ impl<'s> DrivenReport<'s> {
         })
     }
 
-    /// Returns the terms of the energy balance, each with its name.
+    /// Returns the terms of the energy balance, each with its name and its value.
     fn sums(&self) -> [(&'static str, f64); 4] {
         let Work {
             load,
@@ -70,7 +70,7 @@ impl<'s> DrivenReport<'s> {
         ]
     }
 
-    /// Returns a sentence about the energy balance.
+    /// Returns a sentence about the energy balance of the motion.
     pub fn account(&self) -> String {
         let Work {
             load,

@@ -25,7 +25,7 @@ use frictiongen_plot::{
 use serde_json::{Value as Json, json};
 use std::io::Write;
 
-/// Motions and friction that the user requests.
+/// Motions and friction that the user requests for a scene with several contacts under a recorded input.
 pub struct DriveRequest<'s> {
     system: &'s System,
     joined: Joined<'s>,
@@ -34,8 +34,8 @@ pub struct DriveRequest<'s> {
 }
 
 impl<'s> DriveRequest<'s> {
-    /// Finds the motions with the names of `--of`. Without names, these are all contacts and all masses. If the base
-    /// moves, the displacements of the masses are then relative to the base.
+    /// Returns the motions that `--of` names. Without names, returns all contacts and all masses. If the base moves,
+    /// the displacements of the masses are then relative to the base.
     pub fn of(
         system: &'s System,
         names: &[String],
@@ -45,7 +45,7 @@ impl<'s> DriveRequest<'s> {
         let contacts = joined.contact_names();
         let mut parts: Vec<JoinedPart> = Vec::new();
         if names.is_empty() {
-            // Under a recorded acceleration the base drifts by metres, which hides all relative motion.
+            // Under a recorded acceleration the base drifts by metres. This drift would hide all relative motion.
             let masses = system.scene().masses.iter();
             let masses = masses.map(|mass| MovingPart::named(system, &mass.name));
             parts.extend((0..contacts.len()).map(JoinedPart::Contact));
@@ -99,7 +99,7 @@ impl<'s> DriveRequest<'s> {
         output::write(&&report, &summary, form, out)
     }
 
-    /// Computes the motion sample by sample.
+    /// Computes the motion under the recorded input, sample by sample.
     fn motion(&self, inputs: &Inputs<'_>) -> Result<JoinedDriven, Failure> {
         let mut step = self.joined.stepper(inputs.dt()).map_err(|_| {
             Failure::new(format_args!(
@@ -144,7 +144,7 @@ impl<'s> DriveRequest<'s> {
     }
 }
 
-/// Finds a mass or a combination of masses and base by its name.
+/// Returns the mass, or the combination of masses and base, with this name.
 fn named(system: &System, name: &str, contacts: &[String]) -> Result<MovingPart, Failure> {
     let contacts = contacts.join(", ");
     let part = MovingPart::named(system, name);
@@ -160,7 +160,7 @@ fn named(system: &System, name: &str, contacts: &[String]) -> Result<MovingPart,
     Ok(part)
 }
 
-/// Motion under a recorded input, with the settings for its output.
+/// Motion of several contacts under a recorded input, with the settings for its output.
 struct DriveReport<'a, 's> {
     asked: &'a DriveRequest<'s>,
     motion: JoinedDriven,
@@ -174,7 +174,7 @@ impl DriveReport<'_, '_> {
         names.map(|(name, now)| (name, now.energy)).collect()
     }
 
-    /// Returns a title and a text with these energies.
+    /// Returns a title and a text with the energy that friction has dissipated in each contact.
     fn energy(&self) -> (&'static str, String) {
         let energies = self.energies();
         let total: f64 = energies.iter().map(|(_, energy)| energy).sum();
@@ -186,7 +186,7 @@ impl DriveReport<'_, '_> {
         ("friction energy", text)
     }
 
-    /// Returns the motion for a picture.
+    /// Returns the motion in the form that the picture needs.
     #[cfg(feature = "pictures")]
     fn drawn(&self) -> JoinedMotion {
         let motion = &self.motion;

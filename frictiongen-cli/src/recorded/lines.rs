@@ -1,4 +1,4 @@
-//! Table of results with one quantity in each line: its value with an interval, and its unit.
+//! Table of a result, with one quantity in each line: its value with an interval, and its unit.
 
 use crate::failure::Failure;
 use crate::output::{ResultTable, Visitor};
@@ -7,13 +7,13 @@ use frictiongen::measure::columns::{QuantityLine, line_columns};
 use frictiongen::study::columns::Column;
 use serde_json::Value as Json;
 
-/// The quantities of a result, and texts for the lines above them.
+/// The quantities of a result, and the texts for the lines before them.
 pub struct ResultLines<'a> {
-    /// The system of the results.
+    /// The system that the result describes.
     pub system: &'a System,
     /// The quantities of the result, one for each line.
     pub lines: Vec<QuantityLine>,
-    /// Titles and texts of the lines above the quantities.
+    /// Titles and texts of the lines before the quantities.
     pub said: Vec<(&'static str, String)>,
     /// Names and keys that JSON contains in addition to the titles and texts.
     pub keys: Vec<(&'static str, &'static str)>,

@@ -1,4 +1,4 @@
-//! Reads recordings.
+//! Reads recordings, and the scenes to which they belong.
 
 use crate::args::{FileArgument, RecordingArguments};
 use crate::asked::number_that;
@@ -20,8 +20,8 @@ pub fn scene(path: &Path) -> Result<System, Failure> {
     System::try_from(description.scene).map_err(Failure::new)
 }
 
-/// Reads the scene to which the recordings belong. It may have several contacts and dashpots, but its kinetic friction
-/// must then be constant.
+/// Reads the scene to which the recordings belong. It may have several contacts and dashpots. In this case its kinetic
+/// friction must be constant.
 pub fn any_scene(path: &Path) -> Result<System, Failure> {
     let file = FileArgument {
         file: Some(path.to_owned()),
@@ -47,12 +47,12 @@ pub fn text(path: &Path) -> Result<String, Failure> {
     })
 }
 
-/// Returns the failure for an error in a file. The message contains the file's name.
+/// Returns the failure for an error in a file. Its message contains the file's name.
 pub fn told(path: &Path, error: &MeasureError) -> Failure {
     Failure::new(format_args!("{}: {error}", path.display()))
 }
 
-/// Collects the inputs of a scene from its recording. Messages contain the name of the file.
+/// Collects the inputs of a scene from a recording. Error messages contain the name of the file.
 pub fn drive<'r>(
     files: &RecordingArguments,
     recording: &'r Recording,
@@ -91,7 +91,7 @@ impl RecordingArguments {
         self.recordings.iter().map(read).collect()
     }
 
-    /// Reads the recording that drives a scene. Fails if the user gives more than one.
+    /// Reads the recording that drives a scene. Fails if the user gives several recordings.
     pub fn inputs(&self) -> Result<Recording, Failure> {
         let [path] = self.recordings.as_slice() else {
             return Err(Failure::new("give only one recording to drive a scene"));
@@ -112,7 +112,7 @@ impl RecordingArguments {
     }
 }
 
-/// Parses a channel `NAME=COLUMN:UNIT`.
+/// Parses a channel in the form `NAME=COLUMN:UNIT`.
 fn column(text: &str) -> Result<CsvColumn, Failure> {
     let wrong = || {
         Failure::new(format_args!(

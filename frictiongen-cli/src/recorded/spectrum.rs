@@ -13,16 +13,17 @@ use frictiongen::study::scene::Excitation;
 use frictiongen::study::units::hertz;
 use serde_json::{Value as Json, json};
 
-/// The response spectrum of a record.
+/// The response spectrum of a recorded base motion, with the settings for its output.
 pub struct ResponseSpectrumReport<'s> {
     system: &'s System,
     zeta: f64,
-    /// The peak responses: first those at the natural periods of the scene, then those over the whole range of periods.
+    /// The peak responses. Those at the natural periods of the scene come first, and those over the whole range of
+    /// periods follow.
     pub rows: Vec<SpectrumRow>,
 }
 
 impl<'s> ResponseSpectrumReport<'s> {
-    /// Computes the spectrum for the damping ratio ζ.
+    /// Computes the response spectrum for oscillators with the damping ratio ζ.
     pub fn of(system: &'s System, files: &RecordingArguments, zeta: f64) -> Result<Self, Failure> {
         if system.scene().excitation != Excitation::Base {
             return Err(Failure::new(

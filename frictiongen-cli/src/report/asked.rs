@@ -1,4 +1,4 @@
-//! Contents of the report page: from the user's options, or from defaults where the user gives no option.
+//! Contents of the report page. They come from the user's options, or from defaults if the user gives no option.
 
 use super::words::PageUnits;
 use crate::args::ReportArguments;
@@ -16,18 +16,18 @@ use frictiongen::{Of, System};
 const MOST_FRICTIONS: usize = 6;
 /// Largest number of masses for which the page shows every motion.
 const ALL_SHOWN: usize = 4;
-/// Range of frequencies if the user gives none. It begins at the first number times the lowest resonance, and ends at
-/// the second number times the highest resonance.
+/// Default range of frequencies. It begins at the first number times the lowest resonance, and ends at the second
+/// number times the highest resonance.
 const RANGE: [f64; 2] = [0.3, 1.5];
-/// Default frictions, as fractions of the median of β*_lim over the range.
+/// Default frictions, divided by the median of β*_lim over the range of frequencies.
 const FRACTIONS: [f64; 3] = [0.1, 0.3, 0.7];
-/// Number of frequencies at which the command computes β*_lim for its median, and the motion with the contact stuck for
-/// its largest value.
+/// Number of frequencies at which the command computes two quantities: β*_lim for its median, and the motion with the
+/// contact stuck for its largest value.
 const PLACES: usize = 401;
 
 /// Scene, range, units and motions that the report page shows.
 pub struct ReportRequest {
-    /// The system of the results.
+    /// The system that the page describes.
     pub system: System,
     /// Range of frequencies of the results.
     pub band: Band,
@@ -37,12 +37,12 @@ pub struct ReportRequest {
     pub parts: Vec<MovingPart>,
     /// Friction ratios β that the user gave. `None` for the default frictions.
     pub frictions: Option<Vec<f64>>,
-    /// Sentences that tell the reader what the command has chosen, and by which rule.
+    /// Sentences that tell the reader what the command has chosen, and by which rule it has chosen.
     pub chosen: Vec<String>,
 }
 
 impl ReportRequest {
-    /// Reads the options, and chooses everything that they do not set.
+    /// Reads the options, and chooses everything that the options do not set.
     pub fn of(arguments: &ReportArguments, system: System) -> Result<Self, Failure> {
         let measure = measure::constant(&arguments.load, &system)?;
         let mut chosen = Vec::new();
@@ -104,7 +104,7 @@ impl ReportRequest {
         })
     }
 
-    /// Returns evenly spaced frequency ratios over the range, including both bounds.
+    /// Returns `count` evenly spaced frequency ratios over the range, including both bounds.
     pub fn even(&self, count: usize) -> impl Iterator<Item = f64> + use<> {
         evenly(&self.band, count)
     }
@@ -128,8 +128,8 @@ impl ReportRequest {
         limits
     }
 
-    /// Returns the frictions of the curves, in ascending order. They are the frictions that the user gave, or the
-    /// default fractions and the best friction.
+    /// Returns the frictions of the curves, in ascending order. They are the frictions that the user gave. If the user
+    /// gave none, they are the default frictions and the best friction.
     pub fn levels(&mut self, best: Option<f64>) -> Vec<f64> {
         if let Some(given) = &self.frictions {
             return given.clone();
@@ -151,8 +151,8 @@ impl ReportRequest {
             if best.is_some() { ", and the best friction" } else { "" },
         ));
         if let Some(best) = best.filter(|best| 0.0 < *best && best.is_finite()) {
-            // A curve close to the curve of the best friction would be hard to distinguish, so its friction is left
-            // out.
+            // A reader could not distinguish a curve close to the curve of the best friction. The code therefore leaves
+            // out its friction.
             levels.retain(|level| 0.05 * best < (level - best).abs());
             levels.push(best);
         }
@@ -210,7 +210,7 @@ fn automatic(system: &System, in_hertz: bool) -> Band {
 }
 
 /// Returns the contact and masses that the page shows. For a long chain it returns only the most important ones. If a
-/// mass slides on a wall, the contact has the same motion as this mass, and the list does not contain the contact.
+/// mass slides on a wall, the contact has the same motion as this mass. The list then does not contain the contact.
 fn shown(
     system: &System,
     band: &Band,

@@ -16,8 +16,8 @@ use serde_json::{Value as Json, json};
 
 /// Largest number of masses for which the page shows best frictions.
 const MOST_MASSES: usize = 16;
-/// Bound on the work of one search, in units of about 10 µs. The bound is lower than in `frictiongen optimum`, because
-/// the page should be ready within seconds.
+/// Bound on the work of one search for a best friction, in units of about 10 µs. The bound is lower than in
+/// `frictiongen optimum`, because the page should be ready within seconds.
 const WORK: usize = 150_000;
 /// Largest number of motions for which the command searches the best friction, in a chain of at most [`ALL_MOTIONS`]
 /// masses.
@@ -28,7 +28,7 @@ const ALL_MOTIONS: usize = 4;
 /// Largest number of motions for which the command searches the best friction, in a longer chain.
 const MOST_OF_LONG: usize = 2;
 
-/// Best friction for one motion, or the reason why none was found.
+/// Best friction for one motion, or the reason why the search found none.
 pub struct Best {
     /// The contact or mass whose largest amplitude is minimised.
     pub part: MovingPart,
@@ -36,8 +36,7 @@ pub struct Best {
     pub found: Result<Optimum, String>,
 }
 
-/// Searches for the friction with the smallest peak of each motion. Returns an error with the reason if the page has no
-/// search.
+/// Searches for the best friction of each motion. Returns an error with the reason if the page contains no search.
 pub fn search(asked: &ReportRequest) -> Result<Vec<Best>, String> {
     let masses = asked.system.scene().masses.len();
     if MOST_MASSES < masses {
@@ -80,25 +79,25 @@ pub fn search(asked: &ReportRequest) -> Result<Vec<Best>, String> {
     Ok(at_once(parts, best))
 }
 
-/// Returns two friction ratios. Up to the first, the contact sticks at no frequency of the range. From the second
-/// upwards, a stuck state exists at every frequency of the range.
+/// Returns two friction ratios. Up to the first one, the contact slides all the time at every frequency of the range.
+/// From the second one upwards, a stuck state exists at every frequency of the range.
 pub fn limits(best: &Result<Vec<Best>, String>) -> Option<(f64, f64)> {
     let mut all = best.iter().flatten();
     let found = all.find_map(|best| best.found.as_ref().ok())?;
     Some((found.free_of_sticking, found.locked))
 }
 
-/// Returns the range of friction ratios in which the largest amplitude is at most 10 % above the best.
+/// Returns the range of friction ratios in which the largest amplitude is at most 10 % above the best amplitude.
 pub fn within(optimum: &Optimum) -> Option<(f64, f64)> {
     let widest = optimum.tolerances.last();
     widest.map(|widest| (widest.from, widest.to))
 }
 
-/// Returns the result for the motion whose best amplitude is largest.
+/// Returns the result for the motion with the largest best amplitude.
 pub fn worst(best: &Result<Vec<Best>, String>) -> Option<(&Best, &Optimum)> {
     let all = best.as_ref().ok()?.iter();
     let found = all.filter_map(|best| Some((best, best.found.as_ref().ok()?)));
-    // A mass that is at rest while the contact sticks is left out, because friction can stop it completely.
+    // A mass that is at rest while the contact sticks does not count, because friction can stop it completely.
     let found = found.filter(|(_, answer)| 0.0 < answer.amplitude);
     found.max_by(|a, b| a.1.amplitude.total_cmp(&b.1.amplitude))
 }
@@ -110,7 +109,7 @@ fn damping(optimum: &Optimum, asked: &ReportRequest) -> Option<f64> {
     response.largest(Of::Contact, MotionQuantity::Damping)
 }
 
-/// Returns words for the reason why every other friction gives a higher amplitude.
+/// Returns words for the reason why every other friction gives a larger amplitude.
 pub fn kind(optimum: &Optimum) -> &'static str {
     match (optimum.kind, optimum.end) {
         (_, OptimumEnd::WorkSpent) => {
@@ -129,7 +128,7 @@ pub fn kind(optimum: &Optimum) -> &'static str {
     }
 }
 
-/// Returns the section of the page as HTML.
+/// Returns the section about the best friction as HTML.
 pub fn html(best: &Result<Vec<Best>, String>, asked: &ReportRequest) -> Markup {
     let words = &asked.words;
     html! {
@@ -213,7 +212,7 @@ fn row(best: &Best, asked: &ReportRequest) -> Markup {
     }
 }
 
-/// Returns the section as JSON data.
+/// Returns the section about the best friction as JSON data.
 pub fn data(best: &Result<Vec<Best>, String>, asked: &ReportRequest) -> Json {
     let words = &asked.words;
     let one = |best: &Best| match &best.found {

@@ -1,5 +1,5 @@
-//! Cost and accuracy of the emitted code. The module counts operations in the code, and compares results with the same
-//! results in double-double.
+//! Cost and accuracy of the emitted code. The module counts operations in the code, and compares its results with
+//! results in double-double precision.
 
 use super::asked::ReportRequest;
 use super::words::{digits, number};
@@ -11,19 +11,19 @@ use frictiongen_codegen::{SceneTables, SizeLimits, parse_text, pretty};
 use maud::{Markup, html};
 use serde_json::{Value as Json, json};
 
-/// Largest number of masses for which the command compares results with double-double.
+/// Largest number of masses for which the command compares results with double-double precision.
 const MOST_COMPARED: usize = 16;
-/// Number of frequencies at which the command compares results with double-double.
+/// Number of frequencies at which the command compares results with double-double precision.
 const PLACES: usize = 101;
-/// Largest number of masses for which the command builds tables.
+/// Largest number of masses for which the command builds tables of declared accuracy.
 const MOST_TABLED: usize = 4;
-/// Accuracy declared for the tables.
+/// Accuracy that the command declares for the tables: largest relative error of a result.
 const DECLARED: f64 = 1e-4;
 
-/// Number of steps in a period of the highest resonance.
+/// Number of steps of the stepper in a period of the highest resonance.
 const STEPS_OF_A_PERIOD: f64 = 20.0;
 
-/// Largest differences between results and the same results in double-double.
+/// Largest differences between results and the same results in double-double precision.
 struct MeasuredErrors {
     precision: &'static str,
     continuous: f64,
@@ -43,16 +43,17 @@ struct TableCosts {
     operations: usize,
 }
 
-/// Upper bounds on evaluations, memory and operations of the solvers, from the numbers of masses and modes.
+/// Upper bounds on the evaluations, the memory and the operations of the emitted solvers. They follow from the numbers
+/// of masses and modes.
 struct SolverBounds {
     /// Largest number of evaluations of the modal sum in a search for β_lim.
     limit: Option<u32>,
     /// Largest number of evaluations of the modal sum in a search for an amplitude.
     amplitude: u32,
-    /// Size of a steady state with stops, in bytes.
+    /// Memory for a steady state with stops, in bytes.
     orbit: usize,
-    /// Length of a step of the stepper in seconds, the operations of a step that uses only the constant tables, and the
-    /// operations of a step with one event. `None` if the scene declares no step.
+    /// Length of a step of the stepper in seconds, and two numbers of operations: of a step that uses only the constant
+    /// tables, and of a step with one event. `None` if the scene declares no step.
     step: Option<(f64, u64, u64)>,
 }
 
@@ -66,7 +67,7 @@ pub struct CostSection {
 }
 
 impl CostSection {
-    /// Computes the contents of the section for a description.
+    /// Computes the contents of the section for the text of a description.
     pub fn of(text: &str, asked: &ReportRequest) -> Self {
         let scene = asked.system.scene();
         Self {
@@ -81,7 +82,7 @@ impl CostSection {
         }
     }
 
-    /// Returns the section of the page as HTML.
+    /// Returns the section about cost and accuracy as HTML.
     pub fn html(&self) -> Markup {
         html! {
             section #cost {
@@ -137,7 +138,7 @@ impl CostSection {
         }
     }
 
-    /// Returns the section as JSON data.
+    /// Returns the section about cost and accuracy as JSON data.
     pub fn data(&self) -> Json {
         let none = |reason: &String| json!({ "none": reason });
         let functions = self.functions.as_ref().map_or_else(none, |all| {
@@ -232,7 +233,7 @@ fn bounds(asked: &ReportRequest) -> Option<SolverBounds> {
     })
 }
 
-/// Returns the emitted functions whose documentation states a number of operations.
+/// Returns the functions of the emitted code whose documentation states a number of operations.
 fn functions(text: &str) -> Result<Vec<EmittedFunction>, String> {
     let description = parse_text(text, &SizeLimits::CHECK).map_err(|_| {
         "The macro does not accept this description; “frictiongen check” lists the errors."
@@ -261,7 +262,7 @@ fn measured(text: &str, asked: &ReportRequest) -> Result<Vec<MeasuredErrors>, St
     ])
 }
 
-/// Returns the largest differences between the results of a system and those of a reference.
+/// Returns the largest differences between the results of a system and those of a reference in double-double precision.
 fn compared<S: Float>(
     precision: &'static str,
     system: &System<S>,
@@ -276,7 +277,7 @@ fn compared<S: Float>(
         compared: (0, 0),
     };
     for r in asked.even(PLACES) {
-        // Both systems get the same number r. It is rounded only once.
+        // Both systems get the same number r, which the code rounds only once.
         let own = S::constant(r);
         let (Ok(at), Ok(exact)) = (system.at(own), reference.at(Dd::from(own.to_f64()))) else {
             continue;

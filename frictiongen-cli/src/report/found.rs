@@ -7,18 +7,19 @@ use frictiongen::study::{
 };
 use frictiongen::{Error, Of, Regime};
 
-/// Friction ratio at which the contact is stuck, except very close to a resonance of the chain with its contact stuck.
+/// Friction ratio with which the contact is stuck, except very close to a resonance of the chain with its contact
+/// stuck.
 pub const STUCK: f64 = 1e9;
 
-/// Regime, amplitude and phase, or the reason why no motion was found.
+/// Regime, amplitude and phase of a motion, or the reason why no motion was found.
 pub type FoundMotion = Result<(Regime, Swing), Error>;
 
-/// Returns the motion at the frequency ratio `r` and the friction ratio `beta`. If `beta` is [`STUCK`], the contact is
-/// stuck at every frequency.
+/// Returns the motion `of` at the frequency ratio `r` and the friction ratio `beta`. If `beta` is [`STUCK`], the
+/// contact is stuck at every frequency.
 pub fn found(asked: &ReportRequest, r: f64, beta: f64, of: Of) -> FoundMotion {
     let at = asked.system.at(r)?;
     let rest = Swing::REST;
-    // For a stuck elastic contact the closed form is a response, because the contact moves with its spring.
+    // A stuck elastic contact moves with its spring. The computation after this block gives its motion.
     if beta == STUCK && !asked.is_elastic() {
         let stuck = at.stuck()?;
         let swing = match of {
@@ -29,7 +30,7 @@ pub fn found(asked: &ReportRequest, r: f64, beta: f64, of: Of) -> FoundMotion {
                     phase: (0.0 < amplitude).then_some(phase),
                 }
             }),
-            // The page only has motions of the contact and of masses.
+            // The page contains only motions of the contact and of masses.
             _ => rest,
         };
         return Ok((Regime::Stuck, swing));
@@ -46,7 +47,7 @@ pub fn found(asked: &ReportRequest, r: f64, beta: f64, of: Of) -> FoundMotion {
     Ok((response.regime(), swing))
 }
 
-/// Returns the meaning of the line styles.
+/// Returns a text with the meaning of the line styles in a picture.
 pub fn line_styles(elastic: bool) -> &'static str {
     if elastic {
         "A dash-dotted line is motion in which the contact slides, and sticks after each reversal. A dotted line is a contact that never slides."
@@ -55,8 +56,8 @@ pub fn line_styles(elastic: bool) -> &'static str {
     }
 }
 
-/// Answers questions in parallel. Each question has a thread of its own, because there are only a few questions and
-/// each takes seconds.
+/// Computes the answers to several questions in parallel. Each question has a thread of its own, because there are only
+/// a few questions and each takes seconds.
 pub fn at_once<Q: Send, A: Send>(questions: Vec<Q>, answer: impl Fn(Q) -> A + Sync) -> Vec<A> {
     let answer = &answer;
     std::thread::scope(|scope| {
@@ -66,7 +67,7 @@ pub fn at_once<Q: Send, A: Send>(questions: Vec<Q>, answer: impl Fn(Q) -> A + Sy
         let threads: Vec<_> = threads.collect();
         let answers = threads.into_iter().map(|thread| match thread.join() {
             Ok(answer) => answer,
-            // A panic in a thread continues in this thread, as if this thread had computed the answer.
+            // If a thread panics, this thread continues the panic, as if it had computed the answer itself.
             Err(panic) => std::panic::resume_unwind(panic),
         });
         answers.collect()

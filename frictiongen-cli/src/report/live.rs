@@ -1,4 +1,4 @@
-//! The playground in the report, which answers for numbers that the reader changes.
+//! The playground in the report. In it, a reader can change numbers and see the results.
 
 use super::asked::ReportRequest;
 use crate::play;

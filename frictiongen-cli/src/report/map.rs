@@ -21,15 +21,15 @@ use maud::{Markup, html};
 use serde_json::{Value as Json, json};
 use std::sync::Mutex;
 
-/// Largest distance between a limit and its line in the picture, in β/(1 + β).
+/// Largest distance between a limit and its line in the picture, measured in β/(1 + β).
 const LINES: f64 = 5e-4;
-/// Number of rows of the table.
+/// Number of rows of the table of limits.
 const ROWS: usize = 31;
 
 /// Contents of the section about regimes.
 pub struct Regimes {
     lines: LimitLines,
-    /// The map. `None` for a long chain, whose steady states take too long.
+    /// The map. `None` for a long chain, because its steady states would take too long.
     map: Option<Map>,
     /// True if the map ends before its last frequency because the user pressed Ctrl-C.
     pub is_cut: bool,
@@ -40,15 +40,15 @@ pub struct Regimes {
     levels: Vec<f64>,
 }
 
-/// Extreme values of β_lim and β*_lim over the range, as friction ratios.
+/// Extreme values of β_lim and β*_lim over the range of frequencies, as friction ratios.
 pub struct Spread {
-    /// Largest β up to which the contact sticks at no frequency of the range.
+    /// Largest β with which the contact slides all the time at every frequency of the range.
     pub continuous_to: f64,
-    /// Smallest β above which the contact is stuck at every frequency of the range.
+    /// Smallest β with which a stuck state exists at every frequency of the range.
     pub stuck_from: f64,
 }
 
-/// Returns the number of frequencies and of frictions of a map. Returns `None` for a long chain.
+/// Returns the numbers of frequencies and of frictions of a map. Returns `None` for a long chain, which gets no map.
 fn cells(masses: usize) -> Option<(usize, usize)> {
     match masses {
         0..=4 => Some((120, 72)),
@@ -58,8 +58,8 @@ fn cells(masses: usize) -> Option<(usize, usize)> {
 }
 
 impl Regimes {
-    /// Computes the map over the range, up to a friction above all `levels`. `known` contains the extreme values of
-    /// β_lim and β*_lim if a search has already found them.
+    /// Computes the map over the range of frequencies, up to a friction above all `levels`. `known` contains the
+    /// extreme values of β_lim and β*_lim if a search has already found them.
     pub fn of(
         asked: &ReportRequest,
         levels: &[f64],
@@ -74,8 +74,8 @@ impl Regimes {
                 (low.min(limit), high.max(limit))
             })
         };
-        // The values from the search for the best friction are more accurate than those of a drawn line, which only
-        // passes through points.
+        // The extreme values from the search for the best friction are more accurate than those from a drawn line,
+        // which has only some points.
         let (continuous_to, stuck_from) = known.unwrap_or_else(|| {
             (
                 ends(|limits| limits.continuous.min(limits.sliding)).0,
@@ -119,7 +119,7 @@ impl Regimes {
                 });
                 let map = map.map_err(Failure::new)?;
                 is_cut = map.columns.len() < columns;
-                // A picture needs two frequencies.
+                // A picture of the map needs at least two frequencies.
                 (1 < map.columns.len()).then_some(map)
             }
         };
@@ -136,7 +136,7 @@ impl Regimes {
         })
     }
 
-    /// Returns the picture of the map.
+    /// Returns the picture of the map over frequency and friction.
     pub fn plot(&self, asked: &ReportRequest) -> Plot {
         let scales = &asked.words.scales;
         let mut panel = match &self.map {
@@ -206,7 +206,7 @@ impl Regimes {
         )
     }
 
-    /// Returns the regime of each cell, row by row from the smallest friction upwards.
+    /// Returns the regime of each cell of the map, row by row from the smallest friction upwards.
     fn cells(&self, asked: &ReportRequest) -> Json {
         let Some(map) = &self.map else {
             return Json::Null;
@@ -217,7 +217,7 @@ impl Regimes {
         for row in 0..map.beta.len() {
             for column in &map.columns {
                 let name = match column.points.get(row) {
-                    // An elastic contact sticks, but it moves with its spring.
+                    // While an elastic contact sticks, it moves with its spring.
                     Some(Ok(point)) if asked.is_elastic() => {
                         does(point.pattern).replace("stops", "sticks")
                     }
@@ -245,7 +245,7 @@ impl Regimes {
         json!({ "x": x, "y": y, "names": names, "cells": cells })
     }
 
-    /// Returns the section of the page as HTML.
+    /// Returns the section about regimes as HTML.
     pub fn html(&self, plot: &Plot, asked: &ReportRequest) -> Markup {
         let words = &asked.words;
         html! {
@@ -297,7 +297,7 @@ impl Regimes {
         }
     }
 
-    /// Returns the limits as JSON data, with the points of `frictiongen limits --json`.
+    /// Returns the limits as JSON data. Their points have the form of `frictiongen limits --json`.
     pub fn data(&self, asked: &ReportRequest) -> Json {
         let words = &asked.words;
         let limit = |beta: f64| object(words.friction_json(beta));

@@ -30,8 +30,7 @@ use std::io::Write;
 pub fn run(arguments: &ReportArguments, out: &mut dyn Write) -> Result<(), Failure> {
     if let Some(path) = arguments.output.as_deref() {
         file::check_page(path, "a report")?;
-        // The command checks the file before the computation, so that the user gets an error about the file without
-        // waiting.
+        // The command checks the file before it computes. The user then gets an error about the file without waiting.
         file::check(path, arguments.file.path())?;
     }
     let playground = match arguments.live {

@@ -1,4 +1,4 @@
-//! Section about the modes: frequencies, damping, shapes, and participation of load and contact.
+//! Section of the report about the modes: frequencies, damping, shapes, and participation of load and contact.
 
 use super::asked::ReportRequest;
 use super::plot::{Axes, HorizontalAxis, Plot, PlotCurve};
@@ -9,11 +9,11 @@ use frictiongen_plot::{
 use maud::{Markup, html};
 use serde_json::{Value as Json, json};
 
-/// Largest number of modes in the picture. Colours for more modes would be hard to distinguish.
+/// Largest number of modes in the picture. A reader could not distinguish the colours of more modes.
 const MOST_DRAWN: usize = 5;
 /// Largest number of modes in the table. The JSON data contain all modes.
 const MOST_LISTED: usize = 16;
-/// The participation of a mode counts as zero if it is below this fraction of the largest participation.
+/// Largest participation of a mode that counts as zero, divided by the largest participation of all modes.
 const NONE: f64 = 1e-12;
 
 /// A vibration mode of the chain, as the page shows it.
@@ -68,7 +68,7 @@ impl ModeSection {
         self.0.iter().map(|mode| words.frequency(mode.r)).collect()
     }
 
-    /// Returns the picture of the mode shapes.
+    /// Returns the picture of the chain's mode shapes.
     pub fn plot(&self, asked: &ReportRequest) -> Plot {
         let masses = asked.system.scene().masses.len();
         let x = Axis::new(
@@ -123,7 +123,7 @@ impl ModeSection {
         )
     }
 
-    /// Returns the section of the page as HTML.
+    /// Returns the section about modes as HTML.
     pub fn html(&self, plot: &Plot, asked: &ReportRequest) -> Markup {
         let scene = asked.system.scene();
         let words = &asked.words;
@@ -208,7 +208,7 @@ impl ModeSection {
     }
 }
 
-/// Scales a shape so that its largest displacement is 1 with a positive sign.
+/// Scales a mode shape so that its largest displacement is 1, with a positive sign.
 fn normalised(shape: &[f64]) -> Vec<f64> {
     let largest =
         shape.iter().copied().fold(

@@ -1,4 +1,4 @@
-//! Assembles the page: its head, its sections and its data.
+//! Assembles the report page from its head, its sections and its data.
 
 use super::asked::ReportRequest;
 use super::best::{self, Best};
@@ -12,35 +12,35 @@ use crate::measure;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use serde_json::{Value as Json, json};
 
-/// Version of the data's format. It increases when a field gets another name or another meaning.
+/// Version of the format of the page's data. It increases when a field gets another name or another meaning.
 const VERSION: u32 = 1;
 
 /// Style sheet of the page.
 const STYLE: &str = include_str!("style.css");
 /// Script of the page.
 const SCRIPT: &str = include_str!("read.js");
-/// Hash of the page's script. A browser runs no other script in the page. A test compares the hash with the script.
+/// Hash of the page's script. A browser runs no other script in the page. A test compares this hash with the script.
 const SCRIPT_HASH: &str = include_str!("read.js.sha256");
 
-/// Contents of the page.
+/// Contents of the report page.
 pub struct ReportPage<'a> {
     /// Name of the description.
     pub file: &'a str,
     /// Doc comments of the description.
     pub documentation: &'a str,
-    /// Content of the page, from the user's options and the defaults.
+    /// Scene, range, units and motions of the page, from the user's options and the defaults.
     pub asked: ReportRequest,
     /// Contents of the section about modes.
     pub modes: ModeSection,
-    /// Amplitudes and phases.
+    /// Contents of the section about amplitudes and phases.
     pub responses: Responses,
-    /// Limits and regimes.
+    /// Contents of the section about limits and regimes.
     pub regimes: Regimes,
-    /// Features of the response.
+    /// Contents of the section about features of the response.
     pub features: FeatureSection,
     /// Best friction of each motion, or the reason why the command made no search.
     pub best: Result<Vec<Best>, String>,
-    /// Cost of the emitted code.
+    /// Contents of the section about cost and accuracy of the emitted code.
     pub cost: CostSection,
     /// The page of the playground with the description, if the user asks for it.
     pub live: Option<String>,
@@ -89,7 +89,7 @@ impl ReportPage<'_> {
                     meta name="viewport" content="width=device-width, initial-scale=1";
                     meta name="color-scheme" content="light dark";
                     title { (name) ": friction report" }
-                    // The style sheet and the script belong to this crate and contain no text of the user.
+                    // The style sheet and the script belong to this crate. They contain no text of the user.
                     style { (PreEscaped(STYLE)) }
                 }
                 body {
@@ -157,7 +157,7 @@ fn limits_of_the_page() -> Markup {
     }
 }
 
-/// Returns JSON for a script element. The result contains no text that would end the element or begin a comment.
+/// Returns JSON data for a script element. The result contains no text that would end the element or begin a comment.
 fn within_script(data: &Json) -> String {
     data.to_string()
         .replace('&', "\\u0026")

@@ -1,28 +1,28 @@
-//! A picture with the data of its curves. The page shows values from these data under the pointer.
+//! A picture of the report with the data of its curves. From these data, the page shows the values under the pointer.
 
 use super::words::rounded;
 use frictiongen_plot::{Colour, Figure, Label, Layer, Page, PanelFrame, Scale, Stroke};
 use maud::{Markup, PreEscaped, html};
 use serde_json::{Value as Json, json};
 
-/// Largest distance between the curve and straight lines through its data. The distance may be the first number times
-/// the value of the curve at this position, plus the second number times the largest value of the curve.
+/// Largest distance between a curve and straight lines through its data. It is a sum of two terms: the first number
+/// times the value of the curve at the position, and the second number times the largest value of the curve.
 const STRAYS: [f64; 2] = [5e-4, 2e-5];
 
-/// A curve of a panel in the units of the axes.
+/// A curve of a panel, in the units of the panel's axes.
 pub struct PlotCurve {
     name: String,
     colour: Colour,
-    /// Pieces of the curve. Each has a regime, or `None`.
+    /// Pieces of the curve with their regime. The regime is `None` if the strokes do not show it.
     runs: Vec<(Option<&'static str>, Pieces)>,
 }
 
-/// Points of each piece. Lines join the points of one piece.
+/// Points of each piece of a curve. Lines join the points of one piece.
 type Pieces = Vec<Vec<(f64, f64)>>;
 
 impl PlotCurve {
-    /// Creates a series from the layers that draw one curve. If `by_regime` is true, the stroke of a layer gives its
-    /// regime.
+    /// Creates a curve from the layers of the figure that draw it. If `by_regime` is true, the stroke of a layer gives
+    /// the regime of its pieces.
     pub fn of(name: &Label, colour: Colour, layers: &[Layer], by_regime: bool) -> Self {
         let lines = layers.iter().filter_map(|layer| match layer {
             Layer::Line(line) => Some(line),
@@ -65,8 +65,8 @@ impl PlotCurve {
     }
 }
 
-/// Removes points of a piece as long as straight lines through the remaining points stay close to the curve. A curve
-/// that ends at a pole or at the edge of the range has many more points than a picture needs.
+/// Removes points from a piece of a curve as long as straight lines through the remaining points stay close to the
+/// curve. A curve that ends at a pole or at the bound of the range has many more points than a picture needs.
 fn thinned(piece: &[(f64, f64)], most: f64) -> Vec<(f64, f64)> {
     let [relative, absolute] = STRAYS;
     let mut kept = vec![false; piece.len()];
@@ -105,7 +105,7 @@ fn thinned(piece: &[(f64, f64)], most: f64) -> Vec<(f64, f64)> {
         .collect()
 }
 
-/// A picture, with the data of the curves in each of its panels.
+/// A picture of the report, with the data of the curves in each of its panels.
 pub struct Plot {
     /// Identifier of the picture in the page and in the data.
     pub id: String,
@@ -115,7 +115,7 @@ pub struct Plot {
     data: Json,
 }
 
-/// Name and unit of the values of a panel.
+/// Name and unit of the quantity on a panel's vertical axis.
 pub struct Axes<'a> {
     /// Name of the quantity.
     pub quantity: &'a str,
@@ -123,7 +123,7 @@ pub struct Axes<'a> {
     pub unit: &'a str,
 }
 
-/// Name and unit of the horizontal axis.
+/// Name and unit of the quantity on the horizontal axis.
 pub struct HorizontalAxis<'a> {
     /// Name of the axis.
     pub name: &'a str,
@@ -132,8 +132,8 @@ pub struct HorizontalAxis<'a> {
 }
 
 impl Plot {
-    /// Creates a plot from a figure, with the width of a telephone screen. `curves` has the curves of each panel, and
-    /// `more` has further data.
+    /// Creates a picture from a figure, with the width of a telephone screen. `curves` contains the curves of each
+    /// panel, and `more` further data.
     pub fn new(
         id: &str,
         title: &str,
@@ -193,7 +193,8 @@ impl Plot {
     }
 }
 
-/// Returns the position of a panel's frame in the units of the picture, and the values at the sides of the frame.
+/// Returns the position of a panel's frame in the units of the picture, and the values of the axes at the sides of the
+/// frame.
 fn placed(frame: &PanelFrame) -> Json {
     json!({
         "left": rounded(frame.left),

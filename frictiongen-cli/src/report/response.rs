@@ -19,16 +19,16 @@ use frictiongen_plot::{Axis, Colour, Figure, Label, Layer, Markers, Panel};
 use maud::{Markup, html};
 use serde_json::{Value as Json, json};
 
-/// Number of rows of the table.
+/// Number of rows of the table of responses.
 const ROWS: usize = 31;
-/// Largest number of frequency ranges that the page lists in words. One regime exists in each range.
+/// Largest number of frequency ranges that the page lists in words. Each range has one regime.
 const MOST_STRETCHES: usize = 6;
 /// Bound on the work of one curve, in units of about 10 µs. A page has up to eight curves.
 const WORK: usize = 60_000;
-/// Smallest amplitude on an axis, as a fraction of the largest. The axis then has at most four decades.
+/// Smallest amplitude on an axis, divided by the largest. The axis then has at most four decades.
 const DECADES: f64 = 1e-4;
 
-/// A curve at one friction, with its name.
+/// A curve over frequency at one friction, with its name.
 struct FrictionCurve {
     name: String,
     beta: f64,
@@ -36,10 +36,11 @@ struct FrictionCurve {
     curve: Curve,
 }
 
-/// Contents of the section about responses.
+/// Contents of the section about amplitudes and phases.
 pub struct Responses {
     levels: Vec<FrictionCurve>,
-    /// Motions in the table: for each frequency, a list for each friction, with one entry for each contact or mass.
+    /// Motions in the table. Each frequency has a list for each friction. In the list, each contact or mass has one
+    /// entry.
     rows: Vec<(f64, Vec<Vec<FoundMotion>>)>,
 }
 
@@ -126,7 +127,7 @@ impl Responses {
         (1..=MOST_STRETCHES).contains(&found.len()).then_some(found)
     }
 
-    /// Returns one picture for each motion, with its features marked.
+    /// Returns one picture for each motion, on which the features are marked.
     pub fn plots(&self, asked: &ReportRequest, features: &[FeatureLine]) -> Vec<Plot> {
         let parts = asked.parts.iter().enumerate();
         parts
@@ -211,8 +212,8 @@ impl Responses {
         )
     }
 
-    /// Returns the bounds of the amplitude axis. All finite values lie within the bounds. If an amplitude is unbounded,
-    /// the upper bound is a fixed multiple of the amplitudes at evenly spaced frequencies.
+    /// Returns the bounds of the amplitude axis for a motion. All finite amplitudes lie within the bounds. If an
+    /// amplitude is unbounded, the upper bound is a fixed multiple of the amplitudes at evenly spaced frequencies.
     fn ends(&self, part: usize, words: &PageUnits) -> (f64, f64) {
         let sizes = |level: &FrictionCurve| -> Vec<f64> {
             let points = level.curve.pieces.iter().flat_map(|piece| &piece.points);
@@ -249,7 +250,7 @@ impl Responses {
         (low.max(DECADES * high).min(0.1 * high), 1.3 * high)
     }
 
-    /// Returns the section of the page as HTML.
+    /// Returns the section about amplitudes and phases as HTML.
     pub fn html(&self, plots: &[Plot], asked: &ReportRequest) -> Markup {
         let words = &asked.words;
         html! {
@@ -346,7 +347,7 @@ impl Responses {
         }
     }
 
-    /// Returns the table and the peaks as JSON data.
+    /// Returns the table and the peaks of the curves as JSON data.
     pub fn data(&self, asked: &ReportRequest) -> Json {
         let words = &asked.words;
         let cell = |found: &FoundMotion| match found {
@@ -383,8 +384,8 @@ impl Responses {
     }
 }
 
-/// Returns the accuracy of a curve, which is the largest relative deviation of straight lines through its points. With
-/// more masses the accuracy is coarser, because their steady states take longer.
+/// Returns the accuracy of a curve: the largest relative deviation of straight lines through its points. With more
+/// masses the accuracy is coarser, because the steady states of long chains take longer.
 fn accuracy(masses: usize) -> f64 {
     match masses {
         0..=4 => 5e-4,
@@ -393,7 +394,7 @@ fn accuracy(masses: usize) -> f64 {
     }
 }
 
-/// Returns the two end points of a phase axis.
+/// Returns the two bounds of a phase axis.
 fn turns(layers: &[Layer]) -> (f64, f64) {
     let lines = layers.iter().filter_map(|layer| match layer {
         Layer::Line(line) => Some(line.pieces.iter().flatten()),

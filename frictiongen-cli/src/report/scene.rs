@@ -1,4 +1,4 @@
-//! Section about the scene: a drawing and the values.
+//! Section of the report about the scene: a drawing and the values.
 
 use super::asked::ReportRequest;
 use super::words::digits;
@@ -8,12 +8,12 @@ use frictiongen_plot::{Excitation as Drawn, Label, Sketch, desk};
 use maud::{Markup, PreEscaped, html};
 use serde_json::{Value as Json, json};
 
-/// Returns the name of a node.
+/// Returns the name of a node in the description.
 fn node(scene: &Scene, node: Node) -> &str {
     scene.node_name(node)
 }
 
-/// Returns the sketch with its values, or `None` for a long chain.
+/// Returns a sketch of the chain with its values, or `None` for a long chain.
 fn drawing(asked: &ReportRequest) -> Option<String> {
     let scene = asked.system.scene();
     let plain = desk::sketch(scene, true);
@@ -41,7 +41,7 @@ fn drawing(asked: &ReportRequest) -> Option<String> {
     sketch.svg()
 }
 
-/// Describes the damping in words.
+/// Describes the damping of the scene in words.
 fn damping(scene: &Scene) -> String {
     let acts_on = match (scene.damping_acts_on(), scene.damping_from) {
         (None, _) => "",
@@ -64,7 +64,7 @@ fn damping(scene: &Scene) -> String {
     ratios + acts_on
 }
 
-/// Describes the load in words.
+/// Describes the load of the report in words.
 fn load(asked: &ReportRequest) -> String {
     let scene = asked.system.scene();
     let place = match scene.excitation {
@@ -84,7 +84,7 @@ fn load(asked: &ReportRequest) -> String {
     }
 }
 
-/// Returns the section of the page as HTML.
+/// Returns the section about the scene as HTML.
 pub fn html(asked: &ReportRequest) -> Markup {
     let scene = asked.system.scene();
     let contact = (

@@ -1,4 +1,4 @@
-//! Summary at the top of the page, with the main results.
+//! Summary at the top of the report page, with the main results.
 
 use super::asked::ReportRequest;
 use super::best::{self, Best};
@@ -16,7 +16,7 @@ use maud::{Markup, html};
 /// Largest number of resonances that the summary names.
 const MOST_NAMED: usize = 4;
 
-/// Returns the first lines of the page as HTML.
+/// Returns the summary as HTML.
 pub fn html(
     asked: &ReportRequest,
     modes: &ModeSection,

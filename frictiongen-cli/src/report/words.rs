@@ -1,4 +1,4 @@
-//! Formats the numbers of the page with four digits and their unit.
+//! Formats the numbers of the report page with four significant digits and their unit.
 
 use crate::measure::{Measure, PhysicalQuantity};
 use crate::number::Lossless as _;
@@ -7,10 +7,10 @@ use frictiongen::study::units;
 use frictiongen_plot::desk::Scales;
 use serde_json::Value as Json;
 
-/// Units in which the page shows its numbers.
+/// Units in which the report page shows its numbers.
 #[derive(Clone, Copy, Debug)]
 pub struct PageUnits {
-    /// Units of the axes of pictures.
+    /// Units of the axes of the page's pictures.
     pub scales: Scales,
     /// True if the page shows frequencies in Hz.
     pub in_hertz: bool,
@@ -18,7 +18,7 @@ pub struct PageUnits {
     pub measure: Measure,
 }
 
-/// Formats a number with four digits.
+/// Formats a number with four significant digits.
 pub fn digits(value: f64) -> String {
     let size = value.abs();
     if value.is_nan() {
@@ -57,13 +57,13 @@ pub fn number(value: f64) -> Json {
     crate::number::Cell::from(value).json()
 }
 
-/// Rounds a number to six digits, the resolution of a picture.
+/// Rounds a number to six significant digits, the resolution of a picture.
 pub fn rounded(value: f64) -> f64 {
     format!("{value:.5e}").parse().unwrap_or(value)
 }
 
 impl PageUnits {
-    /// Returns the unit of displacements.
+    /// Returns the unit in which the page shows displacements.
     pub fn length_unit(&self) -> &'static str {
         match (self.measure.scale(), self.measure.is_base_motion()) {
             (Some(_), _) => "mm",
@@ -83,7 +83,7 @@ impl PageUnits {
         self.force(self.scales.friction(beta))
     }
 
-    /// Formats a friction that is already in the page's unit.
+    /// Formats a friction that is already in the unit of the page.
     pub fn force(&self, force: f64) -> String {
         let value = digits(force);
         match self.measure.scale() {
@@ -102,7 +102,7 @@ impl PageUnits {
         }
     }
 
-    /// Returns the heading of a column of frequencies.
+    /// Returns the heading of a table column of frequencies.
     pub fn frequency_title(&self) -> &'static str {
         if self.in_hertz { "f (Hz)" } else { "r" }
     }

@@ -1,5 +1,5 @@
-//! Table of responses. The printed table has a line for each moving contact or mass. CSV has a line, and JSON an
-//! object, for each point.
+//! Table of responses. The printed table has one line for each moving contact or mass. CSV has one line for each point,
+//! and JSON one object.
 
 use crate::failure::Failure;
 use crate::grids::Grids;

@@ -8,17 +8,17 @@ use frictiongen::System;
 use frictiongen::study::history::MOST_SAMPLES;
 use frictiongen::study::units::LoadScale;
 
-/// Largest number of cycles, of skipped cycles and of samples in a cycle.
+/// Largest number of cycles, largest number of skipped cycles, and largest number of samples in a cycle.
 const MOST: u32 = MOST_SAMPLES as u32;
 
-/// Length and form of the motion that the user requests.
+/// Length and form of the motion over time that the user requests.
 #[derive(Clone, Copy, Debug)]
 pub struct TimeRequest {
-    /// Number of cycles in the output.
+    /// Number of cycles of the excitation in the output.
     pub cycles: u32,
-    /// Number of cycles before the first cycle of the output.
+    /// Number of cycles of the excitation before the first cycle of the output.
     pub skip: u32,
-    /// Number of samples in a cycle.
+    /// Number of samples in a cycle of the excitation.
     pub samples: u32,
     /// True if the output is one period of the steady state. If false, the output is a run from the initial state.
     pub steady: bool,
@@ -27,7 +27,7 @@ pub struct TimeRequest {
 }
 
 impl TimeRequest {
-    /// Reads the options of the command.
+    /// Reads the options of `frictiongen time`.
     pub fn parse(arguments: &TimeArguments) -> Result<Self, Failure> {
         let number = |option, text: &Option<String>, least, default| match text {
             Some(text) => whole(option, text, least..=MOST),
@@ -51,10 +51,10 @@ impl TimeRequest {
     }
 }
 
-/// Displacements and velocities of all masses, as non-dimensional groups.
+/// An initial state: displacements and velocities of all masses, as non-dimensional groups.
 pub type InitialState = (Vec<f64>, Vec<f64>);
 
-/// Parses the state of `--from`. With a load, the state is in the units of the load.
+/// Parses the initial state in the option `--from`. Under a load, the state is in the units of the load.
 pub fn start(
     text: &str,
     system: &System,
@@ -63,7 +63,8 @@ pub fn start(
     state(text, system, course.measure.scale(), course.frequency.omega)
 }
 
-/// Parses a state in the units of the load, if a load is given. `omega` is ω in rad/s.
+/// Parses a state. If a load is given, the state is in the units of the load. `omega` is the angular frequency ω in
+/// rad/s.
 pub fn state(
     text: &str,
     system: &System,

@@ -1,4 +1,4 @@
-//! Settings of a motion over time: frequency, friction, units, and the contact and masses.
+//! Settings of a motion over time: frequency, friction, units, and the list of motions.
 
 use crate::asked::MovingPart;
 use crate::measure::Measure;
@@ -7,9 +7,9 @@ use frictiongen::study::columns::{
     Frequency, FrequencyUnit, FrictionSetting, HistoryTable, Setting,
 };
 
-/// Settings of a motion over time: frequency, friction, units, and the contact and masses.
+/// Settings of a motion over time: frequency, friction, units, and the list of motions.
 pub struct RunSettings<'a> {
-    /// The system that the answers describe.
+    /// The system whose motion the output contains.
     pub system: &'a System,
     /// Unit in which the user gave the frequency.
     pub unit: FrequencyUnit,
@@ -17,16 +17,16 @@ pub struct RunSettings<'a> {
     pub frequency: Frequency,
     /// Friction in the contact, as ratio β and, under a load, as force in N.
     pub friction: FrictionSetting,
-    /// Units of the answers: SI units under a load, otherwise non-dimensional groups.
+    /// Units of the results: SI units under a load, otherwise non-dimensional groups.
     pub measure: Measure,
     /// The contact and masses whose motions the output contains.
     pub parts: Vec<MovingPart>,
-    /// True if the output has times in seconds as well.
+    /// True if the output contains times in seconds next to the phase τ.
     pub in_seconds: bool,
 }
 
 impl RunSettings<'_> {
-    /// Returns the tables of the motion.
+    /// Returns the tables of the motion over time.
     pub fn table(&self) -> HistoryTable<'_> {
         HistoryTable {
             setting: Setting {

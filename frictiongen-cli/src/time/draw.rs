@@ -10,7 +10,7 @@ use frictiongen_plot::Label;
 use frictiongen_plot::desk::{history_figure, spectrum_figure};
 use std::io::Write;
 
-/// Draws the motion or its spectrum.
+/// Draws a motion over time, or its spectrum.
 pub fn draw(
     system: &System,
     motion: &RunMotion<'_>,

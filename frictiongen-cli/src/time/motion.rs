@@ -12,9 +12,9 @@ use frictiongen::study::{
 use frictiongen::{NoOrbit, Of};
 use serde_json::{Value as Json, json};
 
-/// A motion over time.
+/// A motion over time, with the settings for its output.
 pub struct RunMotion<'a> {
-    /// Frequency, friction, units, and the contact and masses.
+    /// Settings of the motion: frequency, friction, units, and the list of motions.
     pub course: RunSettings<'a>,
     /// Samples and events of the motion.
     pub history: History,
@@ -22,12 +22,12 @@ pub struct RunMotion<'a> {
     pub exact: Vec<Spectrum>,
     /// Words for the kind of motion: from rest, from a state, or a steady state.
     kind: &'static str,
-    /// Regime of a steady state.
+    /// Regime of the motion if it is a steady state. Otherwise `None`.
     regime: Option<&'static str>,
 }
 
 impl<'a> RunMotion<'a> {
-    /// Computes the motion.
+    /// Computes the motion over time that the user requests.
     pub fn of(
         course: RunSettings<'a>,
         asked: &TimeRequest,
@@ -74,7 +74,7 @@ impl<'a> RunMotion<'a> {
         })
     }
 
-    /// Returns frequency and friction, each with its name.
+    /// Returns frequency and friction of the motion, each with its name.
     fn point(&self) -> impl Iterator<Item = (String, Cell<'static>)> {
         let (course, setting) = (&self.course, self.course.table().setting);
         let frequency = setting.frequency_columns().into_iter();
@@ -102,7 +102,7 @@ impl<'a> RunMotion<'a> {
         head
     }
 
-    /// Returns the lines above a printed table.
+    /// Returns the lines before the printed table of the motion.
     pub fn preamble(&self) -> Vec<(&'static str, String)> {
         let history = &self.history;
         let number = |value: &Cell<'_>| match value {
@@ -132,7 +132,7 @@ impl<'a> RunMotion<'a> {
     }
 }
 
-/// Returns the message for an error, with the names of the command's options.
+/// Returns the message for an error. The message contains the names of the command's options.
 fn told(error: HistoryError) -> Failure {
     match error {
         HistoryError::TooManySamples => {

@@ -1,4 +1,4 @@
-//! Tables of the samples and of the events of a motion.
+//! Tables of the samples and of the events of a motion over time.
 
 use super::motion::RunMotion;
 use crate::failure::Failure;
@@ -7,13 +7,13 @@ use crate::output::{ResultTable, Visitor};
 use frictiongen::study::columns::{Column, EventRow, SampleRow};
 use serde_json::Value as Json;
 
-/// Table of the samples of a motion.
+/// Table of the samples of a motion over time.
 pub struct SamplesReport<'m> {
     /// The motion over time.
     pub motion: &'m RunMotion<'m>,
 }
 
-/// Table of the events of a motion.
+/// Table of the events of a motion over time.
 pub struct EventsReport<'m> {
     /// The motion over time.
     pub motion: &'m RunMotion<'m>,

@@ -1,4 +1,4 @@
-//! Table of the spectra of a motion.
+//! Table of the spectra of a motion over time.
 
 use super::motion::RunMotion;
 use crate::failure::Failure;
@@ -9,7 +9,7 @@ use frictiongen::study::history::Spectrum;
 use serde_json::Value as Json;
 use std::borrow::Cow;
 
-/// Table of the spectra of a motion.
+/// Table of the spectra of a motion over time.
 pub struct SpectrumReport<'m> {
     /// The motion over time.
     pub motion: &'m RunMotion<'m>,
@@ -17,7 +17,7 @@ pub struct SpectrumReport<'m> {
     pub spectra: &'m [Spectrum],
 }
 
-/// Returns the exact spectra of a steady state. For a run, computes the spectra of its samples.
+/// Returns the exact spectra of a steady state. For any other motion, returns the spectra of its samples.
 pub fn spectra<'m>(motion: &'m RunMotion<'_>) -> Cow<'m, [Spectrum]> {
     if !motion.exact.is_empty() {
         return Cow::Borrowed(&*motion.exact);

@@ -3,21 +3,23 @@
 //! Some masses may be connected to the load through the contact alone. At the frequency at which these masses resonate
 //! while the contact is stuck, V and H vanish together. V is the response of the contact to the load, and H is its
 //! receptance (response to a contact force). The amplitude V/H of the contact force would then be a quotient of
-//! rounding errors. This module divides out the common zero. With s = r² and the distance d = s − s₀ from the zero, V =
-//! v₁d − v₂d² + v₃d³ − …, where v_n = Σα/(λ − s)^{n+1} with the residues α = (φᵀw)(φᵀp) of the modes and their squared
-//! frequency ratios λ. H has a series of the same form.
+//! The amplitude V/H of the contact force would then be a quotient of rounding errors. This module divides out the
+//! common zero. Let s = r², and let d = s − s₀ be the distance from the zero s₀. Then V = v₁d − v₂d² + v₃d³ − …, where
+//! v_n = Σ α/(λ − s)^{n+1}. The sum is over the modes. α = (φᵀw)(φᵀp) is the residue of a mode and λ its squared
+//! frequency ratio. H has a series of the same form.
 
 use crate::contact::sums::{Chain, ContactAt, ModeAt};
 use crate::number::scalar::Float;
 use crate::oscillator::mode::Mode;
 
-/// A modal sum counts as zero if its modulus is smaller than this number times the rounding error of its largest term.
+/// Factor in the test of a modal sum for zero. The sum counts as zero if its modulus is smaller than this factor times
+/// the rounding error of its largest term.
 const ROUNDINGS: f64 = 64.0;
 
 /// Returns the largest relative distance from an absorber frequency at which the series is more accurate than the
-/// quotient V/H. At an absorber frequency V (response to the load) and H (receptance) are both zero. The code uses
-/// three terms of the series, so that its relative error is about the third power of this distance. The relative error
-/// of the quotient is about one rounding unit divided by this distance.
+/// quotient V/H. At an absorber frequency, V (response to the load) and H (receptance) are both zero. The code uses
+/// three terms of the series. The relative error of the series is therefore about the third power of this distance. The
+/// relative error of the quotient is about one rounding unit divided by this distance.
 fn near<S: Float>() -> S {
     S::constant(S::EPSILON).sqrt().sqrt()
 }
@@ -68,7 +70,7 @@ impl<S: Float> Chain<S> {
         for _ in 0..3 {
             d = (h + h2 * d * d - h3 * d * d * d) / h1;
         }
-        // V must vanish at the same distance, to within rounding.
+        // At an absorber frequency, V must vanish at the same distance d, except for rounding.
         let rest = v - d * (v1 - v2 * d + v3 * d * d);
         let noise = S::constant(ROUNDINGS * S::EPSILON) * (v_size + d.abs() * slope_size);
         let truncated = d * d * d * d * slope_size;
@@ -78,9 +80,9 @@ impl<S: Float> Chain<S> {
         Some((v1 - v2 * d + v3 * d * d) / (h1 - h2 * d + h3 * d * d))
     }
 
-    /// Returns the amplitude of a mass in the stuck state under a contact force of amplitude `force`, which
-    /// [`absorbed_force`](Self::absorbed_force) computes. The formula does not divide by the receptance H, because H is
-    /// nearly zero close to an absorber frequency.
+    /// Returns the amplitude of a mass in the stuck state under a contact force of amplitude `force`.
+    /// [`absorbed_force`](Self::absorbed_force) computes this amplitude. Close to an absorber frequency the receptance
+    /// H is nearly zero. The formula therefore does not divide by H.
     #[must_use]
     pub fn stuck_under(
         &self,

@@ -1,5 +1,5 @@
-//! Searches for the velocity constraint S, each of which proves that no larger value exists. The module also decides
-//! whether a continuous motion exists.
+//! Searches for the velocity constraint S. Each search proves that no larger value of the constraint exists. The module
+//! also decides whether a continuous motion exists.
 
 use crate::contact::regime::check_beta;
 use crate::contact::sums::{Chain, ContactAt, ModeAt};
@@ -11,24 +11,24 @@ use crate::number::scalar::Float;
 use crate::oscillator::decay::Decay;
 use crate::oscillator::mode::Mode;
 
-/// Safety margin of a comparison of β with β_lim, in rounding units. If β is below the computed β_lim by more than this
-/// margin, β is below the exact β_lim as well. The search contributes an error of up to four units, and the formula of
-/// β_lim contributes the rest.
+/// Safety margin for a comparison of β with β_lim, in rounding units. If β is less than the computed β_lim by more than
+/// this margin, β is also less than the exact β_lim. The search contributes an error of up to four units. The formula
+/// of β_lim contributes the rest.
 const CLEAR: f64 = 32.0;
-/// Upper bound on the phase error of a mode due to the rounding of r, as a fraction of a half turn. A mode with a
-/// larger error is so fast that two searches at the same r may differ. For such a mode the code does not use the search
-/// that only compares S with the largest value that β allows.
+/// Upper bound on the phase error of a mode that the rounding of r causes, as a fraction of a half turn. If a mode is
+/// so fast that its error is larger, two searches at the same r may differ. The code then does not use the search that
+/// only compares S with the largest value that β permits.
 const UNTURNED: f64 = 1e-4;
 
 /// Upper bound on the relative tolerance of a search for the velocity constraint S. If β_lim hardly depends on S, a
-/// larger tolerance would suffice for β_lim itself. The amplitude of the motion at β_lim would then be inaccurate.
+/// larger tolerance would suffice for β_lim itself. But it would make the amplitude of the motion at β_lim inaccurate.
 const MOST_TOLERANCE: f64 = 1.0 / 4096.0;
 
 impl<S: Float> Chain<S> {
     /// Finds the velocity constraint max(S, H_c + μm*/r²), multiplied by r² and by the scale E of [`ContactAt`]. S is
-    /// the maximum of the sum over the modes (5.54, 7.36). A search of the half period finds S and proves that no
-    /// larger value exists. The search starts from the break-away term H_c + μm*/r². `waves` is working space with one
-    /// element for each mode.
+    /// the maximum over time of a sum over the modes (5.54, 7.36). A search of the half period finds S and proves that
+    /// no larger value exists. The search starts from the break-away term H_c + μm*/r². `waves` is working space with
+    /// one element for each mode.
     pub fn velocity_constraint<D: Decay<S>>(
         &self,
         contact: &ContactAt<S>,
@@ -40,8 +40,8 @@ impl<S: Float> Chain<S> {
         self.constraint_of(contact, at, waves)
     }
 
-    /// Finds the velocity constraint r²E·max(S, H_c + μm*/r²) from the terms of all modes, which `waves` already
-    /// contains.
+    /// Finds the velocity constraint max(S, H_c + μm*/r²), multiplied by r² and by the scale E of [`ContactAt`]. The
+    /// terms of all modes are already in `waves`.
     fn constraint_of<D: Decay<S>>(
         &self,
         contact: &ContactAt<S>,
@@ -49,8 +49,8 @@ impl<S: Float> Chain<S> {
         waves: &[Wave<S, D>],
     ) -> Peak<S> {
         let start = self.start_constraint(contact);
-        // `above` = (μ − 1)m*E is computed directly. As a difference of two sums it would lose digits, because close to
-        // a resonance the damping term H_c outweighs the other terms.
+        // The code computes `above` = (μ − 1)m*E directly. As a difference of two sums it would lose digits. Close to a
+        // resonance the damping term H_c outweighs all other terms of the sums.
         let above = (self.stiction - S::constant(1.0)) * self.inverse_mass * contact.scale;
         let mut peak = self.constraint_above(contact, at, waves, start, above);
         peak.value = if peak.places[0].is_some() {
@@ -61,15 +61,15 @@ impl<S: Float> Chain<S> {
         peak
     }
 
-    /// Returns true if the velocity constraint S equals its limit for τ → 0, so that no search is needed. An undamped
-    /// chain meets this condition if R ≥ 1/2 for every mode. `ratios` are x = 1/R of the modes, where R is the
-    /// excitation frequency divided by the natural frequency of the mode.
+    /// Returns true if the velocity constraint S equals its limit for τ → 0, so that no search is needed. For an
+    /// undamped chain this is the case if R ≥ 1/2 for every mode. R is the excitation frequency divided by the natural
+    /// frequency of the mode. `ratios` contains x = 1/R of the modes.
     pub(crate) fn start_decides(&self, mut ratios: impl Iterator<Item = S>) -> bool {
         !self.damped && ratios.all(|x| x <= S::constant(2.0))
     }
 
-    /// Returns r²E·S − `start`, with the velocity constraint S and its limit `start` for τ → 0. If the difference is
-    /// below `above`, the function returns `above`.
+    /// Returns r²E·S − `start`. S is the velocity constraint, E the scale of [`ContactAt`], and `start` the limit of
+    /// r²E·S for τ → 0. If the difference is less than `above`, the function returns `above`.
     fn constraint_above<D: Decay<S>>(
         &self,
         contact: &ContactAt<S>,
@@ -98,7 +98,7 @@ impl<S: Float> Chain<S> {
             cosine: zero,
             sine: waves.iter().fold(zero, at_start),
         };
-        // β_lim depends on U² + S². Where U is larger than S, fewer digits of S are needed.
+        // β_lim depends on U² + S². If U is larger than S, fewer digits of S suffice.
         let ratio = contact.u / (start + above);
         let tolerance = S::constant(4.0 * S::RESOLUTION) * (S::constant(1.0) + ratio * ratio);
         search::largest(
@@ -118,9 +118,9 @@ impl<S: Float> Chain<S> {
         )
     }
 
-    /// Returns the approximation of the velocity constraint that the thesis prints, max(S, H_c + μm*/r²), multiplied by
-    /// r² and by the scale E. The thesis adds the maxima of the modes to get S (5.55, 7.37). This S is an upper bound
-    /// on the exact S, which is the maximum of the sum over the modes.
+    /// Returns the velocity constraint max(S, H_c + μm*/r²) as the thesis approximates it, multiplied by r² and by the
+    /// scale E. The thesis adds the maxima of the single modes to get S (5.55, 7.37). The sum of these maxima is an
+    /// upper bound on the exact S, which is the maximum of the sum over the modes.
     pub fn constraint_per_mode<D: Decay<S>>(
         &self,
         contact: &ContactAt<S>,
@@ -132,7 +132,7 @@ impl<S: Float> Chain<S> {
             if mode.in_contact {
                 let wave: Wave<S, D> = constraint_wave(mode, at, contact, S::constant(1.0));
                 let two_zeta = mode.zeta + mode.zeta;
-                // The constraint of a single mode has the limit 1 + g + 2ζRu for τ → 0.
+                // For τ → 0, the constraint of a single mode has the limit 1 + g + 2ζRu.
                 let start = contact.scale + at.g + two_zeta * at.u * at.x;
                 let at = core::slice::from_ref(at);
                 let above = S::constant(0.0);
@@ -143,9 +143,9 @@ impl<S: Float> Chain<S> {
         sum.max(self.break_away(contact))
     }
 
-    /// Returns true if β is below the exact limit of continuous motion. For most β the function does not compute the
-    /// limit. Instead, a cheaper search only decides whether the velocity constraint exceeds the largest value that β
-    /// allows.
+    /// Returns true if β is less than the exact limit of continuous motion β_lim. For most β the function does not
+    /// compute β_lim. Instead, a cheaper search only decides whether the velocity constraint S exceeds the largest
+    /// value that β permits.
     pub fn is_continuous<D: Decay<S>>(
         &self,
         beta: S,
@@ -161,10 +161,10 @@ impl<S: Float> Chain<S> {
         let break_away = self.break_away(contact);
         let excitation = complex::modulus(contact.v, self.damped);
         let quadrature = beta * contact.u;
-        // The product of the difference and the sum may underflow. The product of their square roots does not.
+        // The product of the difference and the sum may underflow. The product of their two square roots does not.
         let root = (excitation - quadrature).sqrt() * (excitation + quadrature).sqrt();
         let allowed = S::constant(1.0 - 1e-3) * root / beta;
-        // Where U is much larger than S, `allowed` is mainly rounding error, and the cheaper search proves nothing.
+        // If U is much larger than S, `allowed` is mainly rounding error, and the cheaper search proves nothing.
         let beyond = beta * S::constant(1.0 + CLEAR * S::RESOLUTION);
         let clear = beyond < self.continuous_limit(contact, allowed);
         // For a very small r, the rounding of r shifts the phase of a mode noticeably, so that two searches would
@@ -175,7 +175,7 @@ impl<S: Float> Chain<S> {
             let start = self.start_constraint(contact);
             let above = allowed - start;
             let peak = self.constraint_above(contact, at, waves, start, above);
-            // A search that stopped at its largest number of evaluations has not proven that no value exceeds `above`.
+            // A search that stopped at its largest number of evaluations has not proven that `above` is an upper bound.
             if peak.value <= above && !peak.exceeded {
                 return true;
             }
@@ -187,8 +187,8 @@ impl<S: Float> Chain<S> {
 
 impl<S: Float> Chain<S> {
     /// Returns β if a bounded continuous motion exists, which requires β < β_lim. Otherwise the error names the regime.
-    /// The condition does not include β*_lim, because for μ > 1 a stuck state may coexist with the motion. `unbounded`
-    /// are the undamped resonances that the load drives. `at_infinity` is β_lim for r → ∞.
+    /// β*_lim is not part of the condition, because for μ > 1 a stuck state may coexist with the continuous motion.
+    /// `unbounded` contains the undamped resonances that the load drives. `at_infinity` is β_lim for r → ∞.
     ///
     /// # Errors
     /// Any variant of [`NotContinuous`].
@@ -215,7 +215,7 @@ impl<S: Float> Chain<S> {
         };
         if !r.is_finite() {
             // At r = ∞ the known limit of β_lim decides, because sums at a large r would round it differently. On a
-            // moving base this limit is infinite and friction has no effect. The formulas then get β = 0.
+            // moving base this limit is infinite, and friction has no effect. The formulas then use β = 0.
             if !(beta < at_infinity) {
                 return Err(refused());
             }
@@ -231,8 +231,8 @@ impl<S: Float> Chain<S> {
         Ok(beta)
     }
 
-    /// Returns an error if the chain with its contact stuck resonates at r. `invisible` are the undamped resonances
-    /// that the load drives and the contact does not.
+    /// Returns an error if r is an undamped resonance of the chain with its contact stuck. `invisible` contains the
+    /// undamped resonances that the load drives and the contact does not.
     ///
     /// # Errors
     /// [`StuckResonance`].
@@ -264,11 +264,11 @@ fn fill<S: Float, D: Decay<S>>(
     }
 }
 
-/// Returns the term of a mode in the difference between the velocity constraint's sum and `start`·sin τ. `start` is the
-/// limit of the constraint for τ → 0. The term is −m·(1 + g)·(sin τ − p) + m·u·((cos τ − p′) − 2ζx·sin τ), with m =
-/// (φᵀw)². Here p is the free displacement of the mode, and u and g are its damping functions. The function leaves out
-/// −2ζx·m·u·sin τ, which the caller adds for all modes at the same time. Close to a resonance the sum and `start`·sin τ
-/// are nearly proportional. A subtraction of the two would leave mainly rounding error. The formula of the term
+/// Returns the term of a mode in a difference of two functions of τ: the sum of the velocity constraint, minus
+/// `start`·sin τ. `start` is the limit of the constraint for τ → 0. The term is −m·(1 + g)·(sin τ − p) + m·u·((cos τ −
+/// p′) − 2ζx·sin τ), with m = (φᵀw)². p is the free displacement of the mode, and u and g are its damping functions.
+/// The function leaves out −2ζx·m·u·sin τ, which the caller adds for all modes together. Close to a resonance the two
+/// functions are nearly proportional. Their subtraction would leave mainly rounding error. The formula of the term
 /// contains no such subtraction.
 fn constraint_wave<S: Float, D: Decay<S>>(
     mode: &Mode<S>,

@@ -8,9 +8,9 @@
 //! All other modes use the full sums, so that their rounding errors are equal. The motion of a mass far from the
 //! contact is a small difference of modal terms. Equal rounding errors cancel in this difference.
 //!
-//! One dominant mode is enough. Proof: the first of two modes has the terms a in V and c in U, the second has b in V
-//! and d in U, and ac ≥ bd. The products ad and bc remain in the contribution of the second mode. The larger of ad and
-//! bc is at least √(ac·bd) ≥ bd, and bd is the product that cancels.
+//! One dominant mode is enough. To prove this, let the first of two modes have the terms a in V and c in U, and the
+//! second the terms b in V and d in U. Let ac ≥ bd. The products ad and bc remain in the contribution of the second
+//! mode. The larger of ad and bc is at least √(ac·bd) ≥ bd, and bd is the product that cancels.
 
 use crate::contact::quadrature::Quadratures;
 use crate::contact::sums::{Chain, ContactAt, ModeAt};
@@ -19,8 +19,8 @@ use crate::number::complex::{self, Complex};
 use crate::number::scalar::Scalar;
 use crate::oscillator::mode::Mode;
 
-/// Terms of one mode in three modal sums of the contact, or the sums themselves. The sums are the response V to the
-/// load, the damping function U and the receptance H.
+/// Terms of one mode in three modal sums of the contact, or the three sums themselves. The sums are the response V to
+/// the load, the damping function U and the receptance H.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ModalTerms<S> {
     pub v: Complex<S>,
@@ -38,7 +38,7 @@ impl<S: Scalar> ModalTerms<S> {
         }
     }
 
-    /// Names the terms in emitted code. The emitted code then has one local variable for each term.
+    /// Gives the terms names in emitted code. The emitted code then has one local variable for each term.
     fn named(self, partner: Partner) -> Self {
         const V: [(&str, &str); 2] = [
             ("others_v_re", "Re of V of the other modes"),
@@ -63,7 +63,7 @@ impl<S: Scalar> ModalTerms<S> {
         }
     }
 
-    /// Returns `self` if the condition is true, and `other` if the condition is false.
+    /// Returns the terms `self` if the condition is true, and `other` if it is false.
     fn select(&self, condition: S::Condition, other: &Self) -> Self {
         Self {
             v: complex::select(condition, self.v, other.v),
@@ -73,7 +73,7 @@ impl<S: Scalar> ModalTerms<S> {
     }
 }
 
-/// Selects the modal sum that is paired with V (the response to the load). The contribution of a mode to a motion
+/// Selects the modal sum that is combined with V, the response to the load. The contribution of a mode to a motion
 /// contains V and the selected sum. In this contribution the mode's own terms cancel.
 #[derive(Clone, Copy)]
 pub(crate) enum Partner {
@@ -83,8 +83,8 @@ pub(crate) enum Partner {
     H,
 }
 
-/// Candidate for the dominant mode. The product of its terms in V and in U (or H) is the largest of all modes visited
-/// so far.
+/// Candidate for the dominant mode. Among the modes visited so far, the product of its terms in V and in U (or H) is
+/// the largest.
 #[derive(Clone, Copy)]
 struct Heaviest<S> {
     weight: S,
@@ -110,14 +110,14 @@ impl<S: Scalar> Heaviest<S> {
 enum Which<S> {
     /// The only mode of the chain is dominant.
     Only,
-    /// The first of two modes is dominant. Each of the two gets the terms of the other mode, in which nothing cancels.
+    /// The first of two modes is dominant. Each mode gets the terms of the other mode, in which nothing cancels.
     First,
     /// The mode with this index is dominant. The index −1 means that no mode is dominant.
     Numbered(S),
 }
 
-/// Modal sums V, U and H of the contact. `own` is for the dominant mode, and leaves out its terms. `others` is for all
-/// other modes, and contains all terms.
+/// Modal sums V, U and H of the contact in two versions. `own` is for the dominant mode, and leaves out the terms of
+/// this mode. `others` is for all other modes, and contains all terms.
 #[derive(Clone, Copy)]
 pub(crate) struct DominantSums<S> {
     which: Which<S>,
@@ -136,10 +136,10 @@ impl<S: Scalar> DominantSums<S> {
         self
     }
 
-    /// Returns two values of V, the response of the contact of a damped chain to the load. The first value is for the
-    /// phase of the dominant mode, the second for the phases of all other modes. A mode is in phase with its own term
-    /// of V. V without this term therefore gives the same phase as the full V. Of the full V and V without the term,
-    /// the function uses the smaller one, because its phase is more accurate.
+    /// Returns two values of V, the response of the contact of a damped chain to the load. The first one determines the
+    /// phase of the dominant mode, and the second one the phases of all other modes. A mode is in phase with its own
+    /// term of V. The full V and V without this term therefore give the same phase. The function uses the smaller one
+    /// of them, because its phase is more accurate.
     pub fn turning(&self, contact: &ContactAt<S>) -> (Complex<S>, Complex<S>) {
         let size = |v| complex::size(v, true);
         let all = size(contact.v).named("v_size", "(|Re V| + |Im V|)·r²E", None);
@@ -166,7 +166,8 @@ impl<S: Scalar> DominantSums<S> {
     }
 }
 
-/// Modal sum in the motion of a mass, separated into the term of the dominant mode and the sum over all other modes.
+/// Modal sum in the motion of a mass, separated into two parts: the term of the dominant mode, and the sum over all
+/// other modes.
 #[derive(Clone, Copy)]
 pub(crate) struct DominantParts<S> {
     pub own: Complex<S>,
@@ -182,7 +183,7 @@ impl<S: Scalar> DominantParts<S> {
         }
     }
 
-    /// Adds the term `value` of the mode with the given index.
+    /// Adds the term `value` of the mode with the given index to the sum.
     pub fn with(
         self,
         chain: &Chain<S>,
@@ -291,7 +292,8 @@ impl<S: Scalar> Chain<S> {
             };
         };
         let own = without(sum, heaviest.static_residue).named(partner);
-        // The full sums are accurate enough if the product that cancels is no larger than the products that remain.
+        // The full sums are accurate enough if the product that cancels is at most as large as the products that
+        // remain.
         let (v, other) = self.sizes(&heaviest.own, partner);
         let at_rest = match self.on_moving_base {
             Some(at_rest) => (at_rest - heaviest.static_residue).abs() * contact.scale,
@@ -399,8 +401,8 @@ impl<S: Scalar> Chain<S> {
         }
     }
 
-    /// Returns the size of V, and the size of U or H, as `partner` selects. The size of a complex number is |Re| +
-    /// |Im|.
+    /// Returns the size of V, and the size of U or H, as `partner` selects. The size of a complex number is the sum of
+    /// the absolute values of its real and imaginary part.
     fn sizes(&self, sums: &ModalTerms<S>, partner: Partner) -> (S, S) {
         let size = |value| complex::size(value, self.damped);
         let partner = match partner {

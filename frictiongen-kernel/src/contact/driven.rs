@@ -1,5 +1,5 @@
 //! Limits β_lim and β*_lim of an undamped chain for a run-time `System`, without the search for the velocity constraint
-//! S. The code first copies the constants of the modes into packed arrays, which serve every frequency.
+//! S. The code copies the constants of the modes once into packed arrays. These arrays serve every frequency.
 
 use crate::contact::regime::Limits;
 use crate::contact::sums::{Chain, ContactAt};
@@ -8,11 +8,11 @@ use crate::number::lanes::Lanes;
 use crate::number::scalar::{Float, Scalar};
 use crate::oscillator::mode::Mode;
 
-/// Largest number of pairs of modes. If the contact drives more than twice as many modes, the chain uses
+/// Largest number of pairs of modes that the contact drives. A chain with more modes uses
 /// [`pairs`](crate::contact::pairs).
 const PAIRS: usize = 8;
 
-/// Constants of one mode, or of a pair of modes, from which the modal sums V, H and U of the contact are computed.
+/// Constants of one mode, or of a pair of modes. The code computes the modal sums V, H and U of the contact from them.
 #[derive(Clone, Copy, Debug)]
 struct DrivenConstants<S> {
     resonance: S,
@@ -22,8 +22,8 @@ struct DrivenConstants<S> {
     contact_squared: S,
 }
 
-/// The number x² − 1 and the damping function u of a mode, with x = √λ/r = 1/R. The code stores u multiplied by R² and
-/// by |x² − 1|. This u does not yet contain the scale E of the chain.
+/// Two numbers of a mode at one frequency: x² − 1, where x = √λ/r = 1/R, and the damping function u. The code stores u
+/// multiplied by R² and by |x² − 1|. This u does not yet contain the scale E of the chain.
 type Own<S> = [S; 2];
 
 /// Terms of a mode in V (response to the load), H (receptance) and U (damping function) of the contact, in this order.
@@ -79,7 +79,7 @@ impl<S: Float> DrivenConstants<Lanes<S>> {
 }
 
 impl<S: Float> DrivenModes<S> {
-    /// Gathers the constants of the modes of a chain. Returns `None` if the chain is damped, or if the contact drives
+    /// Gathers the constants of the modes of a chain. Returns `None` if the chain is damped, and if the contact drives
     /// no mode or more than 16. Returns `None` also for scalars that a processor does not compute in pairs.
     #[must_use]
     pub fn of(chain: &Chain<S>, modes: &[Mode<S>]) -> Option<Self> {
@@ -127,7 +127,7 @@ impl<S: Float> DrivenModes<S> {
     fn sums(&self, inverse_r: S) -> (S, LimitTerms<S>) {
         match (self.pairs(), &self.one) {
             ([], Some(only)) => {
-                // With a single mode, the scale E is the |x² − 1| of this mode. E/(x² − 1) is then exactly 1 or −1.
+                // With a single mode, the scale E is |x² − 1| of this mode. Then E/(x² − 1) is exactly 1 or −1.
                 let [detuning, u] = only.own(inverse_r);
                 let sign = S::constant(1.0).copysign(detuning);
                 let terms = [
@@ -150,7 +150,7 @@ impl<S: Float> DrivenModes<S> {
     fn sums_of_many(&self, inverse_r: S) -> (S, LimitTerms<S>) {
         let zero = S::constant(0.0);
         let (pairs, one) = (self.pairs(), self.one.as_ref());
-        // The numbers are stored in arrays, so that the compiler uses packed instructions.
+        // The arrays store the numbers so that the compiler uses packed instructions.
         let mut own = [[Lanes::constant(0.0); 2]; PAIRS];
         let mut own_of_one = [zero; 2];
         let mut least = Lanes::constant(f64::INFINITY);
@@ -197,9 +197,9 @@ fn of_two<S: Float>(modes: &DrivenConstants<Lanes<S>>, inverse_r: S, terms: &mut
 
 impl<S: Float> Chain<S> {
     /// Returns the limits β_lim and β*_lim of an undamped chain at a finite 1/r > 0, and the receptance H of the
-    /// contact. β_lim uses the break-away term in place of the velocity constraint S. β*_lim is not corrected for
-    /// masses that act as an absorber. H is multiplied by r² and by the scale E of [`ContactAt`]. If `is_one` is true,
-    /// the function returns β*_lim = 1 exactly ([`sliding_limit_is_one`](Self::sliding_limit_is_one)).
+    /// contact. In β_lim, the break-away term takes the place of the velocity constraint S. β*_lim contains no
+    /// correction for masses that act as an absorber. H is multiplied by r² and by the scale E of [`ContactAt`]. If
+    /// `is_one` is true, β*_lim is exactly 1 ([`sliding_limit_is_one`](Self::sliding_limit_is_one)).
     #[inline]
     pub fn limits_of_driven(
         &self,

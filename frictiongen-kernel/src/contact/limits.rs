@@ -1,4 +1,4 @@
-//! Formulas of the limits β_lim and β*_lim, given the modal sums of the contact (section 4 of `docs/derivation.md`).
+//! Formulas of the limits β_lim and β*_lim from the modal sums of the contact (section 4 of `docs/derivation.md`).
 
 use crate::contact::sums::{Chain, ContactAt};
 use crate::number::complex;
@@ -14,8 +14,8 @@ impl<S: Scalar + PartialEq> Chain<S> {
         self.on_moving_base.is_none() && modes.all(|mode| mode.residue == mode.contact_squared)
     }
 
-    /// Returns true if β*_lim = |V|/(μ|H|) is exactly 1. This holds if μ = 1 and the response V of the contact to the
-    /// load equals its receptance H. For μ ≠ 1 the quotient would be rounded.
+    /// Returns true if β*_lim = |V|/(μ|H|) is exactly 1. This is the case if μ = 1 and the response V of the contact to
+    /// the load equals its receptance H. For μ ≠ 1 the quotient has a rounding error.
     #[must_use]
     pub fn sliding_limit_is_one(&self, modes: &[Mode<S>]) -> bool {
         self.stiction == S::constant(1.0) && self.loads_contact(modes)
@@ -24,8 +24,7 @@ impl<S: Scalar + PartialEq> Chain<S> {
 
 impl<S: Scalar> Chain<S> {
     /// Returns the limit of the velocity constraint for τ → 0, multiplied by r² and by the scale E. The result is (m* +
-    /// H_c r²)·E, with the inverse effective mass m* and the damping term H_c (equations 5.58 and
-    /// 7.52 of the thesis).
+    /// H_c r²)·E, with the inverse effective mass m* and the damping term H_c (5.58, 7.52).
     #[inline]
     pub fn start_constraint(&self, contact: &ContactAt<S>) -> S {
         if self.damped {
@@ -36,8 +35,8 @@ impl<S: Scalar> Chain<S> {
     }
 
     /// Returns the break-away term H_c + μm*/r², multiplied by r² and by the scale E (5.63, 7.47). The contact breaks
-    /// away at a reversal if Z + βG exceeds β times this term, where Z is the amplitude of the contact's motion and G
-    /// its damping function. As μ ≥ 1, the result is never below [`start_constraint`](Self::start_constraint).
+    /// away at a reversal if Z + βG exceeds β times this term. Z is the amplitude of the contact's motion and G its
+    /// damping function. Because μ ≥ 1, the result is never less than [`start_constraint`](Self::start_constraint).
     #[inline]
     pub fn break_away(&self, contact: &ContactAt<S>) -> S {
         let inverse_mass = self.stiction * self.inverse_mass * contact.scale;

@@ -2,8 +2,9 @@
 //!
 //! A processor computes two numbers with one packed instruction if the compiler finds the same operation on both
 //! numbers. In emitted code the compiler often finds two equal operations, but in a loop over modes it does not. The
-//! formulas are therefore evaluated with `Lanes`, arrays of two numbers. Every operation is the same as for one mode
-//! alone, and the sums add one mode after the other. The results therefore have the same bits as those of emitted code.
+//! code therefore evaluates the formulas with `Lanes`, arrays of two numbers. Every operation is the same as for one
+//! mode alone, and the sums add one mode after the other. The results are therefore equal to those of emitted code, to
+//! the last bit.
 
 use crate::contact::quadrature::{InPhase, Quadratures};
 use crate::contact::sums::{Chain, ContactAt, ModeAt};
@@ -33,8 +34,8 @@ impl Uniform for Light {
 }
 
 impl<S: Float> Chain<S> {
-    /// Computes the modal sums V, H, U, G and H_c of the contact (section 3 of `docs/derivation.md`). For each mode in
-    /// turn, the function passes the mode's response and damping functions to `keep`.
+    /// Computes the modal sums V, H, U, G and H_c of the contact (section 3 of `docs/derivation.md`). The function
+    /// passes the response and the damping functions of each mode to `keep`, one mode after the other.
     #[inline]
     pub fn contact(
         &self,
@@ -45,8 +46,7 @@ impl<S: Float> Chain<S> {
         self.summed::<true>(modes, inverse_r, keep)
     }
 
-    /// Computes the modal sums V, H, U and H_c of the contact, without G, which the limits β_lim and β*_lim do not
-    /// need.
+    /// Computes the modal sums V, H, U and H_c of the contact. The limits β_lim and β*_lim do not need the sum G.
     #[inline]
     pub fn contact_without_g(&self, modes: &[Mode<S>], inverse_r: S) -> ContactAt<S> {
         self.summed::<false>(modes, inverse_r, |_| ())
@@ -82,7 +82,7 @@ impl<S: Float> Chain<S> {
     }
 
     /// Computes the modal sums of the contact, one mode after the other. Modes with different kinds of damping need
-    /// this form. Programs optimised for size and unoptimised programs (such as a macro) use it as well.
+    /// this form. It is also used in programs optimised for size, and in unoptimised programs such as a macro.
     pub fn in_turn<const WITH_G: bool>(
         &self,
         modes: &[Mode<S>],
@@ -92,8 +92,8 @@ impl<S: Float> Chain<S> {
         self.loaded_in_turn::<WITH_G>((modes, InPhase), inverse_r, keep)
     }
 
-    /// Computes the modal sums of the contact, one mode after the other, for modes with loads in quadrature. Without
-    /// loads in quadrature [`in_turn`](Self::in_turn) gives the same sums.
+    /// Computes the modal sums of the contact, one mode after the other, for modes with loads in quadrature (90° out of
+    /// phase). If there are no loads in quadrature, [`in_turn`](Self::in_turn) gives the same sums.
     pub fn loaded_in_turn<const WITH_G: bool>(
         &self,
         (modes, quadratures): (&[Mode<S>], impl Quadratures<S>),
@@ -103,7 +103,7 @@ impl<S: Float> Chain<S> {
         let scale = Self::scale_at(modes, inverse_r);
         let responses = modes.iter().map(|mode| {
             if WITH_G {
-                // Code size matters here. The code therefore calls a function instead of inlining it.
+                // A function call instead of inlined code keeps the code small.
                 mode.response(inverse_r, 0)
             } else {
                 mode.functions(inverse_r, false)
@@ -127,7 +127,7 @@ impl<S: Float> Chain<S> {
         };
         if let [mode] = modes {
             let response = mode.functions_of(U::KIND, inverse_r, WITH_G, 0);
-            // With a single mode the scale E is the |x² − 1| + 2ζx of this mode.
+            // With a single mode, the scale E is |x² − 1| + 2ζx of this mode.
             let one = S::constant(1.0);
             let scale = if mode.in_contact { response.size } else { one };
             let at = chain.scaled(&response, scale, true, 0);
@@ -170,8 +170,8 @@ impl<S: Float> Chain<S> {
     }
 }
 
-/// Returns the scale E of the modal sums, the smallest |x² − 1| + 2ζx of the modes that the contact drives. The order
-/// of the modes does not matter, because `Float` scalars carry no derivatives.
+/// Returns the scale E of the modal sums: the smallest |x² − 1| + 2ζx among the modes that the contact drives. The
+/// order of the modes does not matter, because `Float` scalars carry no derivatives.
 #[inline(always)]
 fn smallest<S: Float, U: Uniform>(modes: &[Mode<S>], inverse_r: S) -> S {
     let infinite = S::constant(f64::INFINITY);
@@ -195,9 +195,9 @@ fn smallest<S: Float, U: Uniform>(modes: &[Mode<S>], inverse_r: S) -> S {
             least = least.min(mode.size_but_zero(U::KIND, inverse_r));
         }
     }
-    // If one |x² − 1| is exactly 0, it is the smallest. The code replaces this 0 after it has found the smallest
-    // number. A replacement before the comparison would give the same result, because no other |x² − 1| is as small as
-    // the number that replaces 0.
+    // If |x² − 1| of a mode is exactly 0, it is the smallest. The code replaces this 0 by a small number after it has
+    // found the smallest. A replacement before the comparison would give the same result, because no other |x² − 1| is
+    // as small as the replacement.
     let least = if U::DAMPED {
         least
     } else {
@@ -207,7 +207,7 @@ fn smallest<S: Float, U: Uniform>(modes: &[Mode<S>], inverse_r: S) -> S {
 }
 
 /// Computes the terms of two modes in the modal sums of the contact. If `WITH_G` is true, also writes the response and
-/// damping functions of both modes, multiplied by the scale.
+/// damping functions of both modes, multiplied by the scale E.
 ///
 /// The function is not inlined, so that it stores its results in arrays. The compiler then uses packed instructions.
 #[inline(never)]
@@ -227,7 +227,7 @@ fn of_two<S: Float, U: Uniform, const WITH_G: bool>(
     let response = mode.functions_of(U::KIND, Lanes::all(inverse_r), WITH_G, 0);
     let at = chain.scaled(&response, scale, false, 0);
     let found = chain.term(scale, (&mode, None), &response, &at, false, WITH_G);
-    // Two kinds of numbers are not written: those that stay 0 without damping, and those that no caller uses.
+    // The code does not write two kinds of numbers: those that stay 0 without damping, and those that no caller uses.
     terms.v.re = found.v.re;
     terms.h.re = found.h.re;
     terms.u = found.u;
@@ -277,7 +277,8 @@ fn complex_apart<S: Float>(value: Complex<Lanes<S>>) -> [Complex<S>; 2] {
 }
 
 impl<S: Float> ContactAt<Lanes<S>> {
-    /// Separates the terms of two modes, stored as arrays of two numbers, into one set of terms for each mode.
+    /// Separates the terms of two modes in the contact's modal sums, stored as arrays of two numbers, into one set of
+    /// terms for each mode.
     #[inline(always)]
     fn split(&self) -> [ContactAt<S>; 2] {
         let ([v, other_v], [h, other_h]) = (complex_apart(self.v), complex_apart(self.h));
@@ -304,7 +305,8 @@ impl<S: Float> ContactAt<Lanes<S>> {
 }
 
 impl<S: Float> ModeAt<Lanes<S>> {
-    /// Separates the functions of two modes, stored as arrays of two numbers, into one set of functions for each mode.
+    /// Separates the response and damping functions of two modes, stored as arrays of two numbers, into one set of
+    /// functions for each mode.
     #[inline(always)]
     fn split(&self) -> [ModeAt<S>; 2] {
         let [response, other_response] = complex_apart(self.response);

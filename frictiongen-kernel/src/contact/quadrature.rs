@@ -10,17 +10,18 @@ use crate::number::complex::{self, Complex};
 use crate::number::scalar::Scalar;
 use crate::oscillator::mode::Mode;
 
-/// Load of one mode in quadrature with the motion of the base.
+/// Load of one mode in quadrature (90° out of phase) with the motion of the base.
 #[derive(Clone, Copy, Debug)]
 pub struct Quadrature<S> {
-    /// 2ζλΓ: the imaginary part of the load on the mode, multiplied by x. Γ = φᵀΓ1 is the participation factor.
+    /// 2ζλΓ: the imaginary part of the load on the mode, multiplied by x = √λ/r. ζ is the damping ratio, λ the squared
+    /// frequency ratio, and Γ = φᵀΓ1 the participation factor of the mode.
     pub load: S,
-    /// Static residue of the mode minus (φᵀw)Γ. This difference is 0 in a chain that only the base supports, because
-    /// each static displacement then equals the displacement of the base.
+    /// Static residue of the mode, minus (φᵀw)Γ with the participation factor Γ of the mode. If only the base supports
+    /// the chain, each static displacement equals the displacement of the base. This difference is then 0.
     pub wall: S,
 }
 
-/// Loads of all modes in quadrature with the motion of the base.
+/// Loads of all modes in quadrature (90° out of phase) with the motion of the base.
 pub trait Quadratures<S>: Copy {
     /// Returns the load of a mode in quadrature, or `None` if it has none.
     fn of(self, mode: usize) -> Option<Quadrature<S>>;
@@ -48,8 +49,8 @@ impl<S: Copy> Quadratures<S> for &[[S; 2]] {
 }
 
 impl<S: Scalar> Mode<S> {
-    /// Returns the response of the mode to its load, multiplied by `factor`. The load has a part in phase with the
-    /// excitation, and possibly a part in quadrature.
+    /// Returns the response of the mode to its load, multiplied by `factor`. The load has a component in phase with the
+    /// excitation, and possibly a component in quadrature (90° out of phase).
     #[inline]
     pub(crate) fn driven(
         &self,
@@ -74,9 +75,9 @@ impl<S: Scalar> Mode<S> {
 
 impl<S: Scalar> Chain<S> {
     /// Returns the term of a mode in V, the response of the contact to the load. On a moving base V is relative to the
-    /// base. The function then uses v − 1 = (1 − 2iζx)/(x² − 1 + 2iζx) in place of the response v of the mode, which
-    /// avoids a difference of nearly equal numbers. If damping acts relative to the base, the base motion itself causes
-    /// no damping force. In this case `wall` replaces the static residue in the imaginary part.
+    /// base. The function then uses v − 1 = (1 − 2iζx)/(x² − 1 + 2iζx) in place of the response v of the mode. This
+    /// avoids a difference of nearly equal numbers. If damping acts relative to the base, the motion of the base alone
+    /// causes no damping force. In this case `wall` replaces the static residue in the imaginary part.
     #[inline]
     pub(crate) fn load_term(
         &self,

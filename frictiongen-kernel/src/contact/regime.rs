@@ -13,12 +13,13 @@ pub fn check_ratio<S: Float>(r: S) -> Result<S, OutOfDomain> {
     }
 }
 
-/// Largest factor by which a resonance √λ may differ from 1. A resonance beyond this factor reduces the range of r.
+/// Largest factor by which a resonance √λ may differ from 1 without an effect on the range of r. A resonance that
+/// differs more reduces the range.
 const ROOM: f64 = 1024.0;
 
-/// Returns the smallest and the largest 1/r at which the formulas of a chain are evaluated. `resonances` are √λ of the
-/// modes. The range is [`Float::inverse_ratio_range`]. If a √λ is below 1/1024 or above 1024, the range is smaller, so
-/// that the square of √λ/r neither overflows nor underflows.
+/// Returns the smallest and the largest 1/r at which the code evaluates the formulas of a chain. `resonances` contains
+/// √λ of the modes. The range is [`Float::inverse_ratio_range`]. If a √λ is less than 1/1024 or more than 1024, the
+/// range is smaller. The square of √λ/r then neither overflows nor underflows.
 pub fn inverse_ratio_range<S: Float>(resonances: impl Iterator<Item = S>) -> (S, S) {
     let (low, high) = S::inverse_ratio_range();
     let (mut smallest, mut largest) = (1.0 / ROOM, ROOM);
@@ -44,13 +45,14 @@ pub fn check_beta<S: Float>(beta: S) -> Result<S, OutOfDomain> {
 }
 
 /// Returns the regime at the friction ratio β from the limits `continuous` = β_lim and `sliding` = β*_lim. Continuous
-/// motion exists below β_lim, a stuck state exists from β*_lim on.
+/// motion exists for β < β_lim, and a stuck state for β ≥ β*_lim.
 #[inline]
 pub fn regime<S: Float>(beta: S, continuous: S, sliding: S) -> Regime {
     regime_of(beta < continuous, beta < sliding)
 }
 
-/// Returns the regime at a friction ratio β. `slides_always` is true if β < β_lim, and `slides` is true if β < β*_lim.
+/// Returns the regime at a friction ratio β. The argument `slides_always` is true if β < β_lim, and `slides` is true if
+/// β < β*_lim.
 #[inline]
 pub(crate) fn regime_of(slides_always: bool, slides: bool) -> Regime {
     match (slides_always, slides) {
@@ -68,7 +70,7 @@ pub struct Limits<S> {
     /// Limit β_lim of continuous motion. For β < β_lim a motion exists in which the contact slides all the time.
     pub continuous: S,
     /// Limit β*_lim of sliding. For β ≥ β*_lim a stuck state exists. With μ = 1 the contact then becomes stuck from
-    /// every start. With μ > 1 sliding motions may exist as well.
+    /// every initial state. With μ > 1 sliding motions may also exist.
     pub sliding: S,
 }
 
@@ -97,9 +99,9 @@ impl<S: Float> Limits<S> {
 /// length. The closure `limits` computes the limits at one frequency ratio.
 ///
 /// # Errors
-/// [`OutOfDomain`] if a result slice and the slice of frequency ratios have different lengths. Both result slices then
-/// stay unchanged. At the first r for which `limits` fails, the function stops and returns the same error. The result
-/// slices then contain the limits for the frequency ratios before that r.
+/// [`OutOfDomain`] if the length of a result slice differs from the length of the slice of frequency ratios. Both
+/// result slices are then unchanged. At the first r for which `limits` fails, the function stops and returns the same
+/// error. The result slices then contain the limits for all earlier frequency ratios.
 #[inline]
 pub fn limits_into<S: Float>(
     rs: &[S],
@@ -143,7 +145,7 @@ pub fn margin<S: Float>(beta: S, continuous: S, sliding: S) -> S {
     }
 }
 
-/// Returns `limit` for a finite r > 0, `at_rest` for r = 0, and `at_infinity` for r = ∞. The modal sums have no value
+/// Returns `limit` for a finite r > 0, `at_rest` for r = 0, and `at_infinity` for r = ∞. The modal sums are not defined
 /// at r = 0 and r = ∞. The caller therefore passes the limiting values `at_rest` and `at_infinity`.
 #[inline]
 pub fn with_ends<S: Float>(r: S, limit: S, at_rest: S, at_infinity: S) -> S {

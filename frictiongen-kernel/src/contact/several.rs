@@ -2,7 +2,7 @@
 //! constraint S.
 //!
 //! The processor evaluates several frequencies at the same time with packed (SIMD) instructions. The operations and
-//! their order are the same as for one frequency, so that the results have the same bits.
+//! their order are the same as for one frequency. The results are therefore equal to the last bit.
 
 use crate::contact::pairs::{Light, UndampedPairs, Uniform};
 use crate::contact::sums::{Chain, ContactAt};
@@ -10,16 +10,16 @@ use crate::number::lanes::Lanes;
 use crate::number::scalar::{Float, Scalar};
 use crate::oscillator::mode::{Kind, Mode};
 
-/// Number of frequencies that the code computes at the same time. This number of frequencies fills two packed registers
-/// of two numbers each, or one register of eight numbers if the processor has registers of that size.
+/// Number of frequencies that the code computes at the same time. Four numbers fill two packed registers of two numbers
+/// each. Eight numbers fill one register, if the processor has registers of that size.
 pub(crate) const SIDE_BY_SIDE: usize = if cfg!(target_feature = "avx512f") {
     8
 } else {
     4
 };
 
-/// Limits β_lim and β*_lim at several frequencies, by formulas without a search. β_lim contains the break-away term in
-/// place of the velocity constraint S. β*_lim is not corrected for masses that act as an absorber.
+/// Limits β_lim and β*_lim at several frequencies, from formulas without a search. In β_lim, the break-away term takes
+/// the place of the velocity constraint S. β*_lim contains no correction for masses that act as an absorber.
 #[derive(Debug)]
 pub(crate) struct Several<S> {
     pub continuous: [S; SIDE_BY_SIDE],
@@ -63,8 +63,8 @@ impl<S: Float> Chain<S> {
         }
     }
 
-    /// Computes the limits β_lim and β*_lim at several frequencies for the kind of damping `U`. The function is not
-    /// inlined, so that its results are stored in arrays. The compiler then uses packed instructions.
+    /// Computes the limits β_lim and β*_lim at several frequencies for the kind of damping `U`. Because the compiler
+    /// does not inline the function, its results are stored in arrays. The compiler then uses packed instructions.
     #[inline(never)]
     fn side_by_side<U: Uniform>(
         &self,
@@ -85,7 +85,8 @@ impl<S: Float> Chain<S> {
         let least = touched().fold(Lanes::constant(f64::INFINITY), |least, mode| {
             least.min(mode.size_but_zero(U::KIND, inverse_r))
         });
-        // An exact zero of x² − 1 is replaced once, in the smallest |x² − 1|, as in the sums over pairs of modes.
+        // If x² − 1 of a mode is exactly zero, the code replaces it once, in the smallest |x² − 1|, as in the sums over
+        // pairs of modes.
         let scale = if U::DAMPED {
             least
         } else {

@@ -6,7 +6,7 @@ use crate::number::complex::{self, Complex};
 use crate::number::scalar::Scalar;
 use crate::oscillator::mode::{Mode, ModeResponse};
 
-/// Constants of a scene that do not belong to a single mode.
+/// Constants of a chain with its contact that do not belong to a single mode.
 #[derive(Clone, Copy, Debug)]
 pub struct Chain<S> {
     /// True if any mode is damped.
@@ -71,7 +71,8 @@ pub struct ContactAt<S> {
 }
 
 impl<S: Scalar> ContactAt<S> {
-    /// Returns the compliance of an elastic contact as a term of H. The term is multiplied by r² and by the scale E.
+    /// Returns the compliance of an elastic contact as a term of its receptance H. The term is multiplied by r² and by
+    /// the scale E.
     #[inline]
     pub(crate) fn compliance(&self, compliance: S, inverse_r: S) -> S {
         compliance * self.scale / (inverse_r * inverse_r)
@@ -110,16 +111,16 @@ impl<S: Scalar> Chain<S> {
         Self::scale(modes.iter().map(|mode| (mode, mode.size(inverse_r))))
     }
 
-    /// Multiplies the response and damping functions of a mode by the scale E of the chain. E is the smallest |x²
-    /// − 1| + 2ζx of the modes that the contact drives. A first pass over the modes computes E.
+    /// Multiplies the response and damping functions of a mode by the scale E of the chain. E is the smallest |x² − 1|
+    /// + 2ζx among the modes that the contact drives. The caller has computed E in a first pass over the modes.
     #[inline]
     pub fn at_scale(&self, mode: &ModeResponse<S>, scale: S) -> ModeAt<S> {
         self.scaled(mode, scale, false, 0)
     }
 
-    /// Multiplies the response and damping functions of a mode by the scale E of the chain, which is the smallest
-    /// number |x² − 1| + 2ζx of the modes that the contact drives. A first pass over the modes computes E. If `single`
-    /// is true, only this mode determines E. The code then takes E/(|x² − 1| + 2ζx) as exactly 1.
+    /// Multiplies the response and damping functions of a mode by the scale E of the chain. E is the smallest |x² − 1|
+    /// + 2ζx among the modes that the contact drives. The caller has computed E in a first pass over the modes. If
+    /// `single` is true, this mode alone determines E. The code then takes E/(|x² − 1| + 2ζx) as exactly 1.
     #[inline]
     pub fn scaled(
         &self,
@@ -194,8 +195,8 @@ impl<S: Scalar> Chain<S> {
     }
 
     /// Computes the modal sums V, H, U, G and H_c of the contact from the functions of the modes (section 3 of
-    /// `docs/derivation.md`). For each mode in turn, the function passes the mode's response and damping functions to
-    /// `keep`.
+    /// `docs/derivation.md`). The function passes the response and the damping functions of each mode to `keep`, one
+    /// mode after the other.
     #[inline]
     pub fn contact_of(
         &self,
@@ -209,8 +210,8 @@ impl<S: Scalar> Chain<S> {
         self.contact_loaded((modes, InPhase), responses, scale, inverse_r, with_g, keep)
     }
 
-    /// Computes the modal sums V, H, U, G and H_c of the contact for modes with loads in quadrature. Without loads in
-    /// quadrature [`contact_of`](Self::contact_of) gives the same sums.
+    /// Computes the modal sums V, H, U, G and H_c of the contact for modes with loads in quadrature (90° out of phase).
+    /// If there are no loads in quadrature, [`contact_of`](Self::contact_of) gives the same sums.
     #[inline]
     pub fn contact_loaded(
         &self,
@@ -233,8 +234,8 @@ impl<S: Scalar> Chain<S> {
         self.completed(&sum, inverse_r)
     }
 
-    /// Returns the modal sums V, H, U and H_c of the contact over the first mode only, and also G if `with_g` is true.
-    /// Call this function only for a scene with several modes.
+    /// Returns the terms of the first mode in the modal sums V, H, U and H_c of the contact, and in G if `with_g` is
+    /// true. Call this function only for a scene with several modes.
     #[inline(always)]
     pub fn begun_by(
         &self,
@@ -291,7 +292,7 @@ impl<S: Scalar> Chain<S> {
         term
     }
 
-    /// Returns the modal sums of the contact with the terms of one more mode added.
+    /// Returns the modal sums of the contact, `sum`, with the terms of one more mode added.
     #[inline(always)]
     pub fn with_term(&self, sum: &ContactAt<S>, term: &ContactAt<S>, with_g: bool) -> ContactAt<S> {
         let mut sum = *sum;

@@ -8,7 +8,7 @@ macro_rules! locals {
     ($($name:ident)*) => {
         $(#[doc(hidden)] pub fn $name() {})*
 
-        /// Names of the functions in this module, which are names of local variables in emitted code. For any other
+        /// Names of the functions in this module. They are the names of local variables in emitted code. For any other
         /// name that a scene needs, the generator emits a function together with the scene.
         #[doc(hidden)]
         pub const NAMES: &[&str] = &[$(stringify!($name)),*];

@@ -1,12 +1,12 @@
-//! Traits of methods that a scene does not provide. If a user calls such a method, the compiler message says what to
+//! Traits for methods that a scene does not provide. If a user calls such a method, the compiler's message says what to
 //! add to the scene.
 //!
 //! Emitted code contains a method even if the scene does not provide it, but the method then requires a trait of this
-//! module. No type implements the trait, so that a call does not compile. The compiler message names the text to add
-//! and the field of the scene that needs it.
+//! module. Because no type implements the trait, a call does not compile. The compiler's message names the text to add,
+//! and the field of the scene that needs the text.
 
-/// Trait that no type implements. The methods of a scene that need `limits` require this trait if the scene provides
-/// only its motion in time. A call then does not compile, and the message says what to add.
+/// Trait that no type implements. Methods that need `limits` require this trait if the scene provides only its motion
+/// in time. A call then does not compile, and the message says what to add to the scene.
 #[diagnostic::on_unimplemented(
     message = "this scene does not provide `limits`",
     label = "add `limits` to the scene's `provide: [...]`"
@@ -118,9 +118,8 @@ pub trait AddMassToMotion {
 }
 
 /// Writes a placeholder for each method that a scene does not provide. A call to a placeholder does not compile,
-/// because the placeholder requires a trait of this module that no type implements. The compiler prints the message of
-/// the trait if the method has a number as its argument. For other methods the compiler prints only the name of the
-/// trait.
+/// because the placeholder requires a trait of this module that no type implements. If the method has a number as its
+/// argument, the compiler prints the message of the trait. For other methods it prints only the name of the trait.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! not_provided {

@@ -5,8 +5,8 @@ pub mod locals;
 pub mod missing;
 mod shapes;
 
-// A user's constant may have the name of a local variable in emitted code. The functions of `locals` hide a user's
-// constant of this kind.
+// A constant of the user may have the name of a local variable in emitted code. The functions of `locals` hide such a
+// constant.
 pub use crate::Complex;
 pub use crate::Scalar;
 pub use crate::contact::regime::Limits;
@@ -41,8 +41,8 @@ pub use shapes::transposed;
 
 /// Writes those items of the trait `Scene` that are the same in every emitted scene. The scene must have the constants
 /// `NUMBERS` and `MODES` and the function `functions`. The frequency stage computes the functions of all modes and of
-/// the contact at one r. A scene that writes its own frequency stage (`in passes`) needs no `functions`. In a damped
-/// scene, a constant parameter of `functions` selects whether the function computes G.
+/// the contact at one frequency ratio r. A scene with its own frequency stage (`in passes`) needs no `functions`. In a
+/// damped scene, a constant parameter of `functions` selects whether the function computes G.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! scene_items {
@@ -101,8 +101,8 @@ macro_rules! scene_items {
     };
 }
 
-/// Writes the functions of an emitted scene that take a frequency ratio. `At` answers from the formulas, `Compiled`
-/// from the tables of a declared accuracy.
+/// Writes the functions of an emitted scene that take a frequency ratio. The type `At` computes results from the
+/// formulas, and `Compiled` from the tables of a declared accuracy.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! scene_functions {
@@ -177,8 +177,8 @@ macro_rules! scene_functions {
     };
 }
 
-/// Implements `Clone`, `Debug`, `From` and `Deref` for an emitted type that wraps a type of this crate. By `Deref`, the
-/// emitted type has all methods of the wrapped type.
+/// Implements `Clone`, `Debug`, `From` and `Deref` for an emitted type that wraps a type of this crate. Through
+/// `Deref`, the emitted type has all methods of the wrapped type.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! wraps {

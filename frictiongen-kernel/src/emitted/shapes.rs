@@ -1,6 +1,6 @@
 //! Reorders the mode shapes of emitted code at compile time, from one row per mode to one row per mass.
 
-/// Transposes a matrix at compile time.
+/// Transposes a matrix, given as an array of rows, at compile time.
 #[doc(hidden)]
 #[must_use]
 #[allow(clippy::indexing_slicing, reason = "at compile time")]

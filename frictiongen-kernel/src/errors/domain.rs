@@ -4,7 +4,8 @@ use super::halt::Halt;
 use crate::number::scalar::Float;
 use core::fmt;
 
-/// An argument outside its domain, or a request that the scene does not support.
+/// An argument outside its domain, or a request that the scene does not support. Each variant names the argument or the
+/// request.
 ///
 /// A variant with a [`Given`] names one argument. The [`Given`] says what kind of number the caller gave.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -13,14 +14,14 @@ use core::fmt;
 pub enum OutOfDomain {
     /// Frequency ratio r of a steady response.
     FrequencyRatio(Given),
-    /// Frequency ratio r of a motion in time.  Its reciprocal must be finite too.
+    /// Frequency ratio r of a motion in time. Its reciprocal must also be finite.
     FrequencyRatioInTime(Given),
     /// Friction ratio β.
     FrictionRatio(Given),
     /// A frequency ratio or friction ratio outside the range for which the scene's tables were made.
     OutsideTables(Ratio),
-    /// A frequency or friction ratio that is not the ratio of the orbit. Derivatives exist only at the orbit's own
-    /// ratios.
+    /// A frequency ratio or friction ratio that differs from that of the orbit. An orbit has derivatives only at its
+    /// own ratios.
     OtherPoint(Ratio),
     /// Initial state of the masses (displacements and velocities) that is invalid.
     State,
@@ -34,7 +35,7 @@ pub enum OutOfDomain {
     Length(Slice),
     /// Range of frequency ratios. The upper bound must exceed the lower one.
     Range,
-    /// Number of intervals of a search.
+    /// Number of intervals into which a search divides its range.
     Intervals,
     /// Index of a mass.
     Mass,
@@ -48,12 +49,12 @@ pub enum OutOfDomain {
     BaseMotion(Given),
     /// Base motion for a scene whose base rests.
     BaseAtRest,
-    /// Kinetic friction force F of one step of a stepper.
+    /// Kinetic friction force F in one step of a stepper.
     Friction(Given),
     /// Stiction μ, the ratio of the static to the kinetic friction force.
     Stiction(Given),
     /// Input that a stepper accepts only before its first step, such as an initial state. The caller gave this input
-    /// later.
+    /// after the first step.
     Begun,
     /// Saved state of a stepper that had another scene or another time step dt.
     Saved,
@@ -61,9 +62,10 @@ pub enum OutOfDomain {
     ImageDamaged,
     /// Image of a stepper's state that another version of this library wrote.
     ImageVersion,
-    /// Work of the load on the chain, which may overflow the number type after one more step.
+    /// Work of the load on the chain since the start. It is so large that it may overflow the number type after one
+    /// more step.
     Work,
-    /// Amplitude of the load of a simulation whose kinetic friction depends on the speed.
+    /// Amplitude of the load of a simulation, in a scene whose kinetic friction depends on the speed.
     LoadAmplitude(Given),
     /// Slope of a speed-dependent friction law that is too steep for a simulation.
     Steepness,
@@ -75,13 +77,13 @@ pub enum OutOfDomain {
     Unsupported(Unsupported),
 }
 
-/// Kind of number (NaN, negative, zero, positive or infinite) that the caller gave for an argument.
+/// Kind of the number (NaN, negative, zero, positive or infinite) that the caller gave for an argument.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Given {
     /// NaN.
     NotANumber,
-    /// A number below zero, −∞ included.
+    /// A number below zero, or −∞.
     Negative,
     /// The number 0.
     Zero,
@@ -101,7 +103,7 @@ pub enum Ratio {
     Friction,
 }
 
-/// A slice whose length is wrong. The caller passes it for results or as working storage.
+/// A slice of a wrong length, which the caller passed for results or as working storage.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Slice {
@@ -129,14 +131,14 @@ pub enum Unsupported {
     CriticalDamping,
     /// A steady response of a scene whose kinetic friction changes with the sliding speed.
     FrictionLaw,
-    /// A call that has no answer for a scene with an elastic contact.
+    /// A method that has no result for a scene with an elastic contact.
     ElasticContact,
     /// The method does not support a scene with several contacts or dashpots.
     SeveralContacts,
 }
 
 impl Given {
-    /// Returns the kind of a number.
+    /// Returns the kind of the number `value`.
     pub fn of<S: Float>(value: S) -> Self {
         let zero = S::constant(0.0);
         if value < zero {
@@ -217,8 +219,8 @@ impl fmt::Display for Unsupported {
 }
 
 impl OutOfDomain {
-    /// Returns three texts about a number outside its domain: the name of the argument, the kind of number given, and
-    /// the condition. Returns `None` if the error is not about a single number.
+    /// Returns three texts about a number outside its domain: the name of the argument, the kind of the given number,
+    /// and the condition for the argument. Returns `None` if the error is not about a single number.
     fn number(self) -> Option<(&'static str, Given, &'static str)> {
         const RATIO: &str = "the frequency ratio r";
         Some(match self {

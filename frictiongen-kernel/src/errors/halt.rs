@@ -9,17 +9,17 @@ pub enum Halt {
     /// The caller gave a friction force that the contact cannot have. It is negative or not finite, or it changes with
     /// time at an elastic contact.
     Level,
-    /// The load is not finite, or the load does not exist.
+    /// The load that the caller gave is not finite, or the load does not exist.
     Load,
     /// At one instant, the solver would try more patterns of sticking contacts than
-    /// [`MAX_PATTERNS`](crate::joints::MAX_PATTERNS).
+    /// [`MAX_PATTERNS`](crate::joints::MAX_PATTERNS). A pattern says which contacts stick.
     Patterns,
     /// The motion has more events than the solver follows.
     Events,
     /// The motion needs more stretches than the solver follows. A stretch is a time interval in which the solver uses
     /// one power series.
     Stretches,
-    /// The solver finds events without any time between them.
+    /// The solver finds one event after the other without any time between them.
     Stalled,
     /// A displacement, velocity or force exceeds the range of the number type.
     NotFinite,

@@ -8,35 +8,35 @@ pub use halt::Halt;
 
 use core::fmt;
 
-/// Regime of the steady state: the way in which the contact moves.
+/// Regime of the steady state: the way in which the contact moves in it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum Regime {
-    /// Continuous motion: β < β_lim and β < β*_lim. The contact slides all the time, by the closed form, and no stuck
-    /// state exists. With μ = 1 the continuous motion is the only steady state. With μ > 1 stick-slip states may exist
-    /// as well.
+    /// Continuous motion: β < β_lim and β < β*_lim. The contact slides all the time, as the closed form describes. No
+    /// stuck state exists. With μ = 1 the continuous motion is the only steady state. With μ > 1 stick-slip states may
+    /// also exist.
     Continuous,
     /// Stick-slip: β_lim ≤ β < β*_lim. The contact alternately sticks and slides. Neither a motion that slides all the
     /// time nor a stuck state exists.
     StickSlip,
-    /// Stuck: β ≥ β_lim and β ≥ β*_lim. A stuck state exists. With μ = 1 motion from rest always ends in a stuck state.
-    /// With μ > 1 motion from rest may end in stick-slip instead.
+    /// Stuck: β ≥ β_lim and β ≥ β*_lim. A stuck state exists. With μ = 1 the motion from rest always ends in a stuck
+    /// state. With μ > 1 the motion from rest may end in stick-slip instead.
     Stuck,
     /// Bistable: β*_lim ≤ β < β_lim, which requires μ > 1. A motion that slides all the time and a stuck state both
     /// exist.
     Bistable,
 }
 
-/// Reason why a continuous motion does not exist.
+/// Reason why the scene has no continuous motion at an operating point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum NotContinuous {
     /// The friction ratio β lies between the two limits: β_lim ≤ β < β*_lim. The contact alternately sticks and slides.
     StickSlip,
-    /// The friction ratio β is at or above β_lim, and at or above β*_lim. No motion slides all the time, and a stuck
-    /// state exists.
+    /// The friction ratio β is at least β_lim and at least β*_lim. No motion slides all the time, and a stuck state
+    /// exists.
     Stuck,
     /// The excitation is on an undamped resonance, with too little friction to bound the amplitude.
     Unbounded,
@@ -50,7 +50,7 @@ pub enum NotContinuous {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct StuckResonance;
 
-/// Reason why there is no steady state to report.
+/// Reason why the search for a steady state returns none.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
@@ -61,13 +61,13 @@ pub enum NoOrbit {
     TooManyEvents,
     /// The excitation is on an undamped resonance, with too little friction to bound the amplitude.
     Unbounded,
-    /// The load drives a mode that neither damping nor the contact dissipates, so that its free vibration never decays.
-    /// The number is the mode's index. Modes are counted from 0 in ascending order of natural frequency.
+    /// The load drives a mode, but neither damping nor the contact dissipates energy of this mode. Its free vibration
+    /// never decays. The number is the index of the mode, counted from 0 in ascending order of natural frequency.
     Undamped(usize),
     /// Every steady state that the search found is unstable, and the motion in time did not settle on another one.
     Unstable,
-    /// The motion did not become periodic with up to [`MAX_PERIOD`](crate::orbit::MAX_PERIOD) cycles. The search ends
-    /// after [`MAX_CYCLES`](crate::orbit::MAX_CYCLES) cycles or [`MAX_STEPS`](crate::orbit::MAX_STEPS) steps.
+    /// The motion did not repeat after up to [`MAX_PERIOD`](crate::orbit::MAX_PERIOD) cycles. The search ends after
+    /// [`MAX_CYCLES`](crate::orbit::MAX_CYCLES) cycles or [`MAX_STEPS`](crate::orbit::MAX_STEPS) steps.
     Unsettled,
 }
 
@@ -82,7 +82,7 @@ pub enum Error {
     NotContinuous(NotContinuous),
     /// The stuck chain is excited on an undamped resonance: see [`StuckResonance`].
     StuckResonance(StuckResonance),
-    /// No steady state can be reported: see [`NoOrbit`].
+    /// The search for a steady state returns none: see [`NoOrbit`].
     NoOrbit(NoOrbit),
 }
 

@@ -8,19 +8,20 @@
 //! where s are the roots of s² + 2ζx s + x² = 0. For large n the polynomials e_n approach sinusoids. The code therefore
 //! sums a few orders, and adds the rest of the series as one sinusoid in closed form.
 //!
-//! For all other modes y is the sum of three terms: the return from rest, the lag and the static displacement (see
-//! [`motion`](crate::response::coefficients)). If the excitation is far above the resonance, each of the three terms is
-//! of order 1, while y itself is small. At the start and end of the half period y vanishes, and in the middle y′
-//! vanishes, but the three terms do not. The rounding error of their sum would exceed the motion of a mass far from
-//! load and contact. The Euler polynomials have no such error, because they vanish at the same instants as y and y′.
+//! For any other mode, the code computes y as the sum of three terms: the return from rest, the lag and the static
+//! displacement (see [`motion`](crate::response::coefficients)). If the excitation is far above the resonance, each of
+//! the three terms is of order 1, while y itself is small. At the start and end of the half period y vanishes, and in
+//! the middle y′ vanishes, but the three terms do not. The rounding error of their sum would exceed the motion of a
+//! mass far from load and contact. The Euler polynomials have no such error, because they vanish at the same instants
+//! as y and y′.
 
 use crate::number::complex::{self, Complex};
 use crate::number::scalar::{Float, Scalar};
 use crate::oscillator::decay::{Basis, Instant};
 use crate::oscillator::mode::Kind;
 
-/// A mode counts as mass-controlled if its x = √λ/r is below this bound. A mass-controlled mode resonates far below the
-/// excitation frequency. For an overdamped mode the bound applies to 2ζx.
+/// Upper bound on x = √λ/r of a mass-controlled mode. Such a mode resonates far below the excitation frequency. For an
+/// overdamped mode the bound applies to 2ζx.
 const SLOW: f64 = 0.5;
 /// Returns true if a mode is mass-controlled: its resonance x = √λ/r is far below the excitation frequency. For a
 /// scalar without Euler polynomials the result is false.
@@ -29,14 +30,15 @@ pub(crate) fn is_mass_controlled<S: Scalar>(kind: Kind, zeta: S, x: S) -> S::Con
     if !S::MASS_CONTROLLED {
         return x.lt(S::constant(0.0));
     }
-    // Both decay rates of an overdamped mode are smaller than 2ζx, so that 2ζx is a safe bound.
+    // Both decay rates of an overdamped mode are smaller than 2ζx. A comparison of 2ζx with the bound is therefore
+    // safe.
     let rate = if kind == Kind::Over {
         (zeta + zeta) * x
     } else {
         x
     };
     // The code compares both kinds of rate with the same constant. A choice between two constants would cost a
-    // conversion from double precision on a microcontroller.
+    // conversion from double precision, which is expensive on a microcontroller.
     rate.lt(S::constant(SLOW))
 }
 
@@ -47,10 +49,10 @@ pub(crate) fn basis<S: Float>(x: S, zeta: S, at: &Instant<S>) -> Basis<S> {
     let w = at.tau * (S::pi() * (one - at.t));
     let w_slope = (S::pi() + S::pi()) * (half - at.t);
     // At τ = 0, w = τ(π − τ) is 0, and only the lowest power of w in each polynomial contributes. The derivative of a
-    // dual number needs the other powers as well.
+    // dual number also needs the other powers.
     let starts = at.t.is_zero() && !S::CARRIES;
     let (loss, square) = (-((zeta + zeta) * x), x * x);
-    // Coefficients h_2m−4, h_2m−3 and h_2m−2, and the polynomial e_2m−2.
+    // These numbers are the coefficients h_2m−4, h_2m−3 and h_2m−2, and the polynomial e_2m−2.
     let (mut first, mut before, mut now, mut last) = (zero, zero, one, one);
     let (mut value, mut slope) = (zero, zero);
     let (mut rest, mut order, mut degree) = (S::euler_terms(), 1, one);
@@ -100,9 +102,9 @@ mod tests {
     use crate::oscillator::decay::{Damped, Decay};
     use crate::oscillator::mode::Mode;
 
-    /// Returns the response of a mode and its slope in double-double, as a reference for the tests. The terms of each
-    /// sum nearly cancel. This cancellation multiplies the relative error by at most x⁻², which double-double can
-    /// afford.
+    /// Returns the response of a mode and its slope in double-double precision, as a reference for the tests. The terms
+    /// of each sum nearly cancel. The cancellation multiplies the relative error by at most x⁻². Double-double has
+    /// enough digits for this loss.
     fn put_together(mode: &Mode<Dd>, x: Dd, t: Dd) -> (Dd, Dd) {
         let response = mode.response(x, 0);
         let (u, g) = (response.u / response.size, response.g / response.size);
@@ -138,9 +140,9 @@ mod tests {
         }
     }
 
-    /// Compares the response y of mass-controlled modes and its slope y′ with a reference in double-double. The
-    /// reference is the sum of the return from rest, the lag and the static displacement. The tolerance is relative to
-    /// y and y′, even close to their zeros.
+    /// Compares the response y of mass-controlled modes and its slope y′ with a reference in double-double precision.
+    /// The reference is the sum of the return from rest, the lag and the static displacement. The tolerances are
+    /// fractions of y and y′, even close to their zeros.
     #[test]
     fn as_put_together() {
         for zeta in [0.0, 1e-9, 0.01, 0.3, 0.7, 1.0, 1.5, 9.0] {
@@ -163,9 +165,9 @@ mod tests {
         }
     }
 
-    /// Returns the third harmonic of the errors of a response and of its slope in `f32`, in units of `f32::EPSILON`.
-    /// The average over many instants removes the rounding errors. The neglected orders of the series mainly cause a
-    /// third harmonic.
+    /// Returns the third harmonic of the errors of a response and of its slope in `f32`, divided by `f32::EPSILON`. The
+    /// neglected orders of the series mainly cause a third harmonic. The average over many instants removes the
+    /// rounding errors.
     fn third_harmonic_of_the_error(x: f64, zeta: f64) -> (f64, f64) {
         const INSTANTS: u32 = 4096;
         let (mut sine, mut cosine) = ((0.0, 0.0), (0.0, 0.0));
@@ -186,9 +188,8 @@ mod tests {
         (sine.0.hypot(sine.1) * unit, cosine.0.hypot(cosine.1) * unit)
     }
 
-    /// Checks that the series of Euler polynomials in `f32` has enough orders. The error from the neglected orders must
-    /// be below the rounding error. With one order less, the error from the neglected orders would exceed the rounding
-    /// error.
+    /// Checks that the series of Euler polynomials in `f32` has enough orders, and not too many. The error from the
+    /// neglected orders must be smaller than the rounding error. With one order less, it must be larger.
     #[test]
     fn single_precision_has_enough_orders() {
         let mut worst = (0.0_f64, 0.0_f64);
@@ -203,8 +204,8 @@ mod tests {
         assert!(worst.0 < 0.25 && worst.1 < 0.25);
     }
 
-    /// Compares the response of mass-controlled modes in `f32` with a reference in double-double, at each instant
-    /// separately. The reference is the sum of the return from rest, the lag and the static displacement.
+    /// Compares the response of mass-controlled modes in `f32` with a reference in double-double precision, at each
+    /// instant separately. The reference is the sum of the return from rest, the lag and the static displacement.
     #[test]
     fn as_put_together_in_single_precision() {
         let (mut compared, mut worst) = (0, 0.0_f64);
@@ -220,8 +221,8 @@ mod tests {
                     for (got, want) in [(got.rise, value), (got.free, slope)] {
                         let lost = 1e-30 / f64::from(x * x);
                         let off = (wide(got) - want).abs().to_f64();
-                        // The damping terms in y do not vanish at the bounds of the half period, where y vanishes.
-                        // Their rounding errors remain, so that the tolerance contains ζx.
+                        // At the bounds of the half period y vanishes, but its damping terms do not. Their rounding
+                        // errors remain. The tolerance therefore contains ζx.
                         let size = want.to_f64().abs() + f64::from(zeta * x);
                         let unit = f64::from(f32::EPSILON) * size + lost;
                         assert!(

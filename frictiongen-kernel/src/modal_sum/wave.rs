@@ -1,4 +1,4 @@
-//! Sum of modal motions in a half period, with bounds on its size and its derivatives.
+//! Sum of modal motions in a half period, with bounds on its size and on its derivatives.
 //!
 //! A *wave* is the term of one mode in the sum. x is the natural frequency of the mode divided by the excitation
 //! frequency.
@@ -21,12 +21,13 @@ pub struct Wave<S, D> {
     pub forced_slope: S,
     /// Coefficient of the term (sin τ − p), where p is the free displacement of the mode.
     pub forced: S,
-    /// Coefficient of the term (1 − d)/x², where d is the free motion that starts at rest from displacement 1.
+    /// Coefficient of the term (1 − d)/x², where d is the free motion that starts at rest from the displacement 1.
     pub rise: S,
-    /// True for a mode that resonates far below the excitation frequency. If true, `rise` is the coefficient of the
-    /// response to a unit force that changes its sign every half period.
+    /// True for a mode that resonates far below the excitation frequency. In this case `rise` is the coefficient of
+    /// another function: the response to a unit force that changes its sign every half period.
     pub mass_controlled: bool,
-    /// Residue φ_k(φᵀw)/r² from the contact to mass k. Only the harmonics of the motion need this residue.
+    /// Residue φ_k(φᵀw)/r² of the mode, from a force in the contact to the motion of mass k. Only the harmonics of the
+    /// motion need this residue.
     pub residue: S,
 }
 
@@ -58,7 +59,7 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
 
     /// Returns the second derivative of (sin τ − p), where p is the free displacement of the mode. Close to the
     /// resonance x = 1, the difference −sin τ − p″ would lose digits. The function therefore uses the equation of
-    /// motion of sin τ − p.
+    /// motion that sin τ − p satisfies.
     #[inline]
     pub(crate) fn forced_curve(&self, basis: &Basis<S>, at: &Instant<S>) -> S {
         let (one, x) = (S::constant(1.0), self.x);
@@ -73,7 +74,7 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
     }
 
     /// Returns true if the rounding of x alone can shift the phase xτ by a radian before the free motion has decayed.
-    /// Returns true also for a mode that the contact does not drive, whose `forced` and `forced_slope` are 0.
+    /// For a mode that the contact does not drive (`forced` and `forced_slope` are 0), also returns true.
     pub(crate) fn turns_unknown(&self) -> bool {
         let zero = S::constant(0.0);
         let lasts = S::pi().min(S::constant(1.0) / (self.decay.zeta() * self.x));
@@ -111,8 +112,8 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
         (c * loss + b * detuning, c * detuning - b * loss)
     }
 
-    /// Returns the derivative with respect to τ of the modal term, at an instant. `basis` has the functions of time at
-    /// that instant.
+    /// Returns the derivative of the modal term with respect to τ at an instant. `basis` contains the functions of time
+    /// at that instant.
     #[inline]
     pub(crate) fn slope(&self, basis: &Basis<S>, at: &Instant<S>) -> S {
         self.free * basis.slope
@@ -121,7 +122,7 @@ impl<S: Float, D: Decay<S>> Wave<S, D> {
             + self.rise * basis.free
     }
 
-    /// Returns the modal term at an instant. `basis` has the functions of time at that instant.
+    /// Returns the modal term at an instant. `basis` contains the functions of time at that instant.
     #[inline]
     pub fn value(&self, basis: &Basis<S>) -> S {
         self.free * basis.free
@@ -231,7 +232,7 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
     }
 
     /// Returns an upper bound on the rounding error of the modal sum. The bound leaves out modes that resonate close to
-    /// the excitation frequency, because their terms are small differences with small rounding errors.
+    /// the excitation frequency. Their terms are small differences with small rounding errors.
     pub(crate) fn rounding(&self) -> S {
         let (one, half) = (S::constant(1.0), S::constant(0.5));
         let mut sum = self.cosine.abs() + self.sine.abs();
@@ -254,8 +255,8 @@ impl<S: Float, D: Decay<S>> Sum<'_, S, D> {
         sum * S::constant(S::RESOLUTION)
     }
 
-    /// Returns the sum of |forced|·P + |forced_slope|·Q over all modal terms. The closure `of` gives the factors (P, Q)
-    /// for the x of a mode.
+    /// Returns the sum of |forced|·P + |forced_slope|·Q over all modal terms. The closure `of` returns the factors (P,
+    /// Q) for the x of a mode.
     fn over_sine(&self, of: impl Fn(S) -> (S, S)) -> S {
         let add = |sum: S, wave: &Wave<S, D>| {
             let (p, q) = of(wave.x);
@@ -282,9 +283,9 @@ fn curves<S: Float, D: Decay<S>>(wave: &Wave<S, D>, basis: &Basis<S>) -> (S, S) 
     (curve, -(x * (x * basis.slope + two_zeta * curve)))
 }
 
-/// Returns the second and third derivative of sin τ − p. `(p2, p3)` are the derivatives of the free displacement p.
-/// Close to the resonance x = 1 a subtraction would lose digits. The function then uses the equation of motion of sin τ
-/// − p.
+/// Returns the second and third derivative of sin τ − p, where p is the free displacement of the mode. `(p2, p3)` are
+/// the second and third derivative of p. Close to the resonance x = 1 a subtraction would lose digits. The function
+/// then uses the equation of motion that sin τ − p satisfies.
 #[inline]
 fn differences<S: Float, D: Decay<S>>(
     wave: &Wave<S, D>,

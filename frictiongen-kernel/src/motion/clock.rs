@@ -1,5 +1,5 @@
-//! Phase of the excitation in a long run, and sums of many steps. The code avoids accumulated rounding errors in the
-//! phase and in the sums.
+//! Phase of the excitation in a long run, and sums of many steps. Rounding errors do not accumulate in the phase and in
+//! the sums.
 
 use crate::number::phase::within_cycle;
 use crate::number::scalar::Float;
@@ -21,7 +21,8 @@ impl<S: Float> Total<S> {
         }
     }
 
-    /// Returns the sum and its rounding error so far, from which [`of_parts`](Self::of_parts) makes the same sum.
+    /// Returns the sum and its rounding error so far. [`of_parts`](Self::of_parts) creates the same sum from these two
+    /// numbers.
     pub(crate) fn parts(self) -> [S; 2] {
         [self.value, self.low]
     }
@@ -30,7 +31,7 @@ impl<S: Float> Total<S> {
         Self { value, low }
     }
 
-    /// Returns the sum with `term` added.
+    /// Returns the sum after `term` has been added.
     pub(crate) fn plus(self, term: S) -> Self {
         let (value, error) = two_sum(self.value, term);
         let (value, low) = two_sum(value, self.low + error);
@@ -46,7 +47,7 @@ impl<S: Float> Total<S> {
 /// Phase of the excitation within its cycle, and the number of completed cycles.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Clock<S> {
-    /// The phase in half-turns, in [0, 2).
+    /// The phase in half-turns (units of π rad), in [0, 2).
     pub t: S,
     /// Rounding error of `t` so far.  The exact phase is `t` + `low`.
     low: S,
@@ -65,7 +66,7 @@ impl<S: Float> Clock<S> {
         }
     }
 
-    /// Returns the clock a time τ = `passed` later.
+    /// Returns the clock after a further time τ = `passed`.
     pub(crate) fn moved(self, passed: Total<S>) -> Self {
         let (turns, error) = two_product(passed.value, S::inverse_pi());
         let error = error + passed.value * inverse_pi_low() + passed.low * S::inverse_pi();
@@ -73,13 +74,13 @@ impl<S: Float> Clock<S> {
         let (t, low) = two_sum(t, self.low + left + error);
         let (two, half) = (S::constant(2.0), S::constant(0.5));
         let mut whole = (t * half).floor();
-        // Rounding may have raised a number just below a multiple of two to that multiple.
+        // Rounding may have increased a number just below a multiple of two to this multiple.
         if (t - whole * two).is_zero() && low < S::constant(0.0) {
             whole = whole - S::constant(1.0);
         }
         let (mut t, mut low) = two_sum(t - whole * two, low);
         if !(t < two) {
-            // The phase must stay below two.  A phase that rounds to two becomes the last number below two.
+            // The phase must be less than two. A phase that rounds to two becomes the last number below two.
             (t, low) = two_sum(two - S::constant(S::EPSILON), low);
         }
         #[allow(
@@ -92,13 +93,13 @@ impl<S: Float> Clock<S> {
     }
 }
 
-/// Returns sine and cosine of the excitation's angle πt, with the phase `t` in half-turns.
+/// Returns sine and cosine of the excitation's angle πt, where `t` is the phase in half-turns (units of π rad).
 pub(crate) fn phase<S: Float>(t: S) -> (S, S) {
     t.sin_cos_pi()
 }
 
-/// Returns the phase after a time τ, in half-turns in [0, 2). `t` is the phase before the time τ. τ is in rad of the
-/// excitation.
+/// Returns the phase after a time τ, in half-turns (units of π rad) in [0, 2). `t` is the phase before that time. τ is
+/// the phase of the excitation in rad.
 pub(crate) fn moved<S: Float>(t: S, tau: S) -> S {
     let two = S::constant(2.0);
     let t = within_cycle(t + tau * S::inverse_pi());
@@ -160,7 +161,7 @@ fn split<S: Float>(a: S) -> (S, S) {
 mod tests {
     use super::{Clock, Total};
 
-    /// Compares the phase after n steps of 0.01 in single precision with the phase after one step of 0.01n, for n up to
+    /// Compares two phases in single precision: after n steps of 0.01, and after one step of 0.01n, for n up to
     /// 200,000. The two may differ only by the rounding of the phase itself.
     #[test]
     fn steps_leave_no_rounding_in_the_phase() {
@@ -179,8 +180,8 @@ mod tests {
         assert_eq!((compared, clock.cycles), (200_000, 318));
     }
 
-    /// Checks that a run of exactly three cycles, in many equal steps, counts three cycles. Rounding may put the sum of
-    /// the steps just below or just above a whole cycle.
+    /// Checks that a run of exactly three cycles, in many equal steps, counts three cycles. Rounding may make the sum
+    /// of the steps slightly smaller or larger than whole cycles.
     #[test]
     fn a_cycle_is_counted_once() {
         for pieces in 1..2000_u32 {

@@ -6,8 +6,8 @@ use crate::number::complex::Complex;
 use crate::number::scalar::Float;
 use crate::oscillator::mode::{Kind, Mode};
 
-/// A mode of the chain with its contact stuck. Its state is the displacement y and the scaled velocity u = ẏ/ω, with
-/// the derivative with respect to the time t√(k₁/m₁) and the natural frequency ω of the mode.
+/// A mode of the chain with its contact stuck. Its state is the displacement y and the scaled velocity u = ẏ/ω. The
+/// derivative ẏ is with respect to the time t√(k₁/m₁), and ω is the natural frequency of the mode.
 #[derive(Clone, Copy, Debug)]
 pub struct HeldMode<S> {
     /// Kind of damping of the mode, which selects the closed form.
@@ -18,10 +18,10 @@ pub struct HeldMode<S> {
     pub zeta: S,
     /// √|1 − ζ²|, the damped natural frequency divided by the undamped one.
     pub q: S,
-    /// Contact force per unit of the mode's displacement y, with opposite sign.
+    /// Contact force per unit of the mode's displacement y, with the opposite sign.
     pub force: S,
     /// Symmetric matrix [m₁₁, m₁₂, m₂₂] from which `state` computes y and u. The matrix multiplies two scalar products:
-    /// those of the chain's motion with the mode's two state vectors.
+    /// those of the chain's motion with the two state vectors of the mode.
     pub inverse: [S; 3],
 }
 
@@ -35,13 +35,14 @@ pub struct Dynamics<'a, S, K = Chain<S>> {
     /// Modes of the chain with its contact stuck (stuck chain). If the contact drives n modes, the stuck chain has n −
     /// 1 modes for a rigid contact, and n for an elastic contact.
     pub held: &'a [HeldMode<S>],
-    /// Participation factors, for y and for u, in each mode of the chain with its contact stuck. For each mode of the
-    /// stuck chain, the list has one pair for each mode that the contact drives.
+    /// Participation factors for the displacement y and the scaled velocity u in each mode of the chain with its
+    /// contact stuck. For each such mode, the list has one pair for each mode of the chain that the contact drives.
     pub participations: &'a [[S; 2]],
-    /// Mode shapes φ, mass after mass.
+    /// Mode shapes φ. The components of the first mass in all modes come first, and then those of the second mass, and
+    /// so on.
     pub shapes: &'a [S],
-    /// Products φᵀΓ, mode after mode. If damping acts relative to the moving base, the list also contains the loads in
-    /// quadrature (`quadratures`).
+    /// Products φᵀΓ of each mode, one mode after the other. If damping acts relative to the moving base, the list also
+    /// contains the loads in quadrature (90° out of phase with the base).
     pub weights: &'a [S],
     /// Index of the mass that slides on a support, or `None` if two masses slide on each other.
     pub rubbing: Option<usize>,
@@ -77,7 +78,7 @@ impl<'a, S: Float, K: ContactChain<S>> Dynamics<'a, S, K> {
     }
 
     /// Returns the number of scalars in a state of the motion: two for each mode that the contact drives, and those
-    /// that the contact stores.
+    /// that the contact itself stores.
     #[must_use]
     pub fn state_size(&self) -> usize {
         2 * self.in_contact() + self.chain.remembered()
@@ -94,8 +95,8 @@ impl<'a, S: Float, K: ContactChain<S>> Dynamics<'a, S, K> {
         self.modes.get(..self.in_contact()).unwrap_or_default()
     }
 
-    /// Returns wᵀK̄⁻¹w = Σ c/λ (with c = (φᵀw)² of each mode), the displacement of the contact per unit of steady
-    /// contact force.
+    /// Returns wᵀK̄⁻¹w, the displacement of the contact per unit of steady contact force. It is the sum of (φᵀw)²/λ
+    /// over the modes, with the mode shape φ, the contact's direction vector w and the squared frequency ratio λ.
     pub(crate) fn receptance(&self) -> S {
         let terms = self.driven().iter();
         terms.fold(S::constant(0.0), |sum, mode| {
@@ -103,7 +104,7 @@ impl<'a, S: Float, K: ContactChain<S>> Dynamics<'a, S, K> {
         })
     }
 
-    /// Returns the loads in quadrature with the motion of the base, in the form of
+    /// Returns the loads in quadrature (90° out of phase) with the motion of the base, in the form of
     /// [`Quadratures`](crate::contact::quadrature). The list is empty unless damping acts on velocities relative to the
     /// moving base.
     pub(crate) fn quadratures(&self) -> &'a [[S; 2]] {
@@ -134,14 +135,14 @@ impl<'a, S: Float, K: ContactChain<S>> Dynamics<'a, S, K> {
         shapes.nth(mass).unwrap_or_default()
     }
 
-    /// Returns true if this mass moves exactly as the contact does. This is so for a mass that slides on a support at
-    /// rest.
+    /// Returns true if this mass moves exactly as the contact does. This is the case for a mass that slides on a
+    /// support at rest.
     pub(crate) fn moves_as_contact(&self, mass: usize) -> bool {
         self.chain().on_moving_base.is_none() && self.rubbing == Some(mass)
     }
 
-    /// Returns the modes of the chain with its contact stuck. Each mode is paired with the participation factors of all
-    /// modes that the contact drives.
+    /// Returns the modes of the chain with its contact stuck. Each mode comes with the participation factors of all
+    /// modes of the chain that the contact drives.
     pub(crate) fn held_modes(&self) -> impl Iterator<Item = (&'a HeldMode<S>, &'a [[S; 2]])> {
         // The code uses ranges, because an iterator over chunks could panic if the compiler does not know their size.
         let (participations, size) = (self.participations, self.in_contact());
@@ -157,8 +158,8 @@ impl<'a, S: Float, K: ContactChain<S>> Dynamics<'a, S, K> {
 }
 
 impl<S: Float> HeldMode<S> {
-    /// Returns y and u of a mode of the chain with its contact stuck. `first` and `second` are the products of the
-    /// chain's motion with the mode's two state vectors.
+    /// Returns the displacement y and the scaled velocity u of a mode of the chain with its contact stuck. `first` and
+    /// `second` are the products of the chain's motion with the two state vectors of the mode.
     pub(crate) fn state(&self, first: S, second: S) -> (S, S) {
         let [m11, m12, m22] = self.inverse;
         (m11 * first + m12 * second, m12 * first + m22 * second)

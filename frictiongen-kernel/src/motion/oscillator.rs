@@ -1,8 +1,8 @@
 //! One oscillator between two events: a mode of the chain while the contact slides, or a mode of the chain with its
 //! contact stuck.
 //!
-//! The oscillator has the displacement y and the scaled velocity u = y′/x. In free motion y and u oscillate and decay
-//! together ([`Turn`]).
+//! The oscillator has the displacement y and the scaled velocity u = y′/x, where x is its natural frequency divided by
+//! the excitation frequency. In free motion y and u oscillate and decay together ([`Turn`]).
 
 use super::dynamics::{HeldMode, rotated};
 use crate::number::complex::{self, Complex};
@@ -10,49 +10,50 @@ use crate::number::scalar::Float;
 use crate::oscillator::decay::{Damped, Decay, Instant, Turn, multipliers, turn};
 use crate::oscillator::mode::{Kind, Mode};
 
-/// Bound of the region near a resonance, |D| < NEAR·x², with D = x² − 1 + 2iζx. In this region the code computes the
-/// forced motion from differences that vanish with D. Elsewhere the forced motion is the steady motion plus a free
-/// motion, and this sum loses at most a factor 1/NEAR of the precision.
+/// Bound NEAR of the region near a resonance, in which |D| < NEAR·x² with D = x² − 1 + 2iζx. In this region the code
+/// computes the forced motion from differences that vanish with D. Outside the region, the forced motion is the sum of
+/// the steady motion and a free motion. This sum loses at most a factor 1/NEAR of the precision.
 const NEAR: f64 = 0.02;
-/// Smallest 1 − ζ² at which the amplitude of a free motion bounds the motion well enough.
+/// Smallest 1 − ζ² with which the amplitude of a free motion is a good bound on the motion.
 const OSCILLATES: f64 = 0.05;
 
-/// One oscillator between two events: a mode of the chain, or a mode of the chain with its contact stuck.
+/// One oscillator between two events of the contact: a mode of the chain, or a mode of the chain with its contact
+/// stuck.
 #[derive(Clone, Copy, Debug)]
 pub struct Part<S> {
     pub(crate) kind: Kind,
-    /// Undamped natural frequency divided by the excitation frequency, x = σ/r.
+    /// Undamped natural frequency of the oscillator divided by the excitation frequency, x = σ/r.
     pub(crate) x: S,
     pub(crate) zeta: S,
     /// q = √|1 − ζ²|, with the modal damping ratio ζ.
     q: S,
     /// 1 − ζ², with the modal damping ratio ζ.
     pub(crate) q2: S,
-    /// Undamped natural frequency σ as a frequency ratio, so that x = σ/r.
+    /// Undamped natural frequency σ of the oscillator, as a frequency ratio.
     sigma: S,
-    /// Complex amplitude of the steady displacement, y = Re(steady·e^{iτ_e}). If `near` is true, the field is the
-    /// complex amplitude of the force instead.
+    /// Complex amplitude of the steady displacement: y = Re(steady·e^{iτ_e}). If `near` is true, the field is the
+    /// complex amplitude of the force on the oscillator instead.
     steady: Complex<S>,
-    /// Complex amplitude of φ/x = Re(direct·e^{iτ_e}). The excitation adds the velocity φ to y′ directly, so that u =
-    /// (y′ − φ)/x.
+    /// Complex amplitude of φ/x = Re(direct·e^{iτ_e}), where φ is a velocity that the excitation adds directly to y′.
+    /// Then u = (y′ − φ)/x.
     direct: Complex<S>,
-    /// True if the excitation is near the resonance. The code then computes the forced motion from differences that
-    /// vanish at the resonance.
+    /// True if the excitation frequency is near the resonance. The code then computes the forced motion from
+    /// differences that vanish at the resonance.
     pub(crate) near: bool,
-    /// Displacement about which the oscillator moves, due to the constant forces.
+    /// Displacement about which the oscillator moves. The constant forces cause this displacement.
     pub(crate) centre: S,
-    /// Displacement y at the present instant, or at the start of the segment.
+    /// Displacement y of the oscillator at the present instant, or at the start of the segment.
     pub(crate) y: S,
     /// Scaled velocity u at the same instant as y.
     pub(crate) u: S,
     /// Displacement y and scaled velocity u of the free motion, at the start of the segment.
     pub(crate) free: [S; 2],
-    /// Coefficients of the decaying cosine c and sine s ([`Turn`]) in the function that a search examines. `slope` has
-    /// the coefficients in the derivative of that function.
+    /// Coefficients of the decaying cosine c and the decaying sine s ([`Turn`]) in the function whose zero a search
+    /// finds. `slope` contains the coefficients in the derivative of that function.
     pub(crate) value: [S; 2],
     pub(crate) slope: [S; 2],
-    /// Upper bound on the oscillator's term in the third derivative of the examined function, at the start. The bound
-    /// of an oscillation decays as e^{−ζxτ}.
+    /// Upper bound, at the start, on the oscillator's term in the third derivative of the function that a search
+    /// examines. The bound of an oscillation decays as e^{−ζxτ}.
     pub(crate) bound: S,
     /// Weights of the displacement y and the scaled velocity u in the function that a search examines.
     pub(crate) weight: [S; 2],
@@ -94,16 +95,17 @@ impl<S: Float> Part<S> {
         part
     }
 
-    /// Creates the oscillator of a mode of the chain with its contact stuck, at the frequency ratio r. `drive` has two
-    /// complex amplitudes, each multiplied by r. The first is for the direct change of the velocity, the second for the
-    /// force on the mode.
+    /// Creates the oscillator of a mode of the chain with its contact stuck, at the frequency ratio r. `drive` contains
+    /// two complex amplitudes, each multiplied by r: that of the direct change of the velocity, and that of the force
+    /// on the mode.
     pub(crate) fn from_stuck_mode(mode: &HeldMode<S>, r: S, drive: [Complex<S>; 2]) -> Self {
         let mut part = Self::empty();
         part.kind = mode.kind;
         (part.zeta, part.q, part.sigma) = (mode.zeta, mode.q, mode.frequency);
         let [first, second] = drive;
         // The equation of motion of y alone has the force Ψ, with r²Ψ = ωφ₂ + (2ζω + ir)φ₁. φ₁ and φ₂ are the two
-        // numbers in `drive`. The code computes rΨ, because r³ may overflow or underflow.
+        // numbers in `drive`, and ω is the natural frequency. The code computes rΨ, because r³ may overflow or
+        // underflow.
         let over_r = mode.frequency / r;
         let loss = (mode.zeta + mode.zeta) * over_r;
         let force = Complex::new(
@@ -143,15 +145,15 @@ impl<S: Float> Part<S> {
         turn(self.kind, self.zeta, self.q, self.x, (t, tau))
     }
 
-    /// Returns the state [y, u] of a free motion after a time. `free` is the state before this time, and `turn` has the
-    /// coefficients of the free motion for this time.
+    /// Returns the state [y, u] of a free motion after a time. `free` is the state before this time, and `turn`
+    /// contains the coefficients of the free motion for this time.
     #[inline]
     pub(crate) fn turned(&self, free: [S; 2], turn: &Turn<S>) -> [S; 2] {
         turn.moved(self.zeta, free)
     }
 
-    /// Returns y and u of the steady motion, given sine and cosine of the excitation's phase. Near the resonance, the
-    /// result leaves out the forced displacement, which [`grown`](Self::grown) returns.
+    /// Returns y and u of the steady motion. The argument contains sine and cosine of the excitation's phase. Near the
+    /// resonance, the result leaves out the forced displacement, which [`grown`](Self::grown) returns.
     #[inline]
     fn carried(&self, (sine, cosine): (S, S)) -> [S; 2] {
         if self.near {
@@ -165,15 +167,15 @@ impl<S: Float> Part<S> {
         ]
     }
 
-    /// Sets the free motion at the start of a segment to the present y and u, minus y and u of the steady motion.
+    /// Sets the free motion at the start of a segment: the present y and u, minus y and u of the steady motion.
     #[inline]
     pub(crate) fn start(&mut self, phase: (S, S)) {
         let [y, u] = self.carried(phase);
         self.free = [self.y - y, self.u - u];
     }
 
-    /// Returns y and u a time τ after the segment's start. `from` and `phase` are sine and cosine of the excitation's
-    /// phase at the start and after τ.
+    /// Returns y and u a time τ after the start of the segment. `from` and `phase` are sine and cosine of the
+    /// excitation's phase at the start and after τ.
     #[inline]
     pub(crate) fn at(&self, turn: &Turn<S>, t: S, from: (S, S), phase: (S, S)) -> [S; 2] {
         let [free_y, free_u] = self.turned(self.free, turn);
@@ -193,7 +195,8 @@ impl<S: Float> Part<S> {
         let (x, one) = (self.x, S::constant(1.0));
         let loss = (self.zeta + self.zeta) * x;
         let detuning = (x - one) * (x + one);
-        // k combines the responses to cos τ and sin τ. They are the real part of k and its negative imaginary part.
+        // k combines the responses to cos τ and to sin τ. They are its real part and the negative of its imaginary
+        // part.
         let (k, k_slope) = if detuning.is_zero() && loss.is_zero() {
             let half = S::constant(0.5);
             let grown = at.tau * half;
@@ -223,8 +226,8 @@ impl<S: Float> Part<S> {
         [value, slope, curve, third]
     }
 
-    /// Returns the force on the oscillator as a complex number. The force at the phase τ is re·cos τ + im·sin τ. `sine`
-    /// and `cosine` belong to the excitation's phase at τ = 0.
+    /// Returns the force on the oscillator as a complex number re + i·im. The force at the phase τ is re·cos τ + im·sin
+    /// τ. `sine` and `cosine` belong to the excitation's phase at τ = 0.
     fn force_from(&self, (sine, cosine): (S, S)) -> Complex<S> {
         Complex::new(
             self.steady.re * cosine - self.steady.im * sine,
@@ -232,8 +235,8 @@ impl<S: Float> Part<S> {
         )
     }
 
-    /// Adds the forced motion of [`grown`](Self::grown) to the derivatives of the examined function, at the start of
-    /// the segment.
+    /// Adds the forced motion of [`grown`](Self::grown) to the derivatives of the function that a search examines, at
+    /// the start of the segment.
     pub(crate) fn grown_series(&self, phase: (S, S), terms: &mut [S]) {
         let zero = S::constant(0.0);
         let [of_y, of_u] = self.weight;
@@ -293,8 +296,8 @@ impl<S: Float> Part<S> {
     }
 
     /// Returns an upper bound on the contribution of the free vibration to the examined function at any later time. The
-    /// free vibration is the present motion minus the steady motion. On an undamped resonance no steady motion exists,
-    /// and the bound is `f64::MAX` converted to the number type.
+    /// free vibration is the present motion minus the steady motion. On an undamped resonance no steady motion exists.
+    /// The bound is then `f64::MAX`, converted to the number type.
     pub(crate) fn free_amplitude(&self, phase: (S, S)) -> S {
         let Some([y, u]) = self.settled(phase) else {
             return S::constant(f64::MAX);
@@ -303,12 +306,12 @@ impl<S: Float> Part<S> {
         if self.oscillates() {
             (a * a + b * b / self.q2).sqrt()
         } else {
-            // For ζ above 0.4, e^{−ζxτ}sin(qxτ)/q stays below 1.
+            // For ζ above 0.4, e^{−ζxτ}sin(qxτ)/q stays less than 1.
             a.abs() + b.abs()
         }
     }
 
-    /// Returns true if the free vibration never decays.
+    /// Returns true if the free vibration of the oscillator never decays.
     pub(crate) fn is_undamped(&self) -> bool {
         self.kind == Kind::Undamped
     }
@@ -329,8 +332,8 @@ impl<S: Float> Part<S> {
         multipliers(self.kind, self.q, &turn)
     }
 
-    /// Returns the oscillator's contribution to the fundamental component of the examined function, as a complex
-    /// amplitude relative to e^{iτ_e}.
+    /// Returns the oscillator's contribution to the fundamental of the examined function. The result is a complex
+    /// amplitude, multiplied by e^{iτ_e} in the function.
     pub(crate) fn fundamental(&self) -> Complex<S> {
         let [of_y, of_u] = self.weight;
         let direct = complex::scale(self.direct, -of_u);
@@ -363,8 +366,8 @@ impl<S: Float> Part<S> {
         };
     }
 
-    /// Returns true if the free motion is a decaying oscillation. The amplitude of the oscillation then bounds the
-    /// motion. Otherwise the free motion is a sum of exponentials that may cancel each other.
+    /// Returns true if the free motion is a decaying oscillation. Its amplitude then bounds the motion. Otherwise the
+    /// free motion is a sum of exponential functions that may nearly cancel.
     pub(crate) fn oscillates(&self) -> bool {
         S::constant(OSCILLATES) < self.q2
     }
@@ -379,7 +382,7 @@ impl<S: Float> Part<S> {
     }
 }
 
-/// Advances all oscillators by τ from the segment's start. `from` and `to` are sine and cosine of the excitation's
+/// Advances all oscillators by τ from the start of the segment. `from` and `to` are sine and cosine of the excitation's
 /// phase at the start and at the end.
 pub(crate) fn advanced<S: Float>(parts: &mut [Part<S>], tau: S, from: (S, S), to: (S, S)) {
     let t = tau * S::inverse_pi();

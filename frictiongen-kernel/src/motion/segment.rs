@@ -65,8 +65,8 @@ pub(crate) fn seek<S: Float, K: ContactChain<S>>(
 }
 
 /// Adds derivatives to the instant `tau` at which a sum reaches its level, if the scalar carries derivatives. One
-/// Newton step from the known instant gives the derivatives. Without a level, no event ends the segment. `tau` then has
-/// the derivatives of the searched length if it equals this length, and otherwise none.
+/// Newton step from the known instant gives the derivatives. Without a level, no event ends the segment. If `tau` then
+/// equals the searched length, it gets the derivatives of this length. Otherwise it gets none.
 fn carried<S: Float>(sum: &OscillatorSum<'_, S>, tau: S, level: Option<S>) -> S {
     let Some(level) = level else {
         return if tau < sum.reach {
@@ -80,8 +80,8 @@ fn carried<S: Float>(sum: &OscillatorSum<'_, S>, tau: S, level: Option<S>) -> S 
     tau.primal() - (gap - gap.primal()) / local.slope.primal()
 }
 
-/// Sets the oscillators to their state a time τ after the segment's start. `to` is sine and cosine of the excitation's
-/// phase at that instant.
+/// Sets the oscillators to their state a time τ after the start of the segment. `to` is sine and cosine of the
+/// excitation's phase at that instant.
 pub(crate) fn place<S: Float, K: ContactChain<S>>(
     setting: &MotionSetting<'_, S, K>,
     (modes, stuck_modes): (&mut [Part<S>], &mut [Part<S>]),
@@ -101,8 +101,8 @@ pub(crate) fn place<S: Float, K: ContactChain<S>>(
     setting.release(stuck_modes, setting.lifted(sought.offset, to), states);
 }
 
-/// Returns the end of a segment: its event, and the contact state after the event.  The oscillators must already be at
-/// the end.
+/// Returns the end of a segment: its event, and the contact state after the event. The caller must already have
+/// advanced the oscillators to the end.
 pub(crate) fn ended<S: Float, K: ContactChain<S>>(
     setting: &MotionSetting<'_, S, K>,
     (modes, stuck_modes): (&[Part<S>], &[Part<S>]),

@@ -16,19 +16,19 @@ pub struct MotionSetting<'a, S, K = Chain<S>> {
     pub(crate) r: S,
     /// Friction ratio β.
     pub(crate) beta: S,
-    /// Base coefficient s: 1 if the contact rubs on the moving base, otherwise 0.
+    /// Coefficient s of the base motion in z̄: 1 if the contact rubs on the moving base, otherwise 0.
     pub(crate) base: S,
     /// wᵀΓ⁻¹p + s r²: the load on the stuck contact at a maximum of the excitation, times the inverse effective mass
-    /// m*.
+    /// m*. s is the coefficient `base`.
     pub(crate) load: S,
-    /// Load on the stuck contact in quadrature (90° out of phase) with the base's motion, times m*. This load adds
-    /// −`quadrature`·sin τ_e to the load. `quadrature` is 0 unless damping acts relative to the moving base.
+    /// Load on the stuck contact in quadrature (90° out of phase) with the base's motion, times m*. It adds
+    /// −`quadrature`·sin τ_e to the load. It is 0 unless damping acts relative to the moving base.
     pub(crate) quadrature: S,
-    /// The contact's displacement per unit of steady contact force: wᵀK̄⁻¹w = Σ c_i/λ_i with c_i = (φ_iᵀw)², plus the
-    /// compliance of an elastic contact.
+    /// Displacement of the contact per unit of steady contact force. It is wᵀK̄⁻¹w = Σ c_i/λ_i with c_i = (φ_iᵀw)²,
+    /// plus the compliance of an elastic contact.
     pub(crate) receptance: S,
-    /// Σ 2ζ_i c_i/σ_i divided by `receptance`, with σ_i = √λ_i: damping force per unit of velocity of the stuck
-    /// contact, times m*.
+    /// Σ 2ζ_i c_i/σ_i divided by `receptance`, with c_i = (φ_iᵀw)² and σ_i = √λ_i. It is the damping force per unit of
+    /// velocity of the stuck contact, times m*.
     pub(crate) drag: S,
 }
 
@@ -55,8 +55,7 @@ impl<'a, S: Float, K: ContactChain<S>> MotionSetting<'a, S, K> {
     ///
     /// # Errors
     /// [`OutOfDomain`] if r is NaN, negative, zero or infinite, or so near to 0 or ∞ that the formulas would overflow
-    /// or underflow. The same error results if β or μβ is NaN, negative or infinite, or if `parts` has the wrong
-    /// length.
+    /// or underflow. [`OutOfDomain`] also if β or μβ is NaN, negative or infinite, or if `parts` has the wrong length.
     pub fn new(
         dynamics: Dynamics<'a, S, K>,
         r: S,
@@ -126,8 +125,8 @@ impl<'a, S: Float, K: ContactChain<S>> MotionSetting<'a, S, K> {
         }
     }
 
-    /// Splits `parts` into the oscillators of the chain's modes, and those of the modes of the chain with its contact
-    /// stuck.
+    /// Splits `parts` into two slices: the oscillators of the chain's modes, and the oscillators of the modes of the
+    /// chain with its contact stuck.
     pub(crate) fn split<'p>(
         &self,
         parts: &'p mut [Part<S>],
@@ -138,7 +137,7 @@ impl<'a, S: Float, K: ContactChain<S>> MotionSetting<'a, S, K> {
         (modes, rest.split_at_mut(stuck).0)
     }
 
-    /// Fails if a state lacks a finite displacement or velocity for one of the masses.
+    /// Fails unless a state has a finite displacement and a finite velocity for each mass.
     pub(crate) fn check_state(&self, (x, v): (&[S], &[S])) -> Result<(), OutOfDomain> {
         // The number of masses equals the number of modes.
         let masses = self.dynamics.modes.len();

@@ -1,8 +1,8 @@
 //! Complex operations that the formulas need, over any [`Scalar`].
 //!
-//! The operators of num-complex require traits that symbolic scalars cannot implement. This module replaces these
-//! operators. Without damping every imaginary part is the constant 0. The argument `damped` is then false, and the
-//! functions compute no imaginary part.
+//! The operators of the crate num-complex require traits that symbolic scalars cannot implement. This module replaces
+//! these operators. Without damping every imaginary part is the constant 0. The argument `damped` is then false, and
+//! the functions compute no imaginary part.
 
 use crate::number::scalar::Scalar;
 pub use num_complex::Complex;
@@ -25,7 +25,7 @@ pub fn scale<S: Scalar>(a: Complex<S>, k: S) -> Complex<S> {
     Complex::new(a.re * k, a.im * k)
 }
 
-/// Returns the product a·b. Without damping the function returns the product of the real parts alone.
+/// Returns the product a·b. If `damped` is false, returns the product of the real parts.
 #[inline(always)]
 pub fn mul<S: Scalar>(a: Complex<S>, b: Complex<S>, damped: bool) -> Complex<S> {
     if damped {
@@ -45,7 +45,7 @@ pub(crate) fn size<S: Scalar>(a: Complex<S>, damped: bool) -> S {
     }
 }
 
-/// Returns a if the condition is true, and b if the condition is false.
+/// Returns the complex number a if the condition is true, and b if it is false.
 #[inline(always)]
 pub(crate) fn select<S: Scalar>(
     condition: S::Condition,
@@ -58,8 +58,8 @@ pub(crate) fn select<S: Scalar>(
     )
 }
 
-/// Names the real and the imaginary part of a complex value as [`Scalar::named`] does. `names` has the name and the
-/// explanation of each part.
+/// Gives names to the real and the imaginary part of a complex number, as [`Scalar::named`] does. `names` contains the
+/// name and the explanation of each part.
 #[inline(always)]
 pub(crate) fn named<S: Scalar>(
     a: Complex<S>,
@@ -83,7 +83,7 @@ pub fn reciprocal<S: Scalar>(a: Complex<S>, damped: bool) -> Complex<S> {
     }
 }
 
-/// Returns 1/a for a complex a ≠ 0. Also returns two numbers of about 1/|a| whose product is 1/|a|². The number 1/|a|²
+/// Returns 1/a for a complex a ≠ 0. Also returns two numbers of about 1/|a|, whose product is 1/|a|². The product
 /// itself could overflow.
 #[inline(always)]
 pub(crate) fn inverse<S: Scalar>(a: Complex<S>) -> (Complex<S>, (S, S)) {
@@ -108,8 +108,8 @@ pub(crate) fn inverse<S: Scalar>(a: Complex<S>) -> (Complex<S>, (S, S)) {
     (reciprocal, (inverse, k))
 }
 
-/// Returns 1/a for a complex number a that is scaled to |Re a| + |Im a| = 1. `mode` only names variables in emitted
-/// code.
+/// Returns 1/a for a complex number a that is scaled to |Re a| + |Im a| = 1. `mode` serves only for the names of
+/// variables in emitted code.
 #[inline(always)]
 pub fn reciprocal_of_unit<S: Scalar>(a: Complex<S>, mode: Option<usize>) -> Complex<S> {
     let inverse = (S::constant(1.0) / (a.re * a.re + a.im * a.im)).named(
@@ -120,7 +120,7 @@ pub fn reciprocal_of_unit<S: Scalar>(a: Complex<S>, mode: Option<usize>) -> Comp
     Complex::new(a.re * inverse, -(a.im * inverse))
 }
 
-/// Returns |a| without overflow of |a|². Without damping the function returns |Re a|.
+/// Returns |a| without overflow of |a|². If `damped` is false, returns |Re a|.
 #[inline(always)]
 pub fn modulus<S: Scalar>(a: Complex<S>, damped: bool) -> S {
     if damped { a.re.hypot(a.im) } else { a.re.abs() }

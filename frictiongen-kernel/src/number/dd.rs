@@ -1,9 +1,9 @@
 //! Double-double arithmetic, the accuracy reference of the project.
 //!
 //! A [`Dd`] is the unevaluated sum of two `f64`, with about 31 digits. All operations consist of `f64` additions,
-//! subtractions, multiplications, divisions and square roots, without fused multiply-add. They therefore give the same
-//! bits on every host. For bounds of the errors see Joldes, Muller and Popescu, "Tight and rigorous error bounds for
-//! basic building blocks of double-word arithmetic" (2017).
+//! subtractions, multiplications, divisions and square roots, without fused multiply-add. Their results are therefore
+//! equal to the last bit on every host. For bounds on the errors see Joldes, Muller and Popescu, "Tight and rigorous
+//! error bounds for basic building blocks of double-word arithmetic" (2017).
 
 use core::cmp::Ordering;
 use core::fmt;
@@ -134,7 +134,7 @@ impl Dd {
         Self::finished(hi, lo)
     }
 
-    /// Creates a number, and replaces `lo` by 0 if `hi` is not finite. Otherwise `lo` would be NaN if `hi` is infinite,
+    /// Creates a number. If `hi` is not finite, replaces `lo` by 0. If `hi` were infinite, `lo` would otherwise be NaN,
     /// and every later result would be NaN.
     #[inline]
     fn finished(hi: f64, lo: f64) -> Self {
@@ -145,7 +145,7 @@ impl Dd {
         }
     }
 
-    /// Adds a leading term and a smaller correction. The result is normalised: `hi` is the sum rounded to `f64`.
+    /// Adds a leading term and a smaller correction. The result is normalised: its `hi` is the sum rounded to `f64`.
     #[inline]
     fn joined(hi: f64, lo: f64) -> Self {
         if !hi.is_finite() {
@@ -256,7 +256,7 @@ impl Neg for Dd {
 
 impl Add for Dd {
     type Output = Self;
-    /// Adds with a relative error below 3·2^−106, even if the two numbers nearly cancel.
+    /// Adds two numbers with a relative error below 3·2^−106, even if the two numbers nearly cancel.
     #[inline]
     fn add(self, other: Self) -> Self {
         let (hi, mut rest) = two_sum(self.hi, other.hi);
@@ -280,7 +280,7 @@ impl Sub for Dd {
 
 impl Mul for Dd {
     type Output = Self;
-    /// Multiplies with a relative error below 5·2^−106.
+    /// Multiplies two numbers with a relative error below 5·2^−106.
     #[inline]
     fn mul(self, other: Self) -> Self {
         let (hi, rest) = two_product(self.hi, other.hi);
@@ -291,7 +291,7 @@ impl Mul for Dd {
 
 impl Div for Dd {
     type Output = Self;
-    /// Divides by long division with three digits of base 2^53. The relative error is below 2^−103.
+    /// Divides two numbers by long division with three digits of base 2^53. The relative error is below 2^−103.
     #[inline]
     fn div(self, other: Self) -> Self {
         const LARGE: f64 = 1e290;
@@ -300,8 +300,8 @@ impl Div for Dd {
         if !first.is_finite() || !other.hi.is_finite() || first == 0.0 {
             return Self::new(first, 0.0);
         }
-        // Without scaling, the products of `other` with the quotient's digits could overflow. The splittings of their
-        // factors could overflow too.
+        // Without scaling, the products of `other` with the quotient's digits could overflow, and so could the
+        // splittings of their factors.
         if self.hi.abs() > LARGE || other.hi.abs() > LARGE {
             return self.scaled(DOWN) / other.scaled(DOWN);
         }
@@ -314,7 +314,7 @@ impl Div for Dd {
     }
 }
 
-/// Writes scientific notation with 32 digits, or with the precision that the format asks for.
+/// Writes the number in scientific notation with 32 digits, or with the precision that the format requests.
 ///
 /// ```
 /// use frictiongen_kernel::number::dd::Dd;

@@ -1,15 +1,15 @@
 //! Dual numbers: a value together with its derivative with respect to one variable.
 //!
-//! A closed form evaluated with dual numbers returns its value and its exact derivative. Close to a resonance this
-//! derivative is a small difference of large terms. Dual numbers of [`Dd`](crate::number::dd::Dd) keep the digits of
-//! the difference.
+//! A closed form that is evaluated with dual numbers gives its value and its exact derivative. Close to a resonance
+//! this derivative is a small difference of large terms. Dual numbers of [`Dd`](crate::number::dd::Dd) keep the digits
+//! of such a difference.
 
 use crate::number::scalar::{Float, Scalar};
 use crate::number::special::{exp_m1_minus, versine_pi};
 use core::cmp::Ordering;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-/// A value f with its derivative ∂f/∂p for one variable p. Comparisons use the value alone.
+/// A number f with its derivative ∂f/∂p for one variable p. Comparisons use f alone.
 ///
 /// ```
 /// use frictiongen_kernel::{Scalar, number::dual::Dual};
@@ -40,11 +40,11 @@ impl<S: Float> Dual<S> {
         Self { value, slope }
     }
 
-    /// Returns f(self) by the chain rule. `value` is f and `derivative` is f′, both at `self`.
+    /// Returns f(self) by the chain rule. The arguments are `value` = f and `derivative` = f′, both at `self`.
     #[inline]
     fn chain(self, value: S, derivative: S) -> Self {
         let zero = S::constant(0.0);
-        // A constant keeps the derivative 0 even where f′ is infinite. The product 0·∞ would be NaN.
+        // A constant keeps the derivative 0 even if f′ is infinite. The product 0·∞ would be NaN.
         let slope = if self.slope == zero {
             zero
         } else {
@@ -202,8 +202,8 @@ impl<S: Float> Scalar for Dual<S> {
     fn one_minus_sinc_pi(self) -> Self {
         let z = self.value;
         let value = z.one_minus_sinc_pi();
-        // The derivative (sinc − cos)/z is computed from 1 − cos and 1 − sinc. Both terms vanish with z, and their
-        // difference loses hardly any digits.
+        // The code computes the derivative (sinc − cos)/z from 1 − cos and 1 − sinc. Both of these vanish with z, and
+        // their difference loses hardly any digits.
         let derivative = if z.is_zero() {
             z
         } else {

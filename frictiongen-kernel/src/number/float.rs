@@ -1,8 +1,8 @@
 //! Implementation of [`Scalar`] and [`Float`] for `f64` and `f32`.
 //!
-//! `libm` provides the exponentials and the arc tangent. All other functions consist of additions, subtractions,
-//! multiplications, divisions and square roots. The results therefore have the same bits on every host. The
-//! coefficients of the minimax polynomials come from `tools/coefficients.py constants`.
+//! The crate `libm` provides the exponential functions and the arc tangent. All other functions consist of additions,
+//! subtractions, multiplications, divisions and square roots. The results are therefore equal to the last bit on every
+//! host. `tools/coefficients.py constants` computes the coefficients of the minimax polynomials.
 
 use crate::number::scalar::{Float, Plain, Scalar};
 use crate::number::trig::{double, polynomial, single};
@@ -26,10 +26,10 @@ fn sqrt_f32(x: f32) -> f32 {
 }
 
 /// Returns √x of an `f32`, correctly rounded, with half as many instructions as the function of libm. The function is
-/// for processors that have a single-precision division instruction.
+/// for processors that have an instruction for division in single precision.
 ///
 /// The iteration starts from x with half its exponent. Three Heron steps leave an error of at most one unit in the last
-/// place. The remainder x − root², computed exactly in integers, gives the correction of this last unit.
+/// place. The remainder x − root², computed exactly in integers, gives the correction of this unit.
 #[cfg(any(test, not(feature = "std")))]
 fn root(x: f32) -> f32 {
     const TWO_TO_24: f32 = 16_777_216.0;
@@ -40,7 +40,7 @@ fn root(x: f32) -> f32 {
     let bits = x.to_bits();
     if bits.wrapping_sub(ONE) >= INFINITE - ONE {
         return if x > 0.0 && x < f32::MIN_POSITIVE {
-            // Multiplications by powers of two are exact here.
+            // Multiplications of these numbers by powers of two are exact.
             root(x * TWO_TO_24) / TWO_TO_12
         } else if x >= 0.0 {
             x
@@ -53,8 +53,8 @@ fn root(x: f32) -> f32 {
     near = 0.5 * (near + x / near);
     near = 0.5 * (near + x / near);
     let near = near.to_bits();
-    // The remainder x − near² fits in 32 bits, in units of the square of near's last place. The low 32 bits of both
-    // terms are therefore enough. The left shift, by at least 21, keeps only the low bits of x.
+    // The remainder x − near² fits into 32 bits, in units of the square of near's last place. The low 32 bits of both
+    // terms are therefore enough. The left shift by at least 21 bits keeps only the low bits of x.
     let unit = (near & FRACTION) | ONE;
     let shift = ((bits >> 23) + 150).wrapping_sub(2 * (near >> 23));
     let remainder = bits
@@ -139,8 +139,8 @@ macro_rules! real {
             }
             #[inline]
             fn atan2(self, x: Self) -> Self {
-                // Adding 0 turns −0 into +0. Otherwise the sign of a sine that is exactly zero would decide between the
-                // angles π and −π.
+                // The addition of 0 turns −0 into +0. Otherwise the sign of a sine that is exactly zero would decide
+                // between the angles π and −π.
                 $atan2(self + 0.0, x + 0.0)
             }
             #[inline]
@@ -173,7 +173,7 @@ macro_rules! real {
                 let a = if self > 1000.0 { 1000.0 } else { self };
                 let decay = Scalar::exp(-a);
                 if a < 2.0 {
-                    // The cube of the leading bits is exact, so that a³ is rounded only once.
+                    // The cube of the leading bits is exact. The code therefore rounds a³ only once.
                     let u = a * a;
                     let high = $trig::leading(a);
                     let square = high * high;

@@ -92,8 +92,8 @@ impl<'a, S: Float> SquareMatrix<'a, S> {
         true
     }
 
-    /// Computes the eigenvalues, and overwrites the matrix.  The method is reduction to Hessenberg form by elimination,
-    /// then the double-shift QR iteration of Francis.
+    /// Computes the eigenvalues, and overwrites the matrix. The method first reduces the matrix to Hessenberg form by
+    /// elimination, and then applies the double-shift QR iteration of Francis.
     pub(crate) fn eigenvalues(&mut self, out: &mut [Complex<S>]) {
         self.reduce();
         let mut end = self.size;
@@ -108,8 +108,8 @@ impl<'a, S: Float> SquareMatrix<'a, S> {
                 );
                 (end, rounds) = (end - 1, 0);
             } else if start + 2 == end || rounds >= 60 {
-                // No matrix is known to need sixty iterations. After sixty iterations, the code accepts the eigenvalues
-                // of the last 2 × 2 block as they are.
+                // No matrix is known that needs sixty iterations. After sixty iterations, the code accepts the
+                // eigenvalues of the last 2 × 2 block as they are.
                 let (first, second) = self.pair(end - 2);
                 put(out, end - 2, first);
                 put(out, end - 1, second);
@@ -161,7 +161,7 @@ impl<'a, S: Float> SquareMatrix<'a, S> {
     }
 
     /// Returns the first row of the diagonal block whose last row is the one before `end`. A negligible subdiagonal
-    /// entry separates the block from the rows above.
+    /// entry separates the block from the rows before it.
     fn last_block(&mut self, end: usize) -> usize {
         for k in (1..end).rev() {
             let size = self.at(k - 1, k - 1).abs() + self.at(k, k).abs();
@@ -198,7 +198,7 @@ impl<'a, S: Float> SquareMatrix<'a, S> {
         (Complex::new(first, zero), Complex::new(second, zero))
     }
 
-    /// Makes one double-shift QR step on the diagonal block of the rows from `start` up to, but not including, `end`.
+    /// Makes one double-shift QR step on the diagonal block of the rows from `start` to `end` − 1.
     fn francis(&mut self, start: usize, end: usize, rounds: u32) {
         let m = end - 1;
         let (mut s, mut t) = (
@@ -265,8 +265,8 @@ impl<'a, S: Float> SquareMatrix<'a, S> {
     }
 }
 
-/// Returns v and τ of the reflection that turns x into a multiple of the first unit vector. Returns `None` if x is
-/// already a multiple of the first unit vector.
+/// Returns v and τ of the reflection (1 − τ v vᵀ) that turns x into a multiple of the first unit vector. Returns `None`
+/// if x is already such a multiple.
 fn reflector<S: Float>(x: [S; 3]) -> Option<([S; 3], S)> {
     let [a, b, c] = x;
     let size = a.abs() + b.abs() + c.abs();

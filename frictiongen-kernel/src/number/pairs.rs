@@ -1,6 +1,6 @@
-//! Iterators over the pairs (displacement, velocity) of a state vector. Standard chunk iterators divide by the chunk
-//! size. If the compiler does not know the size, the compiled code may contain a panic. The iterators in this module
-//! never contain a panic.
+//! Iterators over the pairs (displacement, velocity) of a state vector. The standard iterators over chunks divide by
+//! the size of a chunk. If the compiler does not know this size, the compiled code may contain a panic. The iterators
+//! in this module never contain a panic.
 
 /// Returns an iterator over the pairs (displacement, velocity) of a state vector.
 pub(crate) fn pairs<S>(numbers: &[S]) -> impl Iterator<Item = &[S]> + Clone {

@@ -11,8 +11,8 @@ pub(crate) fn wrapped<S: Scalar>(angle: S) -> S {
     S::select((-pi).lt(angle), angle, angle + turn)
 }
 
-/// Subtracts all whole cycles from a phase in half-turns, where a cycle has two half-turns. The result is in [0, 2],
-/// and equals 2 only by rounding.
+/// Subtracts all whole cycles from a phase in half-turns (units of π rad). A cycle has two half-turns. The result is in
+/// [0, 2], and equals 2 only by rounding.
 #[inline]
 pub(crate) fn within_cycle<S: Float>(t: S) -> S {
     t - (t * S::constant(0.5)).floor() * S::constant(2.0)

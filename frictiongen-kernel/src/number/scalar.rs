@@ -9,7 +9,7 @@ use core::f64::consts::FRAC_PI_4;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 /// Number that replaces an exact zero of x² − 1, where x is the natural frequency of a mode divided by the excitation
-/// frequency. In any precision this number is far smaller than every other possible |x² − 1|.
+/// frequency. In any precision this number is far smaller than every |x² − 1| that is not zero.
 pub const NEXT_TO_POLE: f64 = 1.0 / (1u64 << 60) as f64;
 
 /// A number, or a symbol for a number, over which all closed forms are written.
@@ -21,13 +21,14 @@ pub trait Scalar:
     + Div<Output = Self>
     + Neg<Output = Self>
 {
-    /// Result of a comparison of two scalars: `bool` for numbers, a symbol or an array of `bool` for other scalars.
+    /// Result of a comparison of two scalars. For numbers the result is a `bool`. For other scalars it is a symbol, or
+    /// an array of `bool`.
     type Condition: Copy;
-    /// True if the scalar has the Euler polynomials of [`Float::euler_terms`]. The motion of a mass uses these
+    /// True if the function [`Float::euler_terms`] returns polynomials for this scalar. The motion of a mass uses these
     /// polynomials for modes that resonate far below the excitation frequency.
     const MASS_CONTROLLED: bool = false;
 
-    /// Returns the representable number nearest to `value`.
+    /// Returns the number of this type that is nearest to `value`.
     fn constant(value: f64) -> Self;
     /// Returns π.
     fn pi() -> Self;
@@ -47,15 +48,16 @@ pub trait Scalar:
     fn max(self, other: Self) -> Self;
     /// Returns the smaller of two numbers that are not NaN.
     fn min(self, other: Self) -> Self;
-    /// Returns the absolute value of `self` with the sign of `sign`.
+    /// Returns a number with the absolute value of `self` and the sign of `sign`.
     fn copysign(self, sign: Self) -> Self;
     /// Returns e^self.
     fn exp(self) -> Self;
     /// Returns e^self − 1, with full relative accuracy near 0.
     fn exp_m1(self) -> Self;
-    /// Returns the angle of the vector (`x`, `self`), in (−π, π].
+    /// Returns the angle of the vector (`x`, `self`), in rad, in (−π, π].
     fn atan2(self, x: Self) -> Self;
-    /// Returns √(self² + other²). No intermediate result overflows or underflows, even if self² or other² would.
+    /// Returns √(`self`² + `other`²). No intermediate result overflows or underflows, even if the square of `self` or
+    /// `other` would.
     #[inline]
     #[must_use]
     fn hypot(self, other: Self) -> Self {
@@ -65,27 +67,31 @@ pub trait Scalar:
         let ratio = a.min(b) / divisor;
         large * (Self::constant(1.0) + ratio * ratio).sqrt()
     }
-    /// Returns (sin πh, cos πh) with h = `self`. The function reduces h exactly before it multiplies by π.
+    /// Returns (sin πh, cos πh) with h = `self`. The function subtracts a multiple of 1/2 from h without rounding,
+    /// before it multiplies by π.
     fn sin_cos_pi(self) -> (Self, Self);
-    /// Returns (sin π(h − d), cos π(h − d)) with h = `self`. The function reduces h before it subtracts d. The result
-    /// therefore keeps the digits of a small d, for a large h and close to a zero of the cosine.
+    /// Returns (sin π(h − d), cos π(h − d)) with h = `self`. The function reduces h to a small remainder before it
+    /// subtracts d. The result therefore keeps the digits of a small d, even for a large h and close to a zero of the
+    /// cosine.
     fn sin_cos_pi_minus(self, d: Self) -> (Self, Self);
-    /// Returns 1 − sin(πz)/(πz) with z = `self` in half-turns. The result keeps its relative accuracy down to z = 0,
-    /// where it is 0.
+    /// Returns 1 − sin(πz)/(πz) for z = `self`. The result has full relative accuracy for every z, even near z = 0,
+    /// where the result is 0.
     fn one_minus_sinc_pi(self) -> Self;
-    /// Returns 1 − e^{−2a} − 2a·e^{−a} = 2e^{−a}(sinh a − a) for a = `self` ≥ 0. The result keeps its relative accuracy
-    /// down to a = 0, where it is 0.
+    /// Returns 1 − e^{−2a} − 2a·e^{−a} = 2e^{−a}(sinh a − a) for a = `self` ≥ 0. The result has full relative accuracy
+    /// for every a, even near a = 0, where the result is 0.
     fn scaled_sinh_defect(self) -> Self;
 
-    /// Takes `self` as x² − 1 of an undamped mode. Returns [`NEXT_TO_POLE`] if `self` is exactly zero, and otherwise
-    /// `self`.
+    /// Replaces an exact zero of x² − 1. `self` is x² − 1 of an undamped mode, where x is the natural frequency of the
+    /// mode divided by the excitation frequency. The result is [`NEXT_TO_POLE`] if `self` is exactly zero, and `self`
+    /// otherwise.
     #[inline]
     #[must_use]
     fn detuning_off_pole(self) -> Self {
         Self::select(self.is_zero(), self.replaced(NEXT_TO_POLE), self)
     }
-    /// Takes `self` as cos(πx/2) of an undamped mode. Returns −π/4·[`NEXT_TO_POLE`] if `self` is exactly zero, and
-    /// otherwise `self`. The factor −π/4 is the ratio of cos(πx/2) to x² − 1 close to x = 1.
+    /// Replaces an exact zero of cos(πx/2). `self` is cos(πx/2) of an undamped mode, where x is the natural frequency
+    /// of the mode divided by the excitation frequency. The result is −π/4·[`NEXT_TO_POLE`] if `self` is exactly zero,
+    /// and `self` otherwise. The factor −π/4 is the ratio of cos(πx/2) to x² − 1 close to x = 1.
     #[inline]
     #[must_use]
     fn cosine_off_pole(self) -> Self {
@@ -96,7 +102,8 @@ pub trait Scalar:
         )
     }
 
-    /// Returns the constant `value` in place of `self`. For a dual number, the result has the derivative of `self`.
+    /// Returns the constant `value` in place of `self`. For a dual number, the result has the value `value` and the
+    /// derivative of `self`.
     #[inline(always)]
     #[must_use]
     fn replaced(self, value: f64) -> Self {
@@ -104,8 +111,8 @@ pub trait Scalar:
     }
     /// Names the local variable that emitted code uses for `self`. `about` explains the quantity and gives its equation
     /// number. Emitted code contains `about` as a comment above the variable. `mode` is the zero-based index of the
-    /// mode to which `self` belongs, if any. If a formula names a value twice, the first name counts. Scalars that are
-    /// numbers ignore the name and the text, and return `self`.
+    /// mode to which `self` belongs, if any. If a formula names a value twice, emitted code uses the first name. For
+    /// scalars that are numbers, the function ignores the name and the text, and returns `self`.
     #[inline(always)]
     #[must_use]
     fn named(self, name: &'static str, about: &'static str, mode: Option<usize>) -> Self {
@@ -130,28 +137,28 @@ pub trait Float:
 {
     /// Distance from 1 to the next larger number of this precision.
     const EPSILON: f64;
-    /// Smallest relative difference between two values that a search can still detect in this precision.
+    /// Smallest relative difference between two values that a search can detect in this precision.
     const RESOLUTION: f64 = Self::EPSILON;
-    /// True if the scalar carries a derivative in addition to its value. Iterations then make one more Newton step,
-    /// because the derivative is correct one step later than the value.
+    /// True if the scalar has a derivative in addition to its value. Iterations then make one more Newton step, because
+    /// the derivative is correct one step later than the value.
     const CARRIES: bool = false;
     /// True if a processor can compute with two numbers of this type at the same time.
     const PAIRS: bool = false;
     /// Returns `self` rounded to the nearest `f64`.
     fn to_f64(self) -> f64;
-    /// Returns the smallest and the largest 1/r at which the formulas are evaluated, where r is the frequency ratio.
-    /// Beyond this range the formulas equal their limits for r → ∞ and r → 0 to every digit. Inside this range no
-    /// square of a frequency overflows or underflows.
+    /// Returns the smallest and the largest 1/r at which the code evaluates the formulas, where r is the frequency
+    /// ratio. Outside this range the formulas equal their limits for r → ∞ and r → 0 in every digit. Inside this range
+    /// no square of a frequency overflows or underflows.
     fn inverse_ratio_range() -> (Self, Self);
-    /// Returns the coefficients of the polynomials that describe a mode which resonates far below the excitation
-    /// frequency. The slice is empty unless [`Scalar::MASS_CONTROLLED`] is true.
+    /// Returns the coefficients of polynomials that describe a mode which resonates far below the excitation frequency.
+    /// The slice is empty unless [`Scalar::MASS_CONTROLLED`] is true.
     fn euler_terms() -> &'static [Self] {
         &[]
     }
     /// Returns the largest integer that is not larger than `self`.
     #[must_use]
     fn floor(self) -> Self;
-    /// Returns the integer part of `self` as an index into a table. Negative numbers and NaN give 0.
+    /// Returns the integer part of `self`, as an index into a table. For negative numbers and NaN the result is 0.
     #[must_use]
     #[inline]
     #[allow(
@@ -162,7 +169,7 @@ pub trait Float:
     fn to_index(self) -> usize {
         self.to_f64() as usize
     }
-    /// Returns true if `self` is 0. For a dual number, its derivative must be 0 as well.
+    /// Returns true if `self` is 0. For a dual number, both its value and its derivative must be 0.
     fn vanishes(self) -> bool {
         self.is_zero()
     }
@@ -172,20 +179,20 @@ pub trait Float:
     fn primal(self) -> Self {
         self
     }
-    /// Returns the derivative that `self` carries, as a scalar. The result is 0 if `self` carries no derivative.
+    /// Returns the derivative of `self` as a scalar. The result is 0 if the number type has no derivatives.
     #[must_use]
     fn carried(self) -> Self {
         Self::constant(0.0)
     }
-    /// Evaluates [`Scalar::sin_cos_pi`] for each number of an array. Returns the array of sines, then the array of
+    /// Evaluates [`Scalar::sin_cos_pi`] for each number of the array `h`. Returns the array of sines, then the array of
     /// cosines.
     #[inline(always)]
     fn sin_cos_pi_of<const N: usize>(h: [Self; N]) -> [[Self; N]; 2] {
         let both = h.map(Scalar::sin_cos_pi);
         [both.map(|(s, _)| s), both.map(|(_, c)| c)]
     }
-    /// Evaluates [`Scalar::sin_cos_pi_minus`] for each pair (h, d) of two arrays. Returns the array of sines, then the
-    /// array of cosines.
+    /// Evaluates [`Scalar::sin_cos_pi_minus`] for each pair (h, d) of the arrays `h` and `d`. Returns the array of
+    /// sines, then the array of cosines.
     #[inline(always)]
     fn sin_cos_pi_minus_of<const N: usize>(h: [Self; N], d: [Self; N]) -> [[Self; N]; 2] {
         let mut found = [h, h];
@@ -203,8 +210,8 @@ pub trait Float:
     fn at_most(self, other: Self) -> bool {
         self <= other
     }
-    /// Returns bits that are equal for two numbers only if the numbers are identical. Zeros of opposite sign have
-    /// different bits.
+    /// Returns the bits of `self`. Two numbers have the same bits only if they are identical. A positive and a negative
+    /// zero have different bits.
     #[must_use]
     fn bits(self) -> u64 {
         self.to_f64().to_bits()
@@ -215,10 +222,10 @@ pub trait Float:
     }
 }
 
-/// Scalar that carries no derivative in addition to its value. Dual numbers are not plain.
+/// Scalar without a derivative. Dual numbers do not implement this trait.
 ///
-/// Iterations find motions from rest and steady states. An iteration stops as soon as its value is correct, when a
-/// derivative may still be wrong. Functions that start an iteration of this kind require this trait, so that the
-/// compiler rejects dual numbers. [`Orbit::carrying`](crate::orbit::Orbit::carrying) adds derivatives to a steady state
-/// that is already known.
+/// Iterations find motions from rest and steady states. An iteration stops as soon as its value is correct, although a
+/// derivative may still be wrong at that step. Functions that start an iteration of this kind require this trait, so
+/// that the compiler rejects dual numbers. [`Orbit::carrying`](crate::orbit::Orbit::carrying) adds derivatives to a
+/// steady state that is already known.
 pub trait Plain: Float {}

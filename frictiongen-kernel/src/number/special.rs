@@ -5,7 +5,7 @@ use crate::number::dd::INVERSE_FACTORIAL;
 use crate::number::scalar::Float;
 use crate::number::trig::polynomial;
 
-/// Returns 1 − cos πz, with z in half-turns. The result keeps its relative accuracy next to the even integers, where it
+/// Returns 1 − cos πz. The result has full relative accuracy for every z, even near even integers z, where the result
 /// is 0.
 ///
 /// The result is within 2.5 units in the last place of `f64` and `f32`, and within 1e-30 in double-double.
@@ -23,11 +23,11 @@ pub fn versine_pi<T: Float>(z: T) -> T {
     versine_beside(z, z.cos_pi())
 }
 
-/// Returns 1 − cos πz, given z and `cosine` = cos πz.
+/// Returns 1 − cos πz, from z and the known `cosine` = cos πz.
 #[inline]
 pub(crate) fn versine_beside<T: Float>(z: T, cosine: T) -> T {
-    // Far from z = 0 the terms of the plain difference 1 − cos πz do not cancel. The code uses the plain difference
-    // there, because it has fewer roundings.
+    // If 1 − cos πz is not small, the plain difference does not lose digits. The code then uses the plain difference,
+    // because it has fewer roundings.
     let versine = T::constant(1.0) - cosine;
     if versine < T::constant(0.5) {
         let sin = (z * T::constant(0.5)).sin_pi();
@@ -37,7 +37,7 @@ pub(crate) fn versine_beside<T: Float>(z: T, cosine: T) -> T {
     }
 }
 
-/// Returns e^a − 1 − a. The result keeps its relative accuracy on both sides of a = 0, where it is 0.
+/// Returns e^a − 1 − a. The result has full relative accuracy for every a, even near a = 0, where the result is 0.
 ///
 /// The result is within 3.5 units in the last place of `f64` and `f32`, and within 1e-30 in double-double.
 ///

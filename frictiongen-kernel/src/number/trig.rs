@@ -1,9 +1,10 @@
 //! Sine and cosine of angles in half-turns, in `f64` ([`double`]) and `f32` ([`single`]).
 //!
-//! The argument h counts half-turns: `sin_pi(h)` is sin(πh). The functions subtract a multiple of 1/2 from h without
-//! rounding, before they multiply by π. The results therefore have full relative accuracy next to every zero. If the
-//! mathematical value is 0 or ±1, the result is exact. The functions use only `+`, `-` and `*`, so that every host
-//! returns the same bits. The coefficients of the minimax polynomials come from `tools/coefficients.py constants`.
+//! The argument h is an angle in half-turns (π rad), so that `sin_pi(h)` is sin(πh). The functions subtract a multiple
+//! of 1/2 from h without rounding, before they multiply by π. The results therefore have full relative accuracy next to
+//! every zero. If the mathematical value is 0 or ±1, the result is exact. The functions use only `+`, `-` and `*`, so
+//! that every host returns the same bits. The coefficients of the minimax polynomials come from `tools/coefficients.py
+//! constants`.
 
 /// Evaluates a polynomial in u by Estrin's scheme. The coefficient of the lowest power comes first. The scheme sums
 /// independent pairs of coefficients, which a processor can compute at the same time. In Horner's scheme each step
@@ -44,10 +45,10 @@ macro_rules! half_turns {
             const HALF_PI_SQUARED: $float = $half_pi_squared;
             /// Mask that keeps the leading third of a significand and clears the other bits.
             const LEADING: $bits = $leading;
-            /// Large constant. If the code adds it to a smaller number, the sum is rounded to a multiple of 1/2. The
-            /// lowest bits of the sum then contain the number of halves.
+            /// Large constant. Adding it to a smaller number rounds the sum to a multiple of 1/2. The lowest bits of
+            /// the sum then contain the number of halves.
             const TO_HALVES: $float = $to_halves;
-            /// Large constant. If the code adds it to a smaller number, the sum is rounded to a multiple of 4.
+            /// Large constant. Adding it to a smaller number rounds the sum to a multiple of 4.
             const TO_FOURS: $float = $to_fours;
 
             /// Returns x with all bits after the leading third of its significand cleared.
@@ -56,23 +57,24 @@ macro_rules! half_turns {
                 $float::from_bits(x.to_bits() & LEADING)
             }
 
-            /// Returns h minus the nearest multiple of 4, exactly. The result is NaN if h is not finite.
+            /// Returns h minus the nearest multiple of 4, without rounding. The result is NaN if h is infinite or NaN.
             #[cold]
             fn wrapped(h: $float) -> $float {
-                // From `$even` on, every floating-point number is an even integer. h * 0.0 is then 0, or NaN if h is
-                // not finite.
+                // Every floating-point number whose size is at least `$even` is an even integer. For these numbers the
+                // result h * 0.0 is 0. For an infinite h or NaN it is NaN.
                 if h.abs() < $even { h - ((h + TO_FOURS) - TO_FOURS) } else { h * 0.0 }
             }
 
             /// Returns the integer q for which q/2 is nearest to h, and the exact remainder h − q/2. Only the two
-            /// lowest bits of q are meaningful. |h| must be below `exact`.
+            /// lowest bits of q are valid. |h| must be below the macro's parameter `exact`.
             #[inline(always)]
             fn reduced(h: $float) -> ($bits, $float) {
                 let shifted = h + TO_HALVES;
                 (shifted.to_bits(), h - (shifted - TO_HALVES))
             }
 
-            /// Returns the number of halves and the remainder as [`reduced`] does, for h of any size.
+            /// Returns the integer q for which q/2 is nearest to h, and the exact remainder h − q/2. Unlike
+            /// [`reduced`], this function accepts h of any size.
             #[inline(always)]
             pub(crate) fn reduced_any(h: $float) -> ($bits, $float) {
                 reduced(if h.abs() < $exact { h } else { wrapped(h) })
@@ -80,8 +82,8 @@ macro_rules! half_turns {
 
             /// Returns sin πr and cos πr for |r| ≤ 1/4, each as a leading term and a small correction.
             ///
-            /// The code splits the leading product πr so that it has no rounding error. The cosine is 1 minus a number
-            /// of at most 0.3. Rounding errors of this number therefore have little influence.
+            /// The code splits the leading product πr so that it has no rounding error. The cosine is computed as 1
+            /// minus a number of at most 0.3. Rounding errors of this number therefore have little effect.
             #[inline(always)]
             fn kernel(r: $float) -> ([$float; 2], [$float; 2]) {
                 let u = r * r;
@@ -98,7 +100,7 @@ macro_rules! half_turns {
                 )
             }
 
-            /// Returns sine and cosine of α + qπ/2, given `sin` = sin α and `cos` = cos α. The function does not
+            /// Returns sin(α + qπ/2) and cos(α + qπ/2), from `sin` = sin α and `cos` = cos α. The function does not
             /// branch.
             #[inline(always)]
             fn turned(q: $bits, sin: $float, cos: $float) -> ($float, $float) {
@@ -110,11 +112,11 @@ macro_rules! half_turns {
                 ($float::from_bits(s), $float::from_bits(c))
             }
 
-            /// Returns (sin πh, cos πh), with h in half-turns.
+            /// Returns (sin πh, cos πh), where h is an angle in half-turns (π rad).
             ///
             /// Each result is within 1.1 units in the last place for every finite h. If the mathematical value is 0 or
-            /// ±1, the result is exact. Large numbers are even integers, with the result (0, 1). An infinite h or NaN
-            /// gives NaN.
+            /// ±1, the result is exact. Large floating-point numbers h are even integers, for which the result is (0,
+            /// 1). For an infinite h or NaN the result is NaN.
             ///
             /// ```
             #[doc = concat!("use frictiongen_kernel::number::trig::", stringify!($module), "::sin_cos_pi;")]
@@ -130,11 +132,11 @@ macro_rules! half_turns {
                 turned(q, sin[0] + sin[1], cos[0] + cos[1])
             }
 
-            /// Returns (sin π(h − d), cos π(h − d)), with h and d in half-turns.
+            /// Returns (sin π(h − d), cos π(h − d)), where h and d are angles in half-turns (π rad).
             ///
-            /// The difference h − d is never rounded. The function reduces h first, subtracts d, and corrects for the
-            /// digits that the subtraction loses. Each result is within 1.2 units in the last place, also where h − d
-            /// is next to a zero. An exact zero is returned as 0. The result is NaN unless h and d are finite.
+            /// The function never rounds the difference h − d. It reduces h first, subtracts d, and corrects for the
+            /// digits that the subtraction loses. Each result is within 1.2 units in the last place, even if h − d is
+            /// next to a zero. An exact zero is returned as 0. The result is NaN if h or d is infinite or NaN.
             ///
             /// ```
             #[doc = concat!(
@@ -148,20 +150,20 @@ macro_rules! half_turns {
             #[inline]
             #[must_use]
             pub fn sin_cos_pi_minus(h: $float, d: $float) -> ($float, $float) {
-                // For a larger d, `less` could not neglect the square of the lost digits.
+                // If d were larger, `less` could not neglect the square of the lost digits.
                 let d = if d.abs() < $near { d } else { wrapped(d) };
                 less(reduced_any(h), d)
             }
 
-            /// Returns (sin π(h − d), cos π(h − d)) for an h reduced to (q, r) = (number of halves, remainder), and |d|
-            /// < `near`.
+            /// Returns (sin π(h − d), cos π(h − d)). The argument (q, r) is h in the form that [`reduced`] returns: the
+            /// number of halves and the remainder. |d| must be below the macro's parameter `near`.
             #[inline(always)]
             fn less((q, r): ($bits, $float), d: $float) -> ($float, $float) {
                 let difference = r - d;
                 let subtracted = difference - r;
                 let lost = (r - (difference - subtracted)) - (d + subtracted);
-                // `lost` has the digits that rounding removed from r − d. The first-order term of the addition theorem
-                // restores the effect of these digits.
+                // `lost` contains the digits that rounding removed from r − d. The first-order term of the addition
+                // theorem restores the effect of these digits.
                 let angle = lost * core::$float::consts::PI;
                 let (p, rest) = reduced(difference);
                 let (sin, cos) = kernel(rest);
@@ -170,12 +172,12 @@ macro_rules! half_turns {
                 turned(q.wrapping_add(p), s, c)
             }
 
-            /// Subtracts a multiple of 4 from each number of an array that is too large for [`reduced`]. Other numbers
-            /// stay unchanged.
+            /// Subtracts a multiple of 4 from each number that is too large for [`reduced`]. The other numbers of the
+            /// array do not change.
             #[inline(always)]
             fn near_of<const N: usize>(mut h: [$float; N]) -> [$float; N] {
-                // The code has one branch for all numbers, instead of one for each number. The compiler can then use
-                // packed instructions.
+                // The code has one branch for all numbers of the array, instead of one branch for each number. The
+                // compiler can then use packed instructions.
                 if !h.iter().fold(true, |all, h| all & (h.abs() < $exact)) {
                     for h in &mut h {
                         if !(h.abs() < $exact) {
@@ -190,7 +192,7 @@ macro_rules! half_turns {
             /// cosines.
             #[inline(always)]
             pub(crate) fn sin_cos_pi_of<const N: usize>(h: [$float; N]) -> [[$float; N]; 2] {
-                // All branches come before the loop, so that the compiler uses packed instructions for the loop.
+                // All branches are before the loop, so that the compiler uses packed instructions for the loop.
                 let h = near_of(h);
                 let (mut sines, mut cosines) = (h, h);
                 for ((s, c), h) in sines.iter_mut().zip(&mut cosines).zip(h) {
@@ -218,7 +220,8 @@ macro_rules! half_turns {
                 [sines, cosines]
             }
 
-            /// Returns sin πh, with h in half-turns. The error is at most 1.1 units in the last place.
+            /// Returns sin πh, where h is an angle in half-turns (π rad). The error is at most 1.1 units in the last
+            /// place.
             /// ```
             #[doc = concat!("use frictiongen_kernel::number::trig::", stringify!($module), "::sin_pi;")]
             ///
@@ -235,7 +238,7 @@ macro_rules! half_turns {
 }
 
 half_turns! {
-    /// Sine and cosine of angles in half-turns, in `f64`.
+    /// Sine and cosine of angles in half-turns (π rad), in `f64`.
     double: f64 as u64,
     to_halves: 6_755_399_441_055_744.0 / 2.0, to_fours: 6_755_399_441_055_744.0 * 4.0,
     exact: 1_125_899_906_842_624.0, even: 9_007_199_254_740_992.0, near: 1_048_576.0,
@@ -261,7 +264,7 @@ half_turns! {
 }
 
 half_turns! {
-    /// Sine and cosine of angles in half-turns, in `f32`. No step uses `f64`.
+    /// Sine and cosine of angles in half-turns (π rad), in `f32`. No step uses `f64`.
     single: f32 as u32,
     to_halves: 12_582_912.0 / 2.0, to_fours: 12_582_912.0 * 4.0,
     exact: 2_097_152.0, even: 16_777_216.0, near: 64.0,

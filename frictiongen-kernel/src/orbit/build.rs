@@ -1,4 +1,4 @@
-//! Computes the steady state of a scene at r and β.
+//! Computes the steady state of a scene at a frequency ratio r and a friction ratio β.
 
 use super::candidate::{FoundState, ON_CIRCLE};
 use super::cycle_map::CycleMap;
@@ -23,8 +23,8 @@ where
     C: AsRef<[Complex<S>]> + AsMut<[Complex<S>]>,
     K: ContactChain<S>,
 {
-    /// Computes a steady state as [`answer`](Self::answer) does, with the arguments in the order in which emitted code
-    /// passes them.
+    /// Computes a steady state with the function [`answer`](Self::answer). The arguments have the order in which
+    /// emitted code passes them.
     ///
     /// # Errors
     /// Same errors as [`answer`](Self::answer).
@@ -58,12 +58,13 @@ where
         Self::answer(&question, parts, numbers, multipliers)
     }
 
-    /// Computes the steady state at r and β that a motion reaches from the given start. The motion starts at a maximum
-    /// of the excitation. If `last` is true in `question` and the motion does not settle, the result contains the last
+    /// Computes the steady state that a motion reaches from the given start, at the frequency ratio r and the friction
+    /// ratio β. The motion starts at a maximum of the excitation. A motion may not settle. If `question.last` is then
+    /// true, the result contains the last cycles of the motion, and [`Self::is_settled`] returns false.
     /// cycles of the motion, and [`Self::is_settled`] is false.
     ///
     /// # Errors
-    /// [`NoOrbit`] gives the reason why no steady state exists or was found.  Slices of a wrong length give
+    /// [`NoOrbit`] gives the reason why no steady state exists or was found. Slices of a wrong length return the error
     /// `OutOfDomain`.
     pub fn answer(
         question: &OrbitQuestion<'a, '_, S, K>,
@@ -84,7 +85,8 @@ where
         if multipliers.as_ref().len() != size {
             return Err(OutOfDomain::Length(Slice::Multipliers).into());
         }
-        // A stuck state exists for β ≥ β*_lim. Only the motion itself shows whether it ends in the stuck state.
+        // A stuck state exists for β ≥ β*_lim. Whether the motion ends in the stuck state is known only after the code
+        // has followed the motion.
         let holding =
             (!(beta < question.sliding)).then_some(setting.law_at(question.sliding).grip());
         let unbounded = unbounded(&dynamics, question.r, beta)?;
@@ -103,7 +105,7 @@ where
             .set_start(&mut cycle_map, &mut workspace)?;
         let settled = match (beta.is_zero() || start == Start::Stuck, holding) {
             (true, None) => Settled::Found(linear(&mut cycle_map, &mut workspace)?),
-            // With β = 0 this case implies β*_lim = 0. The load then does not move the contact.
+            // β = 0 in this case means that β*_lim is 0. The load then does not move the contact.
             (true, Some(_)) => Settled::Stuck(zero),
             _ => {
                 let spare = states.get_mut(..2 * size).unwrap_or_default();
@@ -148,7 +150,7 @@ where
     }
 }
 
-/// Follows the motion from the state that the search has reached, and records a period.
+/// Follows the motion from the state that the search has reached, and records one period of the motion.
 fn followed<S: Float, K: ContactChain<S>>(
     cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,
@@ -164,14 +166,14 @@ fn followed<S: Float, K: ContactChain<S>>(
         Settled::Found(found) => found,
         Settled::Not(_) => FoundState::NONE,
     };
-    // The search may have used up the budget of steps. The record of the period gets a new budget.
+    // The search may have used up the step budget. The record of the period gets a new step budget.
     cycle_map.step_budget = MAX_STEPS;
     record_period(cycle_map, record, found.period)?;
     let symmetric = found.symmetric || is_symmetric(cycle_map, workspace, found.period)?;
     Ok(FoundState { symmetric, ..found })
 }
 
-/// Records a period of the motion, starting at its first event.
+/// Records one period of the motion. The record starts at the first event of the period.
 pub(super) fn record_period<S: Float, K: ContactChain<S>>(
     cycle_map: &mut CycleMap<'_, '_, S, K>,
     record: &mut OrbitRecord<'_, S>,
@@ -183,10 +185,10 @@ pub(super) fn record_period<S: Float, K: ContactChain<S>>(
     record.follow(cycle_map, period)
 }
 
-/// Returns the reason why a sliding motion grows without bound, or `None` if it stays bounded.
+/// Returns the reason why a sliding motion grows without bound, or `None` if the motion stays bounded.
 ///
 /// # Errors
-/// [`NoOrbit::Undamped`] if the load drives a mode that neither damping nor the contact dissipates.
+/// [`NoOrbit::Undamped`] if the load drives a mode whose vibration neither damping nor the contact dissipates.
 fn unbounded<S: Float, K: ContactChain<S>>(
     dynamics: &Dynamics<'_, S, K>,
     r: S,
@@ -200,7 +202,7 @@ fn unbounded<S: Float, K: ContactChain<S>>(
     Ok(unbounded)
 }
 
-/// Fails if the load drives a mode that neither damping nor the contact dissipates.
+/// Returns an error if the load drives a mode whose vibration neither damping nor the contact dissipates.
 fn settles<S: Float, K: ContactChain<S>>(
     dynamics: &Dynamics<'_, S, K>,
     mode: &Mode<S>,
@@ -216,9 +218,9 @@ fn settles<S: Float, K: ContactChain<S>>(
     Err(NoOrbit::Undamped(earlier + twins.count()))
 }
 
-/// Fails if the amplitude of a mode grows without bound while the contact slides.
+/// Returns an error if the amplitude of the mode grows without bound while the contact slides.
 fn bounded<S: Float>(mode: &Mode<S>, r: S, beta: S) -> Result<(), NoOrbit> {
-    // If β is smaller than β_n = (π/4)|φᵀp/φᵀw|, friction dissipates less than the load supplies (6.2, 6.26).
+    // If β is smaller than β_n = (π/4)|φᵀp/φᵀw|, friction dissipates less energy than the load supplies (6.2, 6.26).
     let threshold = S::constant(FRAC_PI_4) * mode.load.abs();
     let resonant = mode.kind == Kind::Undamped && mode.resonance == r;
     if resonant && beta * mode.contact.abs() < threshold {
@@ -228,7 +230,7 @@ fn bounded<S: Float>(mode: &Mode<S>, r: S, beta: S) -> Result<(), NoOrbit> {
 }
 
 /// Sets the steady state in which the contact never slides (6.11, 6.27, 6.33). Every mode of the chain with its contact
-/// stuck is in its steady motion, and the relative displacement z̄ stays at `offset`.
+/// stuck has its steady motion, and the relative displacement z̄ is always `offset`.
 pub(super) fn stuck<S: Float, K: ContactChain<S>>(
     cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,
@@ -254,8 +256,8 @@ pub(super) fn stuck<S: Float, K: ContactChain<S>>(
     // While the contact sticks, small deviations of the modes decay independently of each other.
     let two_pi = S::pi() + S::pi();
     let mut out = workspace.multipliers.iter_mut();
-    // `zip` takes an item of its first argument before it finds the second one empty. `lost` therefore comes first, so
-    // that no element of `out` is skipped.
+    // `zip` takes an item of its first argument before it finds that the second one is empty. `lost` therefore comes
+    // first, so that no element of `out` is skipped.
     let lost = cycle_map.setting.dynamics.chain.stuck_multipliers();
     for (is_one, out) in lost.iter().zip(out.by_ref()) {
         let re = if *is_one { S::constant(1.0) } else { zero };
@@ -277,7 +279,7 @@ pub(super) fn stuck<S: Float, K: ContactChain<S>>(
     })
 }
 
-/// Sets every mode to its steady motion without friction. This is the steady state for β = 0.
+/// Sets every mode to its steady motion without friction, which is the steady state for β = 0.
 fn linear<S: Float, K: ContactChain<S>>(
     cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,
@@ -301,7 +303,7 @@ fn linear<S: Float, K: ContactChain<S>>(
     })
 }
 
-/// Sets the modes that the contact does not drive to their steady motion.
+/// Sets every mode that the contact does not drive to its steady motion.
 fn settle_free<S: Float, K: ContactChain<S>>(
     cycle_map: &mut CycleMap<'_, '_, S, K>,
     at: (S, S),
@@ -313,8 +315,8 @@ fn settle_free<S: Float, K: ContactChain<S>>(
     Ok(())
 }
 
-/// Advances to the next event of a period.  If no event occurs before the end of the period, the contact state does not
-/// change.
+/// Advances the cycle map to the next event of the period. If no event occurs before the end of the period, the contact
+/// state does not change.
 fn to_event<S: Float, K: ContactChain<S>>(
     cycle_map: &mut CycleMap<'_, '_, S, K>,
     period: u32,
@@ -330,7 +332,7 @@ fn to_event<S: Float, K: ContactChain<S>>(
             left,
         );
         // A search that is too long ends without an event. If a mode oscillates faster than the precision of r
-        // resolves, every search ends this way. The step budget then ends the loop.
+        // resolves, every search ends without an event. The loop then ends when the step budget is used up.
         cycle_map.spend(end.steps)?;
         cycle_map.contact_state = end.contact_state;
         left = left - end.tau;
@@ -345,7 +347,7 @@ fn to_event<S: Float, K: ContactChain<S>>(
 }
 
 /// Returns true if the state half a period later is the present state with the opposite sign. If the period has an even
-/// number of cycles, the result is false, because the load has the same sign half a period later.
+/// number of cycles, the result is false, because the load then has the same sign half a period later.
 fn is_symmetric<S: Float, K: ContactChain<S>>(
     cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,

@@ -1,5 +1,5 @@
-//! Tests whether a motion is near a fixed point of the half-period or period map, and whether it converges to that
-//! point.
+//! Tests whether a motion is near a fixed point of the half-period map or of the period map, and whether the motion
+//! converges to that point.
 
 use super::cycle_map::{CycleMap, EventPattern};
 use super::newton::{PeriodMap, Workspace, multipliers, newton, same};
@@ -8,44 +8,44 @@ use crate::errors::NoOrbit;
 use crate::motion::{ContactChain, ContactState};
 use crate::number::scalar::Float;
 
-/// A Floquet multiplier counts as lying on the unit circle if its distance from the circle is below this number of
-/// rounding units.
+/// Largest distance of a Floquet multiplier from the unit circle at which the code treats the multiplier as lying on
+/// the circle. The unit is the rounding unit of the number type.
 pub(super) const ON_CIRCLE: f64 = 4096.0;
 
-/// Upper bound on the period of a subharmonic motion, in cycles of the excitation.
+/// Largest period of a subharmonic motion, in cycles of the excitation.
 pub const MAX_PERIOD: u32 = 64;
 
-/// Largest number of cycles over which the test follows a motion to see whether it approaches a fixed point.
+/// Largest number of cycles over which [`Candidate`] follows a motion, to test whether it approaches a fixed point.
 const MOST_FOLLOWED: u32 = 64;
 
 /// Largest allowed size of a marginal steady state, divided by the size of the motion that converges to it. A marginal
-/// state belongs to a continuum of steady states. The size of the motion counts as at least P/k₁. Away from a resonance
-/// the sizes of the state and of the motion are of the order of the excitation.
+/// state belongs to a continuum of steady states. If the size of the motion is below P/k₁, the code uses P/k₁ instead.
+/// Away from a resonance both sizes are of the order of P/k₁.
 const MOST_GROWN: f64 = 64.0;
 
-/// Number of successive equal half cycles after which a motion counts as converging to a member of a continuum of
-/// steady states. This applies to motions with at most two stops or reversals in a cycle. A motion with more events may
-/// still converge to another state.
+/// Number of successive equal half cycles after which a motion is assumed to converge to a member of a continuum of
+/// steady states. The assumption applies to motions with at most two stops or reversals in a cycle. A motion with more
+/// events may still converge to another state.
 const CALM: u32 = 64;
 
-/// The test ends when the distance from the fixed point has fallen to this fraction of its initial value. The
-/// multipliers predict the instant at which the distance reaches this fraction.
+/// Distance of the motion from the fixed point at which the test ends, divided by the distance at its start. The code
+/// predicts this ratio from the Floquet multipliers.
 const FAR_ENOUGH: f64 = 0.01;
-/// Tolerance of the test. The distance from the fixed point may exceed the prediction of the multipliers by this
-/// fraction.
+/// Tolerance of the test whether a motion approaches the fixed point. The distance may exceed the prediction of the
+/// multipliers by this fraction of the initial distance.
 const SPARE: f64 = 0.1;
-/// The stops of two motions count as the same if their sticking times differ relatively by at most this value.
+/// Largest relative difference of the sticking times of two motions at which the code treats their stops as the same.
 const STICKS_ALIKE: f64 = 0.25;
-/// The motion counts as having reached the fixed point if its distance from the point is below this fraction of the
-/// size of the state.
+/// Largest distance of the motion from the fixed point at which the motion has reached the point, divided by the size
+/// of the state.
 const REACHED: f64 = 1e-9;
-/// If the distance of the motion from the fixed point is below this value, in P/k₁, the contact hardly moves. Rounding
-/// then decides its motion.
+/// Largest distance of the motion from the fixed point at which the contact hardly moves, divided by P/k₁. Rounding
+/// then decides the motion of the contact.
 const HARDLY_MOVES: f64 = 1e-6;
 /// Smallest number of cycles that the search follows before it selects a member of a continuum of steady states.
 const LEAST_FOLLOWED: u32 = 64;
 
-/// Events in half a cycle of a continuous motion: one reversal.
+/// Events of a continuous motion in half a cycle: one reversal.
 const ONE_REVERSAL: EventPattern = EventPattern {
     stops: 0,
     reversals: 1,
@@ -59,7 +59,7 @@ pub(super) struct FoundState<S> {
     pub settled: bool,
     /// Period in cycles of the excitation.
     pub period: u32,
-    /// True if the motion half a period later is the opposite of the present motion.
+    /// True if the motion half a period later is the present motion with the opposite sign.
     pub symmetric: bool,
     /// True if the state belongs to a continuum of steady states, or lies at the end of one.
     pub marginal: bool,
@@ -69,7 +69,7 @@ pub(super) struct FoundState<S> {
 }
 
 impl<S> FoundState<S> {
-    /// Result for a motion that does not repeat. Only its last cycles are known.
+    /// Result for a motion that does not repeat. Only the last cycles of this motion are known.
     pub(super) const NONE: Self = Self {
         settled: false,
         period: MAX_PERIOD,
@@ -79,7 +79,7 @@ impl<S> FoundState<S> {
     };
 }
 
-/// Result of the test of a fixed point.
+/// Result of the test whether a motion converges to a fixed point.
 pub(super) enum CandidateVerdict<S> {
     Found(FoundState<S>),
     /// The fixed point belongs to a continuum of steady states. The search must follow the motion further, because the
@@ -90,17 +90,18 @@ pub(super) enum CandidateVerdict<S> {
 
 pub(super) struct Candidate<S> {
     pub map: PeriodMap,
-    /// Events of the motion in the last period. A steady state must have the same events.
+    /// Numbers of stops, break-aways and reversals of the motion in the last period. A steady state must have the same
+    /// numbers.
     pub wanted: EventPattern,
-    /// Events of the motion in the last cycle of the excitation.
+    /// Numbers of stops, break-aways and reversals of the motion in the last cycle of the excitation.
     pub recent: EventPattern,
-    /// Number of successive half cycles whose events equal those of the half cycle one cycle earlier.
+    /// Number of successive half cycles whose numbers of events equal those of the half cycle one cycle earlier.
     pub alike: u32,
     /// True if the stiction μ is 1. The distance between two motions then never grows.
     pub monotone: bool,
-    /// Number of cycles followed since the start of the motion.
+    /// Number of excitation cycles that the search has followed since the start of the motion.
     pub cycles: u32,
-    /// State of the contact in the motion. `Workspace::state` has the oscillators' states.
+    /// State of the contact in the motion. `Workspace::state` contains the states of the oscillators.
     pub here: ContactState<S>,
 }
 
@@ -125,8 +126,8 @@ impl<S: Float> Candidate<S> {
         if on_circle {
             return self.marginal(cycle_map, workspace, far, scale, self.cycles);
         }
-        // With μ = 1 the distance of two motions never grows. A motion this close to the fixed point therefore tends to
-        // that point.
+        // With μ = 1 the distance between two motions never grows. A motion this close to the fixed point therefore
+        // tends to that point.
         let near = far <= same(scale);
         let same = pattern == self.wanted;
         if self.monotone || (same && (near || self.attracts(cycle_map, workspace, largest)?)) {
@@ -146,8 +147,7 @@ impl<S: Float> Candidate<S> {
 
     /// Returns true if the motion keeps its events and approaches the fixed point as fast as the multipliers predict.
     /// With μ > 1 other steady states may be close, so that a small distance proves nothing. The cycle map must be at
-    /// the fixed point before the call. If the result is true, the cycle map is at the fixed point after the call as
-    /// well.
+    /// the fixed point before the call. If the result is true, the cycle map is at the fixed point after the call too.
     fn attracts<K: ContactChain<S>>(
         &mut self,
         cycle_map: &mut CycleMap<'_, '_, S, K>,
@@ -184,8 +184,8 @@ impl<S: Float> Candidate<S> {
         cycle_map.save(workspace.state);
         let after = cycle_map.energy_between(workspace.other).sqrt();
         let enough = S::constant(SPARE) + S::constant(1.0 - SPARE) * promised;
-        // At a graze (the contact almost stops) two states may be close although only one of the motions stops. The
-        // sticking times show the difference.
+        // At a graze the contact almost stops. Two states may then be close although the contact stops in only one of
+        // the motions. The sticking times show the difference.
         let change = (cycle_map.stuck - stuck).abs();
         let alike = change <= S::constant(STICKS_ALIKE) * cycle_map.stuck.max(stuck);
         if !keeps || !alike || !(after <= enough * before.sqrt()) {
@@ -214,7 +214,8 @@ impl<S: Float> Candidate<S> {
                 reach,
             }))
         };
-        // A motion may be so large that load and friction are below rounding.  Every state then seems steady.
+        // A motion may be so large that load and friction are smaller than its rounding error. Every state then seems
+        // steady.
         let forces = cycle_map.setting.beta.max(S::constant(1.0));
         if forces < scale * S::constant(ON_CIRCLE * S::EPSILON) {
             return Ok(CandidateVerdict::No);
@@ -225,19 +226,19 @@ impl<S: Float> Candidate<S> {
         if self.map.period != 1 {
             return Ok(CandidateVerdict::No);
         }
-        // In a very large motion, friction may be below rounding. Every state then seems steady.
+        // In a very large motion, friction may be smaller than the rounding error. Every state then seems steady.
         let own = workspace.state.iter();
         let own = own.fold(S::constant(1.0), |most, value| most.max(value.abs()));
         if own * S::constant(MOST_GROWN) < scale {
             return Ok(CandidateVerdict::No);
         }
-        // With μ > 1 stops do not become shorter from cycle to cycle. A motion with stops therefore neither belongs to
-        // the continuum nor tends to one of its members.
+        // With μ > 1 stops do not become shorter from cycle to cycle. A motion with stops is then no member of the
+        // continuum, and does not tend to a member.
         if !self.monotone && self.recent.stops > 0 {
             return Ok(CandidateVerdict::No);
         }
-        // Where the contact hardly moves, rounding decides its motion. The motion then counts as having reached the
-        // fixed point.
+        // If the contact hardly moves, rounding decides its motion. The code then assumes that the motion has reached
+        // the fixed point.
         let turns = self.recent.stops + self.recent.reversals;
         let calm = far <= S::constant(HARDLY_MOVES) || (turns <= 2 && CALM <= self.alike);
         if !self.map.symmetric || cycles < LEAST_FOLLOWED || !calm {

@@ -1,9 +1,9 @@
-//! Adds derivatives with respect to one variable to a known steady state.
+//! Adds derivatives with respect to one variable to a known steady state (`Orbit::carrying`).
 //!
-//! A steady state is a fixed point x = P(x) of the period map P at a fixed phase. With dual numbers, one period of
-//! motion from x gives P(x) and the derivative b of P at fixed x. A Newton step then adds (1 − DP)⁻¹b to the derivative
-//! of x, where DP is the derivative of P with respect to x. A second pass follows the segments from the new x, and adds
-//! the derivatives to every result.
+//! A steady state is a fixed point x = P(x), where x is the state at a fixed phase and P is the period map. With dual
+//! numbers, one period of motion from x gives P(x) and the derivative b of P at fixed x. A Newton step then adds (1 −
+//! DP)⁻¹b to the derivative of x, where DP is the derivative of P with respect to x. A second pass follows the segments
+//! from the new x, and adds the derivatives to every result.
 
 use super::build::{record_period, stuck};
 use super::closed;
@@ -20,15 +20,16 @@ use crate::number::pairs::pairs;
 use crate::number::scalar::Float;
 use core::fmt;
 
-/// Relative distance from a graze within which the derivative of an event's instant is unreliable. A graze is a motion
-/// at which an event of the contact appears or vanishes.
+/// Largest relative distance from a graze at which the derivative of an event's instant is unreliable. A graze is a
+/// motion at which an event of the contact appears or vanishes.
 const GRAZE: f64 = 1e-9;
-/// The derivatives of two successive Newton steps count as equal if their relative difference is at most this value.
+/// Largest relative difference of the derivatives of two successive Newton steps at which the code treats them as
+/// equal.
 const ALIKE: f64 = 1e-6;
 
-/// Rounding error of the state's derivative in `f64`, relative to the size of the state.
+/// Rounding error of the state's derivative in `f64`, divided by the size of the state.
 const ROUNDING: f64 = 1e-14;
-/// The given r and β count as equal to those of the steady state if their relative differences are below this value.
+/// Largest relative difference at which the given r and β are treated as equal to the r and β of the steady state.
 const SAME: f64 = 1e-12;
 
 /// Reason why a steady state has no derivatives.
@@ -40,14 +41,14 @@ pub enum NoDerivative {
     NoOrbit(NoOrbit),
     /// The motion does not repeat, and only its last cycles are known.
     Unsettled,
-    /// The state belongs to a continuum of steady states, or lies at its end. The initial state selects the state of
-    /// the continuum that the motion reaches.
+    /// The steady state belongs to a continuum of steady states, or lies at the end of one. The initial state decides
+    /// which state of the continuum the motion reaches.
     Marginal,
-    /// An event of the contact is about to appear or to vanish. The results then have a kink.
+    /// At this motion an event of the contact appears or vanishes. The results have a kink there, and no derivative.
     Graze,
-    /// The modes themselves have no derivative. The reason may be two modes with the same constants, of the chain or of
-    /// the chain with its contact stuck. Another reason may be a mode that the contact does not drive, but would drive
-    /// after any small change.
+    /// The modes of the scene themselves have no derivative. One possible reason is that two modes have the same
+    /// constants. They may be modes of the chain, or modes of the chain with its contact stuck. Another possible reason
+    /// is a mode that the contact does not drive, but would drive after any small change of the scene.
     Degenerate,
 }
 
@@ -79,13 +80,13 @@ impl From<OutOfDomain> for NoDerivative {
     }
 }
 
-/// Memory for a steady state that carries derivatives.
+/// Memory for a steady state whose numbers have derivatives.
 #[derive(Debug)]
 pub struct CarryingStorage<'m, S, P, V, C> {
     /// Oscillators that the caller initialises with [`Part::empty`]: one for each mode of the chain, and one for each
     /// mode of the chain with its contact stuck.
     pub parts: P,
-    /// Room for the scalars of any orbit of the scene ([`numbers_of`](super::numbers_of)).
+    /// Room for the scalars of any orbit (steady state) of the scene ([`numbers_of`](super::numbers_of)).
     pub numbers: V,
     /// Room for two scalars of each mass.
     pub masses: &'m mut [S],
@@ -101,11 +102,12 @@ where
     C: AsRef<[Complex<S>]> + AsMut<[Complex<S>]>,
     K: ContactChain<S>,
 {
-    /// Computes the steady state `plain` with a number type that carries derivatives. `dynamics`, r and β describe the
-    /// same scene and point as `plain`, with derivatives.
+    /// Computes the steady state `plain` with a number type that has derivatives. `dynamics`, r and β describe the same
+    /// scene and point as `plain`, with derivatives.
     ///
     /// # Errors
-    /// [`NoDerivative`] gives the reason why no derivatives exist.  Slices of a wrong length give `OutOfDomain`.
+    /// [`NoDerivative`] gives the reason why no derivatives exist. Slices of a wrong length return the error
+    /// `OutOfDomain`.
     pub fn carrying<T, Q, W, D, J>(
         plain: &Orbit<'_, T, Q, W, D, J>,
         dynamics: Dynamics<'a, S, K>,
@@ -184,8 +186,8 @@ where
         Ok(orbit)
     }
 
-    /// Sets a cycle map to a state of this motion, and corrects the state and its derivatives until they repeat after
-    /// the period. The number type of the cycle map carries derivatives.
+    /// Sets a cycle map to a state of this steady motion, and corrects the state and its derivatives until they repeat
+    /// after the period. The number type of the cycle map has derivatives.
     fn close<U: Float, J: ContactChain<U>>(
         &self,
         cycle_map: &mut CycleMap<'_, '_, U, J>,
@@ -207,15 +209,15 @@ where
         closed_in(cycle_map, workspace, map)
     }
 
-    /// Returns true if the contact never slides.
+    /// Returns true if the contact never slides in this steady state.
     pub fn never_slides(&self) -> bool {
         let mut marks = self.marks().iter();
         self.stops == 0 && marks.all(|mark| mark.contact_state.contact == Contact::Stuck)
     }
 
     /// Returns the relative displacement z̄ of a contact that sticks all the time and has never slid since the start.
-    /// The contact is then at z̄ = 0, or at −1 on a moving base. After a slip the offset depends on every earlier slip,
-    /// and the function returns an error, because the state is marginal.
+    /// The contact is then at z̄ = 0, or at z̄ = −1 on a moving base. After a slip the offset depends on every earlier
+    /// slip. The function then returns an error, because the steady state is marginal.
     fn offset_without_slip<U: Float>(&self) -> Result<U, NoDerivative> {
         let offset = self.offset();
         if offset.is_zero() || offset == -self.setting.base {
@@ -225,15 +227,15 @@ where
         }
     }
 
-    /// Returns true if the closed form describes the motion: the contact slides all the time, with one reversal in half
-    /// a cycle.
+    /// Returns true if the closed form describes this steady motion. In the closed form the contact slides all the
+    /// time, with one reversal in half a cycle.
     fn is_closed(&self) -> bool {
         let (zero, own) = (self.setting.beta.is_zero(), self.period == 1);
         own && self.stops == 0 && self.reversals == 2 && self.symmetric && (zero || !self.marginal)
     }
 
-    /// Sets a cycle map to this steady state, in the middle of the longest sliding segment. The cycle map may have
-    /// another number type. `masses` has room for displacements and velocities.
+    /// Sets a cycle map to this steady state, at the middle of the longest sliding segment. The cycle map may have
+    /// another number type than the steady state. `masses` is working memory for displacements and velocities.
     fn set_state<U: Float, J: ContactChain<U>>(
         &self,
         cycle_map: &mut CycleMap<'_, '_, U, J>,
@@ -262,8 +264,8 @@ where
         }
         let setting = cycle_map.setting;
         setting.load_state(displacements, velocities, cycle_map.modes);
-        // From the modes alone, the law of an elastic contact would return a stuck contact. The code therefore passes
-        // the direction of sliding.
+        // For the states of the modes alone, the law of an elastic contact would return a stuck contact. The code
+        // therefore passes the direction of sliding.
         let sliding = ContactState {
             contact: longest.contact_state.contact,
             ..ContactState::stuck(U::constant(t.to_f64()))
@@ -272,7 +274,7 @@ where
         Ok(())
     }
 
-    /// Returns true if an event of the contact is about to appear or to vanish.
+    /// Returns true if an event of the contact appears or vanishes after any small change of this motion.
     fn grazes(&self) -> bool {
         let graze = S::constant(GRAZE);
         let setting = &self.setting;
@@ -285,8 +287,8 @@ where
             }
             let parts = segments.parts();
             let (modes, stuck_modes) = setting.split(parts);
-            // The force of a rigid contact that has just come to rest must differ clearly from μβ.  The force of an
-            // elastic contact is then μβ, and falls.
+            // The force of a rigid contact that has just stopped must differ clearly from μβ. The force of an elastic
+            // contact is μβ at that instant, and then falls.
             if !first && before != Contact::Stuck && setting.dynamics.chain.remembered() == 0 {
                 let force = setting.holding(modes, mark.contact_state.t.sin_cos_pi());
                 if setting.law().is_marginal(force, graze) {
@@ -297,7 +299,7 @@ where
             if self.never_slides() {
                 return false;
             }
-            // At the end of the segment a function reaches zero. Its slope must differ clearly from zero.
+            // At the end of the segment a function of time reaches zero. Its slope must differ clearly from zero.
             let sum = if before == Contact::Stuck {
                 setting
                     .start_sticking(modes, stuck_modes, &mark.contact_state, mark.length)
@@ -315,7 +317,7 @@ where
     }
 }
 
-/// Fails if r or β differs from the value of the known steady state by more than rounding.
+/// Returns an error if the given r or β differs from that of the known steady state by more than rounding.
 fn check_same<S: Float>(given: S, known: impl Float, ratio: Ratio) -> Result<(), OutOfDomain> {
     let known = S::constant(known.to_f64());
     if (given - known).abs() <= known * S::constant(SAME) {
@@ -325,8 +327,8 @@ fn check_same<S: Float>(given: S, known: impl Float, ratio: Ratio) -> Result<(),
     }
 }
 
-/// Applies Newton steps until the motion of the cycle map repeats, with a number type that carries derivatives. The
-/// first step gives the derivative the precision of the value, and the second step gives it the precision of the number
+/// Applies Newton steps until the motion of the cycle map repeats, in a number type that has derivatives. After the
+/// first step the derivative has the precision of the value. After the second step it has the precision of the number
 /// type.
 fn closed_in<S: Float, K: ContactChain<S>>(
     cycle_map: &mut CycleMap<'_, '_, S, K>,
@@ -352,8 +354,8 @@ fn closed_in<S: Float, K: ContactChain<S>>(
                 }
             }
         }
-        // A derivative of 0 has no size. The rounding error of the first step is therefore compared with the size of
-        // the state.
+        // A derivative of 0 has no size. The code therefore compares the rounding error of the first step with the size
+        // of the state.
         let rounding = cycle_map.scale() * S::constant(ROUNDING);
         if !(change <= alike * size + rounding) {
             return Err(NoDerivative::Graze);

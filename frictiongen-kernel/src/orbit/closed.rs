@@ -1,6 +1,7 @@
-//! The state of a steady motion with two reversals and no stops, from the closed form.
+//! Computes the state of a steady motion with two reversals and no stops, from the closed form.
 //!
-//! Near a resonance the fixed point is badly conditioned. The closed form loses no precision there.
+//! Near a resonance, rounding errors of the period map change its fixed point strongly. The closed form loses no
+//! precision there.
 
 use super::cycle_map::CycleMap;
 use crate::contact::dominant::Partner;
@@ -12,7 +13,7 @@ use crate::number::scalar::Float;
 use crate::oscillator::decay::Damped;
 use crate::oscillator::mode::Mode;
 
-/// The modes that the contact drives, with their response functions at one frequency ratio.
+/// Modes that the contact drives, with their response functions at one frequency ratio.
 struct DrivenChain<'a, S> {
     chain: Chain<S>,
     modes: &'a [Mode<S>],
@@ -47,8 +48,8 @@ impl<'a, S: Float> DrivenChain<'a, S> {
     }
 }
 
-/// Sets the state of the cycle map to that of the closed form at one friction ratio, at a maximum of the contact's
-/// relative motion.
+/// Sets the cycle map to the steady motion that the closed form gives at one friction ratio. The phase is a maximum of
+/// the contact's relative motion.
 pub(super) fn set<S: Float, K: ContactChain<S>>(cycle_map: &mut CycleMap<'_, '_, S, K>, beta: S) {
     let one = S::constant(1.0);
     let dynamics = &cycle_map.setting.dynamics;

@@ -1,10 +1,10 @@
-//! Selects one member of a continuum of steady motions. Without damping, a continuum of this kind exists at r = 1/(2n),
-//! with n = 1, 2, ….
+//! Selects one member of a continuum of steady motions. In a chain without damping, a continuum of this kind exists at
+//! the frequency ratios r = 1/(2n), with n = 1, 2, ….
 //!
-//! Two members of the continuum differ by a free vibration at an even multiple of the excitation frequency, in phase
-//! with the reversals. A motion that never stops keeps its amplitude of this vibration. Each stop of the contact
-//! reduces this amplitude, by less than the previous stop did. A motion with stops therefore tends to the member
-//! without stops that has the largest amplitude.
+//! Two members of the continuum differ by a free vibration. Its frequency is an even multiple of the excitation
+//! frequency, and it is in phase with the reversals. A motion that never stops keeps the amplitude of this vibration.
+//! Each stop of the contact reduces the amplitude, by less than the previous stop did. A motion with stops therefore
+//! tends to a member without stops, namely the one with the largest amplitude.
 
 use super::cycle_map::CycleMap;
 use super::cycle_map::unit;
@@ -15,26 +15,26 @@ use crate::number::matrix::SquareMatrix;
 use crate::number::pairs::{pairs, pairs_mut};
 use crate::number::scalar::Float;
 
-/// Rounding error of a member of the continuum during half a cycle, in rounding units of the state.
+/// Rounding error of a member of the continuum after half a cycle, in rounding units of the state.
 const ROUNDINGS: f64 = 256.0;
 /// Number of bisections in the search for the end of a continuum of steady states.
 const BISECTIONS: u32 = 60;
-/// A search for the end of a continuum doubles the amplitude of the free vibration at most this number of times.
+/// Largest number of times that a search for the end of a continuum doubles the amplitude of the free vibration.
 const DOUBLINGS: u32 = 20;
-/// Difference between 1 and the shift of the inverse iteration. The iteration finds the eigenvector of the half-period
-/// map for the multiplier 1.
+/// Difference between 1 and the shift of the inverse iteration. This iteration finds the eigenvector of the half-period
+/// map that belongs to the multiplier 1.
 const SHIFT: f64 = 1e-8;
 
-/// Sets the cycle map to one member of a continuum of steady motions: the member to which the motion converges.
+/// Sets the cycle map to one member of a continuum of steady motions, namely the member to which the motion converges.
 ///
-/// Before the call, the cycle map is at the symmetric member, and `workspace.state` is the motion at the same phase.
-/// The *share* of a member is the amplitude of its free vibration. The *last member* has the largest share of all
-/// members without a stop. The function returns the share of the last member, divided by the share of the selected
-/// member.
+/// Before the call, the cycle map is at the symmetric member, and `workspace.state` is the state of the motion at the
+/// same phase. The *share* of a member is the amplitude of its free vibration. The *last member* has the largest share
+/// of all members without a stop. The function returns the share of the last member, divided by the share of the
+/// selected member.
 ///
-/// `monotone` is true if μ = 1. Stops then become shorter from cycle to cycle, so that a motion with stops converges to
-/// the last member. With μ > 1 stops do not become shorter, because the contact sticks until the force has grown to μF.
-/// A motion with stops then converges to no member, and the function returns an error.
+/// `monotone` is true if the stiction μ is 1. Stops then become shorter from cycle to cycle, so that a motion with
+/// stops converges to the last member. With μ > 1 stops do not become shorter, because the contact sticks until its
+/// force has grown to μF. A motion with stops then converges to no member, and the function returns an error.
 pub(super) fn member<S: Float, K: ContactChain<S>>(
     cycle_map: &mut CycleMap<'_, '_, S, K>,
     workspace: &mut Workspace<'_, S>,
@@ -48,16 +48,16 @@ pub(super) fn member<S: Float, K: ContactChain<S>>(
     let size = cycle_map.size();
     let contact_state = cycle_map.contact_state;
     let scale = cycle_map.scale();
-    // The members differ by the eigenvector of the half-period map for the multiplier 1. Inverse iteration starts from
-    // the difference between the motion and the symmetric member, and finds this eigenvector.
+    // The members differ by the eigenvector of the half-period map that belongs to the multiplier 1. Inverse iteration
+    // finds this eigenvector. The iteration starts from the difference between the motion and the symmetric member.
     for (part, state) in cycle_map.modes.iter().zip(pairs_mut(workspace.state)) {
         if let [y, u] = state {
             (*y, *u) = (*y - part.y, *u - part.u);
         }
     }
     for _ in 0..2 {
-        // `other` stores the symmetric member only until the cycle map has advanced. Afterwards the code solves the
-        // linear system in `other`.
+        // `other` stores the symmetric member until the cycle map has advanced. After that, the code solves the linear
+        // system in `other`.
         cycle_map.save(workspace.other);
         unit(workspace.matrix, size);
         cycle_map.advance_half(Some(workspace.matrix))?;
@@ -69,14 +69,14 @@ pub(super) fn member<S: Float, K: ContactChain<S>>(
         if !SquareMatrix::new(workspace.matrix, size).solve_shifted(shift, workspace.other) {
             return Err(NoOrbit::Unsettled);
         }
-        // (shift − D)⁻¹, with the derivative D of the map, divides the eigenvector's component by shift − 1, and hardly
-        // changes the other components. The factor `weight` restores the eigenvector's component.
+        // D is the derivative of the map. The matrix (shift − D)⁻¹ divides the eigenvector's component by shift − 1,
+        // and hardly changes the other components. The factor `weight` undoes this division.
         let weight = shift - one;
         for (state, other) in workspace.state.iter_mut().zip(workspace.other.iter()) {
             *state = *other * weight;
         }
     }
-    // A bisection finds the largest share without a stop, up to the share of the motion itself.
+    // A bisection finds the largest share without a stop. The share of the motion itself is the upper bound.
     cycle_map.save(workspace.other);
     let shifted = |cycle_map: &mut CycleMap<'_, '_, S, K>, share: S| -> Result<bool, NoOrbit> {
         let set = |cycle_map: &mut CycleMap<'_, '_, S, K>| {
@@ -128,7 +128,8 @@ pub(super) fn member<S: Float, K: ContactChain<S>>(
         return Err(NoOrbit::Unsettled);
     }
     let inside = last_inside(zero, one, |share| shifted(cycle_map, share))?;
-    // The share is reduced a little, because at the end of the continuum rounding decides whether the contact stops.
+    // The code reduces the share a little, because rounding decides whether the contact stops at the end of the
+    // continuum.
     let inside = inside * (one - S::constant(ROUNDINGS * S::EPSILON));
     if inside.is_zero() || !shifted(cycle_map, inside)? {
         return Err(NoOrbit::Unsettled);
@@ -137,7 +138,8 @@ pub(super) fn member<S: Float, K: ContactChain<S>>(
 }
 
 /// Finds by bisection the largest share at which the motion is still steady. The share is the amplitude of the free
-/// vibration. The motion is steady with the share `inside`, and not steady with the share `outside`.
+/// vibration that distinguishes the members of a continuum. The motion is steady with the share `inside`, and not
+/// steady with the share `outside`.
 fn last_inside<S: Float>(
     mut inside: S,
     mut outside: S,

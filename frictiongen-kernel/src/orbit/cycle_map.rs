@@ -1,5 +1,5 @@
 //! Follows the motion over half a cycle or a whole cycle of the excitation. The motion starts at a fixed phase of the
-//! excitation, which is called a *section*.
+//! excitation. The code calls this phase a *section*.
 
 use super::types::MAX_STEPS;
 use crate::errors::{NoOrbit, OutOfDomain};
@@ -7,10 +7,10 @@ use crate::motion::{Contact, ContactChain, ContactState, Event, Law, MotionSetti
 use crate::number::pairs::{pairs, pairs_mut};
 use crate::number::scalar::Float;
 
-/// Largest number of events in a half cycle. More events are an error.
+/// Largest number of events in half a cycle. If a half cycle has more events, the search returns an error.
 pub(super) const MOST_EVENTS: u32 = 4096;
 
-/// Numbers of stops, break-aways and reversals in half a cycle, or in several half cycles.
+/// Numbers of stops, break-aways and reversals of the contact in one or several half cycles.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct EventPattern {
     pub stops: u32,
@@ -27,7 +27,7 @@ impl EventPattern {
         }
     }
 
-    /// Divides each number of events by `parts`. Returns `None` if one of the divisions leaves a remainder.
+    /// Divides each number of events by `parts`. Returns `None` if a division leaves a remainder.
     pub(super) fn divided(self, parts: u32) -> Option<Self> {
         let part = |count: u32| {
             let part = count.checked_div(parts)?;
@@ -40,7 +40,7 @@ impl EventPattern {
         })
     }
 
-    /// Returns the sum of two event counts.
+    /// Adds the numbers of events of two parts of a motion.
     pub(super) fn and(self, other: Self) -> Self {
         Self {
             stops: self.stops + other.stops,
@@ -50,15 +50,17 @@ impl EventPattern {
     }
 }
 
-/// State of the motion at a fixed phase of the excitation (the *section*), with the data that advance this state.
+/// State of the motion at a fixed phase of the excitation (the *section*), with the data that the code needs to advance
+/// this state.
 pub(super) struct CycleMap<'f, 'a, S, K> {
     pub setting: &'f MotionSetting<'a, S, K>,
     pub modes: &'f mut [Part<S>],
     pub stuck_modes: &'f mut [Part<S>],
     pub contact_state: ContactState<S>,
-    /// Middle of the longest segment of the last half cycle, in half-turns after the section.
+    /// Middle of the longest segment of the last half cycle: its phase minus the phase of the section, in half-turns (π
+    /// rad).
     pub middle: S,
-    /// Time in τ during which the contact stuck in the last half cycle.
+    /// Time in rad of the excitation (τ) during which the contact stuck in the last half cycle.
     pub stuck: S,
     /// Remaining number of steps for the searches for events.
     pub step_budget: u32,
@@ -67,8 +69,8 @@ pub(super) struct CycleMap<'f, 'a, S, K> {
 }
 
 impl<'f, 'a, S: Float, K: ContactChain<S>> CycleMap<'f, 'a, S, K> {
-    /// Creates the map from the oscillators: the modes of the chain, and the modes of the chain with its contact stuck.
-    /// The step budget starts at its full value.
+    /// Creates the cycle map from its oscillators: the modes of the chain, and the modes of the chain with its contact
+    /// stuck. The new map has the full step budget.
     pub(super) fn new(
         setting: &'f MotionSetting<'a, S, K>,
         (modes, stuck_modes): (&'f mut [Part<S>], &'f mut [Part<S>]),
@@ -87,19 +89,19 @@ impl<'f, 'a, S: Float, K: ContactChain<S>> CycleMap<'f, 'a, S, K> {
         }
     }
 
-    /// Returns the number of scalars in a state.
+    /// Returns the number of scalars in a state of the motion.
     pub(super) fn size(&self) -> usize {
         self.setting.dynamics.state_size()
     }
 
-    /// Returns the number of scalars that the contact stores, such as its force. In a state vector these scalars follow
-    /// the modes.
+    /// Returns the number of scalars that the contact stores, such as its force. In a state vector these scalars come
+    /// after the modes.
     pub(super) fn remembered(&self) -> usize {
         self.setting.dynamics.chain.remembered()
     }
 
-    /// Returns the contact force for a state vector: the force that the contact stores, or else the kinetic friction
-    /// force.
+    /// Returns the contact force that belongs to a state vector. If the contact stores no force, the result is the
+    /// kinetic friction force.
     pub(super) fn remembered_force(&self) -> S {
         let contact = self.contact_state.contact;
         if contact == Contact::Stuck {
@@ -116,14 +118,14 @@ impl<'f, 'a, S: Float, K: ContactChain<S>> CycleMap<'f, 'a, S, K> {
         (0 < self.remembered() && state.len() == self.size()).then_some(place)
     }
 
-    /// Returns the stored contact force minus the force in a state vector. The result is 0 if the contact stores no
-    /// force.
+    /// Returns the present contact force minus the contact force in a state vector. The result is 0 if the contact
+    /// stores no force.
     fn force_difference(&self, state: &[S]) -> S {
         let there = self.force_in(state).and_then(|place| state.get(place));
         there.map_or(S::constant(0.0), |there| self.remembered_force() - *there)
     }
 
-    /// Subtracts the search steps of one segment from the step budget. Fails if the budget is exhausted.
+    /// Subtracts the search steps of one segment from the step budget. Returns an error if the budget is used up.
     pub(super) fn spend(&mut self, steps: u32) -> Result<(), NoOrbit> {
         self.step_budget = self
             .step_budget
@@ -132,21 +134,22 @@ impl<'f, 'a, S: Float, K: ContactChain<S>> CycleMap<'f, 'a, S, K> {
         Ok(())
     }
 
-    /// Advances the motion by half a cycle. The linearised motion advances the deviations in `columns`.
+    /// Advances the motion by half a cycle of the excitation. `columns` contains deviations, which the linearised
+    /// motion advances by the same time.
     pub(super) fn advance_half(
         &mut self,
         columns: Option<&mut [S]>,
     ) -> Result<EventPattern, NoOrbit> {
         let start = self.contact_state.t;
         let pattern = self.advance(S::pi(), columns)?;
-        // The phase advances by exactly half a cycle. The sum of the segments' lengths would have rounding errors.
+        // The phase advances by exactly half a cycle. A sum of the segments' lengths would have rounding errors.
         let (one, two) = (S::constant(1.0), S::constant(2.0));
         let t = start + one;
         self.contact_state.t = if t < two { t } else { t - two };
         Ok(pattern)
     }
 
-    /// Advances the motion by a time τ, from event to event.
+    /// Advances the motion by a time τ (in rad of the excitation), from event to event.
     pub(super) fn advance(
         &mut self,
         tau: S,
@@ -197,7 +200,7 @@ impl<'f, 'a, S: Float, K: ContactChain<S>> CycleMap<'f, 'a, S, K> {
         Err(NoOrbit::TooManyEvents)
     }
 
-    /// Copies the state of the oscillators into `state`.
+    /// Copies the state of the oscillators and the contact into `state`.
     pub(super) fn save(&self, state: &mut [S]) {
         for (part, state) in self.modes.iter().zip(pairs_mut(state)) {
             if let [y, u] = state {
@@ -210,7 +213,7 @@ impl<'f, 'a, S: Float, K: ContactChain<S>> CycleMap<'f, 'a, S, K> {
     }
 
     /// Sets the oscillators from a state vector. If `contact_state` is stuck, the contact sticks. If `contact_state`
-    /// slides, the velocities of the state decide the new contact state.
+    /// slides, the code determines the new contact state from the velocities in the state vector.
     pub(super) fn restore(&mut self, state: &[S], contact_state: &ContactState<S>) {
         for (part, state) in self.modes.iter_mut().zip(pairs(state)) {
             if let [y, u] = state {
@@ -226,8 +229,8 @@ impl<'f, 'a, S: Float, K: ContactChain<S>> CycleMap<'f, 'a, S, K> {
         }
     }
 
-    /// Sets `state` to the present state times `sign`, minus the former `state`. Sets the oscillators to the former
-    /// `state`, and returns the contact force stored in it.
+    /// Stores the present state times `sign` minus the former `state` in `state`. Sets the oscillators to the former
+    /// `state`, and returns the contact force in the former `state`.
     pub(super) fn subtract(&mut self, state: &mut [S], sign: S) -> S {
         for (part, state) in self.modes.iter_mut().zip(pairs_mut(state)) {
             if let [y, u] = state {
@@ -244,8 +247,8 @@ impl<'f, 'a, S: Float, K: ContactChain<S>> CycleMap<'f, 'a, S, K> {
         start
     }
 
-    /// Adds the state of the oscillators and a stored contact force to `step`. Returns the largest absolute value in
-    /// `step`.
+    /// Adds the present state of the oscillators and the contact force `force` to `step`. Returns the largest absolute
+    /// value in `step`.
     pub(super) fn add(&self, step: &mut [S], force: S) -> S {
         let mut largest = S::constant(0.0);
         for (part, state) in self.modes.iter().zip(pairs_mut(step)) {
@@ -261,7 +264,7 @@ impl<'f, 'a, S: Float, K: ContactChain<S>> CycleMap<'f, 'a, S, K> {
         largest
     }
 
-    /// Returns the largest absolute difference between the numbers of the present state and another state.
+    /// Returns the largest absolute difference between a number of the present state and the same number of `state`.
     pub(super) fn distance(&self, state: &[S]) -> S {
         let states = self.modes.iter().zip(pairs(state));
         let force = self.force_difference(state).abs();
@@ -271,7 +274,7 @@ impl<'f, 'a, S: Float, K: ContactChain<S>> CycleMap<'f, 'a, S, K> {
         })
     }
 
-    /// Returns twice the energy of the difference between the present state and another state.
+    /// Returns twice the energy of the difference between the present state and `state`.
     pub(super) fn energy_between(&self, state: &[S]) -> S {
         let modes = self.modes.iter().zip(self.setting.dynamics.driven());
         let states = modes.zip(pairs(state));
@@ -289,7 +292,7 @@ impl<'f, 'a, S: Float, K: ContactChain<S>> CycleMap<'f, 'a, S, K> {
         )
     }
 
-    /// Fails if the state contains an infinite number or NaN.
+    /// Returns an error if the state contains an infinite number or NaN.
     pub(super) fn check_finite(&self) -> Result<(), NoOrbit> {
         let driven = self.setting.dynamics.in_contact();
         let mut parts = self.modes.iter().take(driven);
@@ -300,7 +303,7 @@ impl<'f, 'a, S: Float, K: ContactChain<S>> CycleMap<'f, 'a, S, K> {
         }
     }
 
-    /// Returns the largest absolute value of the state's scalars.
+    /// Returns the largest absolute value of the scalars in the present state.
     pub(super) fn scale(&self) -> S {
         let driven = self.setting.dynamics.in_contact();
         self.modes
@@ -312,7 +315,7 @@ impl<'f, 'a, S: Float, K: ContactChain<S>> CycleMap<'f, 'a, S, K> {
     }
 }
 
-/// Sets `columns` to the unit matrix, which is one deviation in each direction of the state.
+/// Sets `columns` to the unit matrix. Each column is then a unit deviation of one number of the state.
 pub(super) fn unit<S: Float>(columns: &mut [S], size: usize) {
     for (index, entry) in columns.iter_mut().enumerate() {
         let own = index.checked_rem(size + 1) == Some(0);

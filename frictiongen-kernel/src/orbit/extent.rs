@@ -1,4 +1,4 @@
-//! Smallest and largest displacement, offset and centred amplitude of a steady motion.
+//! Smallest and largest displacement of a steady motion, its offset, and its amplitude about the middle.
 
 use super::motion::OrbitMotion;
 use super::types::Orbit;
@@ -14,8 +14,9 @@ where
     C: AsRef<[Complex<S>]> + AsMut<[Complex<S>]>,
     K: ContactChain<S>,
 {
-    /// Returns the middle of the contact's relative motion, (max z̄ + min z̄)/2, in units of P/k₁ (of Y for base
-    /// motion). The offset is 0 for a symmetric motion. For a stuck contact it is the constant z̄.
+    /// Returns the offset of the steady state, in units of P/k₁ (of Y for base motion). The offset is the middle of the
+    /// contact's relative motion, (max z̄ + min z̄)/2. It is 0 for a symmetric motion. For a stuck contact it is the
+    /// constant z̄.
     pub fn offset(&self) -> S {
         if self.symmetric {
             return S::constant(0.0);
@@ -33,7 +34,7 @@ where
     C: AsRef<[Complex<S>]> + AsMut<[Complex<S>]>,
     K: ContactChain<S>,
 {
-    /// Returns the smallest and the largest x̄ of the period, in units of P/k₁ (of Y for base motion).
+    /// Returns the smallest and the largest displacement x̄ in a period, in units of P/k₁ (of Y for base motion).
     pub fn extremes(&self) -> (S, S) {
         let largest = self.amplitude();
         if self.is_symmetric() {
@@ -42,7 +43,7 @@ where
         if self.turns_at_events() {
             return self.extremes_at_events();
         }
-        // The motion plus its own amplitude never changes its sign. The largest absolute value of this sum therefore
+        // The sum of the motion and its own amplitude never changes its sign. The maximum of |x̄ + amplitude| therefore
         // gives the maximum of x̄.
         let shifted = |shift: S| {
             let mut most = S::constant(0.0);
@@ -59,8 +60,8 @@ where
         (-shifted(-largest), shifted(largest))
     }
 
-    /// Returns half the distance between the smallest and the largest x̄ of the period, in units of P/k₁ (of Y for base
-    /// motion). This is the amplitude about the middle of the motion.
+    /// Returns half the distance between the smallest and the largest displacement x̄ in a period, in units of P/k₁ (of
+    /// Y for base motion). The result is the amplitude about the middle of the motion.
     pub fn centred_amplitude(&self) -> S {
         let (least, most) = self.extremes();
         (most - least) * S::constant(0.5)

@@ -1,6 +1,7 @@
 //! Nodes and weights of Gaussian quadrature, for the harmonics of a motion between two events.
 
-/// Positive nodes of the Gaussian rule with sixteen points on [−1, 1], and their weights.
+/// Positive nodes on [−1, 1] of the Gaussian rule with sixteen points, each with its weight. The other eight nodes are
+/// the negatives of these.
 pub(super) const SIXTEEN: [(f64, f64); 8] = [
     (0.095_012_509_837_637_44, 0.189_450_610_455_068_5),
     (0.281_603_550_779_258_9, 0.182_603_415_044_923_58),
@@ -12,6 +13,6 @@ pub(super) const SIXTEEN: [(f64, f64); 8] = [
     (0.989_400_934_991_649_9, 0.027_152_459_411_754_1),
 ];
 
-/// Largest angle, in rad, by which the integrand may oscillate within one panel of the quadrature. The error is then
+/// Largest change of the integrand's phase within one panel of the quadrature, in rad. The quadrature error is then
 /// below 1e-25.
 pub(super) const PANEL: f64 = 8.0;

@@ -1,43 +1,44 @@
-//! Detects a contact that sticks for ever. For β ≥ β*_lim the contact may stick for ever at the end of a motion, with
-//! or without an offset.
+//! Detects a contact that sticks for ever. For β ≥ β*_lim a motion may end with the contact stuck for ever, with or
+//! without an offset.
 //!
-//! The force in a stuck contact is the sum of three parts: the force V/H of the forced motion, a constant force due to
-//! the offset, and the force of the chain's free vibration. The contact never slides again if this sum can never exceed
-//! μβ.
+//! The force in a stuck contact is the sum of three parts. The first part is V/H, the force of the forced motion. The
+//! second part is a constant force due to the offset. The third part is the force of the chain's free vibration. If
+//! this sum can never exceed μβ, the contact never slides again.
 
 use super::cycle_map::{CycleMap, EventPattern};
 use super::types::MAX_CYCLES;
 use crate::motion::{Contact, ContactChain, Law, phase};
 use crate::number::scalar::Float;
 
-/// Number of half cycles without an event after which the contact counts as stuck for ever. A test of the forces alone
-/// may never succeed, because an undamped free vibration never decays.
+/// Number of half cycles without an event after which the contact is assumed to stick for ever. A test of the forces
+/// alone may never succeed, because an undamped free vibration never decays.
 const QUIET: u32 = 256;
-/// Number of cycles after which the present offset counts as final, with μ = 1 and without damping. In this case the
-/// slips become smaller from cycle to cycle, but never end.
+/// Number of cycles after which the present offset is assumed to be final, with μ = 1 and without damping. In this case
+/// the slips become smaller from cycle to cycle, but never end.
 const UNDYING: u32 = 64;
 /// Rounding error of the force in a contact that barely sticks, in rounding units of μβ.
 const ROUNDINGS: f64 = 64.0;
-/// With μ = 1 the slips become ever smaller, and the offset converges to a limit at which the contact barely sticks.
-/// The code compares three forces: the force of one cycle's slip, the force of the free vibration, and the force that
-/// corresponds to the distance of the offset from its limit. The offset counts as approaching its limit from one side
-/// if each of the first two forces is below this fraction of the third.
+/// Largest size of two small forces, divided by a third force, at which the offset is assumed to approach its limit
+/// from one side. With μ = 1 the slips become ever smaller, and the offset converges to a limit at which the contact
+/// barely sticks. The first small force is that of one cycle's slip. The second is that of the free vibration. The
+/// third force corresponds to the distance of the offset from its limit.
 const ONE_SIDED: f64 = 0.1;
 
-/// Observer of a motion with β ≥ β*_lim. The observer finds the instant after which the contact sticks for ever.
+/// Observer of a motion with β ≥ β*_lim. It detects when the contact starts to stick for ever.
 pub(super) struct Hold<S> {
-    /// |V/H|, the amplitude of the contact force in the forced motion of the stuck chain.
+    /// |V/H|, the amplitude of the contact force while the contact sticks and the chain is in its forced motion.
     steady: S,
-    /// True if μ = 1, so that the slips become smaller from cycle to cycle.
+    /// True if the stiction μ is 1, so that the slips become smaller from cycle to cycle.
     monotone: bool,
-    /// Number of successive half cycles without an event up to the present.
+    /// Number of successive half cycles without an event, up to the present half cycle.
     quiet: u32,
-    /// Number of half cycles since the start.
+    /// Number of half cycles since the start of the motion.
     halves: u32,
-    /// Constant contact force due to the offset, half a cycle ago and one cycle ago.
+    /// Constant part of the contact force, caused by the offset. The two values are those of half a cycle ago and of
+    /// one cycle ago.
     before: [S; 2],
-    /// Relative displacement z̄ of a stuck contact, computed once after it slid. A stuck contact does not move, but
-    /// rounding would change a z̄ that the code computes again from the modes.
+    /// Relative displacement z̄ of a stuck contact, computed once after the contact stopped. A stuck contact does not
+    /// move, but rounding would change z̄ if the code computed it again from the modes.
     resting: Option<S>,
 }
 
@@ -54,15 +55,15 @@ impl<S: Float> Hold<S> {
         }
     }
 
-    /// Updates the counters after one more half cycle.
+    /// Updates the counters after one more half cycle. `half` contains the events of this half cycle.
     pub(super) fn note(&mut self, half: EventPattern) {
         self.halves = self.halves.saturating_add(1);
         let calm = half == EventPattern::default();
         self.quiet = if calm { self.quiet + 1 } else { 0 };
     }
 
-    /// Returns the offset z̄ of a contact that sticks for ever. Returns `None` as long as permanent sticking is neither
-    /// proven nor [assumed](QUIET).
+    /// Returns the offset z̄ of a contact that sticks for ever. Returns `None` until permanent sticking is proven or
+    /// [assumed](QUIET).
     pub(super) fn lasting_offset<K: ContactChain<S>>(
         &mut self,
         cycle_map: &mut CycleMap<'_, '_, S, K>,

@@ -1,9 +1,9 @@
-//! Steady state in any regime: a motion that repeats after one or several cycles of the excitation. An [`Orbit`] has
-//! the motion, the stops of the contact and the Floquet multipliers.
+//! Steady state in any regime. A steady state is a motion that repeats after one or several cycles of the excitation.
+//! An [`Orbit`] contains the motion, the stops of the contact and the Floquet multipliers.
 //!
-//! The search first follows the motion exactly ([`motion`](crate::motion)) from the start, until the pattern of events
-//! repeats from cycle to cycle. Newton's method then converges in a few steps. A symmetric steady state is a fixed
-//! point of the half-period map times −1. Other states are fixed points of the period map.
+//! The search first follows the motion ([`motion`](crate::motion)) from the start, until the pattern of events repeats
+//! from cycle to cycle. Newton's method then converges in a few steps. A symmetric steady state is a fixed point of the
+//! half-period map times −1. Other steady states are fixed points of the period map.
 //!
 //! A stored steady state is a list of *marks*. A mark is the start of a segment, with the contact's state, the phase
 //! and the relative displacement z̄. The *stuck chain* is the chain with its contact stuck.
@@ -48,8 +48,8 @@ use crate::number::scalar::Float;
 use segments::Segments;
 use types::SegmentStart;
 
-/// Returns the number of scalars of memory that an orbit (steady state) needs. The scene has `modes` modes, of which
-/// the contact drives `driven`.
+/// Returns the number of scalars of memory that an orbit (steady state) needs. The scene has `modes` modes, and the
+/// contact drives `driven` of them.
 #[must_use]
 pub const fn numbers(modes: usize, driven: usize) -> usize {
     numbers_of(modes, 2 * driven)
@@ -63,7 +63,7 @@ pub const fn numbers_of(modes: usize, size: usize) -> usize {
     MAX_SEGMENTS * 2 * modes + size * size + 2 * size
 }
 
-/// A steady state of an emitted solver, with its data in arrays.
+/// A steady state in an emitted solver. Its data are in arrays.
 pub type FixedOrbit<
     S,
     const PARTS: usize,
@@ -72,7 +72,7 @@ pub type FixedOrbit<
     K = Chain<S>,
 > = Orbit<'static, S, [Part<S>; PARTS], [S; NUMBERS], [Complex<S>; MULTIPLIERS], K>;
 
-/// The steady motion of the contact or of a mass in a [`FixedOrbit`].
+/// The steady motion of the contact or of a mass in a [`FixedOrbit`] (a steady state in an emitted solver).
 pub type FixedOrbitMotion<
     'o,
     S,
@@ -94,7 +94,7 @@ where
         self.marks.get(..self.count).unwrap_or_default()
     }
 
-    /// Returns the segments of the period, one after the other.
+    /// Returns an iterator over the segments of the period, in the order of time.
     fn segments(&self) -> Segments<'_, 'a, S, P, V, C, K> {
         Segments::from(self, 0)
     }
@@ -105,34 +105,35 @@ where
         self.setting.beta
     }
 
-    /// Returns the number of excitation cycles after which the motion repeats: 1, or up to [`MAX_PERIOD`] for a
+    /// Returns the period of the steady state, in cycles of the excitation. It is 1, or up to [`MAX_PERIOD`] for a
     /// subharmonic state.
     #[must_use]
     pub fn period(&self) -> u32 {
         self.period
     }
 
-    /// Returns true if the motion repeats. If not, the orbit contains the last [`MAX_PERIOD`] cycles of a motion that
-    /// did not settle in [`MAX_CYCLES`] cycles. An amplitude is then the largest amplitude in these last cycles, and a
-    /// harmonic is the mean of the last cycles.
+    /// Returns true if the motion repeats. If the result is false, the motion did not settle in [`MAX_CYCLES`] cycles,
+    /// and the orbit contains the last [`MAX_PERIOD`] cycles of that motion. An amplitude is then the largest amplitude
+    /// in these last cycles, and a harmonic is the mean over the last cycles.
     #[must_use]
     pub fn is_settled(&self) -> bool {
         self.settled
     }
 
-    /// Returns the number of stops of the contact in a period.
+    /// Returns the number of stops of the contact in a period of the steady state.
     #[must_use]
     pub fn stops(&self) -> usize {
         self.stops
     }
 
-    /// Returns the number of reversals in a period. A reversal is a change of the sliding direction without a stop.
+    /// Returns the number of reversals in a period of the steady state. A reversal is a change of the sliding direction
+    /// without a stop.
     #[must_use]
     pub fn reversals(&self) -> usize {
         self.reversals
     }
 
-    /// Returns the fraction of the period for which the contact sticks.
+    /// Returns the fraction of the period during which the contact sticks.
     #[must_use]
     pub fn stuck_fraction(&self) -> S {
         let stuck = self.sticking_intervals();
@@ -140,8 +141,8 @@ where
         sum * S::inverse_pi() * S::constant(0.5) / self.cycles()
     }
 
-    /// Returns the distance that the contact slides in a period, ∮|dz̄|.  The work of friction in a period is β times
-    /// this distance.
+    /// Returns the distance that the contact slides in a period, ∮|dz̄|, in units of P/k₁ (of Y for base motion). The
+    /// work of friction in a period is β times this distance.
     #[must_use]
     pub fn sliding_distance(&self) -> S {
         let zero = S::constant(0.0);
@@ -155,8 +156,8 @@ where
         };
         let mut distance = zero;
         let mut last: Option<SegmentStart<S>> = None;
-        // Within a segment the sliding direction does not change. The displacements at both ends give the sliding
-        // distance.
+        // Within a segment the sliding direction does not change. The sliding distance is therefore the distance
+        // between the displacements at both ends.
         for mark in self.segments() {
             if let Some(last) = last {
                 distance = distance + slid(&last, &mark);
@@ -168,19 +169,19 @@ where
         distance + closing
     }
 
-    /// Returns the length of the period in cycles of the excitation.
+    /// Returns the period of the steady state in cycles of the excitation, as a scalar.
     fn cycles(&self) -> S {
         S::constant(f64::from(self.period))
     }
 
-    /// Returns a phase minus whole periods of the motion, in half-turns.
+    /// Subtracts whole periods of the motion from a phase `t` in half-turns (π rad).
     fn within(&self, t: S) -> S {
         let whole = self.cycles() * S::constant(2.0);
         t - (t / whole).floor() * whole
     }
 
-    /// Returns the excitation's phase at a mark (start of a segment), in half-turns. The phase 0 is the maximum of the
-    /// excitation closest to τ = 0.
+    /// Returns the phase of the excitation at the start of a segment, in half-turns (π rad). The phase is 0 at the
+    /// maximum of the excitation closest to τ = 0.
     fn angle(&self, mark: &SegmentStart<S>) -> S {
         let one = S::constant(1.0);
         let past = if one < self.origin {
@@ -191,10 +192,10 @@ where
         mark.contact_state.t + S::constant(2.0) * (mark.cycle - self.origin_cycle - past)
     }
 
-    /// Returns the intervals in which the contact sticks, each as its start and its length in rad of the excitation.
-    /// The start is the excitation's phase, from 0 to 2π times the number of cycles in the period. The phase 0 is a
-    /// maximum of the excitation. A subharmonic state has several maxima in a period. Phase 0 is then the maximum
-    /// closest to τ = 0 (see [`origin`](Self::origin)).
+    /// Returns the intervals in which the contact sticks. Each item contains the start and the length of an interval,
+    /// both in rad of the excitation. The start is the excitation's phase, from 0 to 2π times the number of cycles in
+    /// the period. The phase is 0 at a maximum of the excitation. A subharmonic state has several maxima in a period.
+    /// Phase 0 is then the maximum closest to τ = 0 (see [`origin`](Self::origin)).
     pub fn sticking_intervals(&self) -> impl Iterator<Item = (S, S)> + '_ {
         let stuck = |contact: &Contact| *contact == Contact::Stuck;
         let intervals = self
@@ -203,10 +204,10 @@ where
         intervals.map(|(start, length, _)| (start, length))
     }
 
-    /// Returns all intervals of the period, in order. In an interval the contact state is constant: stuck, or one
-    /// direction of sliding. Each item contains the start of the interval, its length and the contact state. The start
-    /// is the phase that [`sticking_intervals`](Self::sticking_intervals) describes. The last and the first interval
-    /// may have the same contact state, because the period may begin in the middle of an interval.
+    /// Returns all intervals of the period, in the order of time. In an interval the contact either sticks, or slides
+    /// in one direction. Each item contains the start of the interval, its length and the contact state. The start is a
+    /// phase as [`sticking_intervals`](Self::sticking_intervals) describes it. The last and the first interval may have
+    /// the same contact state, because the period may begin in the middle of an interval.
     pub fn intervals(&self) -> impl Iterator<Item = (S, S, Contact)> + '_ {
         self.segments().map(|mark| {
             let start = self.within(self.angle(&mark)) * S::pi();
@@ -214,9 +215,10 @@ where
         })
     }
 
-    /// Returns the contact state at the phase τ, and the friction force divided by P. At τ = 0 the contact leaves its
-    /// largest relative displacement. While the contact slides, the force is β times the sign of the velocity. While
-    /// the contact sticks, the force keeps the contact at rest. A positive force opposes positive sliding.
+    /// Returns the contact state at the phase τ in rad, and the friction force divided by P. At τ = 0 the contact
+    /// leaves its largest relative displacement. While the contact slides, the result is β times the sign of the
+    /// velocity. While the contact sticks, the result is the force that keeps the contact at rest. A positive force
+    /// opposes positive sliding.
     pub fn friction(&self, tau: S) -> (Contact, S) {
         let Some((mut segments, mark, since)) = Segments::at(self, tau) else {
             return (Contact::Stuck, S::constant(0.0));
@@ -232,14 +234,16 @@ where
         (contact, force.local(since).value)
     }
 
-    /// Returns true if every motion repeats with the opposite sign after half a period.
+    /// Returns true if the motion repeats with the opposite sign after half a period. This holds for the contact and
+    /// for every mass.
     #[must_use]
     pub fn is_symmetric(&self) -> bool {
         self.symmetric
     }
 
-    /// Returns the Floquet multipliers, the factors by which small deviations grow in a period. The list includes only
-    /// deviations of modes that the contact drives. The slice is empty if the motion does not repeat.
+    /// Returns the Floquet multipliers. They are the factors by which small deviations from the steady state grow in a
+    /// period. The list includes only deviations of modes that the contact drives. The slice is empty if the motion
+    /// does not repeat.
     #[must_use]
     pub fn multipliers(&self) -> &[Complex<S>] {
         if self.settled {
@@ -270,17 +274,17 @@ where
         self.marginal
     }
 
-    /// Returns the largest |offset| of the contact in the continuum of steady states, in units of P/k₁ (of Y for base
-    /// motion). Every state of the continuum has an offset between minus and plus this bound. A bound exists for a
-    /// stuck contact, and for a chain without damping at r = 1/(2n), with n = 1, 2, …. Returns `None` for other states,
-    /// or if the bound is unknown.
+    /// Returns the largest absolute offset of the contact in the continuum of steady states, in units of P/k₁ (of Y for
+    /// base motion). Every state of the continuum has an offset between minus and plus this bound. A bound exists for a
+    /// stuck contact. It also exists for a chain without damping at r = 1/(2n), with n = 1, 2, …. Returns `None` for
+    /// other states, or if the bound is unknown.
     #[must_use]
     pub fn offset_range(&self) -> Option<S> {
         self.offset_range
     }
 
-    /// Returns the excitation's phase at τ = 0, in rad. At τ = 0 the contact's relative motion leaves its maximum. The
-    /// load is cos(τ + origin).
+    /// Returns the phase of the excitation at τ = 0, in rad. At τ = 0 the contact's relative motion leaves its maximum.
+    /// The load is proportional to cos(τ + origin).
     #[must_use]
     pub fn origin(&self) -> S {
         let angle = self.origin * S::pi();
@@ -291,12 +295,13 @@ where
         }
     }
 
-    /// Returns the relative motion in the contact.
+    /// Returns the steady motion of the contact: its relative displacement z̄ as a function of time.
     pub fn contact(&self) -> OrbitMotion<'_, 'a, S, P, V, C, K> {
         OrbitMotion::of_contact(self)
     }
 
-    /// Returns the motion of a mass, by its index in the description.  An invalid index gives a motion at rest.
+    /// Returns the steady motion of a mass. `index` is the index of the mass in the description. An invalid index
+    /// returns a motion at rest.
     pub fn mass(&self, index: usize) -> OrbitMotion<'_, 'a, S, P, V, C, K> {
         let dynamics = &self.setting.dynamics;
         if dynamics.moves_as_contact(index) {
@@ -310,20 +315,20 @@ where
         }
     }
 
-    /// Returns the relative motion in the contact with the opposite sign.
+    /// Returns the steady motion of the contact's relative displacement with the opposite sign, −z̄.
     pub fn reversed_contact(&self) -> OrbitMotion<'_, 'a, S, P, V, C, K> {
         OrbitMotion::of_reversed_contact(self)
     }
 
-    /// Returns the mode shapes of all masses, mass after mass, and the number of modes. The modes are those of the
-    /// [`Dynamics`](crate::motion::Dynamics) data.
+    /// Returns the mode shapes of all masses, and the number of modes. The shapes are in one slice, mass after mass.
+    /// The modes are those of the [`Dynamics`](crate::motion::Dynamics) data.
     pub fn shapes(&self) -> (&'a [S], usize) {
         let dynamics = &self.setting.dynamics;
         (dynamics.shapes, dynamics.modes.len())
     }
 
-    /// Returns the motion of a linear combination of masses and base. `combination` has the components in the modes of
-    /// the [`Dynamics`](crate::motion::Dynamics) data.
+    /// Returns the steady motion of a linear combination of masses and base. `combination` contains the components of
+    /// the combination in the modes of the [`Dynamics`](crate::motion::Dynamics) data.
     pub fn combination<'o>(
         &'o self,
         combination: Combination<'o, S>,
@@ -331,7 +336,8 @@ where
         OrbitMotion::of_combination(self, combination)
     }
 
-    /// Returns the motion of a mass, by its index in the description, or `None` for an invalid index.
+    /// Returns the steady motion of a mass. `index` is the index of the mass in the description. An invalid index
+    /// returns `None`.
     pub fn mass_at(&self, index: usize) -> Option<OrbitMotion<'_, 'a, S, P, V, C, K>> {
         let known = !self.setting.dynamics.shape(index).is_empty();
         known.then(|| self.mass(index))

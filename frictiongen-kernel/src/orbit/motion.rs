@@ -11,17 +11,17 @@ use crate::number::complex::{self, Complex};
 use crate::number::phase::{within_cycle, wrapped};
 use crate::number::scalar::Float;
 
-/// Two amplitudes count as equal if they differ by less than this number of rounding units.
+/// Largest difference at which two amplitudes are treated as equal, in rounding units.
 const ROUNDINGS: f64 = 64.0;
-/// Two lags count as equal if they differ by less than this value, in rad. In `f32` the tolerance is [`ROUNDINGS`]
-/// rounding units, which is larger.
+/// Largest difference at which two lags are treated as equal, in rad. In `f32` the code uses [`ROUNDINGS`] rounding
+/// units instead, which is larger.
 const SAME_LAG: f64 = 1e-9;
 
-/// The steady motion of the contact or of a mass, in an [`Orbit`].
+/// The steady motion of the contact or of a mass, in an [`Orbit`] (a steady state).
 #[derive(Debug)]
 pub struct OrbitMotion<'o, 'a, S, P, V, C, K = Chain<S>> {
     orbit: &'o Orbit<'a, S, P, V, C, K>,
-    /// The moving combination of masses and base, or `None` for the contact's relative motion.
+    /// The combination of masses and base that moves, or `None` for the contact's relative motion.
     combination: Option<Combination<'o, S>>,
     /// True for the contact's relative motion with the opposite sign.
     reversed: bool,
@@ -34,10 +34,10 @@ impl<S: Copy, P, V, C, K> Clone for OrbitMotion<'_, '_, S, P, V, C, K> {
 }
 impl<S: Copy, P, V, C, K> Copy for OrbitMotion<'_, '_, S, P, V, C, K> {}
 
-/// Largest number of panels into which the quadrature of a harmonic divides a segment.
+/// Largest number of panels into which the quadrature of a harmonic divides one segment.
 const MOST_PANELS: f64 = (1_u32 << 14) as f64;
 
-/// The largest |x̄| found so far, and its lag.
+/// The largest |x̄| that a search has found so far, and the lag of that |x̄|.
 struct LargestDisplacement<S> {
     value: S,
     lag: Option<S>,
@@ -77,24 +77,24 @@ where
         }
     }
 
-    /// Returns the amplitude and its lag in rad from one search. The amplitude is the largest |x̄|, in units of P/k₁
-    /// (of Y for base motion).
+    /// Returns the amplitude and its lag, from one search. The amplitude is the largest |x̄| in a period, in units of
+    /// P/k₁ (of Y for base motion). The lag is in rad, as [`phase`](Self::phase) defines it.
     pub fn largest(&self) -> (S, S) {
         let best = self.best();
         (best.value, best.lag.unwrap_or(S::constant(0.0)))
     }
 
-    /// Returns the largest |x̄| of the period, in units of P/k₁ (of Y for base motion).
+    /// Returns the amplitude of the motion: the largest |x̄| in a period, in units of P/k₁ (of Y for base motion).
     pub fn amplitude(&self) -> S {
         self.best().value
     }
 
     /// Returns the lag of the motion's largest |x̄| behind the excitation's maximum, in rad, in (−π, π]. If x̄ is
-    /// negative at that instant, the function adds half a turn.
+    /// negative at its largest |x̄|, the function adds half a turn to the lag.
     ///
     /// If the contact stops at its largest displacement, the lag belongs to the beginning of the stop. If several
-    /// maxima are equal, the lag of smallest size counts. If two lags of equal size have opposite signs, the positive
-    /// lag counts.
+    /// maxima are equal, the function returns the lag of smallest size. If two lags of equal size have opposite signs,
+    /// it returns the positive lag.
     pub fn phase(&self) -> S {
         self.best().lag.unwrap_or(S::constant(0.0))
     }
@@ -105,42 +105,45 @@ where
         wrapped(-fundamental.im.atan2(fundamental.re))
     }
 
-    /// Returns x̄ at the phase τ, in units of P/k₁ (of Y for base motion). At τ = 0 the contact's relative
-    /// displacement begins to decrease from its maximum.
+    /// Returns the displacement x̄ at the phase τ in rad, in units of P/k₁ (of Y for base motion). At τ = 0 the
+    /// contact's relative displacement begins to decrease from its maximum.
     pub fn displacement(&self, tau: S) -> S {
         self.evaluate(tau, |sum, tau| sum.local(tau).value)
     }
 
-    /// Returns dx̄/dτ at the phase τ. At τ = 0 the contact's relative displacement begins to decrease from its maximum.
+    /// Returns the velocity dx̄/dτ at the phase τ in rad. At τ = 0 the contact's relative displacement begins to
+    /// decrease from its maximum.
     pub fn velocity(&self, tau: S) -> S {
         self.evaluate(tau, |sum, tau| sum.local(tau).slope)
     }
 
-    /// Returns d²x̄/dτ² at the phase τ. At τ = 0 the contact's relative displacement begins to decrease from its
-    /// maximum. The acceleration jumps when the contact reverses, stops or breaks away. At a jump the result is the value just after the jump.
+    /// Returns the acceleration d²x̄/dτ² at the phase τ in rad. At τ = 0 the contact's relative displacement begins to
+    /// decrease from its maximum. The acceleration jumps when the contact reverses, stops or breaks away. At a jump the
+    /// function returns the value just after the jump.
     pub fn acceleration(&self, tau: S) -> S {
         self.evaluate(tau, |sum, tau| sum.local(tau).curve)
     }
 
-    /// Returns the largest |dx̄/dτ| of the period.
+    /// Returns the largest |dx̄/dτ| in a period of the motion.
     pub fn largest_velocity(&self) -> S {
         let mut largest = S::constant(0.0);
         self.each(|_, sum| largest = largest.max(rates::largest_slope(sum)));
         largest
     }
 
-    /// Returns the largest |d²x̄/dτ²| of the period. At a jump of the acceleration, the values on both sides count.
+    /// Returns the largest |d²x̄/dτ²| in a period of the motion. At a jump of the acceleration, the search includes the
+    /// values on both sides.
     pub fn largest_acceleration(&self) -> S {
         let mut largest = S::constant(0.0);
         self.each(|_, sum| largest = largest.max(rates::largest_curve(sum)));
         largest
     }
 
-    /// Returns the complex amplitude X_n of a harmonic, defined by x̄ = Re Σ X_n e^{inτ_e}. The phase τ_e is 0 at a
-    /// maximum of the excitation. X_0 is the mean.
+    /// Returns the complex amplitude X_n of a harmonic. The harmonics are defined by x̄ = Re Σ X_n e^{inτ_e}, where the
+    /// phase τ_e is 0 at a maximum of the excitation. X_0 is the mean of x̄.
     ///
-    /// If a vibration has more than about 10⁴ periods within a segment, only the order of magnitude is correct. This
-    /// happens for large n, and for modes far above the excitation frequency.
+    /// If a vibration has more than about 10⁴ periods within a segment, only the order of magnitude of the result is
+    /// correct. This happens for large n, and for modes far above the excitation frequency.
     pub fn harmonic(&self, n: u32) -> Complex<S> {
         self.component(S::constant(f64::from(n)), n == 0, |mark| {
             mark.contact_state.t
@@ -149,14 +152,16 @@ where
 
     /// Returns the complex amplitude X of the component of order k/[`period`](Orbit::period). The component adds Re X
     /// e^{ikτ_e/period} to x̄, and has k oscillations in a period of the motion. If k is a multiple of the period, the
-    /// component is a [`harmonic`](Self::harmonic). τ_e is 0 at the maximum of the excitation closest to τ = 0.
+    /// component is a [`harmonic`](Self::harmonic). The phase τ_e is 0 at the maximum of the excitation closest to τ =
+    /// 0.
     pub fn subharmonic(&self, k: u32) -> Complex<S> {
         let order = S::constant(f64::from(k)) / self.orbit.cycles();
         self.component(order, k == 0, |mark| self.orbit.angle(mark))
     }
 
     /// Returns the complex amplitude of one component of the motion. `order` is the frequency of the component divided
-    /// by the excitation frequency. `starts` returns the excitation's phase at the start of a segment, in half-turns.
+    /// by the excitation frequency. The function `starts` returns the excitation's phase at the start of a segment, in
+    /// half-turns (π rad).
     fn component(
         &self,
         order: S,
@@ -174,7 +179,7 @@ where
             let mut start = zero;
             let mut done = zero;
             while done < panels {
-                // Each panel has a separate sum. In one long sum the roundings of all terms would add up.
+                // Each panel has a separate sum. In one long sum the rounding errors of all terms would add up.
                 let mut panel = complex::real(zero);
                 for (node, weight) in SIXTEEN {
                     for side in [-node, node] {
@@ -214,19 +219,19 @@ where
         best
     }
 
-    /// Returns true if this is the contact's relative motion.
+    /// Returns true if this motion is the contact's relative motion.
     pub(super) fn is_contact(&self) -> bool {
         self.combination.is_none()
     }
 
-    /// Returns true if this is the relative motion of a rigid contact, whose velocity changes its sign only at events.
-    /// The velocity of an elastic contact may also change its sign while the contact sticks.
+    /// Returns true if this motion is the relative motion of a rigid contact. The velocity of a rigid contact changes
+    /// its sign only at events. The velocity of an elastic contact may also change its sign while the contact sticks.
     pub(super) fn turns_at_events(&self) -> bool {
         self.is_contact() && self.orbit.setting.dynamics.chain.remembered() == 0
     }
 
-    /// Records the relative motion at all events, where its velocity is zero and |z̄| may be largest. The function
-    /// leaves out the end of a stop, because the displacement is the same at the beginning of the stop.
+    /// Records the contact's relative motion at all events. At an event the velocity is zero and |z̄| may be largest.
+    /// The function leaves out the end of a stop, because the displacement is the same at the beginning of the stop.
     fn at_events(&self, best: &mut LargestDisplacement<S>) {
         let (mut first, mut stuck) = (None, false);
         for mark in self.orbit.segments() {
@@ -238,7 +243,7 @@ where
             stuck = mark.contact_state.contact == Contact::Stuck;
         }
         match first {
-            // The segment before the first one is the last one of the period. Only here, after the loop, the code knows
+            // The segment before the first one is the last segment of the period. The code knows only after the loop
             // whether the contact sticks in that segment.
             Some(first) if !stuck => best.note(first.contact_state.t, self.signed(first.relative)),
             Some(first) if best.lag.is_none() => {
@@ -248,7 +253,7 @@ where
         }
     }
 
-    /// Returns the smallest and the largest relative displacement of the period, which occur at events.
+    /// Returns the smallest and the largest relative displacement z̄ in a period. Both occur at events of the contact.
     pub(super) fn extremes_at_events(&self) -> (S, S) {
         let mut extremes: Option<(S, S)> = None;
         for mark in self.orbit.segments() {
@@ -288,8 +293,8 @@ where
         }
     }
 
-    /// Returns the motion in one segment as a sum over oscillators. The oscillators are in their state at the segment's
-    /// start.
+    /// Returns the motion in one segment as a sum over oscillators. The oscillators must have their state at the start
+    /// of the segment.
     fn segment_sum<'p>(
         &self,
         parts: &'p mut [Part<S>],
@@ -342,8 +347,8 @@ where
         for (index, part) in modes.iter_mut().enumerate().skip(driven) {
             part.weight = [component(index), zero];
         }
-        // The slice has the modes that the contact drives, then the other modes, then the modes of the chain with its
-        // contact stuck.
+        // The slice contains the modes that the contact drives, then the other modes of the chain, then the modes of
+        // the chain with its contact stuck.
         let modes = setting.dynamics.modes.len();
         let range = if sticks {
             driven..parts.len()
@@ -364,7 +369,7 @@ where
 }
 
 impl<S: Float> LargestDisplacement<S> {
-    /// Records a value at an instant, which is the excitation's phase in half-turns.
+    /// Records a value at an instant `t`. The instant is the excitation's phase in half-turns (π rad).
     fn note(&mut self, t: S, value: S) {
         let (one, two) = (S::constant(1.0), S::constant(2.0));
         let near = S::constant(1.0 - ROUNDINGS * S::EPSILON);
@@ -377,7 +382,8 @@ impl<S: Float> LargestDisplacement<S> {
         let lag = if one < t { t - two } else { t } * S::pi();
         let clear = self.value < size * near;
         self.value = self.value.max(size);
-        // The lags of equal maxima differ by rounding.  If two lags have nearly equal size, the positive lag counts.
+        // The lags of equal maxima differ by rounding. If two lags have nearly equal size, the code uses the positive
+        // lag.
         let same = S::constant(SAME_LAG.max(ROUNDINGS * S::EPSILON));
         let better = match self.lag {
             Some(known) if !clear => {

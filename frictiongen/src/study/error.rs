@@ -1,4 +1,4 @@
-//! Errors of run-time systems.
+//! Errors of run-time systems and of scenes that are built in code.
 
 use super::naming::UnknownMotion;
 use super::words;
@@ -105,7 +105,7 @@ impl std::error::Error for LoadError {}
 pub enum StudyError {
     /// The description does not define a scene.
     Description(Diagnostics),
-    /// The scene is invalid.
+    /// The scene that the description or the builder gives is invalid.
     Scene(InvalidScene),
     /// A solver rejects the request.
     Solver(Error),
@@ -113,7 +113,7 @@ pub enum StudyError {
     UnknownMass(UnknownMass),
     /// A name does not denote a motion.
     UnknownMotion(UnknownMotion),
-    /// The requested motion names a mass or a spring that the scene does not have.
+    /// The request contains the motion of a mass or the force of a spring that the scene does not have.
     NoSuchMotion(Of),
     /// Derivatives of spring forces are not available.
     ForceHasNoDerivative,

@@ -1,7 +1,7 @@
-//! A list of one value for each mode, without an allocation for one or two modes.
+//! A list with one entry for each mode, which needs no allocation for one or two modes.
 
-/// A list with one entry for each mode. The list itself stores one or two entries, and a vector stores more. For one or
-/// two modes, an allocation would take a large fraction of the time of a search.
+/// A list with one entry for each mode. Up to two entries are stored in the list itself, and more entries in a vector.
+/// For one or two modes, an allocation would take a large fraction of the time of a search.
 #[derive(Clone, Debug)]
 #[allow(clippy::large_enum_variant, reason = "room in place is what it is for")]
 pub enum Few<T> {

@@ -3,11 +3,11 @@
 /// Larger of the two fractions into which a golden section divides an interval.
 const GOLDEN: f64 = 0.618_033_988_749_894_8;
 
-/// Returns the position and the value of the smallest value between `low` and `high`. The search makes at most `steps`
-/// sections, and ends earlier if the interval is shorter than `width`.
+/// Returns the position and the value of the smallest value of a function between `low` and `high`. The search takes at
+/// most `steps` golden sections, and ends earlier if the interval is shorter than `width`.
 ///
 /// # Errors
-/// The first error of `of`.
+/// The first error that the function `of` returns.
 pub(super) fn smallest<E>(
     (mut low, mut high): (f64, f64),
     (steps, width): (usize, f64),

@@ -1,4 +1,4 @@
-//! The response while the contact is stuck, at its centre or at an offset.
+//! The response while the contact is stuck, at its centre or at an offset from its centre.
 
 use super::motion::SystemStuck;
 use super::system::System;
@@ -6,7 +6,7 @@ use frictiongen_kernel::Float;
 use frictiongen_kernel::response::Scene as _;
 use std::ops::Deref;
 
-/// The response while the contact is stuck, at the offset from its centre at which the contact stopped.
+/// The response while the contact is stuck. The contact may have stopped at an offset from its centre.
 #[derive(Clone, Debug)]
 pub struct SystemHeld<'a> {
     pub(super) stuck: SystemStuck<'a>,
@@ -52,8 +52,8 @@ impl<'a> Deref for SystemHeld<'a> {
     }
 }
 
-/// Returns the displacement of a mass for a constant unit displacement of the contact: Σφ_k(φᵀw)/λ divided by
-/// Σ(φᵀw)²/λ.
+/// Returns the displacement of a mass for a constant unit displacement of the contact. It is Σ φ_k(φᵀw)/λ divided by Σ
+/// (φᵀw)²/λ, with sums over the modes φ, the component φ_k of the mass, and the contact's direction vector w.
 pub(super) fn static_share<S: Float>(system: &System<S>, mass: usize) -> Option<S> {
     let zero = S::constant(0.0);
     let shape = system.shape(mass)?;
@@ -64,8 +64,9 @@ pub(super) fn static_share<S: Float>(system: &System<S>, mass: usize) -> Option<
     Some(moved / receptance(system))
 }
 
-/// Returns the constant displacement of a contact that has never slid. It is −s for a rigid contact.  The spring of an
-/// elastic contact has no force at the start of the motion. Later the spring forces of the chain deform it.
+/// Returns the constant displacement of a contact that has never slid. For a rigid contact it is −s, where s is the
+/// coefficient of the base motion in z̄. The spring of an elastic contact has no force at the start of the motion.
+/// Later the spring forces of the chain deform it.
 pub(super) fn offset_from_rest<S: Float>(system: &System<S>) -> S {
     if system.numbers().chain.on_moving_base.is_none() {
         return S::constant(0.0);
@@ -80,7 +81,8 @@ pub(super) fn offset_from_rest<S: Float>(system: &System<S>) -> S {
     }
 }
 
-/// Returns wᵀK̄⁻¹w, the displacement of the contact for a constant unit force in the contact.
+/// Returns wᵀK̄⁻¹w, the displacement of the contact for a constant unit force in the contact. w is the contact's
+/// direction vector and K̄ the stiffness matrix divided by k₁.
 fn receptance<S: Float>(system: &System<S>) -> S {
     let modes = system.numbers().modes.iter();
     modes.fold(S::constant(0.0), |sum, mode| {

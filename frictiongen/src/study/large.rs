@@ -1,9 +1,9 @@
-//! Modal analysis of large scenes: nalgebra's symmetric eigensolver, then one-sided Jacobi sweeps.
+//! Modal analysis of large scenes by nalgebra's symmetric eigensolver, followed by one-sided Jacobi sweeps.
 //!
 //! Let G be the matrix whose singular values are the frequency ratios √λ, and V the eigenvectors of Γ^−½K̄Γ^−½. The
-//! computation of K̄ from G loses digits, especially those of a low frequency next to high ones. Apart from these
-//! digits, the columns of G·V are orthogonal. One or two sweeps of one-sided Jacobi rotations on these columns, in
-//! double precision, restore the digits.
+//! computation of K̄ from G loses digits, especially those of a low frequency next to high frequencies. Apart from
+//! these digits, the columns of G·V are orthogonal. One or two sweeps of one-sided Jacobi rotations on these columns,
+//! in double precision, restore the digits.
 
 use frictiongen_model::modal::Modal;
 use frictiongen_model::scene::Scene;
@@ -11,11 +11,11 @@ use nalgebra::DMatrix;
 
 /// Largest number of masses for which the modal analysis is in double-double arithmetic.
 pub(super) const LARGEST_EXACT: usize = 64;
-/// A residue counts as rounding error if it is below this fraction of its largest possible size.
+/// Largest residue that counts as a rounding error, divided by its largest possible size.
 const NOISE: f64 = 1e-13;
-/// Two columns count as orthogonal if the cosine of the angle between them is below this value.
+/// Largest cosine of the angle between two columns that count as orthogonal.
 const ORTHOGONAL: f64 = 1e-15;
-/// Largest number of sweeps of rotations.
+/// Largest number of sweeps. A sweep rotates each pair of columns once.
 const MAX_SWEEPS: usize = 12;
 
 /// Returns the modal analysis of a scene with any number of masses.

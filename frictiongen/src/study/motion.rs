@@ -18,7 +18,7 @@ pub struct SystemMotion<'a, S: Float = f64> {
 pub type SystemSteady<'a, S = f64> = MotionOf<&'a System<S>>;
 
 impl<'a, S: Float> SystemMotion<'a, S> {
-    /// Stores whether motion from rest ends in this continuous motion.
+    /// Stores whether the motion from rest ends in this continuous motion.
     pub(super) fn with_start(mut self, from_rest: bool) -> Self {
         self.from_rest = from_rest;
         self

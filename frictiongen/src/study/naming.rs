@@ -7,11 +7,11 @@ use crate::Of;
 use frictiongen_kernel::Float;
 use frictiongen_model::scene::Node;
 
-/// The reason why a name is not the name of a motion of the scene.
+/// The reason why a name does not denote a motion of the scene.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum UnknownMotion {
-    /// A name in the expression is not the name of a mass.
+    /// A name in the expression is not that of a mass.
     Mass(UnknownMass),
     /// The motion is that of a mass relative to itself, which is zero.
     Itself(String),
@@ -21,9 +21,9 @@ pub enum UnknownMotion {
     Spring(String, Vec<String>),
     /// The scene has no spring between a mass and the base, so that there is no base shear.
     NoShear,
-    /// The function in front of the brackets is unknown.
+    /// The name in front of the brackets is not that of a known function.
     Function(String),
-    /// A force has neither a velocity nor an acceleration.
+    /// The name asks for the velocity or the acceleration of a force, which do not exist.
     Rate(String),
     /// The brackets of `slip(…)`, `force(…)` or `energy(…)` do not contain the name of a contact. The first field is
     /// the name of the function, and the second field is the text in its brackets.
@@ -154,11 +154,12 @@ impl<S: Float> System<S> {
         Ok(Of::Relative(mass, reference))
     }
 
-    /// Returns the motion with this name, and the quantity (displacement, velocity or acceleration). `vel(roof)` is the
-    /// velocity and `accel(roof)` the acceleration of the motion `roof`. `slip(contact)` is the relative displacement
-    /// in the contact, `force(contact)` its largest force, and `energy(contact)` the energy that it takes in a cycle.
-    /// `zeta_eq` is the equivalent viscous damping ratio of the contact ([`MotionQuantity::Damping`]), and `zeta_eq(first-roof)` the
-    /// ratio relative to the spring between `first` and `roof`. Any other name means a displacement or a force.
+    /// Returns the motion with this name, and the quantity of the motion (displacement, velocity or acceleration).
+    /// `vel(roof)` is the velocity of the motion `roof`, and `accel(roof)` its acceleration. `slip(contact)` is the
+    /// relative displacement in the contact, `force(contact)` its largest force, and `energy(contact)` the energy that
+    /// it dissipates in a cycle. `zeta_eq` is the equivalent viscous damping ratio of the contact ([`MotionQuantity::Damping`]),
+    /// computed with the strain energy of all springs. `zeta_eq(first-roof)` is this ratio, computed with the strain
+    /// energy of the spring between `first` and `roof` alone. Any other name means a displacement or a force.
     ///
     /// ```
     /// use frictiongen::study::response::MotionQuantity;
@@ -221,8 +222,8 @@ impl<S: Float> System<S> {
         Ok((self.motion_named(name)?, MotionQuantity::Displacement))
     }
 
-    /// Returns the name of a motion in the form that [`motion_named`](Self::motion_named) reads. A question mark
-    /// replaces names of masses and springs that the scene does not have.
+    /// Returns the name of a motion in the form that [`motion_named`](Self::motion_named) reads. If the scene does not
+    /// have the mass or the spring, a question mark replaces its name.
     #[must_use]
     pub fn name_of_motion(&self, of: Of) -> String {
         let mass = |index: usize| self.scene.node_name(Node::Mass(index));

@@ -63,7 +63,7 @@ pub struct SystemOrbit<'a, S = f64> {
     pub(super) system: &'a System<S>,
     pub(super) orbit: SystemOrbitState<'a, S>,
     pub(super) from_rest: bool,
-    /// True if this state belongs to a continuum of steady states that contains the closed form.
+    /// True if this state belongs to a continuum of steady states, and the closed form also belongs to it.
     pub(super) slides: bool,
 }
 
@@ -76,8 +76,9 @@ impl<'a, S: Float> SystemOrbit<'a, S> {
         Ok(self.orbit.mass(self.system.mass_index(name)?))
     }
 
-    /// Returns the phase of the contact's relative motion with the opposite sign, in (−π, π]. It is the phase in the
-    /// sense of the description if [`contact_is_reversed`](System::contact_is_reversed) is true.
+    /// Returns the phase of the contact's relative motion after a change of its sign, in (−π, π]. If
+    /// [`contact_is_reversed`](System::contact_is_reversed) is true, this phase follows the sign convention of the
+    /// description.
     #[must_use]
     pub fn reversed_contact_phase(&self) -> S {
         let phase = self.orbit.contact().phase();
@@ -91,8 +92,8 @@ impl<'a, S: Float> SystemOrbit<'a, S> {
 }
 
 impl<S> SystemOrbit<'_, S> {
-    /// Returns true if motion from the requested initial state ends in this state. If false, that motion did not
-    /// settle, and this is another steady state.
+    /// Returns true if the motion from the requested initial state ends in this state. If false, that motion did not
+    /// settle, and this state is another steady state.
     #[must_use]
     pub fn is_from_rest(&self) -> bool {
         self.from_rest

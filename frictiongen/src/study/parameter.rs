@@ -45,12 +45,12 @@ pub enum Parameter {
 pub struct Slope {
     /// The number X itself.
     pub value: f64,
-    /// The derivative dX/dp.
+    /// The derivative dX/dp of X with respect to the parameter p.
     pub derivative: f64,
 }
 
 impl Slope {
-    /// Returns the relative derivative (p/X)·dX/dp. `parameter` is the value of p. Returns `None` if X is 0.
+    /// Returns the relative derivative (p/X)·dX/dp, where `parameter` is the value of p. Returns `None` if X is 0.
     #[must_use]
     pub fn relative(&self, parameter: f64) -> Option<f64> {
         let relative = parameter / self.value * self.derivative;
@@ -59,8 +59,8 @@ impl Slope {
 }
 
 impl Parameter {
-    /// Returns the symbol of the parameter, with the names of the description: for example `m upper`, `k base -
-    /// lower`, `zeta 1` or `F`.
+    /// Returns the symbol of the parameter, with the names of the description. Examples are `m upper`, `k base -
+    /// lower`, `zeta 1` and `F`.
     #[must_use]
     pub fn symbol(&self, scene: &Scene, point: &OperatingPoint) -> String {
         let physical = matches!(point, OperatingPoint::Physical { .. });
@@ -84,14 +84,15 @@ impl Parameter {
         short.to_owned()
     }
 
-    /// Returns the key of the parameter, for programs: `m.upper`, `k.base-lower`, `zeta.1`, `F`.
+    /// Returns the key of the parameter, for programs. Examples are `m.upper`, `k.base-lower`, `zeta.1` and `F`.
     #[must_use]
     pub fn key(&self, scene: &Scene, point: &OperatingPoint) -> String {
         let symbol = self.symbol(scene, point);
         symbol.replace(" - ", "-").replace(' ', ".")
     }
 
-    /// Returns the parameter in words, for people: ``m of `upper` ``, ``k of `base - lower` ``, `zeta of mode 1`, `F`.
+    /// Returns the parameter in words, for people. Examples are ``m of `upper` ``, ``k of `base - lower` ``, `zeta of
+    /// mode 1` and `F`.
     #[must_use]
     pub fn label(&self, scene: &Scene, point: &OperatingPoint) -> String {
         let symbol = self.symbol(scene, point);

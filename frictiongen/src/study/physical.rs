@@ -1,6 +1,6 @@
 //! Derivatives of a response with respect to every number of a description and of an operating point, in any regime.
 //!
-//! In physical units the derivatives are at constant frequency in Hz, friction force and load. The non-dimensional
+//! In physical units, frequency in Hz, friction force and load are constant in each derivative. The non-dimensional
 //! groups refer to the first mass m₁ and the first spring k₁. A change of m₁ or k₁ therefore also changes r, β or the
 //! unit of displacement.
 
@@ -27,14 +27,14 @@ pub struct ParameterSensitivity {
     pub parameter: Parameter,
     /// The value of the parameter p, in its own unit.
     pub value: f64,
-    /// Largest displacement and its derivative with respect to p, in m. For a non-dimensional operating point the unit
-    /// is P/k₁ (Y for base motion).
+    /// Largest displacement and its derivative with respect to p, in m. At a non-dimensional operating point the
+    /// displacement is divided by P/k₁ (by Y for base motion).
     pub amplitude: Slope,
-    /// Lag of the largest displacement and its derivative with respect to p, rad. `None` if the contact or mass does
+    /// Lag of the largest displacement and its derivative with respect to p, in rad. `None` if the contact or mass does
     /// not move.
     pub phase: Option<Slope>,
-    /// The limit of continuous motion β_lim and its derivative with respect to p. The unit is N under a load. For a
-    /// non-dimensional operating point the limit is a friction ratio. `None` if the limit or its derivative is not
+    /// The limit of continuous motion β_lim and its derivative with respect to p. Under a load the limit is a force in
+    /// N. At a non-dimensional operating point it is a friction ratio. `None` if the limit or its derivative is not
     /// finite.
     pub continuous_limit: Option<Slope>,
     /// The limit of sliding β*_lim and its derivative with respect to p, in the units of `continuous_limit`. `None` if
@@ -45,7 +45,7 @@ pub struct ParameterSensitivity {
 /// The derivatives of a response at one operating point, with respect to every parameter.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ResponseSensitivities {
-    /// The regime at the operating point.
+    /// The regime of the response at the operating point.
     pub regime: Regime,
     /// Derivatives with respect to each parameter, in the order masses, springs, damping, stiction, friction, load,
     /// frequency.
@@ -73,9 +73,9 @@ impl System {
     /// Returns the exact derivatives of amplitude and phase of a motion, and of the limits β_lim and β*_lim, with
     /// respect to every parameter. The response may be in any regime.
     ///
-    /// If the contact slides all the time, the derivatives come from the closed form. If the contact stops and slides,
-    /// they come from the steady state in which motion from rest ends. If the contact never slides, they come from the
-    /// stuck response.
+    /// The source of the derivatives depends on the regime. If the contact slides all the time, it is the closed form.
+    /// If the contact stops and slides, it is the steady state in which the motion from rest ends. If the contact never
+    /// slides, it is the stuck response.
     ///
     /// In physical units no derivative depends on the order of masses and springs. The phase of the contact has the
     /// sign of the contact in the description ([`contact_is_reversed`](Self::contact_is_reversed)). A change of m₁ or
@@ -115,9 +115,8 @@ impl System {
     /// ```
     ///
     /// # Errors
-    /// [`StudyError`] for an operating point outside the domain, for a load that does not fit the scene, and for a
-    /// motion that does not exist. [`StudyError`] also if no steady motion exists. [`NoDerivative`] if the response has
-    /// no derivative.
+    /// [`StudyError`] for an operating point outside the domain, for a load that does not fit the scene, for a motion
+    /// that does not exist, and if no steady motion exists. [`NoDerivative`] if the response has no derivative.
     pub fn response_sensitivities(
         &self,
         point: OperatingPoint,
@@ -200,7 +199,7 @@ impl System {
 }
 
 /// Returns amplitude and phase of a known response with their derivatives. The phase is `None` if the contact or mass
-/// does not move. If `turned` is true, the result is that of the contact's relative motion with the opposite sign.
+/// does not move. If `turned` is true, the result is that of the contact's relative motion after a change of its sign.
 pub(super) fn swing(
     varied: &Varied,
     response: &SystemResponse<'_>,
@@ -233,7 +232,7 @@ pub(super) fn swing(
 /// Returns amplitude and phase of a motion with their derivatives, for a response in which the contact never slides.
 ///
 /// The offset of a contact that has never slid is 0, or −Y on a moving base. After a slip the offset depends on every
-/// earlier slip, and has no derivative here.
+/// earlier slip. It then has no derivative in this function.
 fn stuck_swing(
     varied: &Varied,
     held: &SystemHeld<'_>,
@@ -242,7 +241,7 @@ fn stuck_swing(
 ) -> Result<(Sensitive, Option<Sensitive>), StudyError> {
     let offset = held.offset();
     let from_rest = offset_from_rest(held.at().scene());
-    // The offset of an elastic contact comes from the motion, and has rounding errors.
+    // The offset of an elastic contact is a result of the motion, and has rounding errors.
     if offset != 0.0 && !((offset - from_rest).abs() <= SAME_OFFSET * from_rest.abs()) {
         return Err(NoDerivative::Marginal.into());
     }
@@ -321,12 +320,12 @@ fn groups(
     }
 }
 
-/// The offset of a motion counts as that of a contact that has never slid if their relative difference is at most this
-/// value.
+/// Largest relative difference between the offset of a motion and that of a contact that has never slid, at which the
+/// two count as equal.
 const SAME_OFFSET: f64 = 1e-9;
 
-/// A change p·dX/dp counts as 0 if it is below this fraction of X (of 1 if X is larger). With numbers of 30 digits,
-/// rounding causes changes of this size.
+/// Largest change p·dX/dp that counts as 0, divided by X (or by 1 if X is larger). In numbers of 30 digits, rounding
+/// causes changes of this size.
 const NOTHING: f64 = 1e-24;
 
 /// Returns a number and its derivative with respect to one parameter. `parameter` is the value of that parameter.

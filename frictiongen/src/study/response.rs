@@ -14,8 +14,8 @@ use std::f64::consts::TAU;
 
 /// The steady response of a system at one frequency ratio and one friction ratio.
 ///
-/// Motion from rest begins at a maximum of the excitation, with every mass at x = 0 and without velocity. A moving
-/// base is then at Y. A contact with the moving base therefore starts at z̄ = −Y, where it may stick. In that case the
+/// The motion from rest begins at a maximum of the excitation, with every mass at x = 0 and without velocity. A moving
+/// base is then at Y. A contact with the moving base therefore starts at z̄ = −Y, where it may stick. If it sticks, the
 /// amplitude of the contact's mass is up to 2Y, and its centred amplitude is Y.
 ///
 /// ```
@@ -44,8 +44,8 @@ use std::f64::consts::TAU;
 pub enum SystemResponse<'a> {
     /// The continuous response in closed form: the contact slides all the time.
     Continuous(SystemMotion<'a>),
-    /// Any other steady state, computed from event to event. If the motion does not settle, the response contains its
-    /// last 64 cycles.
+    /// Any other steady state, computed from event to event. If the motion does not settle, the response contains the
+    /// last 64 cycles that were computed.
     StickSlip(Box<SystemOrbit<'a>>),
     /// The stuck response: the contact never slides.
     Stuck(SystemHeld<'a>),
@@ -54,7 +54,7 @@ pub enum SystemResponse<'a> {
 /// The amplitude of a motion, which is its largest displacement, and the phase of that maximum.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Swing {
-    /// The largest |x̄| of the period, where x̄ = x/(P/k₁) (x/Y for base motion).
+    /// The largest |x̄| in the period, where x̄ = x/(P/k₁) (x/Y for base motion).
     pub amplitude: f64,
     /// Lag of the instant at which |x̄| reaches `amplitude` behind the maximum of the excitation, in rad, in (−π, π].
     /// `None` if the contact or mass does not move.
@@ -69,20 +69,20 @@ impl Swing {
     };
 }
 
-/// Selects a quantity of a motion: displacement, velocity, acceleration, or a quantity of the contact. The largest
-/// displacement, velocity or acceleration is in units of P/k₁ (of Y for base motion).
+/// Selects a quantity: the displacement, velocity or acceleration of a motion, or a quantity of the contact. The
+/// largest displacement, velocity or acceleration is divided by P/k₁ (by Y for base motion).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum MotionQuantity {
     /// The largest displacement |x̄|.
     Displacement,
-    /// The largest velocity |dx̄/dτ|. Multiply by ω for the velocity in time.
+    /// The largest velocity |dx̄/dτ|. Multiplied by ω, it is the velocity in time.
     Velocity,
-    /// The largest acceleration |d²x̄/dτ²|. Multiply by ω² for the acceleration in time.
+    /// The largest acceleration |d²x̄/dτ²|. Multiplied by ω², it is the acceleration in time.
     Acceleration,
-    /// The largest force in the contact, in units of P (of k₁Y for base motion). Only the contact has this quantity.
+    /// The largest force in the contact, divided by P (by k₁Y for base motion). Only the contact has this quantity.
     Force,
-    /// The energy that the contact dissipates in a cycle of the excitation, in units of P²/k₁ (of k₁Y² for base
-    /// motion). Only the contact has this quantity.
+    /// The energy that the contact dissipates in a cycle of the excitation, divided by P²/k₁ (by k₁Y² for base motion).
+    /// Only the contact has this quantity.
     Energy,
     /// The equivalent viscous damping ratio ζ_eq = E_d/(4πE_s) of the contact. E_d is the energy that friction
     /// dissipates in a cycle. E_s is the sum of ½kX² of all springs, or ½kX² of one spring, where X is the centred
@@ -102,8 +102,8 @@ impl SystemResponse<'_> {
         }
     }
 
-    /// Returns true if the motion repeats. If false, the response contains the last 64 cycles of a motion that did not
-    /// settle.
+    /// Returns true if the motion repeats. If false, the response contains the last 64 computed cycles of a motion that
+    /// did not settle.
     #[must_use]
     pub fn is_settled(&self) -> bool {
         match self {
@@ -128,7 +128,8 @@ impl SystemResponse<'_> {
             Self::Stuck(held) => {
                 let (harmonic, offset) = held.motion_of(of)?;
                 let (amplitude, phase) = polar(harmonic);
-                // The largest |x̄| is at a turning point of the motion, on the side of the offset.
+                // The largest |x̄| is at a turning point of the motion, on that side of the centre to which the offset
+                // points.
                 Some(Swing {
                     amplitude: amplitude + offset.abs(),
                     phase: (amplitude != 0.0).then_some(phase),
@@ -137,7 +138,7 @@ impl SystemResponse<'_> {
         }
     }
 
-    /// Returns the centred amplitude: half the distance between the least and the largest x̄, in units of P/k₁ (of Y
+    /// Returns the centred amplitude: half the distance between the least and the largest x̄, where x̄ = x/(P/k₁) (x/Y
     /// for base motion). Returns `None` if the scene does not have this motion.
     #[must_use]
     pub fn centred_amplitude(&self, of: Of) -> Option<f64> {
@@ -155,7 +156,7 @@ impl SystemResponse<'_> {
         fundamental_phase(self.harmonic(of, 1)?, self.centred_amplitude(of)?)
     }
 
-    /// Returns the offset of the contact's relative motion from its centre, in units of P/k₁ (of Y for base motion). A
+    /// Returns the offset (max + min)/2 of the contact's relative motion, divided by P/k₁ (by Y for base motion). A
     /// symmetric motion has offset 0.
     #[must_use]
     pub fn offset(&self) -> f64 {
@@ -166,8 +167,9 @@ impl SystemResponse<'_> {
         }
     }
 
-    /// Returns the largest |offset| of the contact, if this state belongs to a continuum of steady states that differ
-    /// by their offset. See [`SystemOrbit::offset_range`](frictiongen_kernel::orbit::Orbit::offset_range).
+    /// Returns the largest |offset| of the contact within a continuum of steady states that differ by their offset.
+    /// Returns `None` if this state does not belong to such a continuum. See
+    /// [`SystemOrbit::offset_range`](frictiongen_kernel::orbit::Orbit::offset_range).
     #[must_use]
     pub fn offset_range(&self) -> Option<f64> {
         match self {
@@ -187,8 +189,8 @@ impl SystemResponse<'_> {
         }
     }
 
-    /// Returns true if motion from rest ends in this response. If false, motion from rest does not settle, and this
-    /// response is another stable state.
+    /// Returns true if the motion from rest ends in this response. If false, the motion from rest does not settle, and
+    /// this response is another stable state.
     #[must_use]
     pub fn is_from_rest(&self) -> bool {
         match self {
@@ -198,9 +200,9 @@ impl SystemResponse<'_> {
         }
     }
 
-    /// Returns the phase of the contact's relative motion with the opposite sign. It is the phase in the sense of the
-    /// description if [`contact_is_reversed`](System::contact_is_reversed) is true. Returns `None` for a contact that
-    /// does not move.
+    /// Returns the phase of the contact's relative motion after a change of its sign. If
+    /// [`contact_is_reversed`](System::contact_is_reversed) is true, this phase follows the sign convention of the
+    /// description. Returns `None` for a contact that does not move.
     #[must_use]
     pub fn reversed_contact_phase(&self) -> Option<f64> {
         match self {
@@ -209,7 +211,7 @@ impl SystemResponse<'_> {
         }
     }
 
-    /// Returns the monoharmonic estimate of an amplitude (5.50, 7.33). Returns `None` outside the continuous regime,
+    /// Returns the monoharmonic estimate of an amplitude (5.50, 7.33). Returns `None` if the regime is not continuous,
     /// and if the scene does not have this motion.
     #[must_use]
     pub fn monoharmonic(&self, of: Of) -> Option<f64> {
@@ -238,14 +240,14 @@ impl SystemResponse<'_> {
         match self {
             Self::Continuous(motion) => largest_rate(motion, of, size),
             Self::StickSlip(orbit) => fastest(orbit, of, size),
-            // The motion of a chain with its contact stuck has one harmonic. Without the offset, x̄, dx̄/dτ and
-            // d²x̄/dτ² then have equal amplitudes.
+            // While the contact is stuck, the motion of the chain has a single harmonic. Without the offset, x̄, dx̄/dτ
+            // and d²x̄/dτ² then have equal amplitudes.
             Self::Stuck(_) => self.centred_amplitude(of),
         }
     }
 
-    /// Returns X_n, the complex amplitude of harmonic n in x̄ = Re Σ X_n e^{inτ}, for the contact or a mass. τ = 0 is a
-    /// maximum of the excitation. Returns `None` if the scene does not have this motion.
+    /// Returns X_n, the complex amplitude of harmonic n in x̄ = Re Σ X_n e^{inτ}, for the contact or a mass. The phase
+    /// τ is 0 at a maximum of the excitation. Returns `None` if the scene does not have this motion.
     #[must_use]
     pub fn harmonic(&self, of: Of, n: u32) -> Option<Complex<f64>> {
         match self {
@@ -262,9 +264,9 @@ impl SystemResponse<'_> {
         }
     }
 
-    /// Returns the largest friction force of the period, divided by the load amplitude P. If the contact slides without
-    /// a stop, it is β. If the contact stops and breaks away, it is μβ. If the contact never slides, it is μβ*_lim plus
-    /// the constant force due to its offset.
+    /// Returns the largest friction force in the period, divided by the load amplitude P (by k₁Y for base motion). If
+    /// the contact slides without a stop, the result is β. If the contact stops and breaks away, the result is μβ. If
+    /// the contact never slides, the result is μβ*_lim plus the constant force due to the offset.
     #[must_use]
     pub fn contact_force(&self) -> f64 {
         match self {
@@ -287,11 +289,11 @@ impl SystemResponse<'_> {
         }
     }
 
-    /// Returns the work of friction in one cycle of the excitation, in units of P²/k₁ (of k₁Y² for base motion).
+    /// Returns the work of friction in one cycle of the excitation, divided by P²/k₁ (by k₁Y² for base motion).
     #[must_use]
     pub fn friction_work(&self) -> f64 {
         match self {
-            // The contact slides a distance of four amplitudes in a cycle, back and forth.
+            // Forward and backward together, the contact slides a distance of four amplitudes in a cycle.
             Self::Continuous(motion) => 4.0 * motion.friction().beta * motion.contact().amplitude(),
             Self::StickSlip(orbit) => {
                 orbit.beta() * orbit.sliding_distance() / f64::from(orbit.period())
@@ -301,9 +303,9 @@ impl SystemResponse<'_> {
     }
 }
 
-/// Returns the equivalent viscous damping ratio of a contact that dissipates `energy` in a cycle, relative to the
-/// strain energy of all springs or of one spring. Returns `None` for another motion, and if no spring is deformed.
-/// `centred` returns the centred amplitude of a motion.
+/// Returns the equivalent viscous damping ratio of a contact that dissipates `energy` in a cycle. The ratio is computed
+/// with the strain energy of all springs or of one spring. Returns `None` if `of` selects neither of these, and if no
+/// spring is deformed. `centred` returns the centred amplitude of a motion.
 pub(super) fn equivalent_damping(
     system: &System,
     of: Of,
@@ -311,7 +313,7 @@ pub(super) fn equivalent_damping(
     centred: impl Fn(Of) -> Option<f64>,
 ) -> Option<f64> {
     let scene = system.scene();
-    // f̄, a spring force divided by P, equals κx̄, so that ½κx̄² = ½f̄²/κ.
+    // The force of a spring divided by P is f̄ = κx̄, with the stiffness ratio κ. Therefore ½κx̄² = ½f̄²/κ.
     let strain = |index: usize| {
         let force = centred(Of::Spring(index))?;
         let stiffness = scene.springs.get(index)?.stiffness / scene.first_stiffness();
@@ -325,7 +327,8 @@ pub(super) fn equivalent_damping(
     (0.0 < stored).then(|| energy / (2.0 * TAU * stored))
 }
 
-/// Returns the largest velocity or acceleration in a steady state. For displacement, returns the amplitude.
+/// Returns the largest velocity or acceleration in a steady state. If `size` is the displacement, returns the
+/// amplitude.
 fn fastest(orbit: &SystemOrbit<'_>, of: Of, size: MotionQuantity) -> Option<f64> {
     orbit.ask_of(of, |motion| match size {
         MotionQuantity::Velocity => motion.largest_velocity(),

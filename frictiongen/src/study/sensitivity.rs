@@ -1,5 +1,5 @@
-//! Sensitivities: exact derivatives of every result with respect to a number of the description. The code evaluates the
-//! formulas with dual numbers.
+//! Sensitivities: exact derivatives of every result with respect to a number of the description. To compute them, the
+//! code evaluates the formulas with dual numbers.
 
 use super::at::SystemAt;
 use super::orbit::SystemOrbit;
@@ -21,15 +21,15 @@ use frictiongen_model::stepping::StepperSettings;
 use frictiongen_model::transient::Transient;
 use std::sync::OnceLock;
 
-/// A number with its derivative, each with about 30 digits. A [`Varied`] system uses such numbers, so that derivatives
-/// have enough digits close to a resonance.
+/// A number with its derivative, each with about 30 digits. A [`Varied`] system computes with such numbers. Its
+/// derivatives therefore have enough digits close to a resonance.
 pub type Sensitive = Dual<Dd>;
 
 /// A system whose results have derivatives with respect to one quantity of the description.
 ///
-/// For derivatives with respect to r or β, pass `Dual::variable` to an [`unvaried`](System::unvaried) system. The
-/// derivatives are at constant r and β. For derivatives at a constant angular frequency, pass r from
-/// [`frequency_ratio`](Self::frequency_ratio), which varies with the first mass and the first spring.
+/// For derivatives with respect to r or β, pass `Dual::variable` to an [`unvaried`](System::unvaried) system. In all
+/// other derivatives r and β are constant. For derivatives at a constant angular frequency, pass r from
+/// [`frequency_ratio`](Self::frequency_ratio). This r varies with the first mass and the first spring.
 ///
 /// ```
 /// use frictiongen::study::{System, sensitivity::{Quantity, Sensitive}};
@@ -61,11 +61,12 @@ pub type Sensitive = Dual<Dd>;
 pub struct Varied {
     system: System<Sensitive>,
     data: Modal<Sensitive>,
-    /// The system without derivatives (`plain`), and the data for motion in time with derivatives (`transient`). Their
-    /// first use computes them.
+    /// The system without derivatives (`plain`), and the data for motions in time with derivatives (`transient`). The
+    /// first use of a field computes it.
     plain: OnceLock<System>,
     transient: OnceLock<Option<Transient<Sensitive>>>,
-    /// The varied quantity, and the settings of a stepper with derivatives, which the first use computes.
+    /// The varied quantity (`quantity`), and the settings of a stepper with derivatives (`steps`), which the first use
+    /// computes.
     pub(super) quantity: Option<Quantity>,
     pub(super) steps: OnceLock<StepperSettings<Sensitive>>,
 }
@@ -85,15 +86,16 @@ impl Varied {
         self.system.frequency_ratio(omega)
     }
 
-    /// Returns the steady state from rest at r and β in any regime. Every result of the steady state has a derivative.
+    /// Returns the steady state that the motion from rest reaches at r and β, in any regime. Every result of the steady
+    /// state has a derivative.
     ///
     /// The results are amplitudes, phases, harmonics, displacements at an instant, and the times and durations of
     /// stops. The search finds the steady state without derivatives. One more pass over the period with dual numbers
     /// then gives the derivatives. The Floquet multipliers have no derivatives.
     ///
     /// An amplitude and a phase have a derivative if the steady state has one. If the contact stops at its largest
-    /// displacement, the phase of the contact is that end of the stop which is closer to the excitation's maximum. If
-    /// the maximum falls within the stop, the phase is 0.
+    /// displacement, the phase of the contact belongs to the start or the end of the stop, whichever is closer to the
+    /// excitation's maximum. If the excitation's maximum falls within the stop, the phase is 0.
     ///
     /// ```
     /// use frictiongen::study::{System, sensitivity::{Quantity, Sensitive}};
@@ -112,8 +114,8 @@ impl Varied {
     /// let orbit = varied.orbit(Sensitive::fixed(0.3.into()), beta)?;
     /// let amplitude = orbit.mass("block")?.amplitude();
     /// let at = block.at(0.3)?;
-    /// let amplitudes = [0.4 - 1e-5, 0.4 + 1e-5].map(|beta| Some(at.orbit(beta).ok()?.mass("block").ok()?.amplitude()));
-    /// if let [Some(below), Some(above)] = amplitudes {
+    /// let amplitudes = [0.4 - 1e-5, 0.4 + 1e-5].map(|beta|
+    /// Some(at.orbit(beta).ok()?.mass("block").ok()?.amplitude())); if let [Some(below), Some(above)] = amplitudes {
     ///     assert!((amplitude.slope.to_f64() - (above - below) / 2e-5).abs() < 1e-9);
     /// }
     /// # Ok(())
@@ -121,8 +123,8 @@ impl Varied {
     /// ```
     ///
     /// # Errors
-    /// [`NoDerivative`] if no steady state exists, or if the motion does not repeat. [`NoDerivative`] also for a member
-    /// of a continuum of steady states, and if a stop or reversal is about to appear or disappear.
+    /// [`NoDerivative`] if no steady state exists, or if the motion does not repeat. [`NoDerivative`] also if the
+    /// steady state belongs to a continuum, and if a stop or reversal is about to appear or disappear.
     pub fn orbit(
         &self,
         r: Sensitive,
@@ -133,8 +135,8 @@ impl Varied {
         self.orbit_along(&orbit, r, beta)
     }
 
-    /// Adds derivatives to a known steady state of the same scene, as [`orbit`](Self::orbit) does. r and β must have
-    /// the values of that steady state.
+    /// Adds derivatives to a known steady state of the same scene, as [`orbit`](Self::orbit) does. The values of r and
+    /// β must be those of the known steady state.
     ///
     /// # Errors
     /// [`NoDerivative`] in the same cases as [`orbit`](Self::orbit).
@@ -177,8 +179,8 @@ impl Varied {
         &self.system
     }
 
-    /// Returns the data for motion in time, with derivatives. Returns `None` if modes have the same frequency and the
-    /// varied quantity separates them.
+    /// Returns the data for motions in time, with derivatives. Returns `None` if several modes have the same frequency
+    /// and a change of the varied quantity separates them.
     pub(super) fn transient(&self) -> Option<&Transient<Sensitive>> {
         let transient = self
             .transient
@@ -213,8 +215,8 @@ impl FrictionSystem for Varied {
 }
 
 impl<S: Float> System<S> {
-    /// Returns the same scene with derivatives with respect to `quantity`. Returns `None` if the scene has no such
-    /// quantity.
+    /// Returns the same scene with derivatives with respect to `quantity`. Returns `None` if the scene does not have
+    /// this quantity.
     #[must_use]
     pub fn along(&self, quantity: Quantity) -> Option<Varied> {
         let data = self.modal.along(&self.scene, quantity)?;

@@ -1,4 +1,4 @@
-//! Selects the steady state in which motion from rest, or from another state, ends.
+//! Selects the steady state in which the motion from rest, or from another state, ends.
 
 use super::at::SystemAt;
 use super::held::{SystemHeld, offset_from_rest};
@@ -9,11 +9,12 @@ use crate::{Error, Given, NoOrbit, NotContinuous, OutOfDomain, Regime, StuckReso
 use frictiongen_kernel::oscillator::mode::{Kind, Mode};
 use frictiongen_kernel::response::Scene as _;
 
-/// √λ_i/r counts as an even integer within this multiple of the machine epsilon. The same tolerance decides whether a
-/// Floquet multiplier is on the unit circle.
+/// Largest distance of √λ_i/r from an even integer at which the two count as equal, as a multiple of the machine
+/// epsilon. The same tolerance decides whether a Floquet multiplier is on the unit circle.
 const ON_CIRCLE: f64 = 4096.0;
 
-/// The state of a steady motion at a maximum of the excitation: displacement and velocity of every mass.
+/// The state of a steady motion at a maximum of the excitation: displacement and velocity of every mass, as
+/// non-dimensional groups.
 #[cfg(feature = "desk")]
 #[derive(Clone, Debug)]
 pub(super) struct Carried {
@@ -24,8 +25,8 @@ pub(super) struct Carried {
 
 #[cfg(feature = "desk")]
 impl Carried {
-    /// Returns the same state at another frequency ratio, in the units of a load whose amplitude is proportional to
-    /// r⁻ⁿ. n is `fall`.
+    /// Returns the same state at another frequency ratio, in the units of a load. The amplitude of the load is
+    /// proportional to r⁻ⁿ, where n is `fall`.
     pub(super) fn under(&self, fall: i32, r: f64) -> Self {
         let factor = (r / self.r).powi(fall);
         let scaled = |values: &[f64]| values.iter().map(|value| value * factor).collect();
@@ -52,16 +53,18 @@ impl Carried {
 }
 
 impl<'a> SystemAt<'a> {
-    /// Returns the steady response at the friction ratio β = F/P in any regime: the state in which motion from rest
-    /// ends.
+    /// Returns the steady response at the friction ratio β = F/P in any regime. It is the state in which the motion
+    /// from rest ends.
     ///
     /// With μ = 1 this state is the closed form for every β < β_lim. The exception is a chain without damping at r =
-    /// 1/2n, where the closed form belongs to a continuum of steady states. With μ > 1, other states may exist in
-    /// addition to the closed form and to the stuck state. The call then computes the motion from event to event.
+    /// 1/(2n) with an integer n. There the closed form belongs to a continuum of steady states. With μ > 1, other
+    /// states may exist in addition to the closed form and to the stuck state. The call then computes the motion from
+    /// event to event.
     ///
-    /// If motion from rest does not settle, the call returns another stable steady state, if it finds one. The search
-    /// starts from the closed form, a neighbouring friction ratio or the stuck state. [`SystemOrbit::is_from_rest`] is
-    /// then false. If the search finds no such state, the call returns the last 64 cycles of the motion from rest.
+    /// If the motion from rest does not settle, the call returns another stable steady state, if it finds one. The
+    /// search for it starts from the closed form, from a neighbouring friction ratio or from the stuck state.
+    /// [`SystemOrbit::is_from_rest`] is then false. If the search finds no other state, the call returns the last 64
+    /// cycles of the motion from rest.
     ///
     /// # Errors
     /// [`NotContinuous::Unbounded`] and [`StuckResonance`](crate::StuckResonance) on an undamped resonance.
@@ -88,8 +91,8 @@ impl<'a> SystemAt<'a> {
         }
     }
 
-    /// Returns the response in which motion from the state `start` ends. Also returns the state of this response, which
-    /// can be the initial state of the next call.
+    /// Returns the response in which the motion from the state `start` ends. Also returns the state of this response,
+    /// which the next call can use as its initial state.
     #[cfg(feature = "desk")]
     pub(super) fn response_from(
         &self,
@@ -106,7 +109,7 @@ impl<'a> SystemAt<'a> {
         let orbit = match start {
             None => self.orbit_or_last_cycles(beta)?,
             Some(carried) => {
-                // The velocity in time, r times dx̄/dτ, is the same at the new frequency.
+                // The velocity in time, which is proportional to r·dx̄/dτ, is the same at the new frequency.
                 let factor = carried.r / r;
                 let velocities: Vec<f64> = carried.velocities.iter().map(|v| v * factor).collect();
                 self.orbit_or_last_cycles_from(beta, (&carried.displacements, &velocities))?
@@ -116,8 +119,8 @@ impl<'a> SystemAt<'a> {
         Ok((self.told(orbit, motion)?, carried))
     }
 
-    /// Returns the regime of a steady state at this frequency ratio. Other steady states at the same β have no
-    /// influence on the result. A motion that does not settle counts as stick-slip.
+    /// Returns the regime of a steady state at this frequency ratio. Other steady states at the same β do not influence
+    /// the result. A motion that does not settle counts as stick-slip.
     #[must_use]
     pub fn regime_of(&self, orbit: &SystemOrbit<'_>) -> Regime {
         // Just below β*_lim rounding can hide a small motion. The code therefore also compares β with β*_lim.
@@ -132,8 +135,8 @@ impl<'a> SystemAt<'a> {
         }
     }
 
-    /// Returns the largest force in the contact and the energy that it dissipates in a cycle, in a steady state of this
-    /// frequency ratio. Returns `None` if the contact never slides and no stuck response exists.
+    /// Returns two numbers of a steady state at this frequency ratio: the largest force in the contact, and the energy
+    /// that the contact dissipates in a cycle. Returns `None` if the contact never slides and no stuck response exists.
     pub(super) fn contact_of(&self, orbit: &SystemOrbit<'_>) -> Option<(f64, f64)> {
         let energy = orbit.beta() * orbit.sliding_distance() / f64::from(orbit.period());
         let force = if orbit.is_settled() && orbit.never_slides() {
@@ -165,7 +168,7 @@ impl<'a> SystemAt<'a> {
                 let motion = motion.with_start(orbit.is_from_rest());
                 Ok(SystemResponse::Continuous(motion))
             }
-            // The orbit is another member of the continuum of steady states that contains the closed form.
+            // This steady state and the closed form belong to the same continuum.
             Some(_) if slides => Ok(SystemResponse::StickSlip(Box::new(orbit.sliding()))),
             _ => Ok(SystemResponse::StickSlip(Box::new(orbit))),
         }
@@ -188,8 +191,8 @@ impl<'a> SystemAt<'a> {
         })
     }
 
-    /// Returns the steady state in which motion from rest ends. If motion from rest does not settle, returns another
-    /// stable state.
+    /// Returns the steady state in which the motion from rest ends. If the motion from rest does not settle, returns
+    /// another stable state.
     fn settled_orbit(&self, beta: f64) -> Result<SystemOrbit<'a>, NoOrbit> {
         let last = self.orbit_or_last_cycles(beta)?;
         if last.is_settled() {
@@ -200,8 +203,8 @@ impl<'a> SystemAt<'a> {
         Ok(other.map_or(last, SystemOrbit::not_from_rest))
     }
 
-    /// Returns true if no steady state other than the closed form can exist. With μ = 1 no other state exists, unless
-    /// √λ_i/r is an even integer for an undamped mode that the contact drives.
+    /// Returns true if no steady state other than the closed form can exist. With μ = 1 there is only one exception: an
+    /// undamped mode that the contact drives, for which √λ_i/r is an even integer.
     fn is_unique(&self) -> bool {
         let numbers = self.scene().numbers();
         let even = |x: f64| {
@@ -215,14 +218,14 @@ impl<'a> SystemAt<'a> {
         numbers.chain.stiction <= 1.0 && !numbers.modes.iter().any(marginal)
     }
 
-    /// Returns true if r is neither 0 nor infinite.
+    /// Returns true if the frequency ratio r is neither 0 nor infinite.
     fn has_cycles(&self) -> bool {
         let r = self.frequency_ratio();
         0.0 < r && r.is_finite()
     }
 }
 
-/// Returns true if the contact slides all the time and reverses twice in a cycle, as in the closed form.
+/// Returns true if the contact slides all the time and reverses exactly twice in a cycle, as in the closed form.
 fn slides_twice(orbit: &SystemOrbit<'_>) -> bool {
     orbit.is_settled() && (orbit.stops(), orbit.reversals(), orbit.period()) == (0, 2, 1)
 }
@@ -251,7 +254,7 @@ mod tests {
         );
         let to = system.at(0.6).expect("in the domain");
         let (stuck, _) = to.response_from(1.5, Some(&carried)).expect("a response");
-        // ω is halved, so that dx̄/dτ is doubled.
+        // The angular frequency ω is halved. Therefore dx̄/dτ doubles.
         let twice: Vec<f64> = carried
             .velocities
             .iter()

@@ -32,8 +32,8 @@ impl<S: Plain> System<S> {
         Ok(self.dynamics())
     }
 
-    /// Returns one empty oscillator for each mode of the chain, and one for each mode of the chain with its contact
-    /// stuck.
+    /// Returns the empty oscillators of a simulation: one for each mode of the chain, and one for each mode of the
+    /// chain with its contact stuck.
     pub(super) fn parts(&self) -> Vec<Part<S>> {
         let dynamics = self.dynamics();
         vec![Part::empty(); dynamics.oscillators()]
@@ -90,8 +90,8 @@ impl<S: Plain> System<S> {
     /// Starts the exact motion in time from rest under a load of the given amplitude in the scene's units: P for a
     /// force, Y for a base motion.
     ///
-    /// The speeds of `friction: stribeck` need the amplitude. With a constant kinetic friction force, nothing depends
-    /// on the amplitude. β is the kinetic friction force at zero speed, divided by P (by k₁Y for base motion).
+    /// The speeds of `friction: stribeck` require the amplitude. With a constant kinetic friction force, the motion
+    /// does not depend on it. β is the kinetic friction force at zero speed, divided by P (by k₁Y for base motion).
     ///
     /// ```
     /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -145,7 +145,7 @@ impl<S: Plain> System<S> {
         self.started(r, beta, self.lines(r, amplitude)?, Some(state))
     }
 
-    /// Returns the friction law in non-dimensional speeds, which depend on the amplitude of the load.
+    /// Returns the friction law with non-dimensional speeds. These speeds depend on the amplitude of the load.
     fn lines(&self, r: S, amplitude: S) -> Result<Lines<'_, S>, OutOfDomain> {
         if S::constant(0.0) < amplitude && amplitude.is_finite() {
             Ok(self.steps().lines(r, amplitude))
@@ -188,14 +188,15 @@ impl<'a, S: Float> SystemSimulation<'a, S> {
         Ok(self.run.mass(self.system.mass_index(name)?))
     }
 
-    /// Returns the kernel's simulation. It has the phase, the number of cycles, the relative motion and the friction
-    /// force.
+    /// Returns the kernel's simulation, whose methods return the phase, the number of cycles, the relative motion and
+    /// the friction force.
     #[must_use]
     pub fn run(&self) -> &KernelSimulation<'a, S> {
         &self.run
     }
 
-    /// Advances to the next event, or by at most `reach` in the phase τ = ωt. A reach of 0 changes nothing.
+    /// Advances to the next event, or by `reach` in the phase τ = ωt if no event comes earlier. A reach of 0 changes
+    /// nothing.
     ///
     /// # Errors
     /// [`OutOfDomain`] for a reach that is negative, infinite or NaN. The simulation is then unchanged.

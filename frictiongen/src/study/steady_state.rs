@@ -1,4 +1,4 @@
-//! Steady states of a run-time system with any contact, rigid or elastic, and the stuck state of an elastic contact.
+//! Steady states of a run-time system with a rigid or an elastic contact, and the stuck state of an elastic contact.
 
 use super::orbit::SystemOrbit;
 use super::system::System;
@@ -12,9 +12,10 @@ use frictiongen_kernel::orbit::{self, Orbit, OrbitQuestion, Start};
 type StuckSetting<'a, S> = (MotionSetting<'a, S, AnyContact<S>>, Vec<Part<S>>);
 
 impl<S: Plain> System<S> {
-    /// Returns the steady state at r and β = F/P in which motion from rest ends. The contact may be rigid or elastic.
+    /// Returns the steady state at r and β = F/P in which the motion from rest ends. The contact may be rigid or
+    /// elastic.
     ///
-    /// An elastic contact starts without force. It sticks after each reversal, so that its regime is stick-slip or
+    /// An elastic contact starts without force. It sticks after each reversal. Its regime is therefore stick-slip or
     /// stuck. A steady state in which it never slides is marginal, because its slider may rest at other positions.
     ///
     /// ```
@@ -44,9 +45,9 @@ impl<S: Plain> System<S> {
         self.steady_state_of(r, beta, Start::Rest)
     }
 
-    /// Returns the steady state that a motion from a given state reaches. Apart from the initial state, the call equals
-    /// [`steady_state`](Self::steady_state). `state` contains x̄ and dx̄/dτ of every mass at a maximum of the
-    /// excitation. An elastic contact starts without force.
+    /// Returns the steady state that a motion from a given state reaches. Apart from the initial state, the call does
+    /// the same as [`steady_state`](Self::steady_state). `state` contains x̄ and dx̄/dτ of every mass at a maximum of
+    /// the excitation. An elastic contact starts without force.
     ///
     /// # Errors
     /// Same errors as [`steady_state`](Self::steady_state). [`OutOfDomain`] also for a state that is not finite or not
@@ -75,11 +76,11 @@ impl<S: Plain> System<S> {
         self.settled_from(r, beta, start, (limit, false))
     }
 
-    /// Returns β*_lim = |f|/μ, the smallest β = F/P for which the contact need not slide. f is the force of the stuck
+    /// Returns β*_lim = |f|/μ, the smallest β = F/P with which the contact need not slide. f is the force of the stuck
     /// contact, divided by P. The contact may be rigid or elastic.
     ///
-    /// From this β on, an elastic contact that starts without force never slides. After a motion with slides, its
-    /// slider may rest at another position. The contact then carries an additional constant force.
+    /// If β is at least this limit, an elastic contact that starts without force never slides. If the contact has slid
+    /// earlier, its slider may rest at another position. The contact then carries an additional constant force.
     ///
     /// # Errors
     /// [`StuckResonance`] on an undamped resonance of the chain with its contact stuck. [`OutOfDomain`] for r that is
@@ -116,8 +117,8 @@ impl<S: Plain> System<S> {
         Ok((setting, parts))
     }
 
-    /// Returns the steady state that a motion from `start` reaches. `sliding` is β*_lim. If `last` is true and the
-    /// motion does not settle, the result contains its last cycles.
+    /// Returns the steady state that a motion from `start` reaches. `sliding` is β*_lim. If the motion does not settle
+    /// and `last` is true, the result contains the last computed cycles.
     pub(super) fn settled_from(
         &self,
         r: S,

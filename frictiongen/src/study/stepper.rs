@@ -1,4 +1,4 @@
-//! Fixed-step steppers of a run-time system.
+//! Steppers of a run-time system, which advance its motion by time steps of a fixed length.
 
 use super::error::{StudyError, UnknownMass};
 use super::system::System;
@@ -12,10 +12,10 @@ use frictiongen_kernel::{Float, Plain};
 use frictiongen_model::stepping::StepperSettings as Settings;
 use std::ops::{Deref, DerefMut};
 
-/// Number of polynomial coefficients of the input over one step. It is large enough for each kind of input.
+/// Number of coefficients of the input's polynomial over one step. It is large enough for each kind of input.
 const COEFFICIENTS: usize = 4;
 
-/// Constant tables for steps of a fixed length, as vectors. They advance each mode of the sliding chain and of the
+/// Constant tables for time steps of a fixed length, in vectors. They advance each mode of the sliding chain and of the
 /// stuck chain.
 #[doc(hidden)]
 #[derive(Clone, Debug)]
@@ -70,7 +70,7 @@ where
     }
 }
 
-/// State of a stepper, as vectors: displacement and velocity of each mode of the sliding chain and of the stuck chain.
+/// State of a stepper, in vectors: displacement and velocity of each mode of the sliding chain and of the stuck chain.
 #[doc(hidden)]
 #[derive(Clone, Debug)]
 pub struct SystemStepStore<S> {
@@ -82,7 +82,7 @@ pub struct SystemStepStore<S> {
 }
 
 impl<S: Float> SystemStepStore<S> {
-    /// Returns the stepper's state at rest.
+    /// Returns the state of a stepper at rest.
     fn new(scene: &StepScene<'_, S, AnyContact<S>>) -> Self {
         let (modes, held) = (scene.dynamics.modes.len(), scene.dynamics.held.len());
         let zero = S::constant(0.0);
@@ -116,7 +116,7 @@ impl<S> Store<S, COEFFICIENTS> for SystemStepStore<S> {
     }
 }
 
-/// The kernel's stepper, with vectors for its constants and its state.
+/// The kernel's stepper, with its constants and its state in vectors.
 type KernelStepper<'a, S> =
     Stepper<'a, S, COEFFICIENTS, SystemStepTables<S>, SystemStepStore<S>, AnyContact<S>>;
 
@@ -124,17 +124,18 @@ type KernelStepper<'a, S> =
 #[doc(hidden)]
 pub type SystemStepSaved<S = f64> = Saved<S, SystemStepStore<S>>;
 
-/// The motion of a system in steps of equal length, under any input.
+/// The motion of a system in time steps of equal length, under any input.
 #[derive(Clone, Debug)]
 pub struct SystemStepper<'a, S = f64> {
     pub(super) system: &'a System<S>,
     settings: &'a Settings<S>,
     stepper: KernelStepper<'a, S>,
-    /// One force for each mass, because a run-time system accepts a force on every mass. The excited mass comes first.
+    /// The forces of the present input, one for each mass. A run-time system accepts a force on every mass. The excited
+    /// mass comes first.
     forces: Vec<S>,
 }
 
-/// The loads on a system at one instant, in the scene's units.
+/// The input of a stepper at one instant, in the scene's units: loads and friction force.
 ///
 /// ```
 /// use frictiongen::study::SystemInput;
@@ -193,8 +194,8 @@ impl<'n, S: Float> SystemInput<'n, S> {
 impl<S: Plain> System<S> {
     /// Returns a stepper with time steps of `dt` seconds, from rest without load.
     ///
-    /// A force can act on every mass. The scene defines the friction law and the interpolation of the input between
-    /// samples.
+    /// A force can act on every mass. The description of the scene defines the friction law and the interpolation of
+    /// the input between samples.
     ///
     /// ```
     /// use frictiongen::study::SystemInput;
@@ -226,12 +227,12 @@ impl<S: Plain> System<S> {
     /// [`OutOfDomain`] for a step that is not positive and finite, or in which the fastest oscillator advances by more
     /// than [`MAX_PARTS`](frictiongen_kernel::stepper::MAX_PARTS) radians.
     /// [`Unsupported::CriticalDamping`](crate::Unsupported::CriticalDamping) if too many modes are at or beyond
-    /// critical damping, so that less than half of the digits would remain.
+    /// critical damping. Less than half of the digits would then remain.
     pub fn stepper(&self, dt: S) -> Result<SystemStepper<'_, S>, OutOfDomain> {
         self.stepping(dt, None)
     }
 
-    /// Returns a stepper that starts from a given state: displacements and velocities of all masses.
+    /// Returns a stepper that starts from a given state: the displacements and velocities of all masses.
     ///
     /// # Errors
     /// Same errors as [`stepper`](Self::stepper). [`OutOfDomain`] also for a state that is not finite or not one number
@@ -244,10 +245,10 @@ impl<S: Plain> System<S> {
         self.stepping(dt, Some(state))
     }
 
-    /// Returns a stepper with the step and the state of an [`image`](SystemStepper::image).
+    /// Returns a stepper that continues from an [`image`](SystemStepper::image), with its step and its state.
     ///
     /// # Errors
-    /// [`OutOfDomain`] for an image of another scene or version, and for an image of which a bit has changed.
+    /// [`OutOfDomain`] for an image of another scene or version, and for an image in which a bit has changed.
     pub fn stepper_from_image(&self, bytes: &[u8]) -> Result<SystemStepper<'_, S>, OutOfDomain> {
         let mut stepper = self.stepping(image_step(bytes)?, None)?;
         stepper.restore_image(bytes)?;
@@ -264,8 +265,8 @@ impl<S: Plain> System<S> {
 }
 
 impl<S: Plain> SystemStepper<'_, S> {
-    /// Returns the state as bytes, for a file. [`System::stepper_from_image`] continues from them. A run-time system
-    /// accepts forces on all masses, so that only a run-time system of the same scene reads its images.
+    /// Returns an image of the state: bytes for a file. [`System::stepper_from_image`] continues from these bytes. A
+    /// run-time system accepts forces on all masses. Its images therefore fit only a run-time system of the same scene.
     #[must_use]
     pub fn image(&self) -> Vec<u8> {
         let mut bytes = vec![0; self.stepper.image_len()];
@@ -275,7 +276,7 @@ impl<S: Plain> SystemStepper<'_, S> {
 }
 
 impl<'a, S: Float> SystemStepper<'a, S> {
-    /// Creates a stepper from the settings and the data for motion in time of a system.
+    /// Creates a stepper from the system's settings and its data for motions in time.
     pub(super) fn new(
         (system, settings): (&'a System<S>, &'a Settings<S>),
         dynamics: Dynamics<'a, S, AnyContact<S>>,
@@ -293,8 +294,8 @@ impl<'a, S: Float> SystemStepper<'a, S> {
         })
     }
 
-    /// Sets the input at the start of the first step. The default is no input. [`contact`](Self::contact) then returns
-    /// the force under this input.
+    /// Sets the input at the start of the first step. Without this call, the input at the start is 0. After the call,
+    /// [`contact`](Self::contact) returns the force under this input.
     ///
     /// # Errors
     /// Same errors as [`advance`](Self::advance). A call after the first step returns [`OutOfDomain`].
@@ -314,7 +315,7 @@ impl<'a, S: Float> SystemStepper<'a, S> {
     /// # Errors
     /// [`OutOfDomain`] for a number that is NaN or infinite, and for friction below zero. [`OutOfDomain`] also for a
     /// force if the base is excited, and for a base motion if a mass is excited. [`UnknownMass`] for an unknown name.
-    /// The stepper is unchanged after an error.
+    /// After an error the stepper is unchanged.
     pub fn advance(&mut self, input: SystemInput<'_, S>) -> Result<Stepped<S>, StudyError> {
         let (base, friction) = self.lay(&input)?;
         let forces = &self.forces;

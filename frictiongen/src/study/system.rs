@@ -1,4 +1,4 @@
-//! The run-time system. It evaluates the closed forms with vectors instead of arrays.
+//! The run-time system. It evaluates the closed forms with its data in vectors instead of arrays.
 
 use super::error::{InvalidScene, UnknownMass};
 use super::large;
@@ -43,9 +43,10 @@ pub struct System<S = f64> {
     pub(super) reduced: Reduced<S>,
     resonances: Vec<S>,
     pub(super) reference: S,
-    /// The smallest and the largest 1/r at which the closed forms are evaluated.
+    /// The smallest and the largest 1/r at which the code evaluates the closed forms.
     pub(super) range: (S, S),
-    /// True if the load acts on the mass in the contact and μ = 1. β*_lim is then 1 at every frequency.
+    /// True if the load acts on the mass in the contact and μ = 1. The limit of sliding β*_lim is then 1 at every
+    /// frequency.
     pub(super) sliding_limit_is_one: bool,
     /// Modal data of an undamped chain, from which closed forms give the limits without a search over the cycle. `None`
     /// for a damped chain and for a chain with many modes.
@@ -77,15 +78,15 @@ impl<S: Float> TryFrom<Scene> for System<S> {
     }
 }
 
-/// Rounds a double-double number once to the scalar type.
+/// Rounds a double-double number to the scalar type, with a single rounding.
 pub(super) fn rounded<S: Float>(value: Dd) -> S {
     let plain = S::constant(value.hi);
     if plain.to_f64() == value.hi {
-        // A number type wider than f64 also needs the low part, which the conversion of the high part omits.
+        // The conversion of the high part leaves out the low part. A number type wider than f64 needs both.
         return plain + S::constant(value.lo);
     }
-    // The f64 may lie halfway between two numbers of a narrower type. Its neighbour on the side of the low part is then
-    // rounded correctly.
+    // The high part may lie halfway between two numbers of a narrower type. In this case, the code rounds the next f64
+    // number in the direction of the low part. The result is then correct.
     S::constant(match value.lo.partial_cmp(&0.0) {
         Some(std::cmp::Ordering::Greater) => value.hi.next_up(),
         Some(std::cmp::Ordering::Less) => value.hi.next_down(),
@@ -105,7 +106,7 @@ impl<S: Float> System<S> {
         Self::with_data(scene, modal.clone(), &modal, rounded::<S>)
     }
 
-    /// Creates the system from the modal data `data`. `to` converts every number to the scalar type.
+    /// Creates the system from its modal data `data`. `to` converts every number to the scalar type.
     pub(super) fn with_data<T: Float>(
         scene: Scene,
         modal: Modal,
@@ -115,7 +116,7 @@ impl<S: Float> System<S> {
         let all = |values: Vec<T>| values.into_iter().map(&to).collect();
         let reduced = data.reduced(&to);
         let range = (&reduced).inverse_ratio_range();
-        // A number type with derivatives may differentiate with respect to μ. β*_lim is then not the constant 1.
+        // A number type with derivatives may contain a derivative with respect to μ. β*_lim is then not the constant 1.
         let chain = &reduced.chain;
         let in_phase = reduced.quadratures.is_empty();
         let sliding_limit_is_one =
@@ -147,43 +148,43 @@ impl<S: Float> System<S> {
         )
     }
 
-    /// Returns the modal data for motion in time. The first call computes them.
+    /// Returns the modal data for motions in time. The first call computes them.
     pub(super) fn transient(&self) -> &Transient<S> {
         self.transient
             .get_or_init(|| Transient::of(&self.scene, &self.modal, rounded::<S>))
     }
 
-    /// Returns true if a simulation in time would lose more than half of the digits, because too many modes are at or
-    /// beyond critical damping.
+    /// Returns true if a simulation in time would lose more than half of the digits. It would lose them if too many
+    /// modes are at or beyond critical damping.
     pub(super) fn loses_motion(&self) -> bool {
         *self
             .loses_motion
             .get_or_init(|| self.transient().excess_loss().is_some())
     }
 
-    /// Returns the components of all masses in the modes of the closed forms to about 30 digits, mass after mass. The
-    /// first call computes them.
+    /// Returns the components of all masses in the modes of the closed forms, to about 30 digits. The components of the
+    /// first mass in all modes come first. The first call computes them.
     pub(super) fn exact_shapes(&self) -> &[Dd] {
         self.exact_shapes
             .get_or_init(|| self.modal.reduced(|value| value).shapes)
     }
 
-    /// Returns the components of all masses to about 30 digits, in the modes of the motion in time.
-    /// [`exact_shapes`](Self::exact_shapes) returns them in another order of the modes.
+    /// Returns the components of all masses in the modes of motions in time, to about 30 digits.
+    /// [`exact_shapes`](Self::exact_shapes) returns the same numbers in another order of the modes.
     pub(super) fn exact_shapes_in_time(&self) -> &[Dd] {
         self.exact_shapes_in_time
             .get_or_init(|| Transient::of(&self.scene, &self.modal, |value| value).shapes)
     }
 
-    /// Returns the additional data of a stepper, in which a force can act on every mass.
+    /// Returns the additional data for a stepper. In this stepper a force can act on every mass.
     pub(super) fn steps(&self) -> &StepperSettings<S> {
         let masses = 0..self.scene.masses.len();
         self.steps
             .get_or_init(|| StepperSettings::of(&self.scene, &self.modal, masses, rounded::<S>))
     }
 
-    /// Returns a description of the scene, also of a scene that was made in code, fitted or changed. The description has
-    /// no comments. Reading it returns an equal scene, with the same numbers to the last bit.
+    /// Returns a description of the scene as text. The scene may also come from code, from a fit or from a changed
+    /// scene. The description has no comments. Parsing it gives an equal scene, with the same numbers to the last bit.
     ///
     /// ```
     /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -210,16 +211,17 @@ impl<S: Float> System<S> {
         &self.scene
     }
 
-    /// Returns the modal analysis of the system: natural frequencies, mode shapes and damping ratios. Up to 64 masses
-    /// its numbers have about 30 digits. Beyond 64 masses they are in double precision. Natural frequencies then have
-    /// a relative error of about 1e-13. Mode shapes have an error of about 1e-13 divided by the relative distance
-    /// between neighbouring natural frequencies.
+    /// Returns the modal analysis of the system: natural frequencies, mode shapes and damping ratios. For up to 64
+    /// masses its numbers have about 30 digits. For more masses they are in double precision. Natural frequencies then
+    /// have a relative error of about 1e-13. Mode shapes then have an error of about 1e-13, divided by the relative
+    /// distance between neighbouring natural frequencies.
     #[must_use]
     pub fn modal(&self) -> &Modal {
         &self.modal
     }
 
-    /// Returns the natural frequencies ω_i in rad/s in the scene's own units, in ascending order.
+    /// Returns the natural frequencies ω_i in rad/s, in ascending order, from the masses and stiffnesses of the
+    /// description.
     #[must_use]
     pub fn natural_frequencies(&self) -> Vec<S> {
         self.modal
@@ -256,9 +258,9 @@ impl<S: Float> System<S> {
         friction / load
     }
 
-    /// Returns an upper bound on β_lim, and the exact β*_lim (6.11, 6.27, 6.33), without a search over time. The bound
-    /// on β_lim uses the limit of the velocity constraint for τ → 0 in place of its maximum S (5.64). This is the
-    /// fastest call if no other result is needed at this r.
+    /// Returns an upper bound on β_lim, and the exact β*_lim (6.11, 6.27, 6.33), without a search over time. In place
+    /// of the maximum S of the velocity constraint, the bound uses the limit of the constraint for τ → 0 (5.64). This
+    /// is the fastest call if no other result is needed at this r.
     ///
     /// # Errors
     /// [`OutOfDomain`] for NaN and negative r. At r = 0 and r = ∞ the call returns the limit values. [`OutOfDomain`]
@@ -269,7 +271,7 @@ impl<S: Float> System<S> {
         At::limits_without_search(&self, r)
     }
 
-    /// Returns the threshold β_n,i of every resonance (6.2, 6.26). Below this friction ratio the amplitude at the
+    /// Returns the threshold β_n,i of every resonance (6.2, 6.26). At a smaller friction ratio the amplitude at the
     /// undamped resonance i is unbounded. The entry is `None` for a mode that the contact does not drive, and for a
     /// scene with `contacts` or `dampers`. As in every closed form, F is a constant kinetic friction force.
     #[must_use]
@@ -286,8 +288,8 @@ impl<S: Float> System<S> {
             .collect()
     }
 
-    /// Returns the displacement x̄ of every mass for r → 0 at the friction ratio β (6.5). Returns `None` if the contact
-    /// is stuck at r = 0, and for an elastic contact.
+    /// Returns the displacement x̄ of every mass for the frequency ratio r → 0, at the friction ratio β (6.5). Returns
+    /// `None` if the contact is stuck at r = 0, and for an elastic contact.
     ///
     /// ```
     /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -310,9 +312,9 @@ impl<S: Float> System<S> {
         Some(start.into_iter().map(rounded).collect())
     }
 
-    /// Returns the peak amplitude of a mass at a damped resonance, estimated for small ζ (7.60). `mode` is the index of
-    /// the resonance in ascending order, `mass` the index in the description. Returns `None` for a mode without
-    /// damping, and for an elastic contact.
+    /// Returns the peak amplitude |x̄| of a mass at a damped resonance, estimated for small ζ (7.60). `mode` is the
+    /// index of the resonance in ascending order, and `mass` the index in the description. Returns `None` for a mode
+    /// without damping, and for an elastic contact.
     #[must_use]
     pub fn resonant_peak_estimate(&self, mode: usize, mass: usize, beta: S) -> Option<S> {
         self.rigid().ok()?;
@@ -322,9 +324,9 @@ impl<S: Float> System<S> {
             .map(rounded)
     }
 
-    /// Returns the values of β_lim and β*_lim for r → ∞ (6.28). For a rigid contact on a moving base both are infinite.
-    /// For an elastic contact of stiffness k the first is 0, and the second is k/(μk₁) on a moving base and otherwise 0.
-    /// For a scene with `contacts` or `dampers`, which has no such closed form, both are NaN.
+    /// Returns β_lim and β*_lim for the frequency ratio r → ∞ (6.28). For a rigid contact on a moving base both are
+    /// infinite. For an elastic contact of stiffness k, β_lim is 0. Its β*_lim is k/(μk₁) on a moving base, and
+    /// otherwise 0. A scene with `contacts` or `dampers` has no such closed form. For it both are NaN.
     #[must_use]
     pub fn high_frequency_limits(&self) -> (S, S) {
         if self.scene.is_joined() {
@@ -353,7 +355,7 @@ impl<S: Float> System<S> {
     }
 
     /// Fails if the kinetic friction force depends on the speed, or if the scene has several contacts or dashpots. The
-    /// closed forms, and the motion from event to event, need one contact with a constant kinetic friction force.
+    /// closed forms and the motion from event to event require one contact with a constant kinetic friction force.
     pub(super) fn constant_force(&self) -> Result<(), OutOfDomain> {
         self.single()?;
         match self.scene.friction {

@@ -10,7 +10,7 @@ use crate::Complex;
 use frictiongen_kernel::Float;
 use frictiongen_model::scene::{Excitation, Node};
 
-/// The amplitude of the load: of a force on a mass, or of the base motion.
+/// The load of a scene, given by its amplitude. It is a force on a mass, or a motion of the base.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Load<S = f64> {
@@ -18,9 +18,9 @@ pub enum Load<S = f64> {
     Force(S),
     /// Amplitude Y of a motion Y cos ωt of the base, in m in SI.
     Base(S),
-    /// Amplitude v of the velocity of the base, the same at every frequency, in m/s in SI: Y = v/ω.
+    /// Base motion with the same amplitude v of velocity at every frequency, in m/s in SI: Y = v/ω.
     BaseVelocity(S),
-    /// Amplitude a of the acceleration of the base, the same at every frequency, in m/s² in SI: Y = a/ω².
+    /// Base motion with the same amplitude a of acceleration at every frequency, in m/s² in SI: Y = a/ω².
     BaseAcceleration(S),
     /// Unbalance m·e of a rotor, mass times eccentricity, in kg·m in SI: P = m·e·ω².
     Unbalance(S),
@@ -39,7 +39,7 @@ impl<S: Copy> Load<S> {
         }
     }
 
-    /// Returns the number that describes the load, for changes.
+    /// Gives access to the number that describes the load, to change it.
     pub(super) fn amplitude_mut(&mut self) -> &mut S {
         match self {
             Self::Force(amplitude)
@@ -50,7 +50,7 @@ impl<S: Copy> Load<S> {
         }
     }
 
-    /// Returns true for a motion of the base.
+    /// Returns true if the load is a motion of the base.
     #[doc(hidden)]
     #[must_use]
     pub fn is_base_motion(&self) -> bool {
@@ -91,7 +91,8 @@ impl<S: Float> Load<S> {
     }
 }
 
-/// The units of length and force under a load, for conversion of non-dimensional results: see [`System::load_scale`].
+/// The units of length and force under a load. They convert non-dimensional results to physical ones: see
+/// [`System::load_scale`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LoadScale<S = f64> {
     length: S,
@@ -107,7 +108,7 @@ impl LoadScale {
 }
 
 impl<S: Float> LoadScale<S> {
-    /// Returns the units of the same load with its amplitude multiplied by a factor.
+    /// Returns the units of length and force of the same load after its amplitude is multiplied by a factor.
     pub(super) fn times(&self, factor: S) -> Self {
         Self {
             length: self.length * factor,
@@ -185,10 +186,10 @@ pub fn seconds<S: Float>(tau: S, omega: S) -> S {
     tau / omega
 }
 
-/// Returns the lag of the negated motion: half a turn from `lag`, in (−π, π].
+/// Returns the lag of the negated motion: `lag` plus or minus π, in (−π, π].
 ///
-/// A lag refers to the instant of the largest displacement. A contact that stops there keeps this displacement during
-/// the whole stop, so that half a turn is not exact. For such a contact, use
+/// A lag refers to the instant of the largest displacement. If a contact stops at its largest displacement, it keeps
+/// this displacement during the whole stop. A difference of π is then not exact. For such a contact, use
 /// [`SystemOrbit::reversed_contact_phase`](super::orbit::SystemOrbit::reversed_contact_phase).
 #[doc(hidden)]
 #[must_use]
@@ -209,7 +210,7 @@ pub fn fundamental_phase(x1: Complex<f64>, centred: f64) -> Option<f64> {
     (1e-12 * centred < size && centred != 0.0).then_some(lag)
 }
 
-/// Returns the amplitude |X| of Re X e^{iτ}, and its lag −arg X behind cos τ, in (−π, π].
+/// Returns the amplitude |X| of Re X e^{iτ}, and its lag −arg X behind cos τ, in rad, in (−π, π].
 #[doc(hidden)]
 #[must_use]
 pub fn polar(x: Complex<f64>) -> (f64, f64) {
@@ -222,8 +223,9 @@ pub fn polar(x: Complex<f64>) -> (f64, f64) {
 }
 
 impl<S: Float> System<S> {
-    /// Returns the units of length and force that a load gives to the non-dimensional results. A load whose amplitude
-    /// depends on frequency has these units at r = 1. [`load_scale_at`](Self::load_scale_at) has those of another r.
+    /// Returns the units of length and force that a load gives to the non-dimensional results. If the amplitude of the
+    /// load depends on frequency, the units are those at r = 1. [`load_scale_at`](Self::load_scale_at) returns those at
+    /// another r.
     ///
     /// ```
     /// use frictiongen::study::{System, units::Load};
@@ -247,8 +249,8 @@ impl<S: Float> System<S> {
     /// ```
     ///
     /// # Errors
-    /// [`LoadError`] for a force where the base moves, and for a base motion where a force drives a mass. [`LoadError`]
-    /// also for an amplitude that is not above 0 and finite, and where P/k₁ or k₁Y leaves the scalar's range.
+    /// [`LoadError`] for a force if the base moves, and for a base motion if a force drives a mass. [`LoadError`] also
+    /// for an amplitude that is not above 0 and finite, and if P/k₁ or k₁Y is out of the scalar's range.
     pub fn load_scale(&self, load: Load<S>) -> Result<LoadScale<S>, LoadError> {
         self.load_scale_at(load, S::constant(1.0))
     }

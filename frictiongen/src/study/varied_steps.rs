@@ -1,4 +1,4 @@
-//! Steppers whose results have derivatives.
+//! Steppers whose results carry derivatives.
 
 #[cfg(test)]
 mod tests;
@@ -16,12 +16,13 @@ impl Varied {
     /// (displacement, velocity, force, work) has a derivative with respect to the varied quantity.
     ///
     /// For derivatives with respect to the friction force or to the input, pass `Dual::variable` in a sample to a
-    /// stepper of an [`unvaried`](super::System::unvaried) system. A friction force that is constant in time is then a
-    /// variable in every sample. Derivatives are at constant samples, in the scene's units.
+    /// stepper of an [`unvaried`](super::System::unvaried) system. If the variable is a friction force that is constant
+    /// in time, pass `Dual::variable` in every sample. In all other derivatives the samples are constant, in the
+    /// scene's units.
     ///
-    /// The derivatives stay correct after stops, break-aways and reversals. They include the change of the instants of
-    /// these events with the quantity. At some values of the quantity an event appears or vanishes. At such a value the
-    /// motion has no derivative, and the stepper returns the derivative of one side.
+    /// The derivatives stay correct after stops, break-aways and reversals. They take into account that the instants of
+    /// these events change with the quantity. At some values of the quantity an event appears or vanishes. The motion
+    /// has no derivative at such a value, and the stepper returns the derivative of one side.
     /// [`check_derivatives`](SystemStepper::check_derivatives) detects such a motion.
     ///
     /// ```
@@ -56,7 +57,7 @@ impl Varied {
     /// ```
     ///
     /// # Errors
-    /// [`NoDerivative::Degenerate`] if the modes have no derivative. Otherwise the errors of
+    /// [`NoDerivative::Degenerate`] if the modes have no derivative. Otherwise the same errors as
     /// [`System::stepper`](super::System::stepper).
     pub fn stepper(&self, dt: f64) -> Result<SystemStepper<'_, Sensitive>, NoDerivative> {
         let transient = self.transient().ok_or(NoDerivative::Degenerate)?;
@@ -73,7 +74,7 @@ impl Varied {
         )?)
     }
 
-    /// Returns the settings of a stepper, with the derivatives of the units.
+    /// Returns the settings of a stepper, in which the units carry derivatives.
     fn settings(&self) -> StepperSettings<Sensitive> {
         let (scene, modal) = (self.system().scene(), self.modal());
         let fixed = Sensitive::fixed;
@@ -115,13 +116,13 @@ impl Varied {
 }
 
 impl SystemStepper<'_, Sensitive> {
-    /// Fails if the derivatives are unreliable, because the motion since the start has grazed an event: the contact's
-    /// velocity or force crossed its level so slowly that a rounding error of the input in `f64` changes the derivative
-    /// of the event's instant by more than a millionth of it. It also fails if such an error may decide whether the
-    /// contact stops or slides on.
+    /// Fails if the derivatives are unreliable, because the motion has grazed an event since the start. In a graze, the
+    /// contact's velocity or force crosses its level very slowly. A rounding error of the input in `f64` then changes
+    /// the derivative of the event's instant by more than a millionth of the derivative. The method also fails if such
+    /// a rounding error may decide whether the contact stops or slides on.
     ///
     /// # Errors
-    /// [`NoDerivative::Graze`] from the first such event on.
+    /// [`NoDerivative::Graze`] at the first graze and at all later instants.
     pub fn check_derivatives(&self) -> Result<(), NoDerivative> {
         if self.grazed() {
             return Err(NoDerivative::Graze);

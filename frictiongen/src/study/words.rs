@@ -1,4 +1,4 @@
-//! Words for regimes, results, events and features. Tables, files and all languages use the same word for each.
+//! Words for regimes, results, events and features. Tables, files and all languages use the same words.
 
 use super::{
     StudyError, SystemAt,
@@ -18,7 +18,7 @@ use frictiongen_kernel::simulation::{Contact, Event};
 #[cfg(feature = "desk")]
 use std::borrow::Cow;
 
-/// Writes the message that the scene has no such motion.
+/// Writes the message that the scene does not have the motion `of`.
 pub(crate) fn no_such_motion(f: &mut std::fmt::Formatter<'_>, of: Of) -> std::fmt::Result {
     match of {
         Of::Mass(index) | Of::FromBase(index) => {
@@ -64,7 +64,7 @@ pub fn regime_without_orbit(at: &SystemAt<'_>, beta: f64) -> Result<&'static str
         Ok(_) => regime(Regime::Continuous),
         Err(NotContinuous::StickSlip) => regime(Regime::StickSlip),
         Err(NotContinuous::Stuck) if at.stuck().is_ok() => regime(Regime::Stuck),
-        // The excitation is on an undamped resonance of the chain, free or with its contact stuck.
+        // The frequency is an undamped resonance of the chain with a free or with a stuck contact.
         Err(NotContinuous::Stuck | NotContinuous::Unbounded) => "unbounded",
         Err(_) => return Err(OutOfDomain::FrictionRatio(Given::of(beta))),
     })
@@ -102,7 +102,7 @@ pub fn reason(error: NoOrbit) -> &'static str {
     }
 }
 
-/// Returns the word for the method that computed a response.
+/// Returns the word for the method that computed a response, as tables print it.
 #[must_use]
 pub fn answer(response: &SystemResponse<'_>) -> &'static str {
     match response {
@@ -202,7 +202,7 @@ pub fn event(event: Event) -> &'static str {
     }
 }
 
-/// Returns the word for the reason why the amplitude at an optimum cannot be lower.
+/// Returns the words for the reason why no other friction gives a smaller amplitude than the best friction.
 #[must_use]
 pub fn kind(kind: OptimumKind) -> &'static str {
     match kind {
@@ -216,7 +216,7 @@ pub fn kind(kind: OptimumKind) -> &'static str {
     }
 }
 
-/// Returns the word for the cause that ended the search for an optimum.
+/// Returns the words for the event that ended the search for the best friction.
 #[must_use]
 pub fn end(end: OptimumEnd) -> &'static str {
     match end {

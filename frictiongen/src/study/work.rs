@@ -1,5 +1,5 @@
-//! Counts the work that a response costs. The code does not measure time, so that a bound on work stops a search at the
-//! same point on every machine.
+//! Counts the work that the computation of a response costs. The code counts work instead of time, so that a bound on
+//! work stops a search at the same point on every machine.
 //!
 //! One unit of work is about 10 µs. The constants are rounded means over random frames of one to six masses.
 
@@ -8,20 +8,20 @@ use super::system::System;
 use crate::study::scene::Damping;
 use crate::{Error, NoOrbit};
 
-/// Work of a motion from rest that did not settle, for its last cycles. The code multiplies this number by the number
-/// of masses plus two.
+/// Work of the last cycles of a motion from rest that did not settle. The code multiplies this number by (number of
+/// masses + 2).
 const UNSETTLED: usize = 400;
-/// Additional work of a response if motion from rest did not settle and the search found another steady state.
+/// Additional work of a response if the motion from rest did not settle and the search found another steady state.
 const ANOTHER: usize = 1000;
-/// If the fastest mode vibrates this number of times in a cycle of the excitation, the work of the cycle is twice that
-/// of a cycle with a slow mode.
+/// Number of vibrations of the fastest mode in a cycle of the excitation at which the work of the cycle doubles,
+/// compared with a slow mode.
 const VIBRATIONS: f64 = 10.0;
-/// Work of a motion that settled, for each mass of a damped chain.
+/// Work of a settled motion of a damped chain, for each mass.
 const DAMPED: usize = 8;
-/// Work of a motion that settled, for each pair of modes of an undamped chain.
+/// Work of a settled motion of an undamped chain, for each pair of modes.
 const UNDAMPED: usize = 6;
 
-/// Returns the amount of work that the response `found` cost at the frequency ratio r.
+/// Returns the work of the response `found` at the frequency ratio r, in units of about 10 µs.
 pub(in crate::study) fn work(
     system: &System,
     r: f64,
@@ -42,7 +42,7 @@ pub(in crate::study) fn work(
     match found {
         Ok(response) if !response.is_settled() => spent,
         Ok(response) if !response.is_from_rest() => unsettled(ANOTHER),
-        // With μ = 1 no state other than the closed form can exist, so that the code computes no motion in time.
+        // With μ = 1, only the closed form can exist. The code then computes no motion in time.
         Ok(SystemResponse::Continuous(_)) if scene.stiction <= 1.0 => 1,
         Ok(SystemResponse::Continuous(_) | SystemResponse::StickSlip(_)) => followed,
         Ok(SystemResponse::Stuck(_)) => followed.div_ceil(4),

@@ -1,6 +1,6 @@
 //! Writes a zip archive without compression.
 
-/// A file of an archive.
+/// A file of a zip archive.
 struct Entry {
     name: String,
     checksum: u32,
@@ -8,27 +8,28 @@ struct Entry {
     offset: u32,
 }
 
-/// An archive in memory.
+/// A zip archive in memory, without compression.
 #[derive(Default)]
 pub struct Archive {
     bytes: Vec<u8>,
     entries: Vec<Entry>,
 }
 
-/// Signatures of the three kinds of headers.
+/// Signatures of the three kinds of headers of a zip archive.
 const LOCAL: u32 = 0x0403_4b50;
 const CENTRAL: u32 = 0x0201_4b50;
 const END: u32 = 0x0605_4b50;
-/// Version 1.0 of the format suffices to read the archive.
+/// Version 1.0 of the zip format suffices to read the archive.
 const VERSION: u16 = 10;
-/// Names are in UTF-8.
+/// Flag of the zip format: the names of the files are in UTF-8.
 const FLAGS: u16 = 1 << 11;
-/// 1 January 1980 at midnight, the first date of the format. With a fixed date the same scene gives the same bytes.
+/// 1 January 1980 at midnight, the first date of the zip format. Because the date is fixed, the same scene gives the
+/// same bytes.
 const TIME: u16 = 0;
 const DATE: u16 = (1 << 5) | 1;
 
 impl Archive {
-    /// Adds a file.
+    /// Adds a file to the archive.
     pub fn add(&mut self, name: &str, contents: &[u8]) {
         let entry = Entry {
             name: name.to_owned(),
@@ -51,7 +52,7 @@ impl Archive {
             self.double(CENTRAL);
             self.word(VERSION);
             self.common(entry);
-            // No comment, first volume, no internal attributes, no external attributes.
+            // These fields are: no comment, first volume, no internal attributes, no external attributes.
             for _ in 0..3 {
                 self.word(0);
             }
@@ -94,7 +95,7 @@ impl Archive {
     }
 }
 
-/// Converts a size to 32 bits. A binary has some megabytes, and the format permits four gigabytes.
+/// Converts the size of a file to 32 bits. A binary has some megabytes, and the zip format permits four gigabytes.
 fn bounded(size: usize) -> u32 {
     u32::try_from(size).unwrap_or(u32::MAX)
 }

@@ -1,9 +1,9 @@
-//! Writes `modelDescription.xml`.
+//! Writes `modelDescription.xml`, the description of an FMU.
 
 use super::variables::{Variability, Variables};
 use frictiongen::study::scene::Scene;
 
-/// Units with their exponents of kg, m and s.
+/// The units of an FMU's variables, with their exponents of kg, m and s.
 const UNITS: [(&str, &str); 5] = [
     ("N", "kg=\"1\" m=\"1\" s=\"-2\""),
     ("m", "m=\"1\""),
@@ -12,8 +12,8 @@ const UNITS: [(&str, &str); 5] = [
     ("s", "s=\"1\""),
 ];
 
-/// Writes the description of an FMU. `identifier` is the name of its binary without the extension. `step` is the length
-/// of a step in s, in the precision of the binary.
+/// Returns the text of `modelDescription.xml`. `identifier` is the name of the FMU's binary without the extension.
+/// `step` is the length of a step in s, in the precision of the binary.
 pub fn write(
     scene: &Scene,
     variables: &Variables,
@@ -54,7 +54,7 @@ pub fn write(
     )
 }
 
-/// Writes all variables. Also returns the value references of the outputs.
+/// Returns the text of all variables, and the value references of the outputs.
 fn listed(variables: &Variables) -> (String, std::ops::Range<usize>) {
     let mut text = variable(
         "Float64",
@@ -133,7 +133,8 @@ fn is_structured(variables: &Variables) -> bool {
     names.all(|name| name.is_ascii())
 }
 
-/// Escapes a text for an attribute. Names of a description contain no characters that XML reserves, but comments may.
+/// Escapes a text for an XML attribute. Names of a description contain no characters that XML reserves, but comments
+/// may.
 fn escaped(text: &str) -> String {
     text.replace('&', "&amp;")
         .replace('<', "&lt;")

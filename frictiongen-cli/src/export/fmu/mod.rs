@@ -88,7 +88,7 @@ pub fn run(asked: &ExportRequest<'_>) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Returns the length of a step in s, in the precision of the binary.
+/// Returns the length of the stepper's step in s, in the precision of the binary.
 fn step(scene: &Scene) -> Result<f64, Failure> {
     if !scene.provides(&Provide::Stepper) {
         return Err(Failure::new(
@@ -106,7 +106,8 @@ fn step(scene: &Scene) -> Result<f64, Failure> {
     })
 }
 
-/// Returns the folder of the crate. For `frame.fmu` it is `frame_fmu` in the same folder.
+/// Returns the folder in which the command writes the FMU's crate. For `frame.fmu` it is `frame_fmu` in the same
+/// folder.
 fn folder(output: &Path) -> Result<PathBuf, Failure> {
     match (output.file_stem(), output.extension()) {
         (Some(stem), Some(ending)) if ending.eq_ignore_ascii_case("fmu") => {
@@ -128,7 +129,7 @@ fn platform() -> String {
     format!("{architecture}-{system}")
 }
 
-/// Builds the crate.  Returns the path of the binary.
+/// Builds the crate of the FMU with cargo. Returns the path of the binary.
 fn build(folder: &Path) -> Result<PathBuf, Failure> {
     progress::say(&format!("frictiongen: cargo builds {}\n", folder.display()));
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
@@ -155,7 +156,7 @@ fn build(folder: &Path) -> Result<PathBuf, Failure> {
     })
 }
 
-/// Returns the path of the shared library, if this line of cargo's output names it.
+/// Returns the path of the shared library if this line of cargo's output names it.
 fn binary(line: &str) -> Option<PathBuf> {
     let message: serde_json::Value = serde_json::from_str(line).ok()?;
     let kinds = message.get("target")?.get("kind")?.as_array()?;

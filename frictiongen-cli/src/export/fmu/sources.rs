@@ -1,9 +1,9 @@
-//! Writes the crate of an FMU.
+//! Writes the source files of an FMU's crate.
 
 use super::variables::{Variability, Variables};
 use frictiongen::study::scene::{Excitation, Precision, Scene, StepInput};
 
-/// Files that are the same for every scene.
+/// Source files that are the same for every scene.
 pub const FIXED: [(&str, &str); 5] = [
     ("src/fmi3.rs", include_str!("../../../fmu/fmi3.rs")),
     ("src/inputs.rs", include_str!("../../../fmu/inputs.rs")),
@@ -12,7 +12,7 @@ pub const FIXED: [(&str, &str); 5] = [
     ("src/saved.rs", include_str!("../../../fmu/saved.rs")),
 ];
 
-/// Writes `src/lib.rs`.
+/// Returns the text of `src/lib.rs` of an FMU's crate.
 pub fn library(head: &str, prefix: &str) -> String {
     format!(
         "{head}//\n// `scene.rs` has the variables of the scene.  The other modules are the same for every scene.\n\
@@ -22,7 +22,7 @@ pub fn library(head: &str, prefix: &str) -> String {
     )
 }
 
-/// Writes `src/scene.rs`. `name` is the scene's type.
+/// Returns the text of `src/scene.rs` of an FMU's crate. `name` is the scene's type in Rust.
 pub fn scene(scene: &Scene, variables: &Variables, (name, token): (&str, &str)) -> String {
     let scalar = match scene.precision {
         Precision::F64 => "f64",

@@ -1,4 +1,4 @@
-//! Tests the files of an FMU.
+//! Tests of the files that an FMU contains.
 #![allow(clippy::unwrap_used, reason = "a test may fail")]
 
 use super::archive::{Archive, checksum};
@@ -7,10 +7,10 @@ use super::{binary, description, sources};
 use frictiongen::System;
 use frictiongen::study::scene::Scene;
 
-/// Compares the archive with the layout of APPNOTE.TXT 6.3, field by field.
+/// Compares a zip archive with the layout of APPNOTE.TXT 6.3, field by field.
 #[test]
 fn an_archive_of_one_file() {
-    // The check value of CRC-32 (ISO-HDLC) in the catalogue of CRC algorithms.
+    // This is the check value of CRC-32 (ISO-HDLC) in the catalogue of CRC algorithms.
     assert_eq!(checksum(b"123456789"), 0xcbf4_3926);
     let mut archive = Archive::default();
     archive.add("a/b", b"123456789");
@@ -33,7 +33,7 @@ fn scene(text: &str) -> Scene {
     text.parse::<System>().unwrap().scene().clone()
 }
 
-/// Returns the values of an attribute in the order of the lines.
+/// Returns the values of an XML attribute in the order of the lines.
 fn attributes<'a>(text: &'a str, name: &str) -> Vec<&'a str> {
     let mark = format!(" {name}=\"");
     let parts = text.split(&mark).skip(1);
@@ -42,7 +42,7 @@ fn attributes<'a>(text: &'a str, name: &str) -> Vec<&'a str> {
         .collect()
 }
 
-/// Checks that each variable has the value reference under which the Rust file looks the variable up.
+/// Checks that the description and the Rust file give each variable the same value reference.
 #[test]
 fn both_files_number_the_variables_alike() {
     let shaken = ODD
@@ -65,7 +65,7 @@ fn both_files_number_the_variables_alike() {
         let expected: Vec<String> = (0..names.len()).map(|index| index.to_string()).collect();
         assert_eq!(references, expected);
         assert_eq!(names[..4], [&["time"], &inputs[..]].concat());
-        // The Rust file has the names of all real variables in the same order.
+        // The Rust file lists the names of all real variables in the same order.
         let rust = sources::scene(&scene, &variables, ("Odd", "token"));
         let lists = rust.split_once("VARIABLES").unwrap().1;
         let lists = lists.split_once("/// Returns a number").unwrap().0;
@@ -74,10 +74,10 @@ fn both_files_number_the_variables_alike() {
         let quoted: Vec<&str> = quoted.filter(|text| !units.contains(text)).collect();
         let reals = names.len() - 4;
         assert_eq!(quoted, names[1..reals]);
-        // 3 masses: 3 or 4 inputs, stiction, 6 initial values and 6 + 3 + 4 + 4 outputs.
+        // With 3 masses there are 3 or 4 inputs, stiction, 6 initial values and 6 + 3 + 4 + 4 outputs.
         let inputs = variables.fields.len();
         assert_eq!(names.len(), 1 + inputs + 1 + 6 + 17);
-        // Each output is listed twice: as an output, and as an initial unknown.
+        // The description lists each output twice: as an output, and as an initial unknown.
         let outputs = attributes(structure, "valueReference");
         let first = 1 + inputs + 1 + 6;
         assert_eq!(outputs.len(), 34);

@@ -1,64 +1,64 @@
-//! The variables of an FMU. Its description and its Rust file are written from this list.
+//! The variables of an FMU. The command writes the FMU's description and its Rust file from this list.
 
 use crate::export::names::mass;
 use crate::export::stepping::inputs;
 use frictiongen::study::scene::Scene;
 use frictiongen_codegen::standalone::StepperShape;
 
-/// Time at which the importer may set a variable.
+/// Time at which the importer of an FMU may set a variable.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Variability {
     /// Before each step.
     Input,
-    /// Before each step. The value seldom changes.
+    /// Before each step, for a variable that seldom changes.
     Tunable,
     /// Before the first step.
     Initial,
 }
 
-/// A number that the importer may set.
+/// A variable of an FMU that the importer may set.
 #[derive(Clone, Debug)]
 pub struct Settable {
-    /// Name.
+    /// Name of the variable.
     pub name: String,
-    /// Unit. It is empty for a ratio.
+    /// Unit of the variable. It is empty for a ratio.
     pub unit: &'static str,
-    /// Meaning.
+    /// Meaning of the variable.
     pub about: String,
     /// Time at which the importer may set the number.
     pub kind: Variability,
-    /// Value if the importer does not set the number.
+    /// Value of the variable if the importer does not set it.
     pub start: f64,
-    /// Smallest value.
+    /// Smallest permitted value, or `None` without a lower bound.
     pub least: Option<f64>,
 }
 
-/// A number that the FMU computes.
+/// A variable that the FMU computes.
 #[derive(Clone, Debug)]
 pub struct Output {
-    /// Name.
+    /// Name of the variable.
     pub name: String,
-    /// Unit.
+    /// Unit of the variable.
     pub unit: &'static str,
-    /// Meaning.
+    /// Meaning of the variable.
     pub about: String,
-    /// Expression in Rust.
+    /// Rust expression that computes the variable.
     pub value: String,
 }
 
-/// All variables that are real numbers, in the order of their value references.
+/// All real variables of an FMU, in the order of their value references.
 #[derive(Clone, Debug)]
 pub struct Variables {
-    /// Fields of the stepper's input in Rust, in the order of the first variables.
+    /// Fields of the stepper's input in Rust. They correspond to the first variables, in the same order.
     pub fields: Vec<String>,
-    /// Inputs, stiction, and initial displacements and velocities.
+    /// Variables that the importer may set: inputs, stiction, and initial displacements and velocities.
     pub settable: Vec<Settable>,
-    /// Outputs.
+    /// Variables that the FMU computes.
     pub outputs: Vec<Output>,
 }
 
 impl Variables {
-    /// Returns the variables of a scene.
+    /// Returns the variables of a scene's FMU.
     pub fn of(scene: &Scene) -> Self {
         let shape = StepperShape::of(scene);
         let fields = inputs(scene, &shape).into_iter();
@@ -70,7 +70,7 @@ impl Variables {
         let forces = forces.map(|index| format!("{}.force", mass(scene, *index)));
         let names = base.chain(forces).chain(["friction".to_owned()]);
         let input = |(name, about): (String, String)| {
-            // The comment in C ends with the unit, for example `displacement of the base, m`.
+            // In C, the comment of this field ends with the unit, for example `displacement of the base, m`.
             let unit = match name.as_str() {
                 "base.displacement" => "m",
                 "base.velocity" => "m/s",

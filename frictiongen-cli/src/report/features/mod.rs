@@ -1,4 +1,5 @@
-//! Section about the features of the response. It describes the features of `frictiongen features` in other words.
+//! Section of the report about the features of the response. It describes the features that `frictiongen features`
+//! finds, in other words.
 
 mod tables;
 
@@ -10,22 +11,22 @@ use frictiongen::study::columns::{FeatureLine, FeaturesAsked};
 use maud::{Markup, html};
 use serde_json::{Value as Json, json};
 
-/// Largest number of masses for which the command searches features. A feature has derivatives with respect to all
-/// masses and springs, which take time.
+/// Largest number of masses for which the command searches features. The derivatives of a feature with respect to all
+/// masses and springs take time.
 const MOST_MASSES: usize = 16;
 /// Largest number of masses for which the page shows exact peaks, and features at every given friction.
 const ALL_FRICTIONS: usize = 4;
-/// Largest number of rows of a table on the page. The JSON data contain all rows.
+/// Largest number of rows in a table of the page. The JSON data contain all rows.
 const MOST_ROWS: usize = 24;
 
-/// Contents of the section about features.
+/// Contents of the section about features of the response.
 pub struct FeatureSection {
     /// Friction ratios β of the features that depend on friction.
     frictions: Vec<f64>,
     lines: Result<Vec<FeatureLine>, String>,
 }
 
-/// A table of the section.
+/// A table of the section about features.
 struct SectionTable {
     title: String,
     says: String,
@@ -34,8 +35,9 @@ struct SectionTable {
 }
 
 impl FeatureSection {
-    /// Finds the features at the frictions `levels`, or at the best friction if the user has given no friction. For a
-    /// chain of more than [`MOST_MASSES`] masses the page refers to the command instead.
+    /// Finds the features at the frictions `levels`. If the user has given no friction, finds them at the best
+    /// friction. For a chain of more than [`MOST_MASSES`] masses, the page refers to the command `frictiongen features`
+    /// instead.
     pub fn of(asked: &ReportRequest, levels: &[f64], best: Option<f64>) -> Self {
         let masses = asked.system.scene().masses.len();
         if MOST_MASSES < masses {
@@ -79,7 +81,7 @@ impl FeatureSection {
         Self { frictions, lines }
     }
 
-    /// Returns all features that were found, one for each line.
+    /// Returns all features that the search found, one for each line.
     pub fn lines(&self) -> &[FeatureLine] {
         self.lines.as_deref().unwrap_or_default()
     }
@@ -100,7 +102,7 @@ impl FeatureSection {
         }
     }
 
-    /// Returns the section of the page as HTML.
+    /// Returns the section about features as HTML.
     pub fn html(&self, asked: &ReportRequest) -> Markup {
         let damped = asked.system.modal().is_damped();
         html! {
@@ -126,8 +128,8 @@ impl FeatureSection {
         }
     }
 
-    /// Returns the section as JSON data. It contains the lines of `frictiongen features --json`, but only one
-    /// derivative in each line.
+    /// Returns the section about features as JSON data. It contains the lines of `frictiongen features --json`, but
+    /// only one derivative in each line.
     pub fn data(&self, asked: &ReportRequest) -> Json {
         if let Err(reason) = &self.lines {
             return json!({ "none": reason });

@@ -1,4 +1,4 @@
-//! Builds the tables of the section about features.
+//! Builds the tables of the section about features of the response.
 
 use super::super::asked::ReportRequest;
 use super::super::words::{PageUnits, digits};
@@ -6,7 +6,7 @@ use super::{FeatureSection, SectionTable};
 use frictiongen::study::columns::FeatureLine;
 
 impl FeatureSection {
-    /// Returns the tables that have at least one row.
+    /// Returns the tables of features that have at least one row.
     pub(super) fn tables(&self, asked: &ReportRequest) -> Vec<SectionTable> {
         let mut tables = self.about_the_chain(asked);
         if !asked.system.modal().is_damped() {
@@ -194,7 +194,7 @@ impl FeatureSection {
         let regimes = self
             .named("regime")
             .map(|line| vec![force(line), range(words, line), does(&line.detail)]);
-        // A mass that the stuck contact keeps at rest has no peak.
+        // A mass that is at rest while the contact sticks has no peak.
         let moving = |line: &&FeatureLine| line.amplitude != Some(0.0);
         let peaks = self.named("peak").filter(moving).map(|line| {
             let (mode, regime) = line.detail.split_once(": ").unwrap_or((&line.detail, ""));
@@ -264,8 +264,8 @@ impl FeatureSection {
             },
         ];
         if let [_] = self.frictions.as_slice() {
-            // If the table has only one friction, its title contains the friction, and the column of frictions is
-            // removed.
+            // If all rows of a table have the same friction, the title of the table contains the friction. The code
+            // then removes the column of frictions.
             for table in &mut tables {
                 table.leave_out("friction");
             }
@@ -287,7 +287,7 @@ fn range(words: &PageUnits, line: &FeatureLine) -> String {
     }
 }
 
-/// Formats a friction, which may be infinite.
+/// Formats a friction with its unit. The friction may be infinite.
 fn limit(words: &PageUnits, force: f64) -> String {
     if force.is_infinite() {
         "any friction".to_owned()
@@ -296,7 +296,7 @@ fn limit(words: &PageUnits, force: f64) -> String {
     }
 }
 
-/// Formats the amplitude of a line. With a load, this amplitude is in m.
+/// Formats the amplitude of a feature's line. Under a load this amplitude is in m.
 fn amplitude(words: &PageUnits, line: &FeatureLine) -> String {
     match line.amplitude {
         None => String::new(),
@@ -305,8 +305,8 @@ fn amplitude(words: &PageUnits, line: &FeatureLine) -> String {
     }
 }
 
-/// Returns words for the quantity that does not change with friction, or that grows without bound, from the text
-/// `detail` of a feature.
+/// Returns words for the quantity of a feature that does not change with friction, or that grows without bound.
+/// `detail` is the text of the feature's field of this name.
 fn measured(detail: &str) -> &'static str {
     if detail.starts_with("fundamental") {
         "fundamental component"
@@ -325,7 +325,7 @@ fn does(regime: &str) -> String {
         "continuous" => "slides all the time".to_owned(),
         "stick-slip" => "slides and stops in turn".to_owned(),
         "stuck" => "is stuck".to_owned(),
-        // For an elastic contact, a share in brackets follows the name of the regime.
+        // For an elastic contact, a percentage in brackets follows the name of the regime.
         other => other.replacen("stick-slip (", "slides and sticks in turn (", 1),
     }
 }

@@ -50,7 +50,7 @@ fn contact(v: Complex<f64>) -> ContactAt<f64> {
     }
 }
 
-/// Returns the index of the dominant mode among three modes, or `None` if no mode is dominant.
+/// Returns the index of the dominant mode of three modes, or `None` if no mode is dominant.
 fn taken(terms: [f64; 3], on_moving_base: Option<f64>) -> Option<usize> {
     let mut modes = terms.map(mode);
     // On a moving base V contains the static residue instead of the residue, and v − 1 instead of v.
@@ -84,8 +84,8 @@ fn beside_what_stands_at_rest() {
     assert_eq!(taken([1.0, 1e3, 1.0], Some(-1e6)), None);
 }
 
-/// Checks that the phase of a mode is measured against the smaller of two numbers: the full response V, or V without
-/// the term of that mode. A mode is in phase with its own term of V.
+/// Checks how the phase of a mode is measured. The smaller one of two numbers serves as the reference: the full
+/// response V, or V without the term of that mode. A mode is in phase with its own term of V.
 #[test]
 fn turned_against_what_the_others_leave() {
     let terms = |v| ModalTerms {

@@ -1,4 +1,4 @@
-//! Tests that modes computed in pairs give the same bits as modes computed one by one.
+//! Tests that modes computed in pairs give the same results to the last bit as modes computed one by one.
 
 use super::*;
 use crate::contact::driven::DrivenModes;
@@ -39,7 +39,8 @@ fn modes<S: Float>(count: usize, zeta: impl Fn(usize) -> f64, driven: usize) -> 
     (0..count).map(mode).collect()
 }
 
-/// Returns the bits of all modal sums and of the functions of all modes. `f32` numbers are first converted to `f64`.
+/// Returns the bits of all modal sums of a contact and of the functions of all modes. The function first converts `f32`
+/// numbers to `f64`.
 fn bits<S: Float>(contact: &ContactAt<S>, kept: &[ModeAt<S>]) -> Vec<u64> {
     let of = |z: Complex<S>| [z.re, z.im];
     let ContactAt {
@@ -59,8 +60,8 @@ fn bits<S: Float>(contact: &ContactAt<S>, kept: &[ModeAt<S>]) -> Vec<u64> {
     all.iter().map(|value| value.to_f64().to_bits()).collect()
 }
 
-/// Compares modal sums computed in pairs of modes with sums computed mode by mode. Also compares limits from gathered
-/// constants with limits from the sums. Returns the number of comparisons of each kind.
+/// Compares modal sums that are computed in pairs of modes with sums computed mode by mode. Also compares the limits
+/// from gathered constants with the limits from the sums. Returns the numbers of both kinds of comparisons.
 fn agree<S: Float>() -> [usize; 2] {
     let dampings: [fn(usize) -> f64; 4] = [
         |_| 0.0,
@@ -79,7 +80,7 @@ fn agree<S: Float>() -> [usize; 2] {
                     inverse_mass: S::constant(0.9),
                     stiction: S::constant(1.2),
                 };
-                // Some of these 1/r place modes on, or close to, a resonance or a subharmonic. At the largest 1/r,
+                // At some of these 1/r, a mode is on a resonance or a sub-harmonic, or close to it. At the largest 1/r,
                 // rounding makes the phase xτ meaningless.
                 for inverse_r in [2.0, 1.0, 0.3, 0.7, 6.0, 1.0 + 1e-7, 1e-9, 3e5, 1e17] {
                     let inverse_r = S::constant(inverse_r);

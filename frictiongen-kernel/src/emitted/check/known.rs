@@ -6,24 +6,25 @@ use crate::contact::regime::Limits;
 use crate::errors::NotContinuous;
 use crate::number::scalar::Float;
 
-/// Known answers at one frequency ratio.
+/// Known answers of an emitted scene at one frequency ratio.
 #[derive(Clone, Copy, Debug)]
 pub struct Known<S, const MASSES: usize, const FORCES: usize> {
-    /// Frequency ratio.
+    /// Frequency ratio r of the answers.
     pub r: S,
-    /// β_lim and β*_lim.
+    /// Known limits β_lim and β*_lim, in this order.
     pub limits: [S; 2],
-    /// The motion at one friction ratio, if the scene provides motions.
+    /// The known motion at one friction ratio, if the scene provides motions.
     pub motion: Option<KnownMotion<S, MASSES>>,
-    /// Real and imaginary part of each response while the contact is stuck. The displacements of the masses precede the
-    /// force that holds the contact. The list is empty if the scene does not provide stuck responses.
+    /// Real and imaginary part of each known response while the contact is stuck. The displacements of the masses come
+    /// first, and the force that keeps the contact stuck follows. The list is empty if the scene does not provide stuck
+    /// responses.
     pub stuck: [[S; 2]; FORCES],
 }
 
-/// Known answers at one friction ratio.
+/// Known answers of an emitted scene at one friction ratio.
 #[derive(Clone, Copy, Debug)]
 pub struct KnownMotion<S, const MASSES: usize> {
-    /// Friction ratio.
+    /// Friction ratio β of the answers.
     pub beta: S,
     /// Reason why no continuous motion exists, or `None` if one exists.
     pub error: Option<NotContinuous>,
@@ -33,13 +34,13 @@ pub struct KnownMotion<S, const MASSES: usize> {
     pub masses: [[S; 2]; MASSES],
 }
 
-/// Returns true if two numbers differ by at most `error`. The result is false for NaN.
+/// Returns true if two numbers differ by at most `error`. Returns false for NaN.
 fn is_near<S: Float>(own: S, known: S, error: S) -> bool {
     (own.to_f64() - known.to_f64()).abs() <= error.to_f64()
 }
 
-/// Compares two pairs of numbers relative to the sum of the absolute values of the known pair. A pair is a complex
-/// number, or a displacement and a velocity.
+/// Compares two pairs of numbers. Their difference is divided by the sum of the absolute values of the known pair. A
+/// pair is a complex number, or a displacement and a velocity.
 fn compared<S: Float>(
     name: &'static str,
     own: [S; 2],
@@ -61,7 +62,7 @@ impl<S: Float, const MASSES: usize, const FORCES: usize> Known<S, MASSES, FORCES
     /// `tolerance` times this limit.
     ///
     /// # Errors
-    /// [`Fault::Answer`] if a limit differs from the known limit by more.
+    /// [`Fault::Answer`] if a limit differs from the known limit by more than this.
     pub fn limits(&self, own: Limits<S>, tolerance: S) -> Result<(), Fault> {
         let [continuous, sliding] = self.limits;
         if is_near(own.continuous, continuous, tolerance * continuous)
@@ -92,7 +93,7 @@ impl<S: Float, const MASSES: usize, const FORCES: usize> Known<S, MASSES, FORCES
 
 impl<S: Float, const MASSES: usize> KnownMotion<S, MASSES> {
     /// Returns the computed motion if the known answer also has a motion. Returns `None` if neither has a motion, for
-    /// the same reason.
+    /// the same reason in both.
     ///
     /// # Errors
     /// [`Fault::Answer`] if only one of the two answers has a motion, or if the reasons differ.

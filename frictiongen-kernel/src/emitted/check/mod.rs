@@ -14,7 +14,7 @@ use core::fmt;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Fault {
-    /// The numbers of this constant, or group of constants, differ from the numbers that the generator wrote.
+    /// The numbers of this constant, or of this group of constants, differ from the numbers that the generator wrote.
     Numbers(&'static str),
     /// The answer of this method, or the motion of the mass with this name, differs from the known answer.
     Answer(&'static str),
@@ -39,17 +39,17 @@ impl core::error::Error for Fault {}
 
 /// Multiplier of one step of the checksum: 2³² divided by the golden ratio, as an odd integer.
 pub const MULTIPLIER: u32 = 0x9e37_79b1;
-/// Bits by which a step of the checksum rotates the sum.
+/// Number of bits by which a step of the checksum rotates the sum.
 pub const TURN: u32 = 5;
 
-/// Adds a word of 32 bits to a checksum. For a fixed word the step is a bijection of the sum, and for a fixed sum a
+/// Adds a word of 32 bits to a checksum. For a fixed word, the step is a bijection of the sum. For a fixed sum, it is a
 /// bijection of the word. One changed word therefore always changes the result.
 #[must_use]
 pub const fn mixed(sum: u32, word: u32) -> u32 {
     (sum.rotate_left(TURN) ^ word).wrapping_mul(MULTIPLIER)
 }
 
-/// Adds a number to a checksum: the low half of its bits in double precision, then the high half.
+/// Adds a number to a checksum: first the low half of its bits in double precision, then the high half.
 #[must_use]
 #[allow(clippy::cast_possible_truncation, reason = "halves of the bits")]
 pub const fn with(sum: u32, number: f64) -> u32 {
@@ -65,8 +65,8 @@ pub fn sum<S: Float>(numbers: &(impl Listed<S> + ?Sized)) -> u32 {
     sum
 }
 
-/// Compares the checksum of a constant with the known checksum. `black_box` hides the numbers from the compiler, which
-/// could otherwise compute the checksum itself.
+/// Compares the checksum of a constant with the known checksum. The function `black_box` hides the numbers from the
+/// compiler. The compiler could otherwise compute the checksum itself.
 ///
 /// # Errors
 /// [`Fault::Numbers`] with the name of the constant, if the two checksums differ.
@@ -86,7 +86,7 @@ pub fn compare<S: Float>(
 mod tests {
     use super::{compare, mixed, sum, with};
 
-    /// Checks that a change of any bit of one word changes the checksum, for any words after it.
+    /// Checks that a change of any bit of one word changes the checksum, whatever words follow.
     #[test]
     fn one_changed_word_is_seen() {
         for bit in 0..u32::BITS {

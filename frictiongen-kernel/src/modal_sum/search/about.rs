@@ -12,27 +12,27 @@ use crate::number::scalar::Float;
 use crate::oscillator::decay::Decay;
 
 /// Factor ρ of the first attempt to close the cells around a local maximum. The attempt requires that the sum is
-/// concave up to ρ times the last Newton step from the maximum. If the attempt fails, the code tries the smaller factor
-/// `REACH`. A larger ρ can close the cells around a flatter maximum.
+/// concave up to the distance of ρ Newton steps from the maximum. If the attempt fails, the code tries the smaller
+/// factor `REACH`. A larger ρ can close the cells around a flatter maximum.
 const FAR: f64 = 97.0;
 
-/// Difference E between a modal sum and a level, near a local maximum. E is ±sum − level, or ±sum − level·sin τ in a
-/// search of sum/sin τ. The level is an upper bound on the local maximum. A cell of the grid is closed once E ≤ 0 is
-/// proven in the cell.
+/// Difference E between a modal sum and a level, near a local maximum. E is ±sum − level. In a search of sum/sin τ, E
+/// is ±sum − level·sin τ. The level is an upper bound on the local maximum. A cell of the grid is closed once the code
+/// has proven E ≤ 0 in it.
 struct Excess<S> {
-    /// Phase τ near the local maximum, at which `cubic` gives the derivatives.
+    /// Phase τ near the local maximum. `cubic` gives the derivatives at this phase.
     tau: S,
     cubic: Cubic<S>,
     /// Upper bound on the fourth derivative of E = ±sum − level.
     fourth: S,
     /// Negative bound 2E″/(ρ − 1) on the quadratic coefficient of the cubic between `tau` and a node. If the
-    /// coefficient is smaller than this negative bound, it outweighs the slope at `tau` at all distances beyond ρ times
-    /// the Newton step.
+    /// coefficient is less than this bound, it outweighs the slope at `tau` at all distances of more than ρ Newton
+    /// steps.
     curvature: S,
 }
 
-/// Node of a grid, with the excess E = ±sum − level at the node. The cells from a local maximum to the node are closed
-/// if the code proves E ≤ 0 in them.
+/// Node of a grid, with the excess E = ±sum − level at the node. If the code proves E ≤ 0 between a local maximum and
+/// the node, it closes the cells between them.
 #[derive(Clone, Copy)]
 struct NodeExcess<S> {
     tau: S,
@@ -77,15 +77,15 @@ impl<S: Float> Excess<S> {
         })
     }
 
-    /// Returns true if E = ±sum − level is proven to be at most 0 from the local maximum to a node. The cells in
-    /// between are then closed.
+    /// Returns true if the code proves that E = ±sum − level is at most 0 from the local maximum to a node. The cells
+    /// between them are then closed.
     fn stays_below(&self, node: &NodeExcess<S>) -> bool {
         let distance = node.tau - self.tau;
         self.is_near(distance) || self.is_below(node, distance)
     }
 
     /// Returns true if the derivatives of E = ±sum − level at `tau` prove that E stays below 0 up to the given
-    /// distance. The proof requires that the terms with the third and fourth derivative are together at most a third of
+    /// distance. The proof requires that the terms with the third and fourth derivative together are at most a third of
     /// E″.
     fn is_near(&self, distance: S) -> bool {
         let Cubic {
@@ -112,7 +112,7 @@ impl<S: Float> Excess<S> {
 
 impl<S: Float, D: Decay<S>> MaximumSearch<'_, S, D> {
     /// Returns the cells around a local maximum that stay open, because the sum may exceed the maximum in them. The
-    /// function closes the other cells, but only for the sign that the sum has at the maximum. A Newton step across the
+    /// function closes all other cells, but only for the sign that the sum has at the maximum. A Newton step across the
     /// end of the half period may have changed this sign.
     pub(super) fn about(&self, summit: &Summit<S>, grid: &Grid<S>, open: OpenCells) -> OpenCells {
         let zero = S::constant(0.0);
@@ -126,7 +126,7 @@ impl<S: Float, D: Decay<S>> MaximumSearch<'_, S, D> {
         } else {
             summit.level
         };
-        // The level multiplied by sin τ is subtracted from the sum, and therefore contributes to the derivatives.
+        // The level times sin τ is part of the difference E. It therefore contributes to the derivatives of E.
         let of_sine = if over_sine { level } else { zero };
         let cubic = self.cubic_about(summit, level, of_sine);
         let starts = over_sine && grid.stretch.from.is_zero();
@@ -143,8 +143,8 @@ impl<S: Float, D: Decay<S>> MaximumSearch<'_, S, D> {
         }
         let [plus, minus] = open;
         let among = if summit.negative { minus } else { plus };
-        // `closed` has one bit for each cell closed so far. `before` is true if E stays below 0 from the summit to the
-        // last visited node. `last` is the bit of the cell after that node.
+        // `closed` has one bit for each cell that is closed so far. `before` is true if E stays below 0 from the summit
+        // to the last visited node. `last` is the bit of the cell after that node.
         let (mut closed, mut before, mut last) = (0, false, 0_u32);
         grid.beside(among, |after, tau, node| {
             let cell = after >> 1;

@@ -1,21 +1,21 @@
 //! Upper bounds on the derivatives of a modal sum after a given instant, and the state of each mode at this instant.
 //!
 //! The code splits the motion of a mode into a free motion and a forced motion. The forced motion is a constant plus
-//! sinusoids. Some modes *keep their forcing*: the code does not split their motion. The state of such a mode contains
-//! the whole motion, and the later motion follows from this state by the equation of the mode (section 9 of
+//! sinusoids. For some modes the code does not split the motion: they *keep their forcing*. The state of such a mode
+//! contains the whole motion, and the later motion follows from this state by the equation of the mode (section 9 of
 //! `docs/derivation.md`).
 
 use crate::modal_sum::wave::{Sum, Wave};
 use crate::number::scalar::Float;
 use crate::oscillator::decay::{Basis, Decay, Instant};
 
-/// The code does not split a mode into free and forced motion if its x is closer to the resonance x = 1 than this
-/// distance. Close to x = 1 the free and the forced motion are large and nearly cancel. Their sum would be mainly
-/// rounding error.
+/// Smallest distance of a mode's x = √λ/r from the resonance x = 1 at which the code splits the motion into a free and
+/// a forced motion. Closer to x = 1 the free and the forced motion are large and nearly cancel. Their sum would be
+/// mainly rounding error.
 const NEAR_EXCITATION: f64 = 0.125;
-/// Bound on the rounding error of a mode at a grid node, in rounding units of the mode's amplitude. The same bound
-/// applies to sin τ and cos τ. The matrix of one step from node to node has three roundings, and its fourth power has
-/// twelve. A grid applies the fourth power seven times. 64 suffices, because the errors partly cancel.
+/// Bound on the rounding error of a mode at a grid node, as a multiple of the rounding unit times the mode's amplitude.
+/// The same bound applies to sin τ and cos τ. The matrix of one step from node to node has three roundings, and its
+/// fourth power has twelve. A grid applies the fourth power seven times. 64 suffices, because the errors partly cancel.
 const ROUNDINGS: f64 = 64.0;
 
 /// State of one mode at an instant, and the force that then acts on the mode: y″ + 2ζx y′ + x²y = constant + cosine·cos
@@ -23,7 +23,7 @@ const ROUNDINGS: f64 = 64.0;
 pub(super) struct ModeTrack<S> {
     /// Natural frequency of the mode divided by the excitation frequency, x = √λ/r.
     pub x: S,
-    /// Coefficient 2ζx of y′.
+    /// Coefficient 2ζx of y′ in the equation of the mode.
     pub loss: S,
     pub value: S,
     pub slope: S,
@@ -41,8 +41,8 @@ pub(super) struct Common<S> {
 
 impl<S: Float> ModeTrack<S> {
     /// Splits the motion of a mode at an instant into a free and a forced motion. The first result is the state of the
-    /// free motion, the second has the coefficients of the forced motion. If `all` or [`keeps_forcing`] is true, the
-    /// state contains the whole motion, and the coefficients are 0.
+    /// free motion. The second result contains the coefficients of the forced motion. If `all` or [`keeps_forcing`] is
+    /// true, the state contains the whole motion, and the coefficients are 0.
     #[inline]
     pub fn of<D: Decay<S>>(wave: &Wave<S, D>, at: &Instant<S>, all: bool) -> (Self, Common<S>) {
         let zero = S::constant(0.0);
@@ -77,7 +77,7 @@ impl<S: Float> ModeTrack<S> {
             };
             return (track, common);
         }
-        // Without forcing, the state is a combination of the free displacement p and its derivative p′. The free motion
+        // The state of the free motion is a combination of the free displacement p and its derivative p′. The function
         // d = p′ + 2ζx·p contributes to the coefficients of p and of p′.
         let constant = wave.rise / (x * x);
         let of_slope = -(wave.forced_slope + constant);
@@ -101,9 +101,9 @@ impl<S: Float> ModeTrack<S> {
     }
 }
 
-/// Returns true if the motion of a mode is not split into free and forced motion. This applies to modes that resonate
-/// close to the excitation frequency or far below it. For modes far below, the factor 1/x² of the forced motion would
-/// outweigh the whole motion.
+/// Returns true if the code does not split the motion of a mode into a free and a forced motion. These are modes that
+/// resonate close to the excitation frequency or far below it. For modes far below, the factor 1/x² of the forced
+/// motion would outweigh the whole motion.
 pub(super) fn keeps_forcing<S: Float, D: Decay<S>>(wave: &Wave<S, D>, all: bool) -> bool {
     let slow = wave.x < S::constant(0.5) && !wave.rise.is_zero();
     all || wave.mass_controlled
@@ -115,9 +115,9 @@ pub(super) fn keeps_forcing<S: Float, D: Decay<S>>(wave: &Wave<S, D>, all: bool)
 /// error.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct DerivativeBounds<S> {
-    /// Second derivative of the sum at the instant. The field `third` has the third derivative. Only a search of
-    /// sum/sin τ needs the two derivatives. They leave out mass-controlled modes, because the sum of such a search
-    /// contains no mass-controlled modes.
+    /// Second derivative of the sum at the instant. The field `third` is the third derivative. Only a search of sum/sin
+    /// τ needs the two derivatives. They leave out mass-controlled modes, because the sum in such a search contains
+    /// none.
     pub second: S,
     pub third: S,
     pub fourth: S,
@@ -126,8 +126,8 @@ pub(super) struct DerivativeBounds<S> {
     pub size: S,
     /// Upper bound on the rounding error of the sum at a node.
     pub rounding: S,
-    /// Upper bound on the rounding error of the sum, per unit of τ since the instant. The bound is valid if all modes
-    /// are at rest at the instant and all keep their forcing.
+    /// Upper bound on the rounding error of the sum, divided by the time τ since the instant. The bound is valid if all
+    /// modes are at rest at the instant and if all keep their forcing.
     pub drift: S,
 }
 
@@ -161,7 +161,8 @@ impl<S: Float> DerivativeBounds<S> {
             let y3 = turned - loss * y2 - x * x * y1;
             let y4 = -turning - loss * y3 - x * x * y2;
             let push = track.cosine.abs() + track.sine.abs();
-            // √(a² + b²) ≤ max + (√2 − 1) min. The bound needs no square, which might overflow.
+            // √(a² + b²) ≤ max + (√2 − 1) min, where max and min are the larger and the smaller one of |a| and |b|.
+            // This bound needs no square, which might overflow.
             let (a, b) = ((x * y3).abs(), y4.abs());
             let energy = a.max(b) + a.min(b) * S::constant(0.414_213_6) + push * time;
             second = second + y2;

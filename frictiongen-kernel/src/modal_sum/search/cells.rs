@@ -1,10 +1,10 @@
 //! Search of a modal sum by grids. A cell is the interval between two nodes of a grid. The search closes a cell once it
 //! has proven that no value in the cell exceeds the largest value found.
 //!
-//! In each cell a cubic approximates the sum, with the values and slopes of the sum at both nodes. An upper bound on
-//! the sum is the largest Bernstein coefficient of the cubic plus an error from the fourth derivative. The search
-//! refines local maxima by Newton's method, starting in the highest open cell. A finer grid divides the cells that
-//! remain open. The division ends when the bounds are limited by rounding errors (section 9 of `docs/derivation.md`).
+//! In each cell a cubic with the values and slopes of the sum at both nodes approximates the sum. The largest Bernstein
+//! coefficient of the cubic, plus an error from the fourth derivative, is an upper bound on the sum. The search refines
+//! local maxima by Newton's method, starting in the highest open cell. A finer grid divides the cells that remain open.
+//! The division ends when rounding errors limit the bounds (section 9 of `docs/derivation.md`).
 
 use super::bounds::DerivativeBounds;
 use super::grid::{Grid, GridNode, OpenCells, Stretch};
@@ -13,11 +13,11 @@ use super::{EQUAL, MaximumSearch, Weight};
 use crate::number::scalar::Float;
 use crate::oscillator::decay::{Decay, Instant};
 
-/// Allowed error of the cubic in a cell, as a fraction of the largest value of the sum. The code chooses the width of
-/// the cells from this error. A smaller error needs more nodes. A larger error leaves more cells open.
+/// Permitted error of the cubic in a cell, divided by the largest value of the sum. The code chooses the width of the
+/// cells from this error. A smaller error needs more nodes. A larger error leaves more cells open.
 const SLACK: f64 = 2e-3;
-/// The code estimates the largest value, to choose the cell width of the first grid. The estimate is at least this
-/// fraction of the sum of the modal amplitudes, even if the terms of the modes nearly cancel.
+/// Smallest estimate of the sum's largest value, divided by the sum of the modal amplitudes. The code estimates the
+/// largest value to choose the cell width of the first grid. The terms of the modes may nearly cancel.
 const CANCELLED: f64 = 1e-3;
 /// Cost of evaluating one grid, counted as this number of evaluations of the modal sum.
 const COST: u32 = 2;
@@ -29,21 +29,21 @@ const FINER: f64 = 10.0;
 const NONE: OpenCells = [0, 0];
 
 impl<S: Float, D: Decay<S>> MaximumSearch<'_, S, D> {
-    /// Returns true if the search may still evaluate one more grid and its local maxima. If the search may not do so,
-    /// marks it as incomplete.
+    /// Returns true if the search may evaluate one more grid and its local maxima. Otherwise marks the search as
+    /// incomplete.
     fn has_room(&mut self) -> bool {
         self.peak.exceeded |= self.most - self.peak.evaluations < COST + SUMMITS * EVALUATIONS;
         !self.peak.exceeded
     }
 
-    /// Searches the whole half period by grids, until the allowed number of evaluations is reached.
+    /// Searches the whole half period by grids, until the search is complete or reaches its bound on evaluations.
     pub(super) fn by_grids(&mut self) {
         let end = self.problem.end;
         let mut from = S::constant(0.0);
         while from < end && self.has_room() {
             let bounds = DerivativeBounds::of(&self.sum, &Instant::from_start(from), end - from);
-            // A cubic on a cell of width h has an error of at most h⁴/384 times the fourth derivative. The allowed
-            // error of the cubic therefore gives the width.
+            // A cubic on a cell of width h has an error of at most h⁴/384 times the fourth derivative. The code
+            // computes the width from the permitted error of the cubic.
             let fourth = bounds.fourth + self.level();
             let width = (S::constant(384.0 * SLACK) * self.size(&bounds) / fourth)
                 .sqrt()
@@ -54,7 +54,7 @@ impl<S: Float, D: Decay<S>> MaximumSearch<'_, S, D> {
         }
     }
 
-    /// Estimates the largest value that the search will find. The estimate sets the width of the cells.
+    /// Estimates the largest value that the search will find. The width of the cells follows from this estimate.
     fn size(&self, bounds: &DerivativeBounds<S>) -> S {
         let mut known = self.problem.start + self.peak.value;
         if self.problem.weight == Weight::One && known.is_zero() {
@@ -64,8 +64,8 @@ impl<S: Float, D: Decay<S>> MaximumSearch<'_, S, D> {
         known.max(bounds.size * S::constant(CANCELLED))
     }
 
-    /// Searches an interval by one grid, then divides the cells that may still contain a larger value. Cells are not
-    /// divided further once the error of their cubics is below the rounding error.
+    /// Searches an interval by one grid, and then divides the cells that may still contain a larger value. It does not
+    /// divide cells further once the error of their cubics is smaller than the rounding error.
     fn settle(&mut self, stretch: &Stretch<S>, bounds: &DerivativeBounds<S>) {
         let [plus, minus] = self.open_cells(stretch, bounds);
         let mut open = plus | minus;
@@ -108,7 +108,7 @@ impl<S: Float, D: Decay<S>> MaximumSearch<'_, S, D> {
     }
 
     /// Evaluates the sum at the nodes of a grid, and refines its highest local maxima. Returns the cells that may still
-    /// contain a larger value.
+    /// contain a value larger than the largest one found.
     #[inline(never)]
     pub(super) fn open_cells(
         &mut self,
@@ -123,8 +123,8 @@ impl<S: Float, D: Decay<S>> MaximumSearch<'_, S, D> {
         } else {
             self.open(&grid, [u32::MAX; 2])
         };
-        // Some cells next to a local maximum may stay open. From these cells, Newton's method on this grid would find
-        // the same maximum again. A finer grid therefore searches them.
+        // Some cells next to a local maximum may stay open. From these cells, Newton's method on this grid would lead
+        // to the same maximum. A finer grid therefore searches them.
         let mut left = [u32::MAX; 2];
         for _ in 0..SUMMITS {
             let [plus, minus] = [open[0] & left[0], open[1] & left[1]];
@@ -157,7 +157,8 @@ impl<S: Float, D: Decay<S>> MaximumSearch<'_, S, D> {
         self.open(&grid, open)
     }
 
-    /// Returns true if the search of a motion has not found any value yet. Without a value, no cell can be closed.
+    /// Returns true if the search of a motion has not found any value yet. Without a value, the search cannot close a
+    /// cell.
     fn knows_nothing(&self) -> bool {
         self.problem.weight == Weight::One && self.peak.value.is_zero()
     }
@@ -173,12 +174,12 @@ impl<S: Float, D: Decay<S>> MaximumSearch<'_, S, D> {
         open
     }
 
-    /// Returns the level above which a value keeps its cell open. For a motion the level is slightly below the largest
-    /// value found, so that the search also finds other maxima of the same height.
+    /// Returns the level that a cell must not exceed to be closed. For a motion the level is slightly less than the
+    /// largest value found. The search then also finds other maxima of the same height.
     fn bar(&self, negative: bool) -> S {
         match self.problem.weight {
-            // No value has been found yet. A sum that consists of rounding errors only must still return its largest
-            // value.
+            // The search has not found any value yet. If the sum consists only of rounding errors, the search must
+            // still return its largest value.
             Weight::One if self.peak.places[0].is_none() => self.peak.value,
             Weight::One => {
                 let equal = self.peak.value * S::constant(1.0 - EQUAL * S::RESOLUTION);
@@ -209,8 +210,8 @@ impl<S: Float, D: Decay<S>> MaximumSearch<'_, S, D> {
     }
 
     /// Returns the cells of `among` in which the sum may exceed the level. In these cells a Bernstein coefficient of
-    /// the cubic exceeds the level minus the error of the cubic. The coefficients are the values at the two nodes of
-    /// the cell, and value ± slope·h/3.
+    /// the cubic exceeds the level minus the error of the cubic. The four coefficients are the values at the two nodes
+    /// of the cell, and value ± slope·h/3 at each node.
     pub(super) fn open_of(&self, grid: &Grid<S>, negative: bool, among: u32) -> u32 {
         let zero = S::constant(0.0);
         let Stretch {
@@ -251,8 +252,8 @@ impl<S: Float, D: Decay<S>> MaximumSearch<'_, S, D> {
         open & among
     }
 
-    /// Returns true if ±sum/sin τ is proven to stay below the level `bar` in the last cell before τ = π. The sum and
-    /// sin τ vanish at π. The cubic of the cell is therefore the distance from π times a parabola.
+    /// Returns true if the code proves that ±sum/sin τ stays below the level `bar` in the last cell before τ = π. The
+    /// sum and sin τ both vanish at π. The cubic of the cell is therefore the distance from π times a parabola.
     fn ends_below(&self, grid: &Grid<S>, negative: bool, bar: S, slack: S) -> bool {
         let width = grid.stretch.width;
         let cells = grid.stretch.cells();
@@ -266,9 +267,9 @@ impl<S: Float, D: Decay<S>> MaximumSearch<'_, S, D> {
         most + slack <= S::constant(0.0)
     }
 
-    /// Returns true if ±sum/sin τ is proven to stay below the level `bar` in the first cell. At τ = 0 the sum and its
-    /// slope vanish. The function first bounds sum/τ², which is a parabola apart from a term with the fifth derivative.
-    /// If this bound exceeds the level, the function bounds (sum − bar·sin τ)/τ by a cubic.
+    /// Returns true if the code proves that ±sum/sin τ stays below the level `bar` in the first cell. At τ = 0 the sum
+    /// and its slope vanish. The function first bounds sum/τ², which is a parabola apart from a term with the fifth
+    /// derivative. If this bound exceeds the level, the function bounds (sum − bar·sin τ)/τ by a cubic.
     fn starts_below(&self, grid: &Grid<S>, negative: bool, bar: S) -> bool {
         let (zero, half) = (S::constant(0.0), S::constant(0.5));
         let third = S::constant(1.0 / 3.0);

@@ -1,9 +1,10 @@
 //! Grid of nodes over an interval of the half period, with upper bounds on the modal sum between the nodes.
 //!
 //! A constant matrix advances a mode from node to node, four nodes at a time. The loop therefore evaluates no sine and
-//! no exponential. Between two nodes a cubic approximates the sum, with the same values and slopes at both nodes. The
-//! error of the cubic is at most h⁴/384 times the fourth derivative, where h is the distance between the nodes. The
-//! Bernstein coefficients of the cubic follow directly from the values and slopes (section 9 of `docs/derivation.md`).
+//! no exponential function. Between two nodes a cubic with the same values and slopes at both nodes approximates the
+//! sum. The error of the cubic is at most h⁴/384 times the fourth derivative, where h is the distance between the
+//! nodes. The Bernstein coefficients of the cubic follow directly from the values and slopes (section 9 of
+//! `docs/derivation.md`).
 
 use super::bounds::{DerivativeBounds, ModeTrack, keeps_forcing};
 use super::row::{LANES, LaneRow, Matrix, add, advanced, first_lanes, pairwise};
@@ -24,18 +25,19 @@ pub(super) struct Stretch<S> {
     pub from: S,
     /// Width of a cell, the distance between two nodes.
     pub width: S,
-    /// Number of rows of four nodes.
+    /// Number of rows of the grid. A row has four nodes.
     rows: usize,
-    /// True if all modes are at rest at the start and keep their forcing (are not split into free and forced motion).
-    /// The rounding error of the sum is then 0 at the start and grows with time.
+    /// True if all modes are at rest at the start of the interval and keep their forcing (the code does not split their
+    /// motion into a free and a forced motion). The rounding error of the sum is then 0 at the start, and grows with
+    /// time.
     pub keeps_forcing: bool,
     /// Phase τ of the last node.
     pub to: S,
 }
 
 impl<S: Float> Stretch<S> {
-    /// Creates an interval from `from` to `end`, with cells of at most the given width. The interval is shorter if one
-    /// grid does not reach `end`.
+    /// Creates an interval from `from` to `end`, with cells of at most the given width. If one grid does not reach
+    /// `end`, the interval ends earlier.
     pub fn new(from: S, end: S, width: S, keeps_forcing: bool) -> Self {
         let (mut rows, mut cells) = (1, S::constant(LANES as f64 - 1.0));
         let left = end - from;
@@ -89,7 +91,7 @@ pub(super) struct Grid<S> {
 }
 
 /// Displacement and velocity that the force on a mode adds in one step from node to node. Each of the two is a sum of
-/// sin τ, cos τ and 1 with the three coefficients of its field, with τ at the start of the step.
+/// sin τ, cos τ and 1 with the three coefficients in its field. τ is the phase at the start of the step.
 struct ForcedStep<S> {
     value: [S; 3],
     slope: [S; 3],
@@ -99,8 +101,8 @@ impl<S: Float> ForcedStep<S> {
     fn of<D: Decay<S>>(wave: &Wave<S, D>, loss: S, basis: &Basis<S>) -> Self {
         let x = wave.x;
         let detuning = (x - S::constant(1.0)) * (x + S::constant(1.0));
-        // The differences cos h − d and sin h − p after the step h, and their derivatives. p is the free displacement,
-        // and d = p′ + 2ζx·p the free motion that starts at rest from displacement 1.
+        // The numbers are the differences cos h − d and sin h − p after the step h, and their derivatives. p is the
+        // free displacement, and d = p′ + 2ζx·p is the free motion that starts at rest from the displacement 1.
         let of_cosine = basis.forced_slope - loss * basis.free;
         let of_sine = basis.forced;
         let of_cosine_slope = detuning * basis.free - basis.forced;
@@ -144,16 +146,16 @@ impl<S: Float> Grid<S> {
         }
     }
 
-    /// Evaluates the sum at all nodes. The function fills the grid in place, because a returned grid would occupy the
-    /// stack twice.
+    /// Evaluates the sum at all nodes. The function fills the grid in place, because a grid as its result would be on
+    /// the stack twice.
     pub fn fill<D: Decay<S>>(&mut self, sum: &Sum<'_, S, D>) {
         let (zero, stretch) = (S::constant(0.0), self.stretch);
         let at = &Instant::from_start(stretch.from);
         let width = stretch.width;
         let step = Instant::new(width * S::inverse_pi());
         self.turn(at, &step);
-        // Phase after a step by one row, which has four nodes. Only modes that are not split into free and forced
-        // motion need this phase.
+        // This is the phase advance of one row, which has four nodes. Only modes that the code does not split into a
+        // free and a forced motion need it.
         let mut four = None;
         let (mut constant, mut cosine, mut sine) = (zero, sum.cosine, sum.sine);
         for wave in sum.waves {
@@ -308,7 +310,7 @@ impl<S: Float> Grid<S> {
         }
     }
 
-    /// Returns the bit of the cell that contains the phase τ. The result is 0 if τ is before the first node or beyond
+    /// Returns the bit of the cell that contains the phase τ. The result is 0 if τ is before the first node or after
     /// the last.
     pub fn cell_of(&self, tau: S) -> u32 {
         let (mut cell, mut right) = (1_u32, self.stretch.from);
@@ -325,7 +327,7 @@ impl<S: Float> Grid<S> {
         0
     }
 
-    /// Returns the node with a zero-based index, or `None` beyond the last node.
+    /// Returns the node with an index, counted from 0, or `None` after the last node.
     pub fn node(&self, index: usize) -> Option<GridNode<S>> {
         if index > self.stretch.cells() {
             return None;

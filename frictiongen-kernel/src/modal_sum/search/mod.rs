@@ -1,7 +1,7 @@
 //! Search for the largest value of a modal sum in a half period, with a proof that no larger value exists.
 //!
 //! The search covers the half period by grids. The interval between two nodes of a grid is a *cell*. A cubic and a
-//! bound on the fourth derivative give an upper bound on the sum in a cell. A cell is *open* while its bound exceeds
+//! bound on the fourth derivative give an upper bound on the sum in a cell. A cell is *open* if its upper bound exceeds
 //! the largest value found so far. On each grid the search refines local maxima. A *summit* is a position from which
 //! one Newton step leads to a local maximum. Finer grids then divide the cells that remain open. At the end, no value
 //! exceeds result·(1 + tolerance), except by rounding (section 9 of `docs/derivation.md`).
@@ -22,21 +22,22 @@ use crate::number::scalar::Float;
 use crate::oscillator::decay::Decay;
 
 /// Upper bound on the evaluations of the modal sum in one search, for any scene. A grid of up to 32 nodes counts as two
-/// evaluations. [`most_evaluations`] gives a smaller bound for a given scene. `docs/evidence.md` has measured numbers.
-/// A search that reaches its bound returns the best value that it has found.
+/// evaluations. [`most_evaluations`] returns a smaller bound for a given scene. `docs/evidence.md` contains measured
+/// numbers. A search that reaches its bound returns the largest value that it has found.
 pub const MAX_EVALUATIONS: u32 = 20_000;
 
-/// Upper bound on the evaluations in a search of sum/sin τ if all modes are slow. The bound is five times the largest
-/// measured number.
+/// Upper bound on the evaluations in a search of sum/sin τ if no mode is fast compared with the excitation. The bound
+/// is five times the largest measured number.
 const OVER_SINE: u32 = 256;
-/// Upper bound on the evaluations in a search of a motion if all modes are slow. The bound is three times the largest
-/// measured number. A search of a motion needs more evaluations because the terms of the modes may nearly cancel.
+/// Upper bound on the evaluations in a search of a motion if no mode is fast compared with the excitation. The bound is
+/// three times the largest measured number. A search of a motion needs more evaluations than one of sum/sin τ, because
+/// the terms of the modes may nearly cancel.
 const OF_MOTION: u32 = 1024;
-/// A search may make one more evaluation for this number of half turns of the fastest mode. Measured searches need at
+/// Number of half turns of the fastest mode for which a search may make one more evaluation. Measured searches need at
 /// most one evaluation for 120 half turns.
 const HALF_TURNS: usize = 16;
 
-/// Returns the upper bound on the number of evaluations in one search. `fastest` is the largest √λ(1 + 2ζ)/r of the
+/// Returns the upper bound on the number of evaluations in one search. `fastest` is the largest √λ(1 + 2ζ)/r among the
 /// modes.
 ///
 /// A search stops before a grid if the evaluations for this grid and its local maxima could exceed the bound.
@@ -51,13 +52,13 @@ pub fn most_evaluations<S: Float>(weight: Weight, fastest: S) -> u32 {
     few.saturating_add(turns).min(MAX_EVALUATIONS)
 }
 
-/// Two maxima count as equal if their relative difference is below this multiple of the scalar type's resolution.
+/// Largest relative difference of two maxima that count as equal, as a multiple of the scalar type's resolution.
 const EQUAL: f64 = 64.0;
 /// Safety factor on the rounding error of a sum that is divided by sin τ, for τ > π/2.
 const NOISE: f64 = 16.0;
-/// Two positions belong to the same maximum if their distance in τ is below this value. Around a maximum the sum falls
-/// with the square of the distance. At this distance from the maximum, the sum has fallen by far more than the
-/// tolerance for equal maxima.
+/// Largest distance in τ of two positions that belong to the same maximum. Around a maximum the sum falls with the
+/// square of the distance. At this distance from the maximum, the sum has fallen by far more than the tolerance for
+/// equal maxima.
 const SAME_MAXIMUM: f64 = 0.05;
 
 /// Divisor of the modal sum in a search: 1 or sin τ.
@@ -74,14 +75,14 @@ pub enum Weight {
 pub struct SearchSettings<S> {
     /// Divisor of the modal sum.
     pub weight: Weight,
-    /// True if the search also covers the negative of the sum, for the largest absolute value.
+    /// True if the search also covers the negative of the sum. It then finds the largest absolute value.
     pub both_signs: bool,
     /// End of the searched interval 0 < τ ≤ `end`. The end is π/2 for a sum that is odd about π/2, otherwise π.
     pub end: S,
     /// Smallest value of interest. The search ignores smaller values.
     pub floor: S,
-    /// Limit for τ → 0 of the function to be maximised. The function is `start` plus the modal sum divided by 1 or sin
-    /// τ. The modal sum itself does not contain `start`.
+    /// Limit for τ → 0 of the function that the search maximises. The function is `start` plus the quotient of the
+    /// modal sum and 1 or sin τ. The modal sum itself does not contain `start`.
     pub start: S,
     /// Tolerance of the search. The search may miss a value that exceeds the result by less than `tolerance` times
     /// (result + `start`).
@@ -100,18 +101,19 @@ pub struct Maximiser<S> {
 /// Result of a search: the largest value, its positions, and the work.
 #[derive(Clone, Copy, Debug)]
 pub struct Peak<S> {
-    /// Largest value that the search found. If no value exceeds the floor of the problem, the result is the floor.
+    /// Largest value that the search found. If no value exceeds the floor of the search problem, the result is the
+    /// floor.
     pub value: S,
     /// Positions of up to four equal largest values. All four entries are `None` if no value exceeds the floor of the
-    /// problem.
+    /// search problem.
     pub places: [Option<Maximiser<S>>; 4],
-    /// Number of evaluations of the modal sum. A grid counts as two.
+    /// Number of evaluations of the modal sum in the search. A grid counts as two.
     pub evaluations: u32,
     /// True if the search stopped at its [bound](most_evaluations) and may have missed a larger value.
     pub exceeded: bool,
 }
 
-/// Number of evaluations that a search for the largest value of a modal sum needed, or a mark that the search is
+/// Work of a search for the largest value of a modal sum: the number of evaluations, or a mark that the search is
 /// incomplete.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -124,7 +126,8 @@ pub enum Effort {
 }
 
 impl<S> Peak<S> {
-    /// Returns the number of evaluations of a complete search, or [`Effort::Exceeded`] for a search that stopped early.
+    /// Returns the number of evaluations of a complete search. For a search that stopped early, returns
+    /// [`Effort::Exceeded`].
     #[must_use]
     pub fn effort(&self) -> Effort {
         if self.exceeded {
@@ -139,7 +142,7 @@ struct MaximumSearch<'a, S, D> {
     sum: Sum<'a, S, D>,
     problem: SearchSettings<S>,
     peak: Peak<S>,
-    /// Upper bound on the rounding error of the sum. A smaller value of the sum may be pure rounding error.
+    /// Upper bound on the rounding error of the sum. A value of the sum below this bound may be pure rounding error.
     rounding: S,
     /// Upper bound on the number of evaluations.
     most: u32,
@@ -155,7 +158,8 @@ pub fn largest<S: Float, D: Decay<S>>(sum: Sum<'_, S, D>, problem: SearchSetting
 }
 
 /// Finds the largest value as [`largest`] does, for one of a sequence of similar sums. `neighbour` predicts the
-/// position of the maximum from the previous searches. The function then stores the new position in `neighbour`.
+/// position of the maximum from the previous searches. After the search, the function stores the new position in
+/// `neighbour`.
 pub fn largest_near<S: Float, D: Decay<S>>(
     sum: Sum<'_, S, D>,
     problem: SearchSettings<S>,
@@ -199,9 +203,9 @@ impl<'a, S: Float, D: Decay<S>> MaximumSearch<'a, S, D> {
         }
     }
 
-    /// Returns the level for ±sum/sin τ. At a position where ±sum/sin τ exceeds this level, the function to be
-    /// maximised exceeds the largest value found. The function to be maximised is ±(`start` + sum/sin τ). For the
-    /// negative sign, the level is therefore higher by 2·`start`.
+    /// Returns the level with which the search compares ±sum/sin τ. If ±sum/sin τ exceeds this level, the function that
+    /// the search maximises exceeds the largest value found. This function is ±(`start` + sum/sin τ). For the negative
+    /// sign, the level is therefore higher by 2·`start`.
     fn signed(&self, level: S, negative: bool) -> S {
         if negative {
             level + self.problem.start + self.problem.start
@@ -212,7 +216,7 @@ impl<'a, S: Float, D: Decay<S>> MaximumSearch<'a, S, D> {
 
     /// Returns an upper bound on the rounding error of the sum in a quotient sum/sin τ. Towards τ = π the sum and sin τ
     /// both vanish, but the rounding error does not. For τ ≤ π/2 the result is 0, because towards τ = 0 the rounding
-    /// error vanishes as well.
+    /// error also vanishes.
     fn noise(&self, cosine: S) -> S {
         let zero = S::constant(0.0);
         if self.problem.weight == Weight::Sine && cosine < zero {

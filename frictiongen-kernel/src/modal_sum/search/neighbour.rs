@@ -3,7 +3,7 @@
 use super::{Maximiser, Peak};
 use crate::number::scalar::Float;
 
-/// Positions of the largest values that the last searches of a frequency sweep found.
+/// Positions of the largest values that the last searches in a frequency sweep found. They predict the next position.
 ///
 /// A search with a `Neighbour` begins at the predicted position. Like every search, it then proves that no larger value
 /// exists. A wrong prediction costs some evaluations, but does not change the result.
@@ -12,22 +12,21 @@ use crate::number::scalar::Float;
 /// [`Motion::largest_near`](crate::response::motion::Motion::largest_near).
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Neighbour<S> {
-    /// Up to three known positions, the latest first.
+    /// Up to three known positions. The latest one comes first.
     known: [Option<KnownMaximum<S>>; 3],
 }
 
-/// Position of a largest value, and the frequency at which it was found.
+/// Position of a largest value, and the frequency at which a search found it.
 #[derive(Clone, Copy, Debug)]
 struct KnownMaximum<S> {
-    /// Rate x(1 + 2ζ) of the fastest mode. This rate is proportional to 1/r, and so identifies the frequency in a
+    /// Rate x(1 + 2ζ) of the fastest mode. The rate is proportional to 1/r. It therefore identifies the frequency in a
     /// sweep.
     speed: S,
     place: Maximiser<S>,
 }
 
 impl<S: Float> Neighbour<S> {
-    /// Creates a prediction without known positions. The first search of a sweep then starts without a predicted
-    /// position.
+    /// Creates a prediction without known positions. The first search of a sweep then has no predicted position.
     #[must_use]
     pub fn new() -> Self {
         Self { known: [None; 3] }
@@ -54,8 +53,8 @@ impl<S: Float> Neighbour<S> {
         })
     }
 
-    /// Stores the position that a search has found, to predict the next one. A search without a position clears the
-    /// prediction.
+    /// Stores the position that a search has found, as a basis for the next prediction. If the search found no
+    /// position, clears all known positions.
     pub(super) fn learn(&mut self, speed: S, peak: &Peak<S>) {
         let [found, ..] = peak.places;
         let [last, second, _] = self.known;
@@ -65,9 +64,10 @@ impl<S: Float> Neighbour<S> {
         };
         let known = Some(KnownMaximum { speed, place });
         self.known = match last {
-            // The sweep repeats its last frequency. The new position replaces the position known for this frequency.
+            // The sweep repeats its last frequency. The new position then replaces the known position at this
+            // frequency.
             Some(last) if last.speed == speed => [known, second, None],
-            // The maximum has changed its sign, so that the older positions no longer predict it.
+            // The maximum has changed its sign. The older positions then no longer predict it.
             Some(last) if last.place.negative != place.negative => [known, None, None],
             _ => [known, last, second],
         };

@@ -5,8 +5,8 @@ use crate::number::scalar::Float;
 use crate::oscillator::decay::Decay;
 
 impl<S: Float, D: Decay<S>> MaximumSearch<'_, S, D> {
-    /// Records a local maximum if it is at least as large as the largest value so far. `best` is the value for this
-    /// comparison. `kept` is the value that becomes the largest value.
+    /// Records a local maximum if it is at least as large as the largest value so far. The comparison uses `best`. The
+    /// number `kept` becomes the largest value.
     pub(super) fn keep(&mut self, best: S, kept: S, place: Maximiser<S>) {
         let share = S::constant(1.0 - EQUAL * S::RESOLUTION);
         if self.peak.value < best {
@@ -20,10 +20,10 @@ impl<S: Float, D: Decay<S>> MaximumSearch<'_, S, D> {
         }
     }
 
-    /// Moves the position that a Newton step has reached into the half period. The flag of the result is true if the
-    /// position was in the next or the previous half period, where a motion continues with the opposite sign. The
-    /// velocity constraint is defined only within the half period. A position for the velocity constraint is therefore
-    /// clamped to the half period.
+    /// Moves the position that a Newton step has reached into the half period. The flag is true if the position was in
+    /// the next or the previous half period. In these half periods a motion continues with the opposite sign. The
+    /// velocity constraint, however, is defined only within the half period. Its position is therefore clamped to the
+    /// half period.
     pub(super) fn moved(&self, tau: S) -> (S, bool) {
         let (zero, end) = (S::constant(0.0), self.problem.end);
         match self.problem.weight {
@@ -43,7 +43,7 @@ impl<S: Float, D: Decay<S>> MaximumSearch<'_, S, D> {
     }
 
     /// Returns true if the maximum at a position is already recorded. The end of a half period and the start of the
-    /// next are the same instant. A motion has the opposite sign in the next half period.
+    /// next are the same instant, and a motion has the opposite sign in the next half period.
     fn knows(&self, place: Maximiser<S>) -> bool {
         let near = S::constant(SAME_MAXIMUM);
         self.peak.places.iter().flatten().any(|known| {
@@ -56,8 +56,8 @@ impl<S: Float, D: Decay<S>> MaximumSearch<'_, S, D> {
         })
     }
 
-    /// Returns the modal sum, or sum/sin τ, as a pair. The first number is the value minus the possible rounding error,
-    /// and serves for comparisons. The second number is the value itself.
+    /// Returns the modal sum, or sum/sin τ, as a pair of numbers. The first number is the value minus its possible
+    /// rounding error, and serves for comparisons. The second number is the value itself.
     pub(super) fn quotient_at(&self, value: S, sine: S, cosine: S, negative: bool) -> (S, S) {
         let value = if negative { -value } else { value };
         match self.problem.weight {

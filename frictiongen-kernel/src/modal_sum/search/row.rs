@@ -10,7 +10,7 @@ pub(super) const LANES: usize = 4;
 
 pub(super) type LaneRow<S> = [S; LANES];
 
-/// The 2×2 matrix ( a b ; c d ), which advances a displacement and a velocity.
+/// The 2×2 matrix ( a b ; c d ). It advances a displacement and a velocity by one time step.
 #[derive(Clone, Copy)]
 pub(super) struct Matrix<S> {
     pub a: S,
@@ -48,8 +48,8 @@ impl<S: Float> Matrix<S> {
     }
 }
 
-/// Returns four consecutive pairs (displacement, velocity): the given start and the results of three steps. The closure
-/// `step` gets a pair and the index of its node, 0 to 2.
+/// Returns four consecutive pairs (displacement, velocity): the given start, and the results of three steps. The
+/// closure `step` takes a pair and the index of its node, from 0 to 2.
 #[inline(always)]
 pub(super) fn first_lanes<S: Float>(
     (u, v): (S, S),
@@ -61,7 +61,8 @@ pub(super) fn first_lanes<S: Float>(
     ([u, one.0, two.0, three.0], [v, one.1, two.1, three.1])
 }
 
-/// Applies a function to four pairs (u, v) of numbers. Returns the four first results, then the four second results.
+/// Applies a function to four pairs (u, v) of numbers. Returns first the four first results, and then the four second
+/// results.
 #[inline(always)]
 pub(super) fn pairwise<S: Float>(
     [u0, u1, u2, u3]: LaneRow<S>,

@@ -7,9 +7,9 @@ use crate::modal_sum::wave::SumDerivatives;
 use crate::number::scalar::Float;
 use crate::oscillator::decay::{Decay, Instant};
 
-/// Largest number of evaluations of the modal sum in one Newton iteration to a local maximum.
+/// Largest number of evaluations of the modal sum in one search for a local maximum by Newton's method.
 pub(super) const EVALUATIONS: u32 = 5;
-/// The terms that a Newton step neglects must be small up to a distance of this number of Newton steps. Otherwise
+/// Distance, in Newton steps, up to which the terms that a Newton step neglects must be small. If they are not small,
 /// another Newton step follows.
 pub(super) const REACH: f64 = 7.0;
 
@@ -24,7 +24,7 @@ pub(super) struct Summit<S> {
     pub level: S,
 }
 
-/// Value and first three derivatives of a function at a position. These numbers define the Taylor polynomial of third
+/// Value and first three derivatives of a function at a position. They define the function's Taylor polynomial of third
 /// degree.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Cubic<S> {
@@ -36,8 +36,7 @@ pub(super) struct Cubic<S> {
 
 #[cfg(test)]
 impl<S: Float> Summit<S> {
-    /// Returns the upper bound on a local maximum. The flag of the result is true for a maximum of the negative of the
-    /// sum.
+    /// Returns the upper bound on a local maximum. The flag is true for a maximum of the negative of the sum.
     pub fn height(&self) -> (S, bool) {
         (self.level, self.negative)
     }
@@ -52,21 +51,22 @@ impl<S: Float> Cubic<S> {
         newton * (S::constant(1.0) - bend.max(-half).min(half))
     }
 
-    /// Returns the height of the local maximum above the value at the present position. `step` is the step to the
+    /// Returns the height of the local maximum minus the value at the present position. `step` is the step to the
     /// maximum.
     pub fn rise(&self, step: S) -> S {
         let bend = self.curvature * S::constant(0.5) + self.third * step * S::constant(1.0 / 6.0);
         (self.slope + bend * step) * step
     }
 
-    /// Returns true if the third derivative changes the curvature by less than half up to `reach` times a step. The
-    /// function then stays concave up to this distance.
+    /// Returns true if, up to the distance `reach` times a step, the third derivative changes the curvature by less
+    /// than half. The function then stays concave up to this distance.
     pub fn is_concave(&self, step: S, reach: S) -> bool {
         (self.third * step).abs() * (reach + reach) < -self.curvature
     }
 }
 
-/// Returns the largest contribution of the fourth derivative to the value of a function, up to `reach` times a step.
+/// Returns the largest contribution of the fourth derivative to the value of a function, up to the distance `reach`
+/// times a step.
 pub(super) fn beyond_cubic<S: Float>(fourth: S, step: S, reach: S) -> S {
     let far = step * reach;
     let square = far * far;
@@ -74,8 +74,8 @@ pub(super) fn beyond_cubic<S: Float>(fourth: S, step: S, reach: S) -> S {
 }
 
 impl<S: Float, D: Decay<S>> MaximumSearch<'_, S, D> {
-    /// Returns the modal sum and its derivative at a node. A search of sum/sin τ instead gets the quotient and its
-    /// derivative.
+    /// Returns the modal sum and its derivative at a node. In a search of sum/sin τ, returns this quotient and its
+    /// derivative instead.
     fn quotient_node(&self, node: &GridNode<S>) -> (S, S) {
         match self.problem.weight {
             Weight::One => (node.value, node.slope),
@@ -87,7 +87,7 @@ impl<S: Float, D: Decay<S>> MaximumSearch<'_, S, D> {
     }
 
     /// Estimates the position of the highest local maximum in the open cells. The estimate is the maximum of the cubic
-    /// next to the highest node. Returns `None` if the open cells have no usable node.
+    /// in the cell next to the highest node. Returns `None` if the open cells have no suitable node.
     pub(super) fn highest(&self, grid: &Grid<S>, open: OpenCells) -> Option<Maximiser<S>> {
         let zero = S::constant(0.0);
         let over_sine = self.problem.weight == Weight::Sine;
@@ -116,7 +116,8 @@ impl<S: Float, D: Decay<S>> MaximumSearch<'_, S, D> {
         });
         let bounds = grid.bounds;
         if starts && open[0] & 1 != 0 && zero < bounds.second && bounds.third < zero {
-            // For small τ, sum/sin τ is close to second·τ/2 + third·τ²/6, with the derivatives of the sum at τ = 0.
+            // For small τ, sum/sin τ is close to second·τ/2 + third·τ²/6, where `second` and `third` are derivatives of
+            // the sum at τ = 0.
             let tau = -(bounds.second * S::constant(1.5)) / bounds.third;
             let in_first = tau < grid.stretch.width * S::constant(0.5);
             if in_first && best.is_none_or(|(known, ..)| known < zero) {
@@ -132,7 +133,7 @@ impl<S: Float, D: Decay<S>> MaximumSearch<'_, S, D> {
         let here = self.quotient_node(&node);
         let rising = (zero < here.1) != negative;
         if !over_sine {
-            // A motion continues beyond the half period with the opposite sign.
+            // A motion continues after the half period with the opposite sign.
             let end = self.problem.end;
             let outside = if rising { !(tau < end) } else { tau.is_zero() };
             if outside {
@@ -173,10 +174,10 @@ impl<S: Float, D: Decay<S>> MaximumSearch<'_, S, D> {
     }
 
     /// Finds a local maximum near a position by Newton's method. Records the maximum if it is the largest so far.
-    /// Returns `None` if the method does not converge from the position.
+    /// Returns `None` if the method does not converge from this position.
     pub(super) fn summit(&mut self, place: &Maximiser<S>, grid: &Grid<S>) -> Option<Summit<S>> {
         let (fourth, width) = (grid.bounds.fourth, grid.stretch.width);
-        // The maximum is computed to within rounding, even if the tolerance of the search is larger.
+        // The code computes the maximum to rounding, even if the tolerance of the search is larger.
         let four = S::constant(4.0 * S::EPSILON);
         let Maximiser {
             mut tau,
@@ -205,12 +206,12 @@ impl<S: Float, D: Decay<S>> MaximumSearch<'_, S, D> {
                 Weight::Sine => jet.sine,
             };
             let left = beyond_cubic(fourth + self.level(), step, S::constant(REACH));
-            // The lag of a motion needs an accurate position of the maximum, not only an accurate value.
+            // The lag of a motion requires an accurate position of the maximum, and not only an accurate value.
             let placed = self.problem.weight == Weight::Sine
                 || (fourth * step * step * step).abs() <= four * quotient.curvature.abs()
                 || evaluation == EVALUATIONS;
             let (at_top, flipped) = self.moved(tau + step);
-            // In the next half period the friction force has the opposite sign, so that the curvature of the motion
+            // In the next half period the friction force has the opposite sign. The curvature of the motion then
             // differs.
             let crossed = flipped && four < at_top.min(self.problem.end - at_top);
             if quotient.is_concave(step, S::constant(REACH))
@@ -229,7 +230,7 @@ impl<S: Float, D: Decay<S>> MaximumSearch<'_, S, D> {
                     tau,
                     negative,
                     jet,
-                    // Where the terms of the modes nearly cancel, rounding errors exceed the tolerance.
+                    // If the terms of the modes nearly cancel, rounding errors exceed the tolerance.
                     level: quotient.value + rise + tolerance * size + self.rounding,
                 });
             }
@@ -242,8 +243,9 @@ impl<S: Float, D: Decay<S>> MaximumSearch<'_, S, D> {
         None
     }
 
-    /// Returns the modal sum, or sum/sin τ, from its derivatives at an instant. The first result is the value minus the
-    /// possible rounding error, and serves for comparisons. The second result has the value and three derivatives.
+    /// Returns the modal sum, or sum/sin τ, from the sum's derivatives at an instant. The first result is the value
+    /// minus its possible rounding error, and serves for comparisons. The second result contains the value and three
+    /// derivatives.
     fn quotient_jet(&self, jet: &SumDerivatives<S>, negative: bool) -> (S, Cubic<S>) {
         let SumDerivatives {
             sine,
@@ -258,7 +260,8 @@ impl<S: Float, D: Decay<S>> MaximumSearch<'_, S, D> {
         let [slope, curvature, third] = match self.problem.weight {
             Weight::One => [slope, curvature, third],
             Weight::Sine => {
-                // The sum F is Q sin τ. The code computes the derivatives of the quotient Q from the derivatives of F.
+                // The sum F is Q sin τ, with the quotient Q. The code computes the derivatives of Q from the
+                // derivatives of F.
                 let over = |value: S| value / sine;
                 let q0 = over(value);
                 let q1 = over(slope - q0 * cosine);

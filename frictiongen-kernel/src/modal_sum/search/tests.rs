@@ -35,7 +35,7 @@ pub fn search<'a>(sum: TestSum<'a>, problem: SearchSettings<f64>, known: f64) ->
     search
 }
 
-/// Returns the excess ±sum − level·weight at a phase τ, from formulas that the search does not use.
+/// Returns the excess ±sum − level·weight at a phase τ. The formulas are independent of the search.
 pub fn excess(search: &TestSearch<'_>, negative: bool, tau: f64) -> f64 {
     let value = sum_derivative(&search.sum, tau, 0);
     let value = if negative { -value } else { value };
@@ -45,8 +45,8 @@ pub fn excess(search: &TestSearch<'_>, negative: bool, tau: f64) -> f64 {
     }
 }
 
-/// Returns the sum of the sizes of the modal terms. The phase of a fast mode is rounded, so that its term is known to
-/// about twelve digits of this size.
+/// Returns the sum of the sizes of the modal terms. Because the phase of a fast mode is rounded, its term is accurate
+/// to about twelve digits of this size.
 pub fn size(search: &TestSearch<'_>) -> f64 {
     let wave = |w: &TestWave| {
         w.free.abs() / w.x + w.forced.abs() + w.forced_slope.abs() + w.rise.abs() / (w.x * w.x)

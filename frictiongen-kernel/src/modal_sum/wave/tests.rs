@@ -5,8 +5,8 @@ use crate::oscillator::decay::{Damped, Undamped};
 use crate::testing::{Lcg, TestWave, at_rest, derivative, parts, random_waves, sum_derivative};
 use core::f64::consts::PI;
 
-/// Returns test instants: both bounds of the half period, the first quarter turns of a fast mode, and instants in
-/// between.
+/// Returns test instants: both bounds of the half period, the first quarter turns of a fast mode, and instants between
+/// them.
 fn instants(x: f64) -> Vec<f64> {
     let mut out = vec![0.0, PI];
     for k in 1..12 {
@@ -25,7 +25,7 @@ fn alone(wave: &TestWave) -> Sum<'_, f64, Damped<f64>> {
     }
 }
 
-/// Compares y″ of y = sin τ − sin(xτ)/x close to x = 1, without damping, with a form that keeps its digits: y″ = 2
+/// Compares y″ of y = sin τ − sin(xτ)/x close to x = 1, without damping, with a form that does not lose digits: y″ = 2
 /// cos((x + 1)τ/2) sin((x − 1)τ/2) + (x − 1) sin xτ.
 #[test]
 fn differences_keep_their_digits_beside_the_resonance() {
@@ -58,7 +58,7 @@ fn differences_keep_their_digits_beside_the_resonance() {
     assert_eq!(compared, 192);
 }
 
-/// Checks values and first three derivatives of modal sums, and the bound on the size of each modal term.
+/// Checks the values and the first three derivatives of modal sums, and the bound on the size of each modal term.
 #[test]
 fn sums_have_their_derivatives() {
     let mut random = Lcg(11);
@@ -76,7 +76,7 @@ fn sums_have_their_derivatives() {
         for _ in 0..5 {
             let tau = PI * random.unit();
             let jet = sum.jet(&Instant::new(tau / PI));
-            // The phase xτ of the fastest mode has about ten digits more than this tolerance needs.
+            // The phase xτ of the fastest mode has about ten digits more than this tolerance requires.
             let scale = largest + sum.cosine.abs() + sum.sine.abs();
             for (order, got) in [jet.value, jet.slope, jet.curvature, jet.third]
                 .into_iter()
@@ -116,11 +116,11 @@ fn turns_are_unknown_from_where_rounding_turns_by_a_radian() {
         assert_eq!(forced.turns_unknown(), slope.turns_unknown());
         forced.turns_unknown()
     };
-    // Without damping the phase is unknown from x = 1/(πε) = 1.43e15 on.
+    // Without damping the phase is unknown for x ≥ 1/(πε) = 1.43e15, where ε is the machine epsilon.
     assert!(!asked(1.4e15, 0.0) && asked(1.5e15, 0.0) && asked(1e300, 0.0));
     // The mode decays within a time 1/ζx, in which its phase advances by 1/ζ.
     assert!(!asked(1.5e15, 1e-9) && !asked(1e300, 1e-3) && asked(1e300, 1e-16));
-    // A mode that the contact does not drive counts as unknown as well.
+    // A mode that the contact does not drive also counts as unknown.
     assert!(at_rest(3.0, 0.0).turns_unknown());
     let single = Wave {
         forced: 1.0,

@@ -19,8 +19,8 @@ pub enum AnyContact<S> {
     Elastic(ElasticChain<S>),
 }
 
-/// Calls a method of the contact's law. A method may take a *setting* (a scene at one frequency ratio and one friction
-/// ratio). The macro then passes the setting with the constants of this law.
+/// Calls a method of the contact's law. If the method takes a *setting* (a scene at one frequency ratio and one
+/// friction ratio), the macro passes the setting with the constants of this law.
 macro_rules! of_law {
     ($chain:expr, $name:ident($($argument:expr),*)) => {
         match $chain {

@@ -12,7 +12,7 @@ use crate::number::complex::Complex;
 use crate::number::scalar::Float;
 use core::fmt::Debug;
 
-/// The law of a contact under one kinetic friction force. All forces have the same unit.
+/// The law of a contact with one kinetic friction force. All forces have the same unit.
 pub trait Law<S: Float>: Copy + Debug {
     /// Returns the kinetic friction force at zero speed.
     fn level(self) -> S;
@@ -24,7 +24,7 @@ pub trait Law<S: Float>: Copy + Debug {
     fn is_contraction(self) -> bool;
 
     /// Decides what the contact does at zero relative velocity. `force` is the force that would keep the contact at
-    /// rest. Returns `None` if the contact sticks.
+    /// rest. Returns the start of sliding, or `None` if the contact sticks.
     fn leave_rest(self, force: S) -> Option<SlideStart<S>>;
 
     /// Returns the start of sliding at the instant at which the force in the stuck contact reaches its largest value.
@@ -47,7 +47,7 @@ pub trait Law<S: Float>: Copy + Debug {
     }
 
     /// Returns true if rounding decides whether a stuck contact slides. The force is then close to the static friction
-    /// force. `share` is the distance that counts as close, relative to the static friction force.
+    /// force. `share` is the largest distance that counts as close, divided by the static friction force.
     fn is_marginal(self, force: S, share: S) -> bool {
         let grip = self.grip();
         (force.abs() - grip).abs() <= grip * share
@@ -60,7 +60,7 @@ pub trait Law<S: Float>: Copy + Debug {
     }
 
     /// Returns the coefficients [level, slope] of the contact force on a line of the friction law. The force is level +
-    /// slope·velocity, with the relative velocity of the contact.
+    /// slope·velocity, where the velocity is the relative velocity of the contact.
     #[inline]
     fn kinetic_on(self, line: &KineticLine<S>, contact: Contact) -> [S; 2] {
         let sign: S = contact.sign();
@@ -82,17 +82,17 @@ pub trait ContactChain<S: Float>: Copy + Debug {
     /// Returns the number of modes of the chain minus the number of modes of the chain with its contact stuck.
     fn lost_modes(&self) -> usize;
 
-    /// Returns the number of scalars that the contact stores while it sticks, in addition to the state of the modes.
+    /// Returns the number of scalars that the contact stores in addition to the states of the modes, while it sticks.
     #[inline]
     fn remembered(&self) -> usize {
         0
     }
 
-    /// Returns Floquet multipliers of a contact that never slides: two for each mode that the stuck chain lacks, and
-    /// one for each stored scalar.
+    /// Returns the Floquet multipliers of a contact that never slides. There are two for each mode that the stuck chain
+    /// lacks, and one for each stored scalar.
     ///
-    /// `true` stands for 1 and `false` for 0. Numbers in `f64` would bring double-precision arithmetic into the image
-    /// of an `f32` scene.
+    /// `true` stands for the multiplier 1 and `false` for 0. Numbers in `f64` would add double-precision arithmetic to
+    /// the program of an `f32` scene.
     fn stuck_multipliers(&self) -> &'static [bool];
 
     /// Returns the compliance of a spring in series with the contact: its displacement per unit of contact force.
@@ -101,7 +101,7 @@ pub trait ContactChain<S: Float>: Copy + Debug {
         S::constant(0.0)
     }
 
-    /// Derives the state of the contact (stuck, or its direction of sliding) from the state of the modes at the phase
+    /// Derives the state of the contact (stuck, or its direction of sliding) from the states of the modes at the phase
     /// `t`.
     fn contact_state(
         setting: &MotionSetting<'_, S, Self>,
@@ -109,7 +109,8 @@ pub trait ContactChain<S: Float>: Copy + Debug {
         t: S,
     ) -> ContactState<S>;
 
-    /// Derives the state of the contact from the state of the modes, if the contact was sliding until then.
+    /// Derives the state of the contact from the states of the modes, if the contact has been sliding until this
+    /// instant.
     #[inline]
     fn sliding_state(
         setting: &MotionSetting<'_, S, Self>,
@@ -127,7 +128,7 @@ pub trait ContactChain<S: Float>: Copy + Debug {
     }
 
     /// Returns the number that the contact stores while it sticks at the displacement `place`. `stuck_modes` are the
-    /// oscillators of the chain with its contact stuck. `at` is sine and cosine of the excitation's phase at the same
+    /// oscillators of the chain with its contact stuck. `at` is sine and cosine of the excitation's phase at this
     /// instant.
     #[inline]
     fn memory_at(_: &MotionSetting<'_, S, Self>, _: &[Part<S>], _: S, _: (S, S)) -> Option<S> {
@@ -142,7 +143,7 @@ pub trait ContactChain<S: Float>: Copy + Debug {
     /// Returns the constants of the chain that do not depend on the law of the contact.
     fn chain(&self) -> &Chain<S>;
 
-    /// Returns the law for a kinetic friction force and a ratio μ of the static to the kinetic force.
+    /// Returns the law for a kinetic friction force, and for a ratio μ of the static to the kinetic force.
     fn law_with(&self, level: S, stiction: S) -> Self::Law;
 
     /// Returns the law for a kinetic friction force, with the μ of the chain.
@@ -151,8 +152,8 @@ pub trait ContactChain<S: Float>: Copy + Debug {
         self.law_with(level, self.chain().stiction)
     }
 
-    /// Returns the displacement that stays constant while the contact sticks. `contact_state` is the state at the
-    /// segment's start. `at` is sine and cosine of the excitation's phase at the same instant.
+    /// Returns the displacement that stays constant while the contact sticks. `contact_state` is the state of the
+    /// contact at the start of the segment. `at` is sine and cosine of the excitation's phase at that instant.
     fn stuck_place(
         setting: &MotionSetting<'_, S, Self>,
         modes: &[Part<S>],
@@ -172,8 +173,8 @@ pub trait ContactChain<S: Float>: Copy + Debug {
         at: (S, S),
     ) -> S;
 
-    /// Returns two parts of the contact force while the contact sticks at the displacement `place`: the constant, and
-    /// the complex amplitude of the fundamental component. Neither contains the contribution of the modes.
+    /// Returns two components of the contact force while the contact sticks at the displacement `place`: the constant,
+    /// and the complex amplitude of the fundamental. Neither contains the contribution of the modes.
     fn steady_stuck_force(setting: &MotionSetting<'_, S, Self>, place: S) -> (S, Complex<S>);
 
     /// Completes the end of a segment at which the relative velocity vanishes. Sets the slope, the event, the jump of
@@ -190,8 +191,8 @@ pub trait ContactChain<S: Float>: Copy + Debug {
     fn break_away(setting: &MotionSetting<'_, S, Self>, contact: Contact, end: &mut SegmentEnd<S>);
 
     /// Advances small deviations of the state through a segment (the motion between two events), one column after
-    /// another. A column has y and u of each mode in turn. `modes` and `stuck_modes` are the oscillators after the
-    /// segment. The function overwrites the states in `stuck_modes`.
+    /// another. A column contains the displacement y and the scaled velocity u of each mode. `modes` and `stuck_modes`
+    /// are the oscillators after the segment. The function overwrites the states in `stuck_modes`.
     fn carry_deviations(
         setting: &MotionSetting<'_, S, Self>,
         oscillators: (&[Part<S>], &mut [Part<S>]),
@@ -201,7 +202,7 @@ pub trait ContactChain<S: Float>: Copy + Debug {
     );
 }
 
-/// Start of sliding, from rest or from a stuck contact.
+/// The way in which sliding starts, from rest or from a stuck contact.
 #[derive(Clone, Copy, Debug)]
 pub struct SlideStart<S> {
     /// Direction of sliding.

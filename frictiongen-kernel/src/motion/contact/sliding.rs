@@ -11,18 +11,18 @@ use crate::number::complex::{self, Complex};
 use crate::number::pairs::pairs_mut;
 use crate::number::scalar::Float;
 
-/// Bound on the rounding error of a velocity near zero, in rounding units of the sum of the absolute values of its
-/// terms.
+/// Bound on the rounding error of a velocity near zero, as a multiple of the rounding unit times the sum of the
+/// absolute values of its terms.
 const ROUNDINGS: f64 = 8.0;
 
 impl<S: Float, K: ContactChain<S>> MotionSetting<'_, S, K> {
-    /// Returns the law of the contact, with forces divided by P.
+    /// Returns the law of the contact, with forces divided by P, the amplitude of the load.
     #[inline]
     pub(crate) fn law(&self) -> K::Law {
         self.law_at(self.beta)
     }
 
-    /// Returns the law of the contact at another friction ratio, with forces divided by P.
+    /// Returns the law of the contact at another friction ratio β, with forces divided by P, the amplitude of the load.
     #[inline]
     pub(crate) fn law_at(&self, beta: S) -> K::Law {
         self.dynamics.chain.law(beta)
@@ -38,8 +38,8 @@ impl<S: Float, K: ContactChain<S>> MotionSetting<'_, S, K> {
         }
     }
 
-    /// Returns the state of a contact that starts to slide in a given direction at the phase `t`, where its velocity is
-    /// zero.
+    /// Returns the state of a contact that starts to slide in a given direction at the phase `t`. At this phase its
+    /// velocity is zero.
     pub(crate) fn sliding_off(&self, parts: &[Part<S>], t: S, contact: Contact) -> ContactState<S> {
         let force = self.holding(parts, phase(t));
         self.sliding_away(t, self.law().slide(contact, force))
@@ -51,15 +51,15 @@ impl<S: Float, K: ContactChain<S>> MotionSetting<'_, S, K> {
         K::contact_state(self, parts, t)
     }
 
-    /// Returns the direction in which the contact slides, or `None` if its velocity vanishes within rounding.
+    /// Returns the direction in which the contact slides, or `None` if its velocity is zero except for rounding.
     pub(super) fn direction(&self, parts: &[Part<S>], at: (S, S)) -> Option<Contact> {
         let (velocity, size) = self.relative_velocity(parts, at);
         let moves = !(velocity.abs() <= size * S::constant(ROUNDINGS * S::EPSILON));
         moves.then(|| Contact::along(velocity))
     }
 
-    /// Sets the oscillators of the modes for sliding. Returns the function in which a search finds the next event: the
-    /// relative velocity z̄′ times its sign.
+    /// Sets the oscillators of the modes for sliding. Returns the function in which a search finds the next event. This
+    /// function is the relative velocity z̄′, times the sign of the sliding direction.
     pub(crate) fn start_sliding<'p>(
         &self,
         modes: &'p mut [Part<S>],
@@ -91,7 +91,7 @@ impl<S: Float, K: ContactChain<S>> MotionSetting<'_, S, K> {
     }
 
     /// Changes the velocities in a deviation of the modes at an event. The deviation delays the event by the time
-    /// `later`. The contact force falls by `jump` at the event.
+    /// `later`. At the event the contact force falls by `jump`.
     pub(super) fn delay(&self, jump: S, later: S, column: &mut [S]) {
         for (mode, state) in self.dynamics.driven().iter().zip(pairs_mut(column)) {
             if let [_, u] = state {

@@ -66,10 +66,10 @@ pub enum Event {
     Reversal,
 }
 
-/// State of the contact at an instant.
+/// State of the contact at an instant of the motion.
 #[derive(Clone, Copy, Debug)]
 pub struct ContactState<S> {
-    /// The excitation's phase in half-turns, in [0, 2).
+    /// The excitation's phase in half-turns (units of π rad), in [0, 2).
     pub t: S,
     /// State of the contact: stuck, or its direction of sliding.
     pub contact: Contact,
@@ -78,7 +78,7 @@ pub struct ContactState<S> {
     /// contact force divided by P.
     pub memory: Option<S>,
     /// True if the contact has just failed to start sliding. A contact force that exceeds μβ only by rounding must then
-    /// not start sliding again.
+    /// not make the contact slide a second time.
     pub wedged: bool,
 }
 
@@ -94,7 +94,7 @@ impl<S: Float> ContactState<S> {
     }
 }
 
-/// End of a segment: its length, its event, and the state of the contact after the event.
+/// End of a segment of the motion: its length, its event, and the state of the contact after the event.
 #[derive(Clone, Copy, Debug)]
 pub struct SegmentEnd<S> {
     /// Length of the segment, in τ.
@@ -103,12 +103,12 @@ pub struct SegmentEnd<S> {
     pub event: Option<Event>,
     /// State of the contact after the event.
     pub contact_state: ContactState<S>,
-    /// Slope, at the event, of the function whose zero is the event. While the contact slides, this is z̄″ before the
-    /// event. While the contact sticks, this is the slope of its force.
+    /// Slope, at the event, of the function whose zero is the event. If the contact slides in the segment, it is z̄″
+    /// just before the event. If the contact sticks, it is the slope of the contact force.
     pub slope: S,
     /// Jump of the contact force at the event: the force before the event, minus the force after it.
     pub jump: S,
-    /// Number of steps of the search that found the end.
+    /// Number of steps of the search that found the end of the segment.
     pub steps: u32,
 }
 
@@ -118,19 +118,19 @@ pub struct SegmentEnd<S> {
 pub(crate) struct Sought<S> {
     /// State of the contact at the segment's start.
     pub contact_state: ContactState<S>,
-    /// Length of the segment, in τ.
+    /// Length of the segment in the phase τ.
     pub tau: S,
-    /// Relative displacement z̄, if the contact sticks in the segment.
+    /// Relative displacement z̄ of the contact, if the contact sticks in the segment.
     pub offset: S,
     /// The way in which the segment ends.
     pub outcome: SegmentOutcome,
     /// Slope of the contact force at the end of the segment, if the contact sticks.
     pub slope: S,
-    /// Number of steps of the search that found the end.
+    /// Number of steps of the search that found the end of the segment.
     pub steps: u32,
 }
 
-/// The way in which a segment ends.
+/// The way in which a segment of the motion ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum SegmentOutcome {
     /// No event occurs within the searched time.

@@ -39,8 +39,8 @@ impl<S: Float, K: ContactChain<S>> MotionSetting<'_, S, K> {
             .release(self.receptance, stuck_modes, lifted, states);
     }
 
-    /// Sets the oscillators of the chain with its contact stuck, from the state of the chain's modes. Returns the
-    /// contact force and z̄.
+    /// Sets the oscillators of the chain with its contact stuck, from the states of the chain's modes. Returns the
+    /// contact force and the relative displacement z̄.
     pub(crate) fn start_sticking<'p>(
         &self,
         modes: &mut [Part<S>],
@@ -79,15 +79,15 @@ impl<S: Float, K: ContactChain<S>> MotionSetting<'_, S, K> {
     }
 
     /// Returns the largest |z̄| at which the contact may stick for ever. `steady` is the amplitude of the contact force
-    /// in the forced motion. The static friction force must balance this amplitude and the constant force that z̄
-    /// causes.
+    /// in the forced motion. The static friction force must balance the sum of this amplitude and the constant force
+    /// that z̄ causes.
     pub(crate) fn offset_range(&self, steady: S) -> S {
         let receptance = self.receptance - self.dynamics.chain.compliance();
         (self.law().grip() - steady).max(S::constant(0.0)) * receptance
     }
 
     /// Returns the complex amplitude of the force in a contact that never slides, divided by P. [`MotionSetting::new`]
-    /// prepares `parts`. Returns `None` on an undamped resonance of the stuck chain.
+    /// prepares `parts`, the oscillators. Returns `None` on an undamped resonance of the stuck chain.
     pub fn stuck_force(&self, parts: &[Part<S>]) -> Option<Complex<S>> {
         let (_, start) = K::steady_stuck_force(self, S::constant(0.0));
         let stuck_modes = parts.iter().skip(self.dynamics.modes.len());
@@ -99,8 +99,9 @@ impl<S: Float, K: ContactChain<S>> MotionSetting<'_, S, K> {
             })
     }
 
-    /// Returns the complex amplitude of a mass while the contact never slides and the slider has no offset.
-    /// [`MotionSetting::new`] prepares `parts`.  Returns `None` on an undamped resonance of the stuck chain.
+    /// Returns the complex amplitude x̄ of a mass while the contact never slides and the slider has no offset.
+    /// [`MotionSetting::new`] prepares `parts`, the oscillators. Returns `None` on an undamped resonance of the stuck
+    /// chain.
     pub fn stuck_amplitude(&self, parts: &[Part<S>], mass: usize) -> Option<Complex<S>> {
         let zero = S::constant(0.0);
         let (dynamics, shape) = (&self.dynamics, self.dynamics.shape(mass));
@@ -128,8 +129,8 @@ impl<S: Float, K: ContactChain<S>> MotionSetting<'_, S, K> {
         Some(sum)
     }
 
-    /// Returns the displacement of the stuck contact including the displacement of the base, and the derivative of this
-    /// displacement with respect to the time t√(k₁/m₁).
+    /// Returns the displacement of the stuck contact including that of the base, and the velocity of this displacement.
+    /// The velocity refers to the non-dimensional time t√(k₁/m₁).
     pub(crate) fn lifted(&self, offset: S, (sine, cosine): (S, S)) -> (S, S) {
         let z = Complex::new(self.base, S::constant(0.0));
         (

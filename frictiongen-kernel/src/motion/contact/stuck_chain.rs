@@ -6,9 +6,10 @@ use crate::number::complex::Complex;
 use crate::number::scalar::Float;
 
 impl<S: Float, K: ContactChain<S>> Dynamics<'_, S, K> {
-    /// Computes y and u of the stuck chain's modes from the state (y, u) of the chain's modes. `z` is the displacement
-    /// of the contact, and `rate` the derivative of z with respect to the time t√(k₁/m₁). The function first subtracts
-    /// the static displacements that z causes from y, and the velocities that `rate` causes from u.
+    /// Computes the displacement y and the scaled velocity u of the stuck chain's modes from those of the chain's
+    /// modes. `z` is the displacement of the contact, and `rate` its derivative with respect to the time t√(k₁/m₁). The
+    /// function first subtracts the static displacements that `z` causes from y, and the velocities that `rate` causes
+    /// from u.
     pub(crate) fn project<'s>(
         &self,
         receptance: S,
@@ -34,7 +35,8 @@ impl<S: Float, K: ContactChain<S>> Dynamics<'_, S, K> {
 
     /// Computes the excitation of a mode of the stuck chain, multiplied by r. The first result is the complex amplitude
     /// of the term that the excitation adds to the mode's velocity. The second result is the complex amplitude of the
-    /// force on the mode. `base` is the coefficient s: 1 if the contact rubs on the moving base, otherwise 0.
+    /// force on the mode. `base` is the coefficient s of the base motion in z̄: 1 if the contact rubs on the moving
+    /// base, otherwise 0.
     pub(crate) fn stuck_drive(
         &self,
         (mode, participations): (&HeldMode<S>, &[[S; 2]]),
@@ -42,7 +44,7 @@ impl<S: Float, K: ContactChain<S>> Dynamics<'_, S, K> {
         receptance: S,
     ) -> [Complex<S>; 2] {
         let (zero, two) = (S::constant(0.0), S::constant(2.0));
-        // The base moves the stuck contact. The inertia and damping of this motion reduce the load on each mode.
+        // The stuck contact moves with the base. The inertia and damping of this motion reduce the load on each mode.
         let mut sums = [Complex::new(zero, zero); 2];
         let modes = self.driven().iter().zip(participations).enumerate();
         for (index, (driven, participation)) in modes {
@@ -60,8 +62,8 @@ impl<S: Float, K: ContactChain<S>> Dynamics<'_, S, K> {
         [Complex::new(re_y, im_y), Complex::new(re_u, im_u)]
     }
 
-    /// Computes the state of the chain's modes. The arguments are y and u of the modes of the chain with its contact
-    /// stuck, and the displacement of the contact.
+    /// Computes the states of the chain's modes. The arguments are the displacement y and the scaled velocity u of the
+    /// modes of the chain with its contact stuck, and the displacement of the contact.
     pub(crate) fn release<'s>(
         &self,
         receptance: S,
@@ -74,8 +76,8 @@ impl<S: Float, K: ContactChain<S>> Dynamics<'_, S, K> {
         }
     }
 
-    /// Computes the state of one mode that the contact drives. [`release`](Self::release) calls it for every mode that
-    /// the contact drives.
+    /// Computes the state of one mode that the contact drives. [`release`](Self::release) calls this function for each
+    /// such mode.
     pub(crate) fn released(
         &self,
         receptance: S,
@@ -101,12 +103,12 @@ impl<S: Float, K: ContactChain<S>> Dynamics<'_, S, K> {
 }
 
 impl<S: Float, K: ContactChain<S>> Dynamics<'_, S, K> {
-    /// Returns the largest relative change of a state if the contact sticks and is immediately released. The tested
-    /// states move two modes, but not the contact.
+    /// Returns the largest relative change of a state if the contact sticks and is immediately released. In the tested
+    /// states two modes move, but the contact does not.
     ///
     /// If the modes of the chain with its contact stuck are well separated, the change is of the order of rounding. If
     /// many modes are at or beyond critical damping, their frequencies are close together. The contributions of the
-    /// modes then cancel, and the change is larger.
+    /// modes then nearly cancel, and the change is larger.
     ///
     /// `states` has room for the modes that the contact drives, and `stuck_modes` for the modes of the chain with its
     /// contact stuck.
@@ -114,8 +116,8 @@ impl<S: Float, K: ContactChain<S>> Dynamics<'_, S, K> {
         let zero = S::constant(0.0);
         let (receptance, still) = (self.receptance(), (zero, zero));
         let driven = self.driven();
-        // Each tested state combines the mode that the contact drives most with one other mode, so that the contact
-        // does not move.
+        // Each tested state combines two modes: the one that the contact drives most, and one other mode. In this
+        // combination the contact does not move.
         let most = driven
             .iter()
             .enumerate()

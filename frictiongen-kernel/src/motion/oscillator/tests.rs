@@ -55,18 +55,19 @@ fn third_derivatives_stay_within_their_bound() {
             }
         }
         println!("ζ {zeta}: {most} of the bound");
-        // A loose bound would be correct, but would make searches slow. The test therefore requires a tight bound.
+        // A loose bound would be correct, but would make searches slow. The test therefore also requires that the bound
+        // is tight.
         assert!(most > 0.3, "ζ {zeta}: {most}");
     }
     println!("{compared} derivatives compared, none skipped");
     assert_eq!(compared, 11 * 400 * 40);
 }
 
-/// Compares slope and curvature of the searched function with finite differences. The test includes frequencies near a
-/// resonance, where the forced motion grows from zero.
+/// Compares slope and curvature of the function that a search examines with finite differences. Some frequencies of the
+/// test are near a resonance, where the forced motion grows from zero.
 #[test]
 fn slope_and_curve_are_derivatives() {
-    // The error of a central difference is h² times a curvature, plus ε/h for rounding.
+    // The error of a central difference with step h is h² times a derivative, plus ε/h from rounding with the unit ε.
     const STEP: f64 = 1e-5;
     let mut random = Random(31);
     let (mut compared, mut beside) = (0, 0);
@@ -117,8 +118,8 @@ fn slope_and_curve_are_derivatives() {
     assert!(compared == 6000 && beside > 100);
 }
 
-/// Compares the Taylor series of the response at the start with its closed form. Near a resonance the response to the
-/// load grows from 0.
+/// Compares the Taylor series of the response at the start of a segment with its closed form. Near a resonance the
+/// response to the load grows from 0.
 #[test]
 fn the_series_of_what_grows() {
     let mut random = Random(31);

@@ -1,12 +1,13 @@
-//! A function of time between two events. A search for its zeros needs its derivatives at an instant, or a power series
-//! from the start.
+//! A function of time between two events. A search for its zeros uses its derivatives at an instant, or its power
+//! series from the start.
 
 use crate::number::scalar::Float;
 
-/// Bound on the rounding error of a sum over modes, in rounding units of the sum of the absolute values of its terms.
+/// Bound on the rounding error of a sum over modes, as a multiple of the rounding unit times the sum of the absolute
+/// values of its terms.
 pub(crate) const ROUNDINGS: f64 = 4.0;
 /// Largest length of a series of [`ORDER`] terms, in radians of the fastest oscillator. The neglected terms are of the
-/// order 0.03⁹/9!, which is below rounding.
+/// order 0.03⁹/9!, which is smaller than rounding.
 pub(crate) const SERIES_REACH: f64 = 0.03;
 
 /// Upper bound on the number of steps of a search along one segment. A segment that needs more steps continues in
@@ -24,10 +25,10 @@ pub(crate) struct Local<S> {
     pub bound: S,
 }
 
-/// Number of derivatives in a series, including the value.
+/// Number of terms of a series: the value and eight derivatives.
 pub(crate) const ORDER: usize = 9;
 
-/// A function of time, given by its value and derivatives at the start of the interval in which it is searched.
+/// A function of time, given by its value and derivatives at the start of the searched interval.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LocalSeries<S> {
     terms: [S; ORDER],
@@ -36,16 +37,16 @@ pub(crate) struct LocalSeries<S> {
 }
 
 impl<S: Float> LocalSeries<S> {
-    /// Creates a series from the derivatives at the start.  Beyond `reach` the neglected terms exceed rounding.
+    /// Creates a series from the derivatives at the start. At distances of more than `reach`, the neglected terms
+    /// exceed rounding.
     pub(crate) fn new(terms: [S; ORDER], reach: S) -> Self {
         Self { terms, reach }
     }
 
-    /// Returns value, slope and curvature of the series at τ. The result has `bound` as the bound on the third
-    /// derivative.
+    /// Returns value, slope and curvature of the series at τ. `bound` becomes the bound on the third derivative.
     pub(crate) fn at(&self, tau: S, bound: S) -> Local<S> {
-        // The terms are written out. In a loop a microcontroller would compute the reciprocals by divisions in double
-        // precision.
+        // The code writes out the terms. In a loop, a microcontroller would compute the reciprocals by divisions in
+        // double precision.
         let [c0, c1, c2, c3, c4, c5, c6, c7, c8] = self.terms;
         let [h2, h3, h4, h5, h6, h7, h8] = [
             S::constant(1.0 / 2.0),
@@ -98,7 +99,7 @@ impl<S: Float> LocalSeries<S> {
     }
 }
 
-/// A function of time whose zeros or peaks a *walk* finds. A walk is a search in steps that skip no zero.
+/// A function of time in which a *walk* finds zeros or peaks. A walk is a search in steps that skip no zero.
 pub(crate) trait Walked<S> {
     /// Upper bound on the number of steps of one search along the function.
     fn most(&self) -> u32 {
@@ -106,8 +107,8 @@ pub(crate) trait Walked<S> {
     }
     /// Returns value and derivatives of the function at τ, with a bound on its third derivative from τ on.
     fn local(&self, tau: S) -> Local<S>;
-    /// Returns the power series of the function from the start. The caller passes value and slope at the start, because
-    /// the caller knows them more accurately.
+    /// Returns the power series of the function from the start. The caller passes value and slope at the start, which
+    /// it knows more accurately.
     fn series(&self, value: S, slope: S) -> LocalSeries<S>;
     /// Returns the rounding error of a value of the function.
     fn noise(&self) -> S;

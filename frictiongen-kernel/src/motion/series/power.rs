@@ -3,13 +3,14 @@
 use super::local::{Local, LocalSeries, ORDER, ROUNDINGS, SERIES_REACH, Walked};
 use crate::number::scalar::Float;
 
-/// Largest number of terms of a power series. 1/24! is below the rounding of every number type for which tables exist.
+/// Largest number of terms of a power series. 1/24! is smaller than the rounding unit of every number type for which
+/// tables exist.
 pub(crate) const TERMS: usize = 24;
 
 /// Upper bound on the number of steps of a search along a power series.
 pub(crate) const WALK: u32 = 64;
 
-/// Power series Σ c_n sⁿ. The size of its first terms gives a bound on its rounding error.
+/// Power series Σ c_n sⁿ. The size of its first terms gives a bound on the rounding error of the series.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Power<S> {
     pub terms: [S; TERMS],
@@ -71,7 +72,7 @@ impl<S: Float> Power<S> {
     }
 }
 
-/// Function sign·f − level, in which a search looks for a zero. f is a power series with a bound on its third
+/// The function sign·f − level, in which a search looks for a zero. f is a power series with a bound on its third
 /// derivative.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct PowerUpTo<'p, S> {
@@ -127,8 +128,8 @@ impl<S: Float> Walked<S> for PowerUpTo<'_, S> {
         }
         let [first, second, ..] = &mut terms;
         (*first, *second) = (value, slope);
-        // The neglected terms are below rounding. In a motion that advances by at most a radian, the terms decrease as
-        // 1/n!.
+        // The neglected terms are smaller than rounding. If the motion advances by at most a radian, the terms decrease
+        // as 1/n!.
         LocalSeries::new(terms, S::constant(SERIES_REACH))
     }
 

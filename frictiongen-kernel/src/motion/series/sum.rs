@@ -1,13 +1,13 @@
 //! A function of time between two events, with its derivatives and a bound on its third derivative. The function is a
-//! component at the excitation frequency plus a sum over oscillators. The oscillators are the modes of the chain, or of
-//! the chain with its contact stuck.
+//! sum over oscillators, plus a component at the excitation frequency. The oscillators are the modes of the chain, or
+//! the modes of the chain with its contact stuck.
 
 use super::local::{Local, LocalSeries, ORDER, ROUNDINGS, SERIES_REACH, Walked};
 use crate::motion::oscillator::Part;
 use crate::number::scalar::Float;
 
-/// The function constant + cosine·cos τ + sine·sin τ + Σ of the oscillators' free motions. Each oscillator near its
-/// resonance adds a forced motion that grows from zero.
+/// The function constant + cosine·cos τ + sine·sin τ, plus the sum of the oscillators' free motions. Each oscillator
+/// near its resonance adds a forced motion that grows from zero.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct OscillatorSum<'a, S> {
     pub parts: &'a [Part<S>],
@@ -16,7 +16,7 @@ pub(crate) struct OscillatorSum<'a, S> {
     pub sine: S,
     /// Sine and cosine of the excitation's phase at the start of the searched interval.
     pub phase: (S, S),
-    /// Length in τ within which the function is searched.
+    /// Length in τ of the interval in which a search examines the function.
     pub reach: S,
     /// Rounding error of a value of the function.
     pub noise: S,
@@ -28,7 +28,7 @@ pub(crate) struct OscillatorSum<'a, S> {
 }
 
 impl<'a, S: Float> OscillatorSum<'a, S> {
-    /// Creates the sum. The caller must have prepared each of `parts` with [`Part::aim`].
+    /// Creates the sum over the oscillators `parts`. The caller must have prepared each oscillator with [`Part::aim`].
     pub(crate) fn new(
         parts: &'a [Part<S>],
         constant: S,

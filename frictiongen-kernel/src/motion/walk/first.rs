@@ -1,16 +1,16 @@
-//! Searches for the first zero of a function in steps that skip no zero. A search of this kind is called a *walk*. A
-//! bound on the third derivative limits each step to a length over which the function is certainly positive. Towards
-//! the zero the steps become shorter, so that the walk converges to the zero.
+//! Searches for the first zero of a function in steps that skip no zero. Such a search is called a *walk*. A bound on
+//! the third derivative limits each step to a length over which the function is certainly positive. Close to the zero
+//! the steps become shorter, and the walk converges to the zero.
 
 use super::step;
 use crate::motion::series::{Local, LocalSeries, ROUNDINGS, Walked};
 use crate::number::scalar::Float;
 
-/// The contact has just failed to start sliding. In this case a force counts as above the break-away level only if it
-/// exceeds the level by this multiple of its rounding error.
+/// Factor on the rounding error of a force, for a contact that has just failed to start sliding. Such a force counts as
+/// larger than the break-away level only if it exceeds the level by more than this factor times its rounding error.
 const WEDGED: f64 = 16.0;
-/// If the function touches zero without a change of sign, the search continues at least this number of rounding units
-/// later.
+/// Distance in rounding units after a point at which the function touches zero without a change of sign. The search
+/// continues at least this distance later.
 const PAST: f64 = 4.0;
 
 /// Result of a *walk*, a search for a zero in steps that skip no zero.
@@ -32,7 +32,8 @@ pub(crate) enum WalkStart<S> {
     Anywhere,
     /// The value is exactly zero, and the slope is given.
     Zero(S),
-    /// The contact has just failed to start sliding. The force must now exceed its level by more than rounding.
+    /// The contact has just failed to start sliding. The force must now exceed its level by more than its rounding
+    /// error.
     Wedged,
 }
 
@@ -91,8 +92,8 @@ pub(crate) fn first_zero<S: Float, F: Walked<S>>(
     WalkResult::Until(tau)
 }
 
-/// Finds the first instant from `from` on at which |sum| reaches `level`.  The flag of the result is true if the sum
-/// reaches −level.  Adds the number of steps to `steps`.
+/// Finds the first instant at or after `from` at which |sum| reaches `level`. The flag is true if the sum reaches
+/// −level. Adds the number of steps to `steps`.
 pub(crate) fn first_reach<S: Float, F: Walked<S>>(
     sum: &F,
     level: S,
@@ -136,14 +137,14 @@ pub(crate) fn first_reach<S: Float, F: Walked<S>>(
     WalkResult::Until(tau)
 }
 
-/// Clamps an instant to the searched interval. For a flat function, rounding may place the zero beyond the end of the
+/// Clamps an instant to the searched interval. For a flat function, rounding may place the zero after the end of the
 /// interval.
 fn within<S: Float>(sum: &impl Walked<S>, tau: S) -> S {
     tau.max(S::constant(0.0)).min(sum.reach())
 }
 
-/// Returns the function level − f, where `local` has the value and the derivatives of f. If `negative` is true, returns
-/// level + f.
+/// Returns the function level − f, where `local` contains the value and the derivatives of f. If `negative` is true,
+/// returns level + f instead.
 fn gap<S: Float>(local: &Local<S>, level: S, negative: bool) -> Local<S> {
     if negative {
         Local {
@@ -161,7 +162,7 @@ fn gap<S: Float>(local: &Local<S>, level: S, negative: bool) -> Local<S> {
 }
 
 enum RootVerdict<S> {
-    /// The function is positive.
+    /// The function is positive at the present instant.
     Above,
     /// The function has a zero at this distance from the present instant.
     Zero(S),
@@ -190,8 +191,8 @@ fn verdict<S: Float>(local: &Local<S>, noise: S, tau: S, exact: bool) -> RootVer
     }
     let mut shift = -(value / slope);
     if !((shift * curve).abs() <= slope.abs()) {
-        // The slope is almost zero. The zero of the tangent may be far too late. The code therefore takes the zero of
-        // the parabola with the same value, slope and curvature.
+        // The slope is almost zero, and the zero of the tangent may be far too late. The code therefore takes the zero
+        // of the parabola with the same value, slope and curvature.
         let two = S::constant(2.0);
         let root = (slope * slope - two * value * curve).sqrt();
         shift = two * value / (root - slope);

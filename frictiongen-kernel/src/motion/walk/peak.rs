@@ -1,31 +1,31 @@
-//! Finds the largest absolute value of a sum over oscillators between two events. The code finds the peaks by the same
-//! walks that find events.
+//! Finds the largest absolute value of a sum over oscillators between two events. The code finds the peaks by the walks
+//! that also find events.
 
 use super::first::{WalkResult, WalkStart, first_reach};
 use crate::motion::series::OscillatorSum;
 use crate::number::scalar::Float;
 
-/// Two values count as equal if they differ by less than this number of rounding units.
+/// Largest difference of two values that count as equal, in rounding units.
 const EQUAL: f64 = 64.0;
 /// Largest number of peaks in a segment that the search refines.
 const MAX_CLIMBS: u32 = 256;
-/// The search for the next peak starts when the value has fallen by this amount after a peak. The unit is the
-/// difference below which two values count as equal.
+/// Amount by which the value must fall after a peak before the search for the next peak starts. The unit is the largest
+/// difference of two values that count as equal.
 const BELOW: f64 = 4.0;
-/// Largest number of Newton steps to a peak. Shortened steps count as well.
+/// Largest number of Newton steps to a peak. The number includes shortened steps.
 const CLIMB_STEPS: usize = 60;
 /// Longest first Newton step to a peak, in radians of the excitation. If a step decreases the value, the longest
-/// allowed step becomes half of that step.
+/// permitted step becomes half of that step.
 const TRUSTED: f64 = 0.25;
-/// Length of a Newton step, in radians of the excitation, below which the peak counts as reached. Closer to the peak,
-/// values differ only by rounding.
+/// Length of a Newton step, in radians of the excitation, below which the code has reached the peak. Even closer to the
+/// peak, values differ only by rounding.
 const AT_SUMMIT: f64 = 1e-3;
 /// Shortest meaningful Newton step, in rounding units.
 const LEAST_ROUNDINGS: f64 = 4.0;
 
 impl<S: Float> OscillatorSum<'_, S> {
-    /// Calls `note` with the instant and the value of every local extreme whose absolute value reaches `level` within
-    /// rounding. `note` returns the new level.
+    /// Calls `note` with the instant and the value of every local extreme whose absolute value is at least `level`,
+    /// except for rounding. `note` returns the new level.
     pub(crate) fn peaks(&self, mut level: S, mut note: impl FnMut(S, S) -> S) {
         let (zero, two) = (S::constant(0.0), S::constant(2.0));
         let near = S::constant(1.0 - EQUAL * S::EPSILON);
@@ -39,8 +39,8 @@ impl<S: Float> OscillatorSum<'_, S> {
         let start = self.local(zero);
         let low = start.value.abs() <= self.noise || !(start.curve * start.value < zero);
         if start.slope.abs() <= self.noise * self.rate && low {
-            // The function starts at zero or at a minimum. The search for a peak cannot start there. Values at two
-            // inner instants raise the level. The fractions are constants of S, so that `f32` scenes link no
+            // The function may start at zero or at a minimum, where a search for a peak cannot start. Values at two
+            // inner instants therefore raise the level. The fractions are constants of S, so that `f32` scenes link no
             // double-precision code.
             for share in [S::constant(0.3), S::constant(0.5)] {
                 let value = self.local(self.reach * share).value;
@@ -55,7 +55,7 @@ impl<S: Float> OscillatorSum<'_, S> {
             };
             let (top, value, curve) = self.climbed(tau);
             level = note(top, value);
-            // The search continues after the peak, at an instant at which the function has fallen below the level.
+            // The search continues after the peak, at an instant at which the function is less than the level.
             let fall = S::constant(BELOW * EQUAL * S::EPSILON) * value.abs();
             let width = (two * fall / curve.abs()).sqrt();
             let mut step = if !width.is_finite() {
@@ -63,7 +63,7 @@ impl<S: Float> OscillatorSum<'_, S> {
             } else if zero < width {
                 width
             } else {
-                // The function is zero everywhere to within rounding. Its curvature therefore gives no width of the
+                // Except for rounding, the function is zero everywhere. Its curvature therefore gives no width of the
                 // peak.
                 self.reach * S::constant(1.0 / f64::from(MAX_CLIMBS))
             };
@@ -79,8 +79,8 @@ impl<S: Float> OscillatorSum<'_, S> {
         }
     }
 
-    /// Finds the local extreme near an instant by Newton's method on the slope. No step decreases the value. Returns
-    /// the instant, the value and the curvature of the extreme.
+    /// Finds the local extreme near an instant by Newton's method on the slope. No step of the method decreases the
+    /// value. Returns the instant, the value and the curvature of the extreme.
     fn climbed(&self, tau: S) -> (S, S, S) {
         let zero = S::constant(0.0);
         let mut at = tau;
@@ -111,7 +111,7 @@ impl<S: Float> OscillatorSum<'_, S> {
             }
         }
         if S::CARRIES {
-            // One Newton step gives the instant of the extreme its derivative. The value needs no such step, because
+            // One Newton step gives the instant of the extreme its derivative. The value needs no Newton step, because
             // the slope is zero at the extreme.
             at = at.primal();
             local = self.local(at);

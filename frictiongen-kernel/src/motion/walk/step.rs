@@ -4,15 +4,16 @@ use crate::number::scalar::Float;
 
 /// Upper bound on the number of Newton steps towards a root of the cubic.
 const STEPS: usize = 12;
-/// The root of the cubic counts as found if a relative Newton step is below this value. A smaller tolerance would only
-/// cost time, because the search continues from the root.
+/// Largest relative Newton step at which the root of the cubic counts as found. A smaller tolerance would only cost
+/// time, because the search continues from the root.
 const CLOSE: f64 = 0.1;
 
 /// Returns a step over which a function f stays positive if |f‴| ≤ B.
 ///
 /// `f`, `slope` and `curve` are f, f′ and f″ at the start, and `bound` is B. The caller must pass f ≥ 0, and f′ > 0 if
 /// f = 0. The cubic p(h) = f + f′h + f″h²/2 − Bh³/6 is a lower bound on f. The function f is therefore positive up to
-/// the smallest positive root of p. The result is close to this root. The result does not exceed the root by more than
+/// the smallest positive root of p. The result is close to this root. It exceeds the root at most by rounding, and
+/// never exceeds `most`.
 /// rounding, and never exceeds `most`.
 pub(crate) fn safe<S: Float>(f: S, slope: S, curve: S, bound: S, most: S) -> S {
     let (zero, half) = (S::constant(0.0), S::constant(0.5));
@@ -22,22 +23,23 @@ pub(crate) fn safe<S: Float>(f: S, slope: S, curve: S, bound: S, most: S) -> S {
     if zero < value(most) && (zero <= slope || zero < least(f, slope, curve, bound)) {
         return most;
     }
-    // The cubic p is convex up to its inflection and concave from there on.
+    // The cubic p is convex before its inflection point and concave after it.
     let inflection = (curve / bound).max(zero);
     let discriminant = curve * curve + (bound + bound) * slope;
     let mut from = inflection;
     if zero < discriminant {
         let root = discriminant.sqrt();
         if slope < zero && zero < curve {
-            // The minimum of p is at the smaller root of p′, written in the form in which no terms cancel.
+            // The minimum of p is at the smaller root of p′. The code uses the form of this root in which no terms
+            // cancel.
             let dip = -(slope + slope) / (curve + root);
             if value(dip) <= zero {
                 return from_left(value, tangent);
             }
         }
         if curve < zero {
-            // This is the same root of p′. In the other form the terms would cancel for a small bound, and the root
-            // would be lost.
+            // This is the other form of the same root of p′. In the first form the terms would cancel if the bound is
+            // small, and the root would be lost.
             from = ((slope + slope) / (root - curve)).max(zero);
         } else if zero < curve + root {
             from = (curve + root) / bound;
@@ -45,13 +47,13 @@ pub(crate) fn safe<S: Float>(f: S, slope: S, curve: S, bound: S, most: S) -> S {
     } else if !(zero < value(inflection)) {
         return from_left(value, tangent);
     }
-    // To the right of `from`, p decreases ever more steeply. Newton's method that starts right of the root of p
-    // therefore stays right of the root.
+    // At distances of more than `from`, p falls ever more steeply. If Newton's method starts after the root of p, it
+    // therefore stays after the root.
     let top = value(from);
     let fall = tangent(from);
     let steep = -(curve - bound * from);
-    // The code takes the smallest of three upper bounds on the root. They come from the tangent at `from`, the
-    // curvature at `from`, and the cubic term alone.
+    // The code takes the smallest of three upper bounds on the root. They come from the tangent at `from`, from the
+    // curvature at `from`, and from the cubic term alone.
     let mut h = from + (top * S::constant(6.0) / bound).max(S::constant(1.0));
     if fall < zero {
         h = h.min(from - top / fall);
@@ -82,7 +84,8 @@ pub(crate) fn safe<S: Float>(f: S, slope: S, curve: S, bound: S, most: S) -> S {
     }
     let p = value(h);
     if p < zero {
-        // The chord of a concave function reaches zero before the function does, so that it is a safe step.
+        // The chord of a concave function reaches zero earlier than the function. A step to the zero of the chord is
+        // therefore safe.
         from + (h - from) * (top / (top - p))
     } else {
         h
@@ -101,8 +104,8 @@ fn least<S: Float>(f: S, slope: S, curve: S, bound: S) -> S {
     }
 }
 
-/// Finds the root of a convex, decreasing function by Newton's method, starting at 0. For a convex, decreasing function
-/// no step passes the root.
+/// Finds the root of a convex, decreasing function by Newton's method, starting at 0. For such a function no step
+/// passes the root.
 fn from_left<S: Float>(value: impl Fn(S) -> S, tangent: impl Fn(S) -> S) -> S {
     let zero = S::constant(0.0);
     let mut h = zero;
@@ -127,11 +130,11 @@ mod tests {
     #[test]
     fn a_slight_bound_leaves_a_fall_its_root() {
         // The cubic is 2h − h²/2 minus a tiny term in h³. Its maximum is at 2, and its root near 4. Newton's method
-        // must approach this root from the right.
+        // must approach this root from larger h.
         for bound in [1e-12_f32, 1e-9, 1e-7, 1e-4] {
             let h = safe(0.0, 2.0, -1.0, bound, 10.0);
-            // The result is close to 4, because the chord at the last Newton step is nearer to the root than the step
-            // itself.
+            // The result is close to 4. It comes from the chord at the last Newton step, which is nearer to the root
+            // than the step itself.
             assert!((3.99..=4.000_001).contains(&h), "{bound:e}: {h}");
         }
         // The maximum of the cubic 1 − h − h²/2 is at a negative h.

@@ -4,7 +4,7 @@ use core::fmt;
 
 use super::Dd;
 
-/// Largest number of decimal digits that `write` computes. `write` prints one digit less. Digits beyond the 32nd carry
+/// Largest number of decimal digits that `write` computes. `write` prints one digit less. Digits after the 32nd carry
 /// no information.
 const MOST: usize = 39;
 
@@ -17,7 +17,7 @@ fn mantissa(value: Dd) -> (Dd, i32) {
             value = value / factor;
             exponent += power;
         }
-        // Only numbers below 10/factor are scaled up, so that the result stays below 10. After the last pass, with
+        // The loop scales up only numbers below 10/factor, so that the result stays below 10. After the last pass, with
         // power 1, the result is at least 1.
         if value < Dd::from(10.0) / factor {
             value = value * factor;

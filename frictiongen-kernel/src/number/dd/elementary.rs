@@ -1,4 +1,4 @@
-//! Elementary functions in double-double, with errors of about 1e-31.
+//! Elementary functions in double-double arithmetic, with errors of about 1e-31.
 
 use super::tables::LN_2;
 use super::{Dd, INVERSE_FACTORIAL, ordered_sum, two_product, two_sum};
@@ -6,15 +6,15 @@ use crate::number::float::POWER_400;
 use crate::number::scalar::{Float, Plain, Scalar};
 use crate::number::trig::double;
 
-/// Returns `large + small`, where |large| must be at least 2·|small|.
+/// Returns the normalised sum `large + small`, where |large| must be at least 2·|small|.
 #[inline]
 fn dominated_sum(large: Dd, small: Dd) -> Dd {
     let (hi, rest) = ordered_sum(large.hi, small.hi);
     Dd::joined(hi, rest + (large.lo + small.lo))
 }
 
-/// Returns the series Σ cₖvᵏ, in which each term is far smaller than the previous one. From index `exact` on, all terms
-/// are smaller than 2^−55 times the first term, so that `f64` is accurate enough for these terms.
+/// Returns the sum of the series Σ cₖvᵏ, in which each term is far smaller than the previous one. From index `exact`
+/// on, all terms are smaller than 2^−55 times the first term. For these terms `f64` is accurate enough.
 #[inline]
 fn series<'a>(
     coefficients: impl DoubleEndedIterator<Item = &'a Dd> + ExactSizeIterator + Clone,
@@ -28,8 +28,8 @@ fn series<'a>(
     })
 }
 
-/// Returns 18 inverse factorials in steps of two, as a series of a sine or cosine needs them: 1/first!, 1/(first + 2)!,
-/// ….
+/// Returns 18 inverse factorials in steps of two: 1/first!, 1/(first + 2)!, …. The series of a sine or cosine has such
+/// coefficients.
 #[expect(
     clippy::indexing_slicing,
     reason = "only while compiling, where a panic is an error of the build"
@@ -48,8 +48,8 @@ static EVEN: [Dd; 18] = in_twos(2);
 /// Inverse factorials of odd numbers, 1/3!, 1/5! … 1/37!, for the sine.
 static ODD: [Dd; 18] = in_twos(3);
 
-/// Returns Σ factorials[k]·vᵏ over the first `terms` terms. `f64` is accurate enough for the terms from index `exact`
-/// on.
+/// Returns Σ factorials[k]·vᵏ over the first `terms` terms. From index `exact` on, `f64` is accurate enough for the
+/// terms.
 fn factorials_in_twos(factorials: &[Dd], terms: usize, exact: usize, v: Dd) -> Dd {
     series(factorials.iter().take(terms), exact, v)
 }
@@ -57,7 +57,7 @@ fn factorials_in_twos(factorials: &[Dd], terms: usize, exact: usize, v: Dd) -> D
 /// Returns the integer q for which q/2 is nearest to h, and the exact remainder h − q/2. Only the two lowest bits of q
 /// are meaningful.
 fn reduced(h: Dd) -> (u64, Dd) {
-    // Above 2^53, `hi` is an integer and `lo` still contains a fraction. The code therefore reduces both parts.
+    // If `hi` is above 2^53, it is an integer, but `lo` still contains a fraction. The code therefore reduces both.
     let (q, high) = double::reduced_any(h.hi);
     let (p, low) = double::reduced_any(h.lo);
     let (sum, lost) = two_sum(high, low);
@@ -148,7 +148,8 @@ impl Scalar for Dd {
             return Self::ZERO;
         }
         let (k, grown) = reduced_exp_m1(self);
-        // The result is scaled in two steps, since 2^1024 and the powers below 2^−1022 are not representable as `f64`.
+        // The code scales the result in two steps, because 2^1024 and the powers below 2^−1022 are not representable as
+        // `f64`.
         let half = k / 2;
         (Self::ONE + grown)
             .scaled(power_of_two(half))
@@ -176,12 +177,12 @@ impl Scalar for Dd {
         if y.is_zero() {
             return if x.hi < 0.0 { Self::PI } else { Self::ZERO };
         }
-        // An angle smaller than 1e-17 equals the ratio y/x. The general method would scale y and lose the last digits
-        // of y.
+        // An angle smaller than 1e-17 equals the quotient y/x. The general method would scale y and lose the last
+        // digits of y.
         if x.hi > 0.0 && start.abs() < 1e-17 {
             return y / x;
         }
-        // The angle depends on the ratio of y to x alone. The scaling avoids overflow and keeps the last digits.
+        // The angle depends only on the quotient of y and x. The scaling avoids overflow and keeps the last digits.
         let size = y.hi.abs().max(x.hi.abs());
         let power = match size {
             size if size > 1e100 => power_of_two(-700),
@@ -189,8 +190,8 @@ impl Scalar for Dd {
             _ => 1.0,
         };
         (y, x) = (y.scaled(power), x.scaled(power));
-        // One Newton step adds the tangent of the remaining angle. The tangent replaces the angle, because the angle's
-        // cube is below 1e-45.
+        // One Newton step adds the tangent of the remaining angle. The tangent may replace the angle itself, because
+        // the cube of this angle is below 1e-45.
         let (sin, cos) = (Self::from(start) / Self::PI).sin_cos_pi();
         Self::from(start) + (y * cos - x * sin) / (x * cos + y * sin)
     }
@@ -205,7 +206,7 @@ impl Scalar for Dd {
         let (p, s) = reduced(d);
         let (difference, lost) = two_sum(r.hi, -s.hi);
         let (o, rest) = double::reduced_any(difference);
-        // All steps before this sum are exact. Only this sum is rounded.
+        // All steps before this sum are exact. This sum is the only rounding.
         let rest = Self::sum(rest, lost) + Self::sum(r.lo, -s.lo);
         turned(q.wrapping_sub(p).wrapping_add(o), rest)
     }
@@ -239,7 +240,7 @@ impl Scalar for Dd {
 impl Float for Dd {
     /// Rounding unit of double-double arithmetic, 2^−104.
     const EPSILON: f64 = 1.0 / (1_u128 << 104) as f64;
-    /// Resolution of a search, 2^−90. Sums of many terms are not more accurate.
+    /// Resolution of a search in double-double arithmetic, 2^−90. Sums of many terms are not more accurate.
     const RESOLUTION: f64 = 1.0 / (1_u128 << 90) as f64;
 
     fn inverse_ratio_range() -> (Self, Self) {

@@ -23,7 +23,7 @@ pub struct SampleRow<'h> {
     pub omega: f64,
 }
 
-/// A row of the table of events.
+/// A row of the table of events: one stop, break-away or reversal of the contact.
 #[derive(Clone, Copy, Debug)]
 pub struct EventRow<'h> {
     /// The event: a stop, a break-away or a reversal.

@@ -1,31 +1,32 @@
-//! Curve of a response over frequency.
+//! The response over frequency, as a curve.
 
 use super::point::CurvePoint;
 use super::request::CurveStart;
 use crate::{Error, Regime};
 
-/// A response over frequency at one friction ratio.
+/// A curve: the response over frequency at one friction ratio.
 #[derive(Clone, Debug)]
 pub struct Curve {
     /// Friction ratio β = F/P (F/(k₁Y) for base motion).
     pub beta: f64,
-    /// The initial state of the motion at each point.
+    /// The initial state of the motion at each point of the curve.
     pub start: CurveStart,
-    /// The pieces of the curve, in ascending order of r. Straight lines may join the points of one piece.
+    /// The pieces of the curve, in ascending order of the frequency ratio r. Straight lines may join the points of one
+    /// piece.
     pub pieces: Vec<CurvePiece>,
-    /// The ranges without a response.
+    /// The ranges of frequency without a response.
     pub gaps: Vec<Gap>,
-    /// True if straight lines between the points have the requested accuracy. False if the curve reached its bound on
-    /// work before.
+    /// True if straight lines between the points have the requested accuracy. False if the refinement has ended early,
+    /// because the curve reached its bound on work.
     pub refined: bool,
 }
 
-/// An interval of a curve in one regime. Straight lines may join its points.
+/// A range of a curve with a single regime. Straight lines may join its points.
 #[derive(Clone, Debug)]
 pub struct CurvePiece {
     /// Regime at all points of the piece.
     pub regime: Regime,
-    /// The points, in ascending order of r.
+    /// The points of the piece, in ascending order of the frequency ratio r.
     pub points: Vec<CurvePoint>,
     /// The reason why the piece starts at its first point.
     pub start: PieceEnd,
@@ -37,24 +38,24 @@ pub struct CurvePiece {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum PieceEnd {
-    /// The requested range ends.
+    /// The requested range of frequencies ends.
     Range,
-    /// The regime changes.
+    /// The regime of the contact changes.
     Boundary,
-    /// The amplitude grows without bound.
+    /// The amplitude grows without bound towards a resonance.
     Pole,
     /// The amplitude jumps, because another steady state begins.
     Jump,
-    /// No response exists beyond this point.
+    /// No response exists on the other side of this point.
     NoAnswer,
 }
 
-/// A range of a curve without a response.
+/// A range of frequencies in which a curve has no response.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gap {
-    /// The lowest r without a response.
+    /// The lowest frequency ratio r without a response.
     pub from: f64,
-    /// The highest r without a response.
+    /// The highest frequency ratio r without a response.
     pub to: f64,
     /// The reason why there is no response at the lowest r.
     pub reason: Error,

@@ -1,7 +1,8 @@
-//! Responses over frequency in every regime. The points are close together where a curve bends.
+//! Responses over frequency in every regime, as curves. The points are close together where a curve bends.
 //!
-//! A curve consists of pieces. The code cuts the curve where the regime changes, at poles, at jumps and where no
-//! response exists. Between two cuts the code adds points until straight lines are accurate enough. It locates the cuts
+//! A curve consists of pieces. The code cuts the curve where the regime changes, at poles, at jumps, and at the bounds
+//! of a range without response. It locates the cuts to rounding. Between two cuts the code adds points until straight
+//! lines are accurate enough. A picture therefore never joins points on two sides of a cut.
 //! to rounding. A picture therefore never joins points on two sides of a cut.
 
 mod answer;
@@ -84,8 +85,8 @@ impl System {
         self.curve_from(request, beta, request.start)
     }
 
-    /// Returns several curves, computed in parallel. Each curve has its own friction ratio and initial state, which
-    /// replace those of the request.
+    /// Returns several curves, which the call computes in parallel. Each curve has its own friction ratio and initial
+    /// state, which replace those of the request.
     ///
     /// # Errors
     /// Same errors as [`curve`](Self::curve).

@@ -1,21 +1,21 @@
-//! Joins the points of a curve to pieces, and the ranges without a response to gaps.
+//! Joins the points of a curve into pieces, and the frequencies without a response into gaps.
 
 use super::answer::{Curve, CurvePiece, Gap, PieceEnd};
 use super::point::CurvePoint;
 use super::request::CurveStart;
 use crate::Error;
 
-/// A frequency ratio with its response.
+/// A frequency ratio of a curve with its response.
 #[derive(Clone, Debug)]
 pub(super) struct CurveNode {
     pub r: f64,
     pub answer: Result<CurvePoint, Error>,
-    /// The reason for a cut between this node and the next. `None` without a cut.
+    /// The reason why the curve is cut between this node and the next. `None` without a cut.
     pub cut: Option<PieceEnd>,
     pub work: usize,
 }
 
-/// Returns the curve through nodes in ascending order. A node is a frequency ratio with its response.
+/// Returns the curve through nodes in ascending order of frequency. A node is a frequency ratio with its response.
 pub(super) fn curve(
     (beta, start): (f64, CurveStart),
     nodes: impl Iterator<Item = CurveNode>,

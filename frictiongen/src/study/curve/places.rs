@@ -6,25 +6,26 @@ use super::request::CurveRequest;
 use crate::study::system::System;
 use crate::{Of, Regime};
 
-/// Number of intervals of the first grid.
+/// Number of intervals in the first grid of frequency ratios.
 const INTERVALS: usize = 160;
-/// Largest number of odd sub-harmonics of a resonance that become points of a curve.
+/// Largest number of odd sub-harmonics of one resonance that become points of a curve.
 const MOST_SUBHARMONICS: usize = 25;
-/// Relative distance from a pole to the nearest points of the curve.
+/// Relative distance from a pole of the response to the nearest points of the curve.
 const NEAR_POLE: f64 = 1e-5;
 /// Relative distance from a resonance at which the code evaluates the amplitude to detect a pole.
 const POLE: f64 = 1e-9;
-/// Number of steps in a search for a range of another regime between three places. Each step keeps 0.62 of an interval.
+/// Number of steps in a search for another regime between three neighbouring frequency ratios. Each step reduces the
+/// interval to 0.62 of its length.
 const STEPS: usize = 60;
 
 /// A frequency ratio that becomes a point of the curve.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct CurvePlace {
     pub r: f64,
-    /// The reason for a cut between this frequency ratio and the next. `None` without a cut.
+    /// The reason why the curve is cut between this frequency ratio and the next. `None` without a cut.
     pub cut: Option<PieceEnd>,
-    /// True for a sub-harmonic of a resonance that is not next to a cut. The curve omits such a point if it reaches its
-    /// bound on work.
+    /// True for a sub-harmonic of a resonance that is not next to a cut. The curve leaves out such a point if it
+    /// reaches its bound on work.
     pub spare: bool,
 }
 
@@ -90,7 +91,7 @@ pub(super) fn places(system: &System, request: &CurveRequest, beta: f64) -> Vec<
 fn grid(request: &CurveRequest) -> Vec<f64> {
     let width = request.to - request.from;
     let wanted = request.widest.map_or(0.0, |widest| (width / widest).ceil());
-    // The command refuses a grid that is too fine for the memory. This bound is for other callers.
+    // The bound 1e7 is for callers of the library. The command already refuses a grid that is too fine for the memory.
     let count = wanted.max(INTERVALS as f64).min(1e7) as usize;
     let inner = (1..count).map(|i| request.from + width * i as f64 / count as f64);
     let mut grid: Vec<f64> = inner.collect();
@@ -118,7 +119,7 @@ impl PlaceSearch<'_> {
         free.chain(held.iter().map(|mode| mode.frequency)).collect()
     }
 
-    /// Returns true if an amplitude grows without bound towards a resonance.
+    /// Returns true if the amplitude of a motion in `of` grows without bound towards a resonance.
     fn is_pole(&self, resonance: f64, of: &[Of]) -> bool {
         let largest = |distance: f64| -> Option<f64> {
             let r = resonance * (1.0 - distance);
@@ -134,14 +135,14 @@ impl PlaceSearch<'_> {
             Some(sizes.fold(0.0, f64::max))
         };
         match (largest(10.0 * POLE), largest(POLE)) {
-            // At a pole the amplitude grows tenfold from the farther point to the nearer one.
+            // Towards a pole, the amplitude grows tenfold from the farther point to the nearer point.
             (Some(far), Some(near)) => 5.0 * far < near,
             _ => false,
         }
     }
 
-    /// Returns ln(β/β_lim) and ln(β/β*_lim). If the first number is negative, the closed form exists. If the second
-    /// number is not negative, a stuck state exists.
+    /// Returns ln(β/β_lim) and ln(β/β*_lim) at the frequency ratio r. If the first number is negative, the contact can
+    /// slide all the time. If the second number is not negative, a stuck state exists.
     fn margins(&self, r: f64) -> (f64, f64) {
         match self.system.at(r) {
             Ok(at) => {
@@ -181,7 +182,7 @@ impl PlaceSearch<'_> {
         places
     }
 
-    /// Adds the first of two frequency ratios, and both sides of every regime boundary between the two.
+    /// Adds the first of two frequency ratios to the curve, and both sides of every regime boundary between the two.
     fn change(
         &self,
         left: f64,
@@ -199,8 +200,8 @@ impl PlaceSearch<'_> {
         }
         places.push(CurvePlace::cut(low, PieceEnd::Boundary));
         if high < right {
-            // Stick-slip may lie between the continuous and the stuck regime, so the search continues above this
-            // boundary.
+            // Stick-slip may lie between the continuous and the stuck regime. The search therefore continues at
+            // frequencies above this boundary.
             self.change(high, right, [self.regime(high), second], places);
         }
     }
@@ -220,7 +221,8 @@ impl PlaceSearch<'_> {
         }
     }
 
-    /// Returns frequency ratios of another regime that lie between three neighbouring frequency ratios of one regime.
+    /// Returns frequency ratios at which the regime differs from that at the three neighbouring frequency ratios of the
+    /// grid around them.
     fn hidden(&self, grid: &[f64]) -> Vec<f64> {
         let margins: Vec<_> = grid.iter().map(|r| self.margins(*r)).collect();
         let mut found = Vec::new();
@@ -235,7 +237,7 @@ impl PlaceSearch<'_> {
                 (sliding, -1.0),
             ] {
                 let [a, b, c] = [a, b, c].map(|margins| sign * read(margins));
-                // All three numbers are on one side of the limit, and the middle one is nearest to the limit.
+                // All three margins are on one side of the limit, and the middle one is nearest to the limit.
                 if a < 0.0 && b < 0.0 && c < 0.0 && a <= b && c <= b {
                     found.extend(self.beyond(left, right, read, sign));
                 }
@@ -263,7 +265,7 @@ impl PlaceSearch<'_> {
     }
 }
 
-/// A function that selects one of the two margins.
+/// A function that selects one of the two margins ln(β/β_lim) and ln(β/β*_lim).
 type MarginOf = fn((f64, f64)) -> f64;
 
 fn continuous(margins: (f64, f64)) -> f64 {

@@ -1,4 +1,4 @@
-//! A point of a curve.
+//! A point of a curve over frequency.
 
 use super::request::CurveRequest;
 use crate::study::response::{MotionQuantity, Swing, SystemResponse};
@@ -16,18 +16,18 @@ pub struct CurvePoint {
     pub stops: usize,
     /// Number of cycles of the excitation after which the motion repeats.
     pub period: u32,
-    /// True if the motion repeats. If false, the values belong to its last 64 cycles.
+    /// True if the motion repeats. Otherwise the values of this point belong to the last 64 computed cycles.
     pub settled: bool,
-    /// True if the state is one of a continuum of steady states.
+    /// True if the steady state belongs to a continuum of steady states.
     pub marginal: bool,
-    /// True if motion from rest ends in this state. False if motion from rest does not settle and this is another
-    /// state.
+    /// True if the motion from rest ends in this state. False if the motion from rest does not settle, and this state
+    /// is another steady state.
     pub from_rest: bool,
-    /// The offset of the contact's relative motion from its centre, divided by P/k₁ (by Y for base motion).
+    /// The offset of the contact's relative motion, (max + min)/2, divided by P/k₁ (by Y for base motion).
     pub offset: f64,
-    /// The requested motions, in the order of the request.
+    /// The motions that the request lists, in the order of the request.
     pub movements: Vec<Movement>,
-    /// The largest friction force, divided by P (by k₁Y for base motion).
+    /// The largest friction force in a period, divided by P (by k₁Y for base motion).
     pub contact_force: f64,
     /// The work of friction in one cycle of the excitation, divided by P²/k₁ (by k₁Y² for base motion).
     pub friction_work: f64,
@@ -36,7 +36,7 @@ pub struct CurvePoint {
 /// The motion of the contact or of a mass at one point of a curve.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Movement {
-    /// Amplitude and phase of the largest displacement.
+    /// Amplitude and phase: the largest |x̄|, and the lag of this maximum.
     pub swing: Swing,
     /// Centred amplitude, half the distance between the least and the largest x̄, where x̄ = x/(P/k₁) (x/Y for base
     /// motion).
@@ -46,8 +46,8 @@ pub struct Movement {
     pub fundamental_phase: Option<f64>,
     /// The largest |dx̄/dτ| and the largest |d²x̄/dτ²|, if they were requested.
     pub rates: Option<(f64, f64)>,
-    /// Equivalent viscous damping ratio, for the motion of the contact and for spring forces. It is present only if the
-    /// request contains rates.
+    /// Equivalent viscous damping ratio of the contact. It is present for the motion of the contact and for spring
+    /// forces, if the request contains rates.
     pub damping: Option<f64>,
     /// The harmonics that were requested, in the order of the request.
     pub harmonics: Vec<Complex<f64>>,
@@ -116,7 +116,7 @@ impl Movement {
         })
     }
 
-    /// Returns the response with the contact's relative motion reversed in sign.
+    /// Reverses the sign of the contact's relative motion in this response.
     fn turned(mut self, response: &SystemResponse<'_>) -> Self {
         self.swing.phase = response.reversed_contact_phase();
         self.fundamental_phase = self.fundamental_phase.map(reversed_phase);

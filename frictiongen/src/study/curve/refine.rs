@@ -1,8 +1,8 @@
 //! Adds points to a curve where it bends. The first frequency ratios of the curve are called *places*.
 //!
-//! An interval between two points is open while a straight line does not represent the curve in it. The code halves all
-//! open intervals in turn, wide ones before narrow ones. If the bound on work ends the refinement, the points are
-//! equally close over the whole range.
+//! An interval between two points is open if a straight line does not represent the curve within it. The code halves
+//! all open intervals in turn, and wide intervals before narrow ones. If the bound on work ends the refinement early,
+//! the points are therefore equally close over the whole range.
 
 use super::answer::{Curve, PieceEnd};
 use super::pieces::{self, CurveNode};
@@ -16,40 +16,39 @@ use crate::study::work::work;
 use crate::{Error, OutOfDomain, Regime};
 use rayon::prelude::*;
 
-/// The refinement stops if the relative distance of neighbouring points is below this value. If their values still
-/// differ, the difference counts as a jump.
+/// Smallest relative distance of neighbouring points. At this distance the refinement stops. If the values of the two
+/// points still differ, the difference counts as a jump.
 pub(super) const NARROW: f64 = 1e-7;
-/// Relative distance that replaces `NARROW` in intervals with scattered amplitudes. Amplitudes scatter if motions do
-/// not settle, or if motion from rest ends in different steady states at neighbouring points.
+/// Smallest relative distance of neighbouring points where amplitudes scatter. Amplitudes scatter if motions do not
+/// settle, or if motions from rest end in different steady states at neighbouring points.
 pub(super) const NARROW_SCATTERED: f64 = 1e-3;
-/// A motion counts as scattered if more than this number of intervals are open between two frequency ratios of the
-/// first grid.
+/// Largest number of open intervals between two frequency ratios of the first grid. A motion with more open intervals
+/// counts as scattered.
 const MOST_BENT: usize = 32;
-/// The search stops locating a change in the contact's pattern of stops if the relative width of the interval is below
-/// this value.
+/// Smallest relative width of an interval in which the search locates a change in the contact's pattern of stops.
 pub(super) const NARROW_PATTERN: f64 = 1e-4;
-/// The search stops locating the end of a gap if the relative width of the interval is below this value.
+/// Smallest relative width of an interval in which the search locates the end of a gap.
 const NARROW_GAP: f64 = 1e-7;
-/// The refinement ignores bends whose amplitude is below this fraction of the median amplitude over the first grid.
+/// Smallest amplitude at which the refinement follows a bend, divided by the median amplitude over the first grid.
 const SMALL: f64 = 1e-3;
-/// Number of less important frequency ratios that the code computes between two checks of the work.
+/// Number of less important frequency ratios that the code computes before it compares the work with its bound.
 const AT_ONCE: usize = 16;
-/// A motion counts as rounding if its amplitude is below this fraction of another motion's amplitude.
+/// Largest amplitude of a motion that counts as rounding, divided by the amplitude of another motion.
 const ROUNDING: f64 = 1e-6;
 
-/// An interval between two nodes that may have to be halved.
+/// An interval between two neighbouring nodes of the curve, which the refinement may halve.
 #[derive(Clone, Copy, Debug)]
 struct NodeInterval {
     left: usize,
     right: usize,
-    /// True if the interval from whose halving this one comes was straight as well. A single test may miss a bend,
-    /// because the middle may be on the line by chance.
+    /// True if the interval whose halving gave this one was also straight. A single test may miss a bend, because the
+    /// middle of an interval may be on the straight line by chance.
     was_straight: bool,
     /// Index of the interval of the first grid that contains this interval.
     part: usize,
 }
 
-/// Refines one curve between its first points.
+/// Refines one curve: adds points between its first points.
 pub(super) struct Refine<'a> {
     pub system: &'a System,
     pub request: &'a CurveRequest,
@@ -57,8 +56,9 @@ pub(super) struct Refine<'a> {
     pub straight: Straight,
 }
 
-/// Returns true if the offset of a stuck contact can jump between neighbouring frequencies, because it depends on every
-/// earlier slip. This is so if static friction exceeds kinetic friction (μ > 1), and for a chain without damping.
+/// Returns true if the offset of a stuck contact can jump between neighbouring frequencies. It can jump if the offset
+/// depends on every earlier slip. This is so if static friction exceeds kinetic friction (μ > 1), and for a chain
+/// without damping.
 fn offsets_jump(system: &System) -> bool {
     let scene = system.scene();
     1.0 < scene.stiction || scene.damping == Damping::None
@@ -100,8 +100,8 @@ impl<'a> Refine<'a> {
         (point, work)
     }
 
-    /// Returns one amplitude for each motion, below which the code does not refine the curve. The amplitude is a
-    /// fraction of the median over the first points. A pole hardly changes the median.
+    /// Returns one amplitude for each motion. The code does not refine the curve where the amplitude is smaller. The
+    /// returned amplitude is a fraction of the median over the first points, because a pole hardly changes the median.
     pub(super) fn scales(&self, nodes: &[CurveNode]) -> Vec<f64> {
         let median = |index: usize| {
             let points = nodes.iter().filter_map(|node| node.answer.as_ref().ok());
@@ -109,7 +109,7 @@ impl<'a> Refine<'a> {
                 let amplitude = point.movements.get(index)?.swing.amplitude;
                 Some(amplitude * self.straight.unit(point))
             });
-            // Points at which nothing moves are left out, because they say nothing about the size of the motion.
+            // Points at which nothing moves do not count, because they say nothing about the size of the motion.
             let mut sizes: Vec<f64> = sizes.filter(|size| 0.0 < *size).collect();
             sizes.sort_by(f64::total_cmp);
             SMALL * sizes.get(sizes.len() / 2).copied().unwrap_or(0.0)
@@ -121,7 +121,7 @@ impl<'a> Refine<'a> {
         scales.into_iter().map(|scale| scale.max(least)).collect()
     }
 
-    /// Returns the points of the first grid. The flag is true if the permitted work sufficed for all of them. The code
+    /// Computes the points of the first grid. The flag is true if the permitted work sufficed for all of them. The code
     /// computes less important points last.
     fn grid(&self, places: &[CurvePlace]) -> (Vec<CurveNode>, bool) {
         let (spare, needed): (Vec<CurvePlace>, Vec<CurvePlace>) =
@@ -175,8 +175,8 @@ impl<'a> Refine<'a> {
         pieces::curve((self.beta, self.request.start), nodes.into_iter(), refined)
     }
 
-    /// Returns the middles of all open intervals that are not yet narrow. If the two points of a narrow interval are on
-    /// different curves, the function cuts the curve there.
+    /// Returns the middles of all open intervals that are wide enough to halve. If the two points of a narrow interval
+    /// are on different curves, the function cuts the curve between them.
     fn worth_halving(
         &self,
         open: &[NodeInterval],
@@ -214,8 +214,9 @@ impl<'a> Refine<'a> {
         halved
     }
 
-    /// Returns true if two settled points certainly belong to one state, however steep the curve is between them.
-    /// Either both points belong to the closed form, or μ ≤ 1 and no other state exists.
+    /// Returns true if two settled points certainly belong to the same steady state, however steep the curve between
+    /// them is. This is certain in two cases: both points belong to the closed form, or μ ≤ 1 and no other state
+    /// exists.
     fn is_one_state(&self, a: &CurvePoint, b: &CurvePoint) -> bool {
         let slides = |point: &CurvePoint| point.regime == Regime::Continuous;
         self.system.scene().stiction <= 1.0 || (slides(a) && slides(b))
@@ -270,13 +271,13 @@ impl<'a> Refine<'a> {
     }
 }
 
-/// Returns the total work of some nodes.
+/// Returns the total work that the code has spent on some nodes.
 pub(super) fn spent(nodes: &[CurveNode]) -> usize {
     nodes.iter().map(|node| node.work).sum()
 }
 
-/// Returns the number of intervals, in their order, for which the remaining work suffices. The estimate for the middle
-/// of an interval is the work of the more expensive of its two points.
+/// Returns the number of intervals, counted from the first, for which the remaining work suffices. The code estimates
+/// the work for the middle of an interval as that of the more expensive one of its two points.
 fn affordable(intervals: &[(NodeInterval, f64)], nodes: &[CurveNode], left: usize) -> usize {
     let work = |end: usize| nodes.get(end).map_or(0, |node| node.work);
     let mut sum = 0_usize;

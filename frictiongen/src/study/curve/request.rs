@@ -1,4 +1,4 @@
-//! The request of a curve.
+//! The request for a curve over frequency.
 
 use crate::Of;
 use crate::study::system::System;
@@ -13,9 +13,9 @@ pub enum CurveStart {
     /// Rest: every mass at x = 0 without velocity, with the excitation at its maximum.
     #[default]
     Rest,
-    /// The steady state of the previous point, in ascending order of frequency. The first point starts from rest.
+    /// The steady state of the previous point, as the frequency increases. The first point starts from rest.
     Up,
-    /// The steady state of the previous point, in descending order of frequency. The first point starts from rest.
+    /// The steady state of the previous point, as the frequency decreases. The first point starts from rest.
     Down,
 }
 
@@ -28,33 +28,35 @@ pub struct CurveRequest {
     pub to: f64,
     /// The motions that each point contains.
     pub of: Vec<Of>,
-    /// Tolerance: the largest permitted deviation of the curve from the straight line between two neighbouring points,
-    /// relative to the value of the curve.
+    /// Tolerance: the largest permitted distance between the curve and the straight line that joins two neighbouring
+    /// points, divided by the value of the curve.
     pub accuracy: f64,
-    /// The largest distance between neighbouring points, in r. `None` sets no bound.
+    /// The largest distance between neighbouring points, in the frequency ratio r. `None` sets no bound.
     pub widest: Option<f64>,
     /// The orders of the harmonics that each point contains.
     pub harmonics: Vec<u32>,
     /// True if each point contains velocities and accelerations.
     pub rates: bool,
-    /// True to request the contact's motion with the opposite sign, for the case
+    /// True to reverse the sign of the contact's motion. The sign then agrees with the description in the case
     /// [`System::contact_is_reversed`](crate::study::System::contact_is_reversed).
     pub turned: bool,
-    /// Bound on the work of the curve, in units of about 10 µs. The code counts work instead of time, so that a curve
-    /// is the same on every machine. The points at cuts and on an even grid are always computed, even beyond the bound.
+    /// Bound on the work of the curve, in units of about 10 µs. The code counts work instead of time, so that the same
+    /// request gives the same curve on every machine. The code always computes the points at cuts and on an even grid,
+    /// even if they exceed the bound.
     pub work: usize,
     /// The initial state of the motion at each point.
     pub start: CurveStart,
-    /// Exponent n of the friction ratio along the curve, β·rⁿ. For a load of constant amplitude n is 0. For a constant
-    /// friction force, n is 2 under a base motion of constant acceleration, and −2 under an unbalance.
+    /// Exponent n of the friction ratio along the curve: the friction ratio at r is β·rⁿ. For a load of constant
+    /// amplitude n is 0. For a constant friction force, n is 2 under a base motion of constant acceleration, and −2
+    /// under an unbalance.
     pub rise: i32,
-    /// Exponent n of the load along the curve, whose amplitude is proportional to r⁻ⁿ. The refinement of the curve
-    /// applies to displacements under this load.
+    /// Exponent n of the load along the curve: the amplitude of the load is proportional to r⁻ⁿ. The refinement of the
+    /// curve compares the displacements under this load.
     pub fall: i32,
 }
 
 impl CurveRequest {
-    /// Requests amplitudes and phases of some motions over a range of r, with an accuracy of 5e-4.
+    /// Requests amplitudes and phases of some motions over a range of the frequency ratio r, with a tolerance of 5e-4.
     #[must_use]
     pub fn new(from: f64, to: f64, of: &[Of]) -> Self {
         Self {
@@ -73,7 +75,7 @@ impl CurveRequest {
         }
     }
 
-    /// Returns the friction ratio at r.
+    /// Returns the friction ratio at the frequency ratio r, which is β·rⁿ.
     pub(super) fn beta_at(&self, beta: f64, r: f64) -> f64 {
         beta * r.powi(self.rise)
     }
@@ -82,7 +84,7 @@ impl CurveRequest {
         if system.single().is_err() {
             return Err(CurveError::SeveralContacts);
         }
-        // Subnormal numbers are refused, because they leave too few numbers between the bounds.
+        // Subnormal bounds are refused, because too few floating-point numbers lie between them.
         if !(f64::MIN_POSITIVE <= self.from && self.to.is_finite() && self.from < self.to) {
             return Err(CurveError::Range);
         }
@@ -99,17 +101,17 @@ impl CurveRequest {
     }
 }
 
-/// The reason why there is no curve.
+/// The reason why a request gives no curve.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum CurveError {
-    /// The range of r has no width, or is not between 0 and ∞.
+    /// The range of frequency ratios r has no width, or its bounds are not positive and finite.
     Range,
-    /// The accuracy is not between 10⁻⁹ and 1.
+    /// The tolerance is not between 10⁻⁹ and 1.
     Accuracy,
     /// The largest distance of neighbouring points is not above 0.
     Widest,
-    /// The friction ratio is negative or not finite.
+    /// The friction ratio β is negative or not finite.
     Friction,
     /// The scene does not have the mass or the spring of this motion.
     NoSuchMotion(Of),

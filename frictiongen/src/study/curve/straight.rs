@@ -8,19 +8,20 @@ use std::f64::consts::PI;
 /// The criteria by which a curve counts as straight.
 #[derive(Clone, Debug)]
 pub(super) struct Straight {
-    /// The largest deviation of a straight line, relative to the curve.
+    /// The largest permitted deviation of a straight line from the curve, divided by the value of the curve.
     pub accuracy: f64,
-    /// The amplitude of each motion below which deviations do not matter.
+    /// One amplitude for each motion. Deviations do not matter where the amplitude is smaller.
     pub scales: Vec<f64>,
-    /// True with μ > 1 or without damping. The offset of a stuck contact then depends on every earlier slip, and jumps
-    /// from point to point. The criteria then use the centred amplitude, because more points would not help.
+    /// True if μ > 1 or if the chain has no damping. The offset of a stuck contact then depends on every earlier slip,
+    /// and jumps from point to point. The criteria then use the centred amplitude, because more points would not remove
+    /// the jumps.
     pub offsets_jump: bool,
-    /// Exponent n of the load, whose amplitude is proportional to r⁻ⁿ.
+    /// Exponent n of the load: its amplitude is proportional to r⁻ⁿ.
     pub fall: i32,
 }
 
 impl Straight {
-    /// Returns the unit of displacement at a point, divided by the unit at r = 1.
+    /// Returns the unit of displacement at a point of the curve, divided by the unit at r = 1.
     pub(super) fn unit(&self, point: &CurvePoint) -> f64 {
         point.r.powi(-self.fall)
     }
@@ -31,7 +32,7 @@ impl Straight {
         self.swings([a, m, b]).all(|([a, m, b], scale)| {
             let stray = (m.amplitude - 0.5 * (a.amplitude + b.amplitude)).abs();
             let bends = accuracy * m.amplitude.abs().max(scale);
-            // A phase has no meaning where the amplitude vanishes, so it is not compared there.
+            // A phase has no meaning where the amplitude vanishes. The code then does not compare the phases.
             let phases = match (a.phase, m.phase, b.phase) {
                 (Some(a), Some(m), Some(b)) => 0.5 * (turn(a, m) + turn(b, m)).abs(),
                 _ => 0.0,
@@ -50,7 +51,7 @@ impl Straight {
         })
     }
 
-    /// Returns two things for each motion: amplitude and phase at several points, and the amplitude below which
+    /// Returns two items for each motion: its amplitudes and phases at several points, and the amplitude below which
     /// deviations do not matter.
     fn swings<'p, const N: usize>(
         &'p self,

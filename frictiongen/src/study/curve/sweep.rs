@@ -1,5 +1,5 @@
-//! Curves as in a laboratory sweep: each point starts from the steady state of the previous point. A *place* is a
-//! frequency ratio that is always a point of the sweep.
+//! Curves as in a laboratory sweep: the motion at each point starts from the steady state of the previous point. A
+//! *place* is a frequency ratio at which the sweep always has a point.
 
 use super::answer::{Curve, PieceEnd};
 use super::pieces;
@@ -13,8 +13,8 @@ use crate::study::settled::Carried;
 use crate::study::work::work;
 use crate::{Error, OutOfDomain};
 
-/// A motion counts as scattered if the sweep finds more than this number of jumps between two frequency ratios of its
-/// first grid.
+/// Largest number of jumps between two frequency ratios of the sweep's first grid. A motion with more jumps counts as
+/// scattered.
 const MOST_JUMPS: u32 = 4;
 
 /// A point of a sweep, with the state from which the next point starts.
@@ -24,7 +24,7 @@ struct SweepStep {
 }
 
 impl Refine<'_> {
-    /// Returns the curve through the given frequency ratios, in the requested direction of the sweep.
+    /// Returns the curve that the sweep follows through the given frequency ratios, in the requested direction.
     pub(super) fn swept(mut self, places: &[CurvePlace]) -> Curve {
         let down = self.request.start == CurveStart::Down;
         // A sweep follows every motion twice. It therefore leaves out the less important frequency ratios.
@@ -33,7 +33,7 @@ impl Refine<'_> {
         if down {
             places.reverse();
         }
-        // The cut of a pole is stored with the frequency ratio just below the pole.
+        // The cut at a pole is stored with the frequency ratio just below the pole.
         let poles: Vec<bool> = places
             .windows(2)
             .map(|pair| {
@@ -55,7 +55,7 @@ impl Refine<'_> {
         let mut nodes: Vec<CurveNode> = steps.into_iter().map(|step| step.node).collect();
         if down {
             nodes.reverse();
-            // After the reversal each cut belongs to the lower of its two nodes.
+            // After the reversal of the order, each cut belongs to the lower of its two nodes.
             let cuts: Vec<Option<PieceEnd>> = nodes.iter().skip(1).map(|node| node.cut).collect();
             for (node, cut) in nodes.iter_mut().zip(cuts.into_iter().chain([None])) {
                 node.cut = cut;
@@ -76,7 +76,7 @@ impl Refine<'_> {
         nodes.collect()
     }
 
-    /// Returns the response at r of a motion that starts from a state, or from rest.
+    /// Returns the response at the frequency ratio r, for a motion that starts from a state, or from rest.
     fn step(&self, r: f64, start: Option<&Carried>) -> SweepStep {
         let found = self.system.at(r).map_err(Error::from).and_then(|at| {
             let beta = self.request.beta_at(self.beta, r);
@@ -87,7 +87,7 @@ impl Refine<'_> {
         });
         let (answer, carried, work) = match found {
             Ok((point, carried, work)) => (Ok(point), Some(carried), work),
-            // Without a response at r, the next point starts from the state of the last point.
+            // If there is no response at r, the next point starts from the state of the last point with a response.
             Err(error) => (Err(error), start.cloned(), work(self.system, r, Err(error))),
         };
         SweepStep {
@@ -101,7 +101,7 @@ impl Refine<'_> {
         }
     }
 
-    /// Continues the sweep from the last step to r, in small steps where the curve bends.
+    /// Continues the sweep from the last step to the frequency ratio r, in small steps where the curve bends.
     ///
     /// If a step ends in another steady state, the code halves the step until it has located the jump. The length of a
     /// step alone therefore never causes a jump. `left` is the remaining work. If no work remains, each step goes
@@ -150,7 +150,7 @@ impl Refine<'_> {
         }
     }
 
-    /// Returns the reason for a cut between two neighbouring nodes, if there is one.
+    /// Returns the reason why the curve is cut between two neighbouring nodes. Returns `None` without a cut.
     fn cut(&self, last: &CurveNode, next: &CurveNode, pole: bool) -> Option<PieceEnd> {
         match (&last.answer, &next.answer) {
             _ if pole => Some(PieceEnd::Pole),

@@ -1,9 +1,9 @@
 //! Functions of y = 1/r whose zeros are features. They consist of V (motion without friction), H (response to a
 //! harmonic force in the contact) and U (response to a square wave of friction).
 //!
-//! Every sum in this module is the thesis's sum divided by y² = 1/r², which is a factor of all its terms. With d = x² −
-//! 1 + 2iζx and x = √λ y, V = y² Σ wp/d. H has the same form with w² instead of wp. Without damping U = y² Σ w²
-//! tan(πx/2)/x.
+//! Every sum in this module is the thesis's sum divided by y² = 1/r², which is a factor of all its terms. Let x = √λ y
+//! and d = x² − 1 + 2iζx for a mode with the squared frequency ratio λ. Then V is y² times the sum Σ wp/d over the
+//! modes. H has the same form with w² in place of wp. Without damping, U is y² times Σ w² tan(πx/2)/x.
 
 use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
@@ -15,27 +15,28 @@ use frictiongen_model::modal::Modal;
 pub(super) struct ModeNumbers<T> {
     pub resonance: T,
     pub zeta: T,
-    /// Load φᵀp of the mode.
+    /// Load φᵀp of the mode, with the mode shape φ and the load vector p.
     pub load: T,
-    /// Contact component φᵀw of the mode.
+    /// Contact component φᵀw of the mode, with the contact's direction vector w.
     pub contact: T,
-    /// Component φ of the requested mass, or φᵀw for the contact.
+    /// Component φ of the mode at the requested mass, or φᵀw for the motion of the contact.
     pub shape: T,
-    /// Two numbers for the load in quadrature (90° out of phase) with the motion of the base: 2ζλΓ, and the
-    /// contribution of springs to the wall. Both are 0 unless damping acts on velocities relative to the moving base.
+    /// Two numbers for the load that is 90° out of phase with the motion of the base: 2ζλΓ, where Γ is the
+    /// participation factor, and the contribution of springs to the wall. Both are 0 unless damping acts on velocities
+    /// relative to the moving base.
     pub quadrature: [T; 2],
 }
 
-/// The data of a chain and of one requested motion, in one number type.
+/// The numbers of a chain and of one requested motion, in one number type.
 #[derive(Clone, Debug)]
 pub(super) struct ChainNumbers<T> {
     pub modes: Vec<ModeNumbers<T>>,
-    /// The static motion wᵀK̄⁻¹p − 1 of the contact relative to the base. `None` unless the contact slides on the
+    /// The static displacement wᵀK̄⁻¹p − 1 of the contact relative to the base. `None` unless the contact slides on the
     /// moving base.
     pub on_base: Option<T>,
     /// Inverse effective mass m* of the contact.
     pub inverse_mass: T,
-    /// ρ = k₁/k, the compliance of an elastic contact. `None` for a rigid contact.
+    /// ρ = k₁/k, the compliance of an elastic contact of stiffness k. `None` for a rigid contact.
     pub compliance: Option<T>,
     /// μ, the static friction force divided by the kinetic friction force.
     pub stiction: T,
@@ -47,8 +48,8 @@ pub(super) struct ChainNumbers<T> {
 }
 
 impl<T> ChainNumbers<T> {
-    /// Returns the data of a chain for the motion of the contact, or of the mass `mass`. `to` converts each number to
-    /// the number type of the data.
+    /// Returns the numbers of a chain for the motion of the contact, or of the mass `mass`. `to` converts each number
+    /// to the number type of the result.
     pub fn of<F: Float>(modal: &Modal<F>, mass: Option<usize>, to: impl Fn(F) -> T) -> Self {
         let none = F::constant(0.0);
         let at = |list: &[F], place: usize| list.get(place).copied().unwrap_or(none);
@@ -83,7 +84,7 @@ impl<T> ChainNumbers<T> {
     }
 }
 
-/// The function of frequency whose zeros the search finds.
+/// The function of frequency whose zeros the search finds. Index k denotes the requested mass.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Target<T> {
     /// V_k, the motion of mass k without friction.
@@ -94,36 +95,39 @@ pub(super) enum Target<T> {
     Receptance,
     /// U_k, the slope at the reversal of mass k's response to a square wave of friction (6.9).
     Quadrature,
-    /// V U_k − 2 V_k U, which is zero where friction does not change the estimated amplitude (6.10).
+    /// V U_k − 2 V_k U for mass k. It is zero where friction does not change the monoharmonic estimate of the amplitude
+    /// (6.10). V is the motion without friction, and U the response to a square wave of friction.
     Estimate,
-    /// V_k U + (2/π) H_k V, for the contact U + (2/π) H. It is zero where friction does not change the fundamental's
-    /// amplitude.
+    /// V_k U + (2/π) H_k V for mass k, or U + (2/π) H for the contact. It is zero where friction does not change the
+    /// amplitude of the fundamental. V, H and U are the responses to the load, to a harmonic contact force and to a
+    /// square wave of friction.
     Fundamental,
-    /// V − βμH (with damping |V|² − (βμ)²|H|²) (6.13). V is the contact's motion without friction, and H its
-    /// receptance. It is zero where β*_lim equals β. H is H + ρ for an elastic contact.
+    /// V − βμH, or |V|² − (βμ)²|H|² with damping (6.13). V is the contact's motion without friction, and H its
+    /// receptance. For an elastic contact, H + ρ replaces H. The function is zero where β*_lim equals β.
     Sliding(T),
-    /// V² − β²(U² + (μm*/r²)²) of an undamped chain. This function is zero where β_lim without search equals β.
+    /// V² − β²(U² + (μm*/r²)²) for an undamped chain. It is zero where the upper bound on β_lim without a search equals
+    /// β.
     Continuous(T),
 }
 
-/// A pole p of one or more modes on the axis of y = 1/r. `members` lists each of these modes with its odd integer x =
-/// √λ y at the pole.
+/// A pole p of one or more modes on the axis of y = 1/r. `members` lists these modes, each with the odd integer that x
+/// = √λ y equals at the pole.
 #[derive(Clone, Debug)]
 pub(super) struct ModalPole {
     pub y: f64,
     pub members: Vec<(usize, f64)>,
 }
 
-/// Functions over an interval of y = 1/r that contains a pole p: the distance y − p, and those functions of each mode
-/// that have the pole, multiplied by y − p.
+/// The functions over an interval of y = 1/r that contains a pole p: the distance y − p, and the functions of the modes
+/// that have this pole, multiplied by y − p.
 pub(super) struct Near<T> {
     gap: T,
-    /// For each mode with this pole: 1/d and tan(πx/2)/x, both times the distance y − p. `None` for modes without this
-    /// pole.
+    /// For each mode with this pole: 1/d and tan(πx/2)/x, both multiplied by the distance y − p. `None` for modes
+    /// without this pole.
     own: Vec<Option<[T; 2]>>,
 }
 
-/// Selects a sum over the modes: V, H, U, or a combination.
+/// Selects a sum over the modes: V, H, U, or a combination of them.
 #[derive(Clone, Copy)]
 enum ModalSum<T> {
     V,
@@ -132,8 +136,8 @@ enum ModalSum<T> {
     HOf,
     U,
     UOf,
-    /// V − level·H, with the difference taken for each mode. If the difference of a mode vanishes, the sum has no pole
-    /// at this mode.
+    /// V − level·H, where the code takes the difference for each mode before it sums. If the difference of a mode
+    /// vanishes, the sum has no pole at this mode.
     Against(T),
 }
 
@@ -176,7 +180,8 @@ impl<T: Arithmetic> ChainNumbers<T> {
                 sum = [sum[0] + term[0] * outside, sum[1] + term[1] * outside];
                 continue;
             }
-            // On a moving base the sum contains v − 1 = (1 − 2iζx)/d instead of v, so that nothing cancels for large r.
+            // For a contact on a moving base, the sum contains v − 1 = (1 − 2iζx)/d in place of v. Nothing then cancels
+            // for large r.
             let [re, im] = match (which, self.on_base.is_some()) {
                 (ModalSum::V, true) => {
                     let turn = two * mode.zeta * x;
@@ -210,7 +215,8 @@ impl<T: Arithmetic> ChainNumbers<T> {
         sum
     }
 
-    /// Returns the term of a mode in V or V_k, with its load in quadrature. `response` is 1/(x² − 1 + 2iζx).
+    /// Returns the term of a mode in V or V_k, including the load that is 90° out of phase. `response` is 1/(x² − 1 +
+    /// 2iζx).
     fn loaded(
         &self,
         mode: &ModeNumbers<T>,
@@ -237,8 +243,8 @@ impl<T: Arithmetic> ChainNumbers<T> {
         ]
     }
 
-    /// Returns the target function at y. With `near`, the function is multiplied by a power of y − p, which removes the
-    /// pole. The exponent is the number of factors with a pole.
+    /// Returns the target function at y = 1/r. With `near`, the function is multiplied by a power of y − p, which
+    /// removes the pole p. The exponent is the number of factors that have the pole.
     pub fn value(&self, target: Target<T>, y: T, near: Option<&Near<T>>) -> T {
         let sum = |which| self.sum(which, y, near);
         let real = |which| sum(which)[0];
@@ -281,8 +287,8 @@ impl<T: Arithmetic> ChainNumbers<T> {
 }
 
 impl ChainNumbers<Interval> {
-    /// Returns the distance y − p over an interval of y, and the singular functions of the pole's modes times this
-    /// distance. Returns `None` if the interval is too wide for finite bounds.
+    /// Returns the distance y − p over an interval of y, and the functions of the modes with the pole p, multiplied by
+    /// this distance. Returns `None` if the interval is too wide for finite bounds.
     pub fn near(&self, y: Interval, pole: &ModalPole) -> Option<Near<Interval>> {
         let two_over_pi = Interval::rounded(std::f64::consts::FRAC_2_PI);
         let half_pi = Interval::rounded(std::f64::consts::FRAC_PI_2);
@@ -310,11 +316,12 @@ impl ChainNumbers<Interval> {
     }
 }
 
-/// Poles of different modes count as one pole if their relative distance is below this value.
+/// Largest relative distance of two poles of different modes that count as one pole.
 const SAME: f64 = 4e-15;
 
 impl Target<Dd> {
-    /// Returns two flags: true if a mode has a pole at x = 1, and true if it has poles at the other odd x.
+    /// Returns two flags for a mode: true if the target has a pole at x = 1, and true if it has poles at the other odd
+    /// x.
     fn poles_of(&self, numbers: &ChainNumbers<Dd>, mode: &ModeNumbers<Dd>) -> [bool; 2] {
         let drives = |a: Dd, b: Dd| !(a.is_zero() || b.is_zero());
         let undamped = mode.zeta.is_zero();

@@ -1,6 +1,6 @@
-//! Frequencies at which friction does not change a motion, ranges in which more friction makes a motion larger, and
-//! frequencies at which a motion vanishes without friction. Such frequencies and ranges exist only in chains without
-//! damping.
+//! Finds three features of chains without damping: frequencies at which friction does not change a motion (invariant
+//! points), ranges in which more friction makes a motion larger (inversions), and frequencies at which a motion
+//! vanishes without friction (antiresonances).
 
 use super::functions::Target;
 use super::isolate::{Crowded, FunctionZero, MotionFunction};
@@ -12,10 +12,11 @@ use frictiongen_kernel::number::dd::Dd;
 /// The quantity of a motion that does not depend on friction at an invariant point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum InvariantQuantity {
-    /// The amplitude. For the contact's motion it is exact (6.9), for another mass it is the monoharmonic estimate
-    /// (5.50, 6.10).
+    /// The amplitude. For the contact's motion the invariant point is exact (6.9). For another mass it follows from the
+    /// monoharmonic estimate (5.50, 6.10).
     Amplitude,
-    /// The fundamental component, exactly. Its amplitude is the frequency-based transmissibility (4.4).
+    /// The fundamental component, for which the invariant point is exact. Its amplitude is the frequency-based
+    /// transmissibility (4.4).
     Fundamental,
 }
 
@@ -26,12 +27,12 @@ pub enum Condition {
     /// U = 0 for the contact, or U_k = 0 for mass k: the response to a square wave of friction has no slope at the
     /// reversal (6.9).
     Quadrature,
-    /// V U_k = 2 V_k U, from the monoharmonic estimate (6.10). V is the motion without friction, and U the response to
-    /// a square wave of friction. Index k denotes the mass.
+    /// V U_k = 2 V_k U for mass k, from the monoharmonic estimate (6.10). V is the motion without friction, and U the
+    /// response to a square wave of friction. Without index they belong to the contact.
     Estimate,
     /// H_k = 0: mass k does not respond to a harmonic force in the contact.
     Receptance,
-    /// V_k U = −(2/π) H_k V for mass k, or U = −(2/π)H for the contact. V, H and U are the responses to the load, to a
+    /// V_k U = −(2/π) H_k V for mass k, or U = −(2/π) H for the contact. V, H and U are the responses to the load, to a
     /// harmonic contact force and to a square wave of friction.
     Balance,
 }
@@ -45,26 +46,29 @@ pub struct InvariantPoint {
     pub frequency: Sensed,
     /// Equation that the invariant point satisfies.
     pub condition: Condition,
-    /// True if the phase does not depend on friction either. The phase of the contact's motion at U = 0 is 0 or π.
+    /// True if the phase of the motion does not depend on friction either. The phase of the contact's motion at U = 0
+    /// is 0 or π.
     pub phase_too: bool,
-    /// The amplitude |V_k| of the motion at the point, in m under a load, otherwise in P/k₁ (in Y for base motion).
+    /// The amplitude |V_k| of the motion at the point. It is in m under a load, otherwise divided by P/k₁ (by Y for
+    /// base motion).
     pub amplitude: f64,
-    /// β_lim at the point, in N under a load. The point is invariant for friction up to this value.
+    /// β_lim at the invariant point, in N under a load. The motion does not depend on friction up to this value.
     pub continuous_limit: f64,
-    /// True if the function of the condition crosses 0. False if it only touches 0, or if two zeros are within 1e-9.
+    /// True if the function of the condition crosses 0. False if it only touches 0, or if two of its zeros are within a
+    /// relative distance of 1e-9.
     pub simple: bool,
 }
 
-/// Reason why a range of an [`Inversion`] begins or ends at a frequency.
+/// Reason why the range of an [`Inversion`] begins or ends at a frequency.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Edge {
-    /// The bound of the requested range.
+    /// The requested range of frequencies begins or ends.
     Range,
     /// An invariant point, where friction does not change the motion.
     Invariant,
     /// A pole of the response without friction, or of the response to a square wave of friction.
     Pole,
-    /// V = 0: without friction the contact does not move, and with any friction it stops.
+    /// V = 0: without friction the contact does not move. With any friction the contact stops.
     Still,
 }
 
@@ -81,8 +85,7 @@ pub struct Inversion {
     pub to_edge: Edge,
 }
 
-/// A frequency at which a motion vanishes without friction. The thesis calls the frequency ω₀ for a mass and ω_z0 for
-/// the contact.
+/// A frequency at which a motion vanishes without friction. The thesis calls it ω₀ for a mass and ω_z0 for the contact.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Antiresonance {
     /// Frequency ratio r at which the motion vanishes.
@@ -91,10 +94,10 @@ pub struct Antiresonance {
     pub frequency: Sensed,
 }
 
-/// The contact counts as unable to slide if β_lim is below this value. Its motion V without friction is then 0 to
-/// rounding.
+/// Upper bound on β_lim for a contact that counts as unable to slide. Its motion V without friction is then zero except
+/// for rounding.
 const STILL: f64 = 1e-10;
-/// Points of two conditions count as one point if their relative distance is below this value.
+/// Largest relative distance of two points of different conditions that count as one point.
 const SAME: f64 = 1e-13;
 
 fn targets(measured: InvariantQuantity, is_contact: bool) -> &'static [(Condition, Target<Dd>)] {
@@ -115,7 +118,7 @@ impl Features<'_> {
     /// Returns all frequencies in the range at which the motion vanishes without friction, in ascending order.
     ///
     /// # Errors
-    /// [`FeatureError::Damped`], because the motion of a damped chain has a minimum but does not vanish.
+    /// [`FeatureError::Damped`] for a damped chain, because its motion has a minimum but does not vanish.
     /// [`FeatureError::Range`], [`FeatureError::UnknownMass`], [`FeatureError::Crowded`].
     pub fn antiresonances(
         &self,
@@ -163,7 +166,7 @@ impl Features<'_> {
                     frequency: self.variations.of_zero(&function, &zero, None),
                     condition: *condition,
                     phase_too: mass.is_none() && measured == InvariantQuantity::Amplitude,
-                    // The sums of this function leave out the factor 1/r², so that the code divides the amplitude by
+                    // The sums of this function leave out the factor 1/r². The code therefore divides the amplitude by
                     // r².
                     amplitude: self.variations.length(free.at(r).abs() / (r * r)),
                     continuous_limit: self.variations.friction(limit),
@@ -172,7 +175,8 @@ impl Features<'_> {
             }
         }
         points.sort_by(|a, b| a.r.total_cmp(&b.r));
-        // For a mass in contact with the moving base U_k = U, so (6.10) is satisfied wherever (6.9) is satisfied.
+        // For a mass in contact with the moving base, U_k = U. Every point that satisfies (6.9) then also satisfies
+        // (6.10).
         points.dedup_by(|b, a| {
             let same = a.condition != b.condition && (b.r - a.r).abs() <= SAME * a.r;
             if same && b.condition == Condition::Quadrature {
@@ -183,8 +187,8 @@ impl Features<'_> {
         Ok(points)
     }
 
-    /// Returns all ranges of r, in ascending order, in which more friction makes the quantity `measured` larger. The
-    /// contact slides all the time in these ranges. The list is empty for an elastic contact.
+    /// Returns all ranges of the frequency ratio r in which more friction makes the quantity `measured` larger, in
+    /// ascending order. In these ranges the contact slides all the time. The list is empty for an elastic contact.
     ///
     /// A range may contain single frequencies at which the contact cannot slide all the time with any friction. These
     /// frequencies are poles of U, where β_lim = 0.
@@ -224,7 +228,7 @@ impl Features<'_> {
         let [from, to] = range;
         edges.retain(|(r, _)| from < *r && *r < to);
         edges.extend([(from, Edge::Range), (to, Edge::Range)]);
-        // If two bounds coincide, the bound at which the motion is impossible takes precedence.
+        // If two bounds of ranges coincide, the bound at which the motion is impossible takes precedence.
         let rank = |edge: &Edge| match edge {
             Edge::Still => 0,
             Edge::Pole => 1,
@@ -246,11 +250,12 @@ impl Features<'_> {
                 .map_or(f64::NAN, |function| function.at(r));
             let second = functions.get(1).map(|function| function.at(r));
             match (measured, second) {
-                // The growth of the amplitude with friction has the sign of −U².
+                // The change of the amplitude with friction has the sign of −U².
                 (InvariantQuantity::Amplitude, None) => -1.0,
-                // The growth has the sign of U_k (V U_k − 2 V_k U)/V.
+                // The change with friction has the sign of U_k (V U_k − 2 V_k U)/V.
                 (InvariantQuantity::Amplitude, Some(second)) => first * second / own.at(r),
-                // The growth has the sign of H_k (V_k U + (2/π) H_k V)/V, for the contact of H (U + (2/π) H).
+                // The change with friction has the sign of H_k (V_k U + (2/π) H_k V)/V for a mass, and of H (U + (2/π)
+                // H) for the contact.
                 (InvariantQuantity::Fundamental, Some(second)) if mass.is_some() => {
                     first * second / own.at(r)
                 }
@@ -267,7 +272,7 @@ impl Features<'_> {
                 continue;
             }
             match found.last_mut() {
-                // The motion grows with friction on both sides of the bound, so that both ranges become one.
+                // The motion grows with friction on both sides of this bound. The two ranges therefore become one.
                 Some(last) if last.to == from => {
                     (last.to, last.to_edge) = (to, to_edge);
                 }
@@ -282,7 +287,7 @@ impl Features<'_> {
         Ok(found)
     }
 
-    /// Returns the function for a motion whose zeros the caller seeks. Fails for an invalid range and for a damped
+    /// Returns the function whose zeros are the features of a motion. Fails for an invalid range and for a damped
     /// chain.
     fn function(
         &self,
@@ -300,7 +305,7 @@ impl Features<'_> {
     }
 }
 
-/// Returns the frequency ratios at which a function is zero.
+/// Returns the frequency ratios r at which a function of the motion is zero.
 fn places(
     function: &MotionFunction<'_>,
     range: [f64; 2],

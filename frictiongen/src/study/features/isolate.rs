@@ -1,11 +1,12 @@
 //! Finds all zeros of a function between two frequencies by interval arithmetic. The search misses no zero, and
 //! mistakes no pole for a zero.
 //!
-//! The search covers intervals of y = 1/r. An *enclosure* is an interval that contains all values of a function. The
-//! search discards an interval if the enclosure of the function excludes 0. If the interval contains no pole and the
-//! enclosure of the slope excludes 0, the interval has at most one zero. The signs at both bounds then show whether it
-//! has one. If the interval contains one pole p, the search encloses the function times y − p, which is finite. It
-//! divides an undecided interval in two. Every zero therefore lies in an interval that the search has not discarded.
+//! The search covers intervals of y = 1/r. An *enclosure* is an interval that contains all values of a function over an
+//! interval of y. The search discards an interval of y if the enclosure of the function excludes 0. If the interval
+//! contains no pole and the enclosure of the slope excludes 0, the interval has at most one zero. The signs at both
+//! bounds then show whether it has one. If the interval contains one pole p, the search encloses the function times y −
+//! p, which is finite. It divides an undecided interval in two. Every zero therefore lies in an interval that the
+//! search has not discarded.
 
 use super::functions::{ChainNumbers, ModalPole, Target};
 use frictiongen_kernel::number::dd::Dd;
@@ -13,22 +14,21 @@ use frictiongen_kernel::number::dual::Dual;
 use frictiongen_model::interval::{Interval, Jet};
 use frictiongen_model::modal::Modal;
 
-/// Largest number of poles in a range. The search stores at most twenty times as many intervals.
+/// Largest number of poles in a range of frequencies. The search stores at most twenty times as many intervals.
 pub(super) const MOST_POLES: usize = 20_000;
-/// Largest number of intervals that the search stores.
+/// Largest number of intervals of y = 1/r that the search stores.
 const MOST_INTERVALS: usize = 20 * MOST_POLES;
-/// A zero and a pole of the function cancel if their relative distance is below this value. The search then finds
-/// neither.
+/// Largest relative distance at which a zero and a pole of the function cancel. The search then finds neither of them.
 const CANCELLED: f64 = 1e-13;
-/// Two zeros count as one point at which the function touches 0 if their distance is below this value. The distance is
-/// relative to y, or to the distance from a pole.
+/// Largest distance of two zeros that count as one point at which the function touches 0. The distance is divided by y,
+/// or by the distance from a pole.
 const TOUCH: f64 = 1e-9;
-/// Two points at which the function touches 0 count as one if their relative distance is below this value.
+/// Largest relative distance of two points that count as one point at which the function touches 0.
 const ONE_TOUCH: f64 = 1e-6;
 /// Position at which the search divides an interval, as a fraction of its width. It is not the middle, because the
 /// middle is often a special point of a symmetric scene.
 const CUT: f64 = 0.487_3;
-/// Newton's method replaces the bisection of a bracket if the relative width of the bracket is below this value.
+/// Relative width of a bracket of a zero, below which Newton's method replaces the bisection.
 const NEAR: f64 = 1e-6;
 
 /// The range has too many poles, or needs too many intervals.
@@ -53,8 +53,8 @@ pub(super) struct FunctionZero {
     pub y: Dd,
     /// Slope df/dy at the zero.
     pub slope: Dd,
-    /// True if the function changes its sign. False if the function touches 0 to rounding, or if two zeros are too
-    /// close to separate.
+    /// True if the function changes its sign at the zero. False if the function only touches 0 to rounding, or if two
+    /// zeros are too close to separate.
     pub crosses: bool,
 }
 
@@ -79,7 +79,7 @@ fn converted<T>(target: Target<Dd>, to: impl Fn(Dd) -> T) -> Target<T> {
 }
 
 fn enclosed(value: Dd) -> Interval {
-    // An exact 0 is converted to a constant, so that its slope is exactly 0 too.
+    // An exact 0 becomes a constant, so that its slope is exactly 0 too.
     if value.is_zero() {
         Interval::point(0.0)
     } else {
@@ -105,7 +105,8 @@ impl<'m> MotionFunction<'m> {
         self.target.vanishes(&self.exact)
     }
 
-    /// Returns the function at a frequency ratio r. The result does not contain the common power of 1/r of its sums.
+    /// Returns the function at a frequency ratio r. The result leaves out the power of 1/r that all its sums have in
+    /// common.
     pub fn at(&self, r: f64) -> f64 {
         let target = converted(self.target, |beta| beta.to_f64());
         self.plain.value(target, 1.0 / r, None)
@@ -135,7 +136,7 @@ impl<'m> MotionFunction<'m> {
         Some(self.held.value(target, y, Some(&near)))
     }
 
-    /// Returns the poles of the function between two frequency ratios, as values of y = 1/r, ascending in y.
+    /// Returns the poles of the function between two frequency ratios, as values of y = 1/r, in ascending order of y.
     pub fn poles(&self, [from, to]: [f64; 2]) -> Result<Vec<ModalPole>, Crowded> {
         let poles = self
             .target
@@ -143,7 +144,7 @@ impl<'m> MotionFunction<'m> {
         poles.ok_or(Crowded)
     }
 
-    /// Returns all zeros of the function between two frequency ratios, ascending in r.
+    /// Returns all zeros of the function between two frequency ratios r, in ascending order of r.
     pub fn zeros(&self, range: [f64; 2]) -> Result<Vec<FunctionZero>, Crowded> {
         if self.vanishes() {
             return Ok(Vec::new());
@@ -171,7 +172,7 @@ impl<'m> MotionFunction<'m> {
             last = y;
         }
         zeros.sort_by(|a, b| b.y.to_f64().total_cmp(&a.y.to_f64()));
-        // The search finds a zero at the common end of two intervals twice.
+        // If a zero is the common end of two intervals, the search finds it twice.
         zeros.dedup_by(|a, b| {
             a.crosses && b.crosses && (a.y - b.y).abs() <= b.y * Dd::from(CANCELLED)
         });
@@ -203,7 +204,7 @@ impl<'m> MotionFunction<'m> {
         self.zero(place, true)
     }
 
-    /// Returns the zero between two values of y. The function is monotonic between them.
+    /// Returns the zero between two values of y = 1/r. The function must be monotonic between them.
     fn refined(&self, [low, high]: [f64; 2], rising: bool) -> FunctionZero {
         let target = converted(self.target, |beta| beta.to_f64());
         let above = |y: f64| (0.0 < self.plain.value(target, y, None)) == rising;
@@ -250,8 +251,8 @@ impl<'m> MotionFunction<'m> {
         }
     }
 
-    /// Returns ∂f/∂p, the derivative of the function at a zero with respect to a parameter p. The modal analysis
-    /// `along` and `beta` carry derivatives with respect to p.
+    /// Returns ∂f/∂p, the derivative of the function f at a zero with respect to a parameter p. The modal analysis
+    /// `along` and the friction ratio `beta` carry derivatives with respect to p.
     pub fn moved(&self, zero: &FunctionZero, along: &Modal<Dual<Dd>>, beta: Dual<Dd>) -> Dd {
         let numbers = ChainNumbers::of(along, self.mass, |value| value);
         let target = match self.target {
@@ -303,8 +304,8 @@ impl ZeroSearch<'_, '_> {
         Ok(())
     }
 
-    /// Examines an interval that contains one pole. Records a zero, discards the interval, or adds its two parts to
-    /// `open`.
+    /// Examines an interval that contains one pole. The method records a zero, discards the interval, or adds its two
+    /// parts to `open`.
     fn about(&self, pole: &ModalPole, [low, high]: [f64; 2], open: &mut Vec<[f64; 2]>) {
         let value = self.function.without_pole(Interval::new(low, high), pole);
         let excluded = value.is_some_and(|value| !value.holds_zero());
@@ -323,7 +324,8 @@ impl ZeroSearch<'_, '_> {
         }
     }
 
-    /// Examines an interval without a pole. Records a zero, discards the interval, or adds its two parts to `open`.
+    /// Examines an interval without a pole. The method records a zero, discards the interval, or adds its two parts to
+    /// `open`.
     fn between(&mut self, [low, high]: [f64; 2], open: &mut Vec<[f64; 2]>) {
         let jet = self.function.jet(Interval::new(low, high));
         if !jet.value.holds_zero() {
@@ -333,7 +335,7 @@ impl ZeroSearch<'_, '_> {
         if rises != 0 {
             let at = |y: f64| self.function.over(Interval::point(y)).sign();
             match (at(low), at(high)) {
-                // The zero equals this end of the interval to rounding.
+                // This end of the interval equals the zero to rounding.
                 (0, _) => self.zeros.push(self.function.polished(low)),
                 (_, 0) => self.zeros.push(self.function.polished(high)),
                 (first, last) if first != last => {

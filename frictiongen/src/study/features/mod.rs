@@ -26,37 +26,37 @@ use sensed::Variations;
 pub use sensed::{ParameterSlope, Sensed};
 pub use sliding::{HeldResonance, SlidingRange};
 
-/// Completeness of a list of features: proven complete, or sampled.
+/// Completeness of a list of features: proven complete, or found from samples.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Certainty {
     /// The list contains every feature in the range, found by a closed form or by interval arithmetic. Two features
     /// with a relative distance below 1e-9 may count as one. A feature within 1e-13 of a pole does not appear.
     Proven,
-    /// The search samples the range in `steps` steps of equal length in 1/r, and refines each change that it finds. It
-    /// finds every interval longer than one step.
+    /// The search samples the range in `steps` steps of equal length in 1/r, and refines each change between two
+    /// samples. It finds every interval that is longer than one step.
     ///
-    /// It finds a shorter interval only in two cases. In the first, the middle one of three neighbouring samples is
-    /// closest to the value at which the feature begins. In the second, the interval is next to a resonance or to an
-    /// odd sub-harmonic of a resonance.
+    /// The search finds a shorter interval in two cases only. In the first case, the middle one of three neighbouring
+    /// samples is closest to the value at which the feature begins. In the second case, the interval is next to a
+    /// resonance or to an odd sub-harmonic of a resonance.
     Sampled {
-        /// Number of equal steps of the range.
+        /// Number of steps of equal length in 1/r into which the search divides the range.
         steps: u32,
     },
 }
 
 impl Certainty {
-    /// Number of steps for a sampled range.
+    /// Number of steps into which a search by samples divides the range.
     pub const STEPS: u32 = 8192;
 
-    /// Value for every list that a search by samples finds.
+    /// The value of this type for every list that a search by samples finds.
     pub const SAMPLED: Self = Self::Sampled { steps: Self::STEPS };
 }
 
-/// The reason why the search for features fails.
+/// The reason why a search for features fails.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum FeatureError {
-    /// The range of r does not begin above 0 and end at a larger, finite r.
+    /// The range of frequency ratios r does not begin above 0, or does not end at a larger, finite r.
     Range,
     /// A friction ratio is negative, not finite or NaN.
     Friction,
@@ -66,8 +66,8 @@ pub enum FeatureError {
     Combination,
     /// The chain is damped. The requested points exist only without damping.
     Damped,
-    /// The range contains more poles or zeros than a list can have. Poles and zeros become infinitely close towards r =
-    /// 0.
+    /// The range contains more poles or zeros than a list can have. Towards r = 0, poles and zeros become infinitely
+    /// close.
     Crowded,
 }
 
@@ -104,15 +104,16 @@ impl From<isolate::Crowded> for FeatureError {
 
 /// Features of a system's response, in non-dimensional form or under a load: see [`System::features`].
 ///
-/// The methods take frequencies as r and frictions as β. Every result has r, and a [`Sensed`] number: a value in its
-/// unit, with derivatives. Under a load the units are Hz, N and m, and the derivatives are at constant forces and
-/// lengths. Otherwise the units are r, β and P/k₁ (Y for base motion), and the derivatives are at constant groups.
+/// The methods take frequencies as r and frictions as β. Every result has r, and a [`Sensed`] number: a number in its
+/// unit, with derivatives. Under a load the units are Hz, N and m. Forces and lengths are then constant in the
+/// derivatives. Without a load the results are r, β, and displacements divided by P/k₁ (by Y for base motion). The
+/// non-dimensional groups are then constant in the derivatives.
 pub struct Features<'s> {
     system: &'s System,
     variations: Variations,
 }
 
-/// A resonance of the chain, with its frequency, its damping, and the friction below which its amplitude is unbounded.
+/// A resonance of the chain, with its frequency, its damping, and its threshold of friction.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Resonance {
     /// Frequency ratio r = √λ_i of the resonance.
@@ -121,8 +122,8 @@ pub struct Resonance {
     pub frequency: Sensed,
     /// Modal damping ratio ζ_i of the mode at the resonance.
     pub damping_ratio: f64,
-    /// Threshold β_n,i (6.2, 6.26). Without damping, the amplitude is unbounded for friction below it. `None` for a
-    /// mode that the contact does not drive.
+    /// Threshold β_n,i (6.2, 6.26), in N under a load. Without damping, the amplitude is unbounded if the friction is
+    /// less than the threshold. `None` for a mode that the contact does not drive.
     pub threshold: Option<Sensed>,
     /// Limit of continuous motion β_lim at the resonance, in N under a load. Without damping β_lim equals the
     /// threshold. With damping, (7.62) is an estimate of β_lim. An elastic contact has β_lim = 0.
@@ -138,18 +139,18 @@ pub struct LimitsAtEnd {
     pub sliding: Sensed,
 }
 
-/// Lower bound of the default range, as a multiple of the lowest resonance. The range never begins below `FAR_BELOW`
+/// Lower bound of the default range, divided by the lowest resonance. The range never begins at less than `FAR_BELOW`
 /// times the highest resonance. It ends at `ABOVE` times the highest resonance.
 const BELOW: f64 = 0.55;
-/// Upper bound of the default range, as a multiple of the highest resonance.
+/// Upper bound of the default range, divided by the highest resonance.
 const ABOVE: f64 = 1.5;
-/// Smallest lower bound of the default range, as a multiple of the highest resonance.
+/// Least lower bound of the default range, divided by the highest resonance.
 const FAR_BELOW: f64 = 0.02;
 
 impl System {
-    /// Returns the default range of r, from below the lowest resonance to above the highest. If the highest resonance
-    /// is far above the lowest, the range begins at a higher r, because sub-harmonics of the highest resonance are too
-    /// close together at low r.
+    /// Returns the default range of the frequency ratio r, from below the lowest resonance to above the highest. If the
+    /// highest resonance is far above the lowest, the range begins at a higher r. At low r, the sub-harmonics of the
+    /// highest resonance are too close together.
     #[must_use]
     pub fn about_resonances(&self) -> [f64; 2] {
         let all = self.resonances();
@@ -158,7 +159,7 @@ impl System {
         [(BELOW * lowest).max(FAR_BELOW * highest), ABOVE * highest]
     }
 
-    /// Returns an object that finds the features of the response. Under a load the results are in Hz, N and m.
+    /// Returns an object whose methods find the features of the response. Under a load the results are in Hz, N and m.
     ///
     /// ```
     /// use frictiongen::Of;
@@ -184,8 +185,8 @@ impl System {
     /// # }
     /// ```
     ///
-    /// An elastic contact sticks after each reversal, so that it has no features of continuous motion: the limit β_lim
-    /// is 0, and the lists of invariant points, inversions, crossings and static starts are empty.
+    /// An elastic contact sticks after each reversal, and therefore has no features of continuous motion. Its limit
+    /// β_lim is 0. Its lists of invariant points, inversions, crossings and static starts are empty.
     ///
     /// # Errors
     /// [`LoadError`] for a load that does not fit the scene.
@@ -234,11 +235,11 @@ impl Features<'_> {
         .collect()
     }
 
-    /// Returns the displacement x̄ of every mass for r → 0 at the friction ratio β (6.5), with derivatives. Returns
-    /// `None` if the contact is stuck at r = 0, and for an elastic contact.
+    /// Returns the displacement x̄ of every mass for the frequency ratio r → 0 at the friction ratio β (6.5), with
+    /// derivatives. Returns `None` if the contact is stuck at r = 0, and for an elastic contact.
     ///
     /// # Errors
-    /// [`FeatureError::Friction`].
+    /// [`FeatureError::Friction`] for a friction ratio that is negative, NaN or infinite.
     pub fn quasi_static_start(&self, beta: f64) -> Result<Option<Vec<Sensed>>, FeatureError> {
         check_friction(beta)?;
         let Some(start) = self.system.quasi_static_start(beta) else {
@@ -256,7 +257,7 @@ impl Features<'_> {
         Ok(Some(each.collect()))
     }
 
-    /// Returns β_lim, which is 0, and β*_lim for r → 0.
+    /// Returns the limits for the frequency ratio r → 0: β_lim, which is 0, and β*_lim.
     #[must_use]
     pub fn limits_at_rest(&self) -> LimitsAtEnd {
         let ends = self.system.modal().ends();
@@ -273,7 +274,8 @@ impl Features<'_> {
         }
     }
 
-    /// Returns β_∞ and β*_∞ (6.28), the limits β_lim and β*_lim for r → ∞. Both are infinite on a moving base.
+    /// Returns β_∞ and β*_∞ (6.28): the limits β_lim and β*_lim for the frequency ratio r → ∞. Both are infinite for a
+    /// contact on a moving base.
     #[must_use]
     pub fn limits_at_infinity(&self) -> LimitsAtEnd {
         let ends = self.system.modal().ends();

@@ -1,5 +1,5 @@
-//! Resonant peaks, estimated and exact, and frequencies at which a motion has the same exact amplitude for two
-//! frictions.
+//! Resonant peaks, both estimated and exact, and crossings: frequencies at which a motion has the same exact amplitude
+//! for two frictions.
 
 use super::places::{changes, merge, samples, steps};
 use super::sensed::Sensed;
@@ -12,15 +12,15 @@ use crate::{Of, Regime};
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::number::dual::Dual;
 
-/// The largest amplitude of a motion near a resonance, over all regimes.
+/// The exact peak of a motion: its largest amplitude near a resonance, over all regimes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TruePeak {
     /// Frequency ratio r of the peak.
     pub r: f64,
     /// Frequency of the peak, in Hz under a load. The frequency has derivatives only if the peak is smooth.
     pub frequency: Sensed,
-    /// Amplitude at the peak, in m under a load. The amplitude is infinite on an undamped resonance with less friction
-    /// than the threshold.
+    /// Amplitude at the peak, in m under a load. The amplitude is infinite on an undamped resonance if the friction is
+    /// less than the threshold.
     pub amplitude: Sensed,
     /// Regime at the peak. `None` if the amplitude is infinite.
     pub regime: Option<Regime>,
@@ -36,44 +36,46 @@ pub struct ResonantPeak {
     /// Amplitude of the peak, estimated for small ζ (7.60), in m under a load.
     ///
     /// `None` without damping, and for the contact's motion between two masses or on a moving base. `None` also for a
-    /// negative estimate, because friction has then removed the peak.
+    /// negative estimate. Friction has then removed the peak.
     pub estimate: Option<Sensed>,
-    /// The largest amplitude over all regimes, between the midpoints to the neighbouring resonances. `None` if the
-    /// largest amplitude is at a bound of this range, because the motion then has no peak.
+    /// The largest amplitude over all regimes, in the range between the midpoints to the neighbouring resonances.
+    /// `None` if the largest amplitude is at a bound of this range. The motion then has no peak.
     pub peak: Option<TruePeak>,
 }
 
-/// A frequency at which a motion has the same exact amplitude for two frictions.
+/// A crossing: a frequency at which a motion has the same exact amplitude for two frictions.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Crossing {
     /// Frequency ratio r of the crossing.
     pub r: f64,
-    /// Frequency of the crossing, in Hz under a load. Its derivative with respect to friction is taken at a constant
-    /// ratio of the two frictions.
+    /// Frequency of the crossing, in Hz under a load. In its derivative with respect to friction, the ratio of the two
+    /// frictions is constant.
     pub frequency: Sensed,
-    /// The amplitude for either friction at the crossing, in m under a load.
+    /// The amplitude at the crossing, in m under a load. It is the same for both frictions.
     pub amplitude: f64,
 }
 
-/// Number of samples in each range in which the contact slides all the time with both frictions. The search also
-/// samples the equal steps of the whole range.
+/// Number of samples in each range of frequencies in which the contact slides all the time with both frictions. The
+/// search also samples the equal steps of the whole range.
 const SAMPLES: usize = 128;
-/// Step of a finite difference next to a peak, relative to r.
+/// Step of a finite difference next to a peak, divided by r.
 const BESIDE: f64 = 1e-6;
-/// Tolerance of the test for a smooth peak. Near a smooth peak the slope is proportional to the distance from the
-/// peak.
+/// Relative tolerance of the test for a smooth peak. Near a smooth peak the slope of the amplitude is proportional to
+/// the distance from the peak.
 const STRAIGHT: f64 = 0.1;
 
 impl Features<'_> {
     /// Returns the peak of a motion at every resonance of the chain at the friction ratio β: the estimate (7.60) and
     /// the largest amplitude over all regimes.
     ///
-    /// The call samples and refines the exact peaks. The samples are close together near the resonances of the chain
-    /// and of the chain with its contact stuck, and near sub-harmonics of both. Further samples are in 96 even steps.
-    /// The resolution is not guaranteed, because a steady amplitude with stops takes much work.
+    /// The call samples the exact amplitude and refines its peaks. The samples are close together in three places: near
+    /// the resonances of the chain, near those of the chain with its contact stuck, and near the sub-harmonics of all
+    /// these resonances. Further samples are in 96 even steps. The call gives no guarantee that it finds narrow peaks,
+    /// because a steady amplitude with stops takes much work.
     ///
     /// # Errors
-    /// [`FeatureError::Friction`], [`FeatureError::UnknownMass`].
+    /// [`FeatureError::Friction`] for an invalid friction ratio. [`FeatureError::UnknownMass`] for a mass that the
+    /// scene does not have.
     pub fn resonant_peaks(&self, of: Of, beta: f64) -> Result<Vec<ResonantPeak>, FeatureError> {
         check_friction(beta)?;
         let mass = self.mass_of(of)?;
@@ -131,7 +133,7 @@ impl Features<'_> {
             slopes: Vec::new(),
         };
         if best.value.is_infinite() {
-            // The frequency of an unbounded peak is exactly its resonance.
+            // The frequency of a peak with infinite amplitude is exactly its resonance.
             let frequency = self
                 .variations
                 .of_frequency(best.r, Some(beta), |variation| {
@@ -152,7 +154,7 @@ impl Features<'_> {
         let scale = self.variations.scale;
         let value = self.variations.length(best.value);
         // At a peak the amplitude does not change with r. The derivatives of the peak's amplitude are therefore
-        // derivatives at a constant r, or at a constant frequency in Hz.
+        // derivatives at a constant frequency.
         let amplitude = self.variations.sensed(value, Some(beta), |variation| {
             let friction = variation.beta(beta, scale);
             let r = Dual::fixed(Dd::from(r));
@@ -167,8 +169,8 @@ impl Features<'_> {
                 amplitude,
                 regime,
             },
-            // A kink occurs where the regime changes. A peak at a kink moves with the boundary of the regime, so that
-            // it has no derivatives.
+            // The amplitude has a kink where the regime changes. A peak at a kink moves with the boundary of the
+            // regime, and therefore has no derivatives.
             None => TruePeak {
                 r,
                 frequency: self.variations.of_frequency(r, Some(beta), |_| None),
@@ -181,8 +183,9 @@ impl Features<'_> {
     /// Returns the frequency ratio of a smooth peak near r, and its frequency with derivatives. Returns `None` if the
     /// amplitude has a kink.
     ///
-    /// At the peak ∂A/∂r is 0, so that dr/dp = −(∂²A/∂r∂p)/(∂²A/∂r²). Second derivatives are finite differences of
-    /// exact first ones.
+    /// At a smooth peak, ∂A/∂r = 0 for the amplitude A. The derivative of its frequency ratio with respect to a
+    /// parameter p is therefore dr/dp = −(∂²A/∂r∂p)/(∂²A/∂r²). The second derivatives are finite differences of exact
+    /// first derivatives.
     fn smooth(&self, of: Of, beta: f64, r: f64) -> Option<(f64, Sensed)> {
         let slope = |varied: &Varied, r: Sensitive, beta: Sensitive| {
             let at = self.system.at(r.value.to_f64()).ok()?;
@@ -204,8 +207,8 @@ impl Features<'_> {
             return None;
         }
         let bend = (above - below) / (2.0 * step);
-        // Near a peak the amplitude is flat, and determines the peak to half of the digits only. The zero of the slope
-        // gives more digits.
+        // Near a peak the amplitude is flat, and determines the position of the peak to half of the digits only. The
+        // zero of the slope gives more digits.
         let r = r - along(r)? / bend;
         let scale = self.variations.scale;
         let frequency = self.variations.of_frequency(r, Some(beta), |variation| {
@@ -217,14 +220,15 @@ impl Features<'_> {
         Some((r, frequency))
     }
 
-    /// Returns the frequencies at which the exact amplitudes of a motion at two friction ratios cross, in ascending
-    /// order. The contact slides all the time at both friction ratios. The chain may be damped.
+    /// Returns the crossings of a motion, in ascending order: the frequencies at which its exact amplitudes at two
+    /// friction ratios are equal. At a crossing the contact slides all the time at both friction ratios. The chain may
+    /// be damped.
     ///
-    /// The list is sampled. It separates two crossings if their distance in 1/r exceeds one of
+    /// The list comes from samples. It separates two crossings if their distance in 1/r exceeds one of
     /// [`Certainty::STEPS`](super::Certainty::STEPS) equal steps of the range.
     ///
-    /// Each pair of friction ratios has its own crossings. For the contact's motion without damping the amplitudes only
-    /// touch, at the [`invariant_points`](Self::invariant_points). This list does not contain those points.
+    /// Each pair of friction ratios has its own crossings. For the contact's motion without damping, the two amplitudes
+    /// only touch, at the [`invariant_points`](Self::invariant_points). The list does not contain these points.
     ///
     /// # Errors
     /// [`FeatureError::Friction`], [`FeatureError::Range`], [`FeatureError::UnknownMass`], [`FeatureError::Crowded`].
@@ -269,7 +273,7 @@ impl Features<'_> {
                 .copied()
                 .filter(|r| stretch.from < *r && *r < stretch.to)
                 .collect();
-            // At the bound of the range another regime begins, so the samples stay slightly inside.
+            // At the bound of the range another regime begins. The samples therefore stay slightly inside the range.
             let ends = [stretch.from * (1.0 + 1e-12), stretch.to * (1.0 - 1e-12)];
             let mut places = samples(ends, SAMPLES, &marks);
             merge(&mut places, &steps);

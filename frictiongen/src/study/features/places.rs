@@ -1,10 +1,10 @@
-//! Finds sign changes of a function that the code can only sample. It refines the search where the function comes near
-//! 0.
+//! Finds sign changes of a function whose values the code can only sample. The search takes more samples where the
+//! function comes near 0.
 
 use super::Certainty;
 
 /// Number of steps of a search for two hidden sign changes between samples. Three samples with the same sign may hide
-/// two changes if the middle sample is closest to 0. Each step keeps 0.62 of an interval.
+/// two changes if the middle sample is closest to 0. Each step reduces an interval to 0.62 of its length.
 const STEPS: usize = 60;
 /// Larger of the two fractions into which a golden section divides an interval.
 const GOLDEN: f64 = 0.618_033_988_749_894_8;
@@ -32,7 +32,8 @@ pub(super) fn samples([from, to]: [f64; 2], count: usize, marks: &[f64]) -> Vec<
     places
 }
 
-/// Returns the inner bounds of steps of equal length in 1/r, for a range of r. Sub-harmonics are evenly spaced in 1/r.
+/// Divides a range of r into steps of equal length in 1/r, and returns the bounds between the steps. Sub-harmonics of a
+/// resonance are evenly spaced in 1/r.
 pub(super) fn steps([from, to]: [f64; 2]) -> Vec<f64> {
     let count = Certainty::STEPS;
     let (first, last) = (1.0 / from, 1.0 / to);
@@ -41,7 +42,7 @@ pub(super) fn steps([from, to]: [f64; 2]) -> Vec<f64> {
         .collect()
 }
 
-/// Adds to the ascending points `places` the points of `steps` that lie between its first and its last point.
+/// Adds to the ascending points in `places` those points of `steps` that lie between the first and the last of them.
 pub(super) fn merge(places: &mut Vec<f64>, steps: &[f64]) {
     let (Some(first), Some(last)) = (places.first().copied(), places.last().copied()) else {
         return;

@@ -8,18 +8,18 @@ use super::sliding::Bound;
 use super::{Certainty, FeatureError, Features, check_friction, check_range, exact};
 use crate::Regime;
 
-/// The reason why a range of one regime ends at its upper bound.
+/// The reason why a range of frequencies with one regime ends at its upper bound.
 #[derive(Clone, Debug, PartialEq)]
 pub enum RegimeEnd {
     /// The requested range of frequencies ends here.
     Range,
-    /// The limit of continuous motion equals the friction, β_lim = β, at this frequency, in Hz under a load.
+    /// The limit of continuous motion β_lim equals the friction at this frequency, in Hz under a load.
     Continuous(Sensed),
-    /// The limit of sliding equals the friction, β*_lim = β, at this frequency, in Hz under a load.
+    /// The limit of sliding β*_lim equals the friction at this frequency, in Hz under a load.
     Sliding(Sensed),
 }
 
-/// A range of the frequency ratio r in which the regime is the same.
+/// A range of the frequency ratio r with a single regime.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RegimeRange {
     /// Lower bound of the range, as frequency ratio r.
@@ -32,23 +32,24 @@ pub struct RegimeRange {
     pub end: RegimeEnd,
 }
 
-/// Number of samples in each interval in which β_lim may exceed β. The search also samples the equal steps of the whole
-/// range.
+/// Number of samples in each interval of frequencies in which β_lim may exceed β. The search also samples the equal
+/// steps of the whole range.
 const SAMPLES: usize = 128;
 /// Largest number of odd sub-harmonics of a resonance near which the search takes additional samples.
 const SUBHARMONICS: usize = 12;
 
 impl Features<'_> {
-    /// Returns the regimes over r at the friction ratio β, in ascending order, and the completeness of the list.
+    /// Returns the regimes over the frequency ratio r at the friction ratio β, in ascending order, and the completeness
+    /// of the list.
     ///
-    /// Interval arithmetic finds the frequencies with β*_lim = β. β_lim depends on a search over the half period.
-    /// Without damping β_lim has a closed form for r ≥ √λ_N/2, and this closed form is an upper bound on β_lim at every
-    /// r.
+    /// Interval arithmetic finds the frequencies at which β*_lim = β. β_lim, however, depends on a search over the half
+    /// period. Let √λ_N be the highest resonance. Without damping β_lim has a closed form for r ≥ √λ_N/2. The same
+    /// closed form is an upper bound on β_lim at every r.
     ///
-    /// For an elastic contact, the list is proven for every range. For a rigid contact without damping, it is proven
-    /// for a range above √λ_N/2. Otherwise the code samples the intervals in which the closed form exceeds β. In these
-    /// intervals the search may miss a regime whose range is narrower than one of [`Certainty::STEPS`] equal steps in
-    /// 1/r.
+    /// For an elastic contact, the list is always proven complete. For a rigid contact without damping, it is proven
+    /// complete if the range lies above √λ_N/2. Otherwise the code samples the intervals in which the closed form
+    /// exceeds β. In these intervals the search may miss a regime whose range is narrower than one of
+    /// [`Certainty::STEPS`] equal steps in 1/r.
     ///
     /// # Errors
     /// [`FeatureError::Friction`], [`FeatureError::Range`], [`FeatureError::Crowded`].
@@ -97,7 +98,7 @@ impl Features<'_> {
         Ok((found, certainty))
     }
 
-    /// Returns the frequencies in the range at which β_lim = β, and the completeness of the list.
+    /// Returns the frequencies of the range at which β_lim = β, and the completeness of the list.
     fn continuous_bounds(
         &self,
         beta: f64,
@@ -105,14 +106,14 @@ impl Features<'_> {
     ) -> Result<(Vec<Bound>, Certainty), FeatureError> {
         let [from, to] = range;
         let modal = self.system.modal();
-        // An elastic contact sticks after each reversal, so that β_lim is 0 at every frequency.
+        // An elastic contact sticks after each reversal. Its β_lim is therefore 0 at every frequency.
         if beta == 0.0 || modal.compliance.is_some() {
             return Ok((Vec::new(), Certainty::Proven));
         }
         let fastest = modal.resonances.last().map_or(0.0, |last| last.to_f64());
         let closed = if modal.is_damped() { to } else { 0.5 * fastest };
         let mut bounds = Vec::new();
-        // Above the frequency ratio `closed`, β_lim equals its closed form without search.
+        // At frequency ratios above `closed`, β_lim equals its closed form, which needs no search.
         let function = MotionFunction::new(modal, None, Target::Continuous(exact(beta)));
         let mut edges = vec![from];
         let mut marks = Vec::new();
@@ -161,7 +162,7 @@ impl Features<'_> {
                 limits.is_ok_and(|limits| beta < limits.continuous)
             };
             if !modal.is_damped() && !upper(0.5 * (low + high)) {
-                // The upper bound on β_lim is below β in the whole interval.
+                // The upper bound on β_lim is less than β in the whole interval.
                 bounds.push(self.continuous_bound(low, beta));
                 continue;
             }

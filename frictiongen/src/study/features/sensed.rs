@@ -1,5 +1,5 @@
-//! Derivatives of a feature with respect to every parameter. The derivatives of zeros come from implicit
-//! differentiation, all other derivatives from closed forms.
+//! Derivatives of a feature with respect to every parameter. If a zero of a function defines the feature, implicit
+//! differentiation gives the derivatives. Otherwise closed forms give them.
 
 use super::isolate::{FunctionZero, MotionFunction};
 use crate::study::parameter::{OperatingPoint, Parameter, parameters_of};
@@ -17,13 +17,13 @@ use frictiongen_model::sensitivity::Quantity;
 pub struct ParameterSlope {
     /// The parameter p.
     pub parameter: Parameter,
-    /// The value of p, in its own unit.
+    /// The value of the parameter p, in the parameter's own unit.
     pub value: f64,
-    /// The derivative dX/dp.
+    /// The derivative dX/dp of the number X.
     pub derivative: f64,
 }
 
-/// A number X with its derivatives dX/dp, one for each parameter p with respect to which X has a derivative.
+/// A number X with its derivatives dX/dp. There is one derivative for each parameter p on which X depends smoothly.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sensed {
     /// The number X itself.
@@ -54,8 +54,8 @@ impl Sensed {
     }
 }
 
-/// A change p·dX/dp counts as 0 if it is below this fraction of X. With numbers of 30 digits, rounding causes changes
-/// of this size.
+/// Largest change p·dX/dp, divided by X, that counts as 0. In numbers of 30 digits, rounding causes changes of this
+/// size.
 const NOTHING: f64 = 1e-18;
 
 /// The scene and its units, with derivatives with respect to one parameter.
@@ -71,8 +71,8 @@ pub(super) struct Variation {
     pub frequency: Sensitive,
 }
 
-/// The scene with derivatives, once for each parameter. The numbers are in physical units under a load, otherwise
-/// non-dimensional.
+/// The scene with derivatives, once for each parameter. Under a load the numbers are in physical units, otherwise they
+/// are non-dimensional groups.
 pub(super) struct Variations {
     pub scale: Option<LoadScale>,
     pub all: Vec<Variation>,
@@ -123,7 +123,7 @@ impl Variations {
     }
 
     /// Returns the number `value` with its derivative with respect to each parameter. `of` computes the derivative from
-    /// the scene in which this parameter varies. The result does not contain parameters without a finite derivative.
+    /// the scene in which this parameter varies. The result leaves out parameters without a finite derivative.
     pub fn sensed(
         &self,
         value: f64,
@@ -174,7 +174,8 @@ impl Variations {
         self.sensed(self.friction(value), None, of)
     }
 
-    /// Returns the frequency at r with its derivatives, in Hz under a load. `of` returns the derivative of r.
+    /// Returns the frequency at the frequency ratio r with its derivatives, in Hz under a load. `of` returns the
+    /// derivative of r.
     pub fn of_frequency(
         &self,
         r: f64,
@@ -197,7 +198,8 @@ impl Variations {
         })
     }
 
-    /// Returns the frequency of a zero of a function f, with derivatives: dr/dp = r² (∂f/∂p)/(∂f/∂y), where y = 1/r.
+    /// Returns the frequency at which a function f is zero, with derivatives: dr/dp = r² (∂f/∂p)/(∂f/∂y), where y = 1/r
+    /// and p is a parameter.
     pub fn of_zero(
         &self,
         function: &MotionFunction<'_>,
@@ -214,8 +216,8 @@ impl Variations {
         })
     }
 
-    /// Returns the frequency at which a function f of r and β is 0, with the derivatives of the frequency. They follow
-    /// from the derivatives of f.
+    /// Returns the frequency at which a function f of r and β is zero. The derivatives of the frequency follow from
+    /// those of f.
     pub fn of_place(
         &self,
         r: f64,
@@ -237,8 +239,8 @@ impl Variations {
 }
 
 impl Variation {
-    /// Returns β with its derivative with respect to the varied parameter. Under a load the friction force is constant,
-    /// so that β may vary.
+    /// Returns the friction ratio β with its derivative with respect to the varied parameter. Under a load the friction
+    /// force is constant, and β may vary with the unit of force.
     pub fn beta(&self, beta: f64, scale: Option<LoadScale>) -> Sensitive {
         let own = self.parameter == Parameter::Friction;
         let number = |value: Dd| {

@@ -1,4 +1,5 @@
-//! Resonances of the chain with its contact stuck, and the ranges in which the contact slides at a given friction.
+//! Resonances of the chain with its contact stuck, and the ranges of frequency in which the contact slides at a given
+//! friction.
 
 use super::functions::Target;
 use super::isolate::MotionFunction;
@@ -13,17 +14,17 @@ pub struct HeldResonance {
     pub r: f64,
     /// Frequency of the resonance, in Hz under a load.
     pub frequency: Sensed,
-    /// Damping ratio of the mode.
+    /// Modal damping ratio ζ of the mode.
     pub damping_ratio: f64,
-    /// True if the stuck contact changes the mode. False for a mode that the contact does not drive, which is the same
-    /// in the free chain.
+    /// True if sticking changes the mode. False for a mode that the contact does not drive, because the free chain has
+    /// the same mode.
     pub new: bool,
     /// Limit of sliding β*_lim at the resonance, in N under a load. It is infinite if the contact slides with any
     /// friction.
     pub sliding_limit: f64,
 }
 
-/// A range of r in which the contact slides with a given friction, and with every smaller friction.
+/// A range of the frequency ratio r in which the contact slides with a given friction, and with every smaller friction.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SlidingRange {
     /// Lower bound of the range, as frequency ratio r.
@@ -36,10 +37,10 @@ pub struct SlidingRange {
     pub to_frequency: Option<Sensed>,
 }
 
-/// Relative tolerance of a comparison of β*_lim with β on a resonance.
+/// Relative tolerance of the comparison of β*_lim with β on a resonance.
 const ON_POLE: f64 = 1e-13;
 
-/// A frequency at which β_lim or β*_lim equals β.
+/// A frequency at which one of the limits β_lim and β*_lim equals the friction ratio β.
 #[derive(Clone, Debug)]
 pub(super) struct Bound {
     pub r: f64,
@@ -47,9 +48,9 @@ pub(super) struct Bound {
 }
 
 impl Features<'_> {
-    /// Returns the resonances of the chain with its contact stuck, in ascending order. One resonance lies between every
-    /// two neighbouring resonances of modes that the contact drives. An elastic contact has one more resonance, above
-    /// all of these. All further resonances belong to modes that the contact does not drive.
+    /// Returns the resonances of the chain with its contact stuck, in ascending order. One of these lies between every
+    /// two neighbouring resonances of modes that the contact drives. With an elastic contact, one more lies above all
+    /// of them. All further resonances belong to modes that the contact does not drive.
     #[must_use]
     pub fn held_resonances(&self) -> Vec<HeldResonance> {
         let dynamics = self.system.dynamics();
@@ -92,9 +93,9 @@ impl Features<'_> {
         all
     }
 
-    /// Returns β*_lim on a resonance of the chain with its contact stuck. Without damping the receptance H there is
-    /// only rounding error. The limit then counts as infinite if it grows as the inverse of the distance from the
-    /// resonance.
+    /// Returns β*_lim on a resonance of the chain with its contact stuck. Without damping, the receptance H at this
+    /// frequency is zero except for rounding. The limit counts as infinite if it grows as the inverse of the distance
+    /// from the resonance.
     fn held_limit(&self, held: &HeldResonance) -> f64 {
         let limit = self.sliding_limit(held.r);
         if held.damping_ratio > 0.0 || !held.new {
@@ -132,7 +133,8 @@ impl Features<'_> {
                 });
             }
         }
-        // V and H have poles on an undamped resonance. β*_lim = β is possible there without a zero of V − βμH.
+        // V and H have poles on an undamped resonance. At such a frequency, β*_lim can equal β although V − βμH has no
+        // zero.
         let resonances = modal.resonances.iter().zip(&modal.damping_ratios);
         for (resonance, zeta) in resonances {
             let r = resonance.to_f64();
@@ -148,8 +150,8 @@ impl Features<'_> {
         Ok(bounds)
     }
 
-    /// Returns all ranges of r in which β < β*_lim, ascending (6.13 in general). In these ranges the contact slides,
-    /// all the time or with stops, with this friction and with every smaller friction.
+    /// Returns all ranges of the frequency ratio r in which β < β*_lim, in ascending order (a general form of 6.13). In
+    /// these ranges the contact slides, all the time or with stops, with this friction and with every smaller friction.
     ///
     /// # Errors
     /// [`FeatureError::Friction`], [`FeatureError::Range`], [`FeatureError::Crowded`].
@@ -177,7 +179,7 @@ impl Features<'_> {
                 continue;
             }
             match found.last_mut() {
-                // The limit only touches β at the common bound, so that both ranges become one.
+                // The limit only touches β at the common bound of the two ranges. They therefore become one range.
                 Some(last) if last.to == *from => {
                     (last.to, last.to_frequency) = (*to, after.clone());
                 }

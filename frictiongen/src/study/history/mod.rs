@@ -1,7 +1,8 @@
 //! Motions over time: displacements, velocities and the friction force at evenly spaced instants, and every event.
 //!
-//! Samples are values of the closed form, and events are exact. A history is a run from rest or from a state, or one
-//! period of a steady state. A plot of displacement against velocity is the phase portrait.
+//! Samples are values of the closed form, and events are exact. A history is one of three motions: a run from rest, a
+//! run from a given state, or one period of a steady state. A plot of displacement against velocity is the phase
+//! portrait.
 
 mod run;
 mod spectrum;
@@ -15,17 +16,17 @@ use crate::{Error, Of, OutOfDomain};
 use frictiongen_kernel::simulation::{Contact, Event};
 use std::f64::consts::TAU;
 
-/// Largest number of samples of all motions of a history together, and largest number of skipped cycles.
+/// Two bounds with the same number: the samples of all motions of a history together, and the skipped cycles.
 #[doc(hidden)]
 pub const MOST_SAMPLES: u64 = 10_000_000;
 
 /// Largest number of events of a history.
 const MOST_EVENTS: usize = 1_000_000;
 
-/// The motions, initial state and samples of a run in time.
+/// A request for a motion over time: its motions, initial state and samples.
 #[derive(Clone, Debug, PartialEq)]
 pub struct HistoryRequest {
-    /// The motions of the history.
+    /// The motions that the history contains.
     pub of: Vec<Of>,
     /// The state at τ = 0, a maximum of the excitation: x̄ and dx̄/dτ of every mass. `None` is rest.
     pub from: Option<(Vec<f64>, Vec<f64>)>,
@@ -33,14 +34,14 @@ pub struct HistoryRequest {
     pub amplitude: Option<f64>,
     /// Number of cycles of the excitation before the first sample.
     pub skip: u64,
-    /// Number of cycles with samples, at least 1.
+    /// Number of cycles of the excitation with samples, at least 1.
     pub cycles: u32,
     /// Number of samples in a cycle, an even number.
     pub samples: u32,
 }
 
 impl HistoryRequest {
-    /// Requests the first ten cycles from rest, with 200 samples each.
+    /// Requests the motion from rest over the first ten cycles, with 200 samples in each.
     #[must_use]
     pub fn new(of: &[Of]) -> Self {
         Self {
@@ -54,13 +55,13 @@ impl HistoryRequest {
     }
 }
 
-/// The reason why there is no history.
+/// The reason why a request gives no history.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum HistoryError {
     /// The request has no cycle.
     NoCycle,
-    /// The number of samples in a cycle is not an even number of at least 2.
+    /// The number of samples in a cycle is odd, or less than 2.
     Samples,
     /// The motions have more than [`MOST_SAMPLES`] samples together.
     TooManySamples,
@@ -115,14 +116,14 @@ impl From<OutOfDomain> for HistoryError {
 
 /// A motion over time, at evenly spaced instants.
 ///
-/// The first and the last sample are each at a maximum of the excitation. A whole number of cycles is between them.
+/// Both the first and the last sample are at a maximum of the excitation. A whole number of cycles lies between them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct History {
-    /// Number of cycles before the first sample. It is 0 for a steady state.
+    /// Number of cycles of the excitation before the first sample. It is 0 for a steady state.
     pub skipped: u64,
-    /// Number of cycles with samples. For a steady state it is the period.
+    /// Number of cycles of the excitation with samples. For a steady state it is the period.
     pub cycles: u32,
-    /// Number of samples in a cycle.
+    /// Number of samples in a cycle of the excitation.
     pub samples: u32,
     /// The requested motions, in the order of the request.
     pub tracks: Vec<Track>,
@@ -139,11 +140,11 @@ pub struct History {
 /// The motion of the contact or of a mass over time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Track {
-    /// Selects the contact or the mass.
+    /// Selects the motion: that of the contact, of a mass, or a combination.
     pub of: Of,
     /// x̄ at each sample, where x̄ = x/(P/k₁) (x/Y for base motion).
     pub displacement: Vec<f64>,
-    /// dx̄/dτ at each sample. Multiply by ω for the velocity in time.
+    /// dx̄/dτ at each sample. Multiplied by ω, it is the velocity.
     pub velocity: Vec<f64>,
 }
 
@@ -152,16 +153,16 @@ pub struct Track {
 pub struct HistoryEvent {
     /// Instant τ = ωt, from the start of the run.
     pub tau: f64,
-    /// Kind of event.
+    /// Kind of event: a stop, a break-away or a reversal.
     pub event: Event,
     /// State of the contact just after this instant.
     pub contact: Contact,
-    /// x̄ of each requested motion, in the order of the request.
+    /// Displacement x̄ of each requested motion at this instant, in the order of the request.
     pub displacements: Vec<f64>,
 }
 
 impl History {
-    /// Returns an empty history with room for whole cycles and their last instant.
+    /// Returns an empty history with room for the samples of whole cycles and of their last instant.
     fn new(skipped: u64, cycles: u32, samples: u32, of: &[Of]) -> Self {
         let room = cycles as usize * samples as usize + 1;
         Self {
@@ -175,7 +176,8 @@ impl History {
         }
     }
 
-    /// Adds a sample: displacement and velocity of each motion in order, and the contact's state and force.
+    /// Adds a sample: displacement and velocity of each motion in the order of the request, and the contact's state and
+    /// force.
     fn push(&mut self, motions: impl Iterator<Item = (f64, f64)>, contact: (Contact, f64)) {
         for (track, (displacement, velocity)) in self.tracks.iter_mut().zip(motions) {
             track.displacement.push(displacement);
@@ -185,7 +187,8 @@ impl History {
         self.friction.push(contact.1);
     }
 
-    /// Returns the number of samples: those of all cycles, and one at the end of the last cycle.
+    /// Returns the number of samples. Each cycle has the same number, and one more sample is at the end of the last
+    /// cycle.
     #[must_use]
     pub fn len(&self) -> usize {
         self.contact.len()
@@ -203,7 +206,7 @@ impl History {
         let samples = u64::from(self.samples.max(1));
         let index = index as u64;
         let cycles = self.skipped.saturating_add(index / samples);
-        // Whole cycles are added separately, so that a sample has the same phase in every cycle.
+        // The code adds whole cycles separately. A sample then has the same phase in every cycle, to the last bit.
         TAU * (cycles as f64) + phase(index % samples, samples)
     }
 
@@ -223,19 +226,19 @@ impl Track {
         }
     }
 
-    /// Returns the displacements of whole cycles, without the sample at the end of the last cycle.
+    /// Returns the displacements in whole cycles. The sample at the end of the last cycle is left out.
     fn whole(&self) -> &[f64] {
         self.displacement.split_last().map_or(&[], |(_, rest)| rest)
     }
 
-    /// Returns the largest |x̄| of the samples. The largest |x̄| of the motion may be larger.
+    /// Returns the largest |x̄| of all samples. Between two samples, |x̄| may be larger.
     #[must_use]
     pub fn largest(&self) -> f64 {
         let sizes = self.displacement.iter().map(|value| value.abs());
         sizes.fold(0.0, f64::max)
     }
 
-    /// Returns the root mean square of x̄ over the cycles.
+    /// Returns the root mean square of x̄ over whole cycles.
     #[must_use]
     pub fn rms(&self) -> f64 {
         let values = self.whole();
@@ -244,7 +247,7 @@ impl Track {
     }
 }
 
-/// Returns τ of a sample within its cycle.
+/// Returns the phase τ of a sample within its cycle.
 fn phase(index: u64, samples: u64) -> f64 {
     TAU * (index as f64) / (samples as f64)
 }

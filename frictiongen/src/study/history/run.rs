@@ -8,12 +8,12 @@ use crate::study::{System, simulation::SystemSimulation};
 use frictiongen_kernel::simulation::Event;
 use std::f64::consts::TAU;
 
-/// An instant counts as the instant of a sample if their distance in τ is below this value. It is a few rounding units
-/// of a phase.
+/// Largest distance in τ between an instant and a sample that count as the same instant. It is a few rounding units of
+/// a phase.
 const NEAR: f64 = 16.0 * f64::EPSILON;
 
 impl System {
-    /// Returns the sampled motion over time from rest or from a state, with every event.
+    /// Returns the sampled motion over time from rest or from a given state, with every event.
     ///
     /// ```
     /// use frictiongen::kernel::simulation::Event;
@@ -44,7 +44,8 @@ impl System {
     /// ```
     ///
     /// # Errors
-    /// [`HistoryError`] for an invalid request, and for r, β or a state outside the domain.
+    /// [`HistoryError`] for an invalid request, and for a frequency ratio r, a friction ratio β or a state outside the
+    /// domain.
     pub fn history(
         &self,
         r: f64,
@@ -92,7 +93,7 @@ impl System {
     }
 }
 
-/// A run in time, with the motions that it records.
+/// A run in time, with the list of motions that the history contains.
 struct Follower<'a, 'o> {
     run: SystemSimulation<'a>,
     of: &'o [Of],
@@ -108,7 +109,8 @@ impl Follower<'_, '_> {
         mut note: impl FnMut(&Self, Event) -> Result<(), HistoryError>,
     ) -> Result<(), HistoryError> {
         for _ in 0..MOST_EVENTS {
-            // Each step is measured from the run's own clock, so that roundings do not accumulate.
+            // The code measures each step from the run's own clock. Rounding errors of the steps therefore do not
+            // accumulate.
             let whole = cycle as f64 - self.run.cycles() as f64;
             let left = whole * TAU + (TAU * part - self.run.phase());
             if !(NEAR < left) {
@@ -122,7 +124,7 @@ impl Follower<'_, '_> {
         Err(HistoryError::TooManyEvents)
     }
 
-    /// Returns displacement and velocity of a motion. The caller has checked that the motion exists.
+    /// Returns displacement and velocity of a motion. The caller must have checked that the scene has this motion.
     fn motion(&self, of: Of) -> (f64, f64) {
         self.run.motion_of(of).unwrap_or_default()
     }

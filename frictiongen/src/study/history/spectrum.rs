@@ -1,4 +1,4 @@
-//! Spectra of motions. For a steady state they are exact, for a run they come from samples.
+//! Spectra of motions. For a steady state they are exact. For a run they come from samples.
 
 use super::History;
 use crate::study::response::SystemResponse;
@@ -6,13 +6,13 @@ use crate::study::units::polar;
 use crate::{Complex, Of};
 use rustfft::FftPlanner;
 
-/// A motion as a sum of components, x̄ = Re Σ X e^{inτ}. An order n is an integer for a harmonic, and a fraction
-/// between two harmonics.
+/// Spectrum of a motion: x̄ = Re Σ X e^{inτ}, a sum of components of order n. The order is an integer for a harmonic,
+/// and a fraction for a component between two harmonics.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Spectrum {
-    /// Selects the contact or the mass.
+    /// Selects the motion: that of the contact, of a mass, or a combination.
     pub of: Of,
-    /// The components in ascending order of n. The first is the mean, n = 0.
+    /// The components in ascending order of n. The first component is the mean, n = 0.
     pub lines: Vec<SpectralLine>,
 }
 
@@ -21,19 +21,19 @@ pub struct Spectrum {
 pub struct SpectralLine {
     /// Order n: the frequency divided by the frequency of the excitation.
     pub order: f64,
-    /// Complex amplitude X in Re(X e^{inτ}), divided by P/k₁ (by Y for base motion). τ counts from a maximum of the
-    /// excitation. The component of order 0 is the mean.
+    /// Complex amplitude X in Re(X e^{inτ}), divided by P/k₁ (by Y for base motion). The phase τ is 0 at a maximum of
+    /// the excitation. The component of order 0 is the mean.
     pub component: Complex<f64>,
 }
 
 impl SpectralLine {
-    /// Returns |X|, the amplitude of the cosine.
+    /// Returns |X|, the amplitude of the component.
     #[must_use]
     pub fn amplitude(&self) -> f64 {
         polar(self.component).0
     }
 
-    /// Returns the lag of the component's maximum, in rad of the component's own cycle, in (−π, π].
+    /// Returns the lag of the component's maximum, in (−π, π]. A whole cycle of the component is 2π.
     #[must_use]
     pub fn phase(&self) -> f64 {
         polar(self.component).1
@@ -43,13 +43,14 @@ impl SpectralLine {
 impl History {
     /// Returns the spectrum of a motion from its samples. Returns `None` if the history does not contain the motion.
     ///
-    /// A fast Fourier transform over whole cycles computes the spectrum, so that it needs no window. Orders are
-    /// multiples of 1/c, where c is the number of cycles, up to half the number of samples in a cycle. τ = 0 is the
-    /// first sample.
+    /// The call computes the spectrum by a fast Fourier transform over whole cycles, which need no window. The orders
+    /// are multiples of 1/c, where c is the number of cycles, up to half the number of samples in a cycle. The phase τ
+    /// is 0 at the first sample.
     ///
-    /// Vibrations above half the sampling rate appear at lower orders (aliasing). At friction reversals, harmonics
-    /// decrease with the third power of their order. The error of a harmonic therefore decreases with the third power
-    /// of the number of samples. For a steady state, [`SystemResponse::spectrum`] is exact.
+    /// Components with more than half the sampling rate appear at lower orders (aliasing). Because friction changes its
+    /// sign at reversals, the harmonics decrease with the third power of their order. The error of a harmonic therefore
+    /// decreases with the third power of the number of samples. For a steady state, [`SystemResponse::spectrum`] is
+    /// exact.
     ///
     /// ```
     /// use frictiongen::study::history::HistoryRequest;
@@ -85,7 +86,7 @@ impl History {
             .plan_fft_forward(count)
             .process(&mut values);
         let one_sided = |(index, value): (usize, &Complex<f64>)| {
-            // The mean and the last component have no counterpart of negative order.
+            // The mean and the component of the highest order have no counterpart of negative order.
             let sides = if index == 0 || index == count / 2 {
                 1.0
             } else {
@@ -108,9 +109,9 @@ impl SystemResponse<'_> {
     /// Returns X in Re(X e^{ikτ/p}), the component of order k/p of the contact or of a mass. Returns `None` if the
     /// scene does not have this motion.
     ///
-    /// p is the [`period`](Self::period) in cycles of the excitation. Every p-th component is a
-    /// [`harmonic`](Self::harmonic). τ = 0 is the maximum of the excitation closest to the instant at which the
-    /// contact's relative motion leaves its maximum.
+    /// p is the [`period`](Self::period) in cycles of the excitation. Component k = np is the
+    /// [`harmonic`](Self::harmonic) of order n. The phase τ is 0 at a maximum of the excitation. If there are several
+    /// in the period, it is the one closest to the instant at which the contact's relative motion leaves its maximum.
     #[must_use]
     pub fn subharmonic(&self, of: Of, k: u32) -> Option<Complex<f64>> {
         match self {
@@ -119,8 +120,9 @@ impl SystemResponse<'_> {
         }
     }
 
-    /// Returns the exact spectrum of the contact or of a mass up to an order. Returns `None` if the scene has no such
-    /// mass. If the motion does not settle, the spectrum is that of a repetition of its last 64 cycles.
+    /// Returns the exact spectrum of the contact or of a mass up to the order `highest`. Returns `None` if the scene
+    /// has no such mass. If the motion does not settle, the spectrum belongs to a periodic repetition of its last 64
+    /// cycles.
     #[must_use]
     pub fn spectrum(&self, of: Of, highest: u32) -> Option<Spectrum> {
         let period = self.period();

@@ -1,4 +1,5 @@
-//! One period of a steady state, from the closed form, from the steady state with stops or from the stuck response.
+//! One period of a steady state. It comes from the closed form, from the steady state with stops, or from the stuck
+//! response.
 
 use super::{History, HistoryError, HistoryEvent, check, phase};
 use crate::study::{
@@ -19,8 +20,8 @@ impl SystemResponse<'_> {
         }
     }
 
-    /// Returns samples of one period of the steady state, with every event. τ = 0 is a maximum of the excitation. If
-    /// the period has several cycles, it is the same maximum as in [`subharmonic`](Self::subharmonic).
+    /// Returns samples of one period of the steady state, with every event. The first sample is at a maximum of the
+    /// excitation. If the period has several cycles, it is the same maximum as in [`subharmonic`](Self::subharmonic).
     ///
     /// ```
     /// use frictiongen::{Of, System};
@@ -45,8 +46,8 @@ impl SystemResponse<'_> {
     /// ```
     ///
     /// # Errors
-    /// [`HistoryError`] for an invalid request, and for r = 0 and r = ∞, where the excitation has no cycle.
-    /// [`HistoryError`] also if the motion does not settle. A run from rest shows such a motion.
+    /// [`HistoryError`] for an invalid request, and for r = 0 and r = ∞, because the excitation then has no cycle.
+    /// [`HistoryError`] also if the motion does not settle. In this case, sample a run from rest instead.
     pub fn history(&self, of: &[Of], samples: u32) -> Result<History, HistoryError> {
         let (system, r) = match self {
             Self::Continuous(motion) => (*motion.at().scene(), motion.at().frequency_ratio()),
@@ -72,15 +73,15 @@ impl SystemResponse<'_> {
     }
 }
 
-/// Returns τ of all samples in the cycles of the history, and of the end of the last cycle.
+/// Returns the phases τ of all samples in the cycles of the history, and that of the end of the last cycle.
 fn instants(history: &History) -> impl Iterator<Item = f64> + use<> {
     let samples = u64::from(history.samples);
     let all = 0..=samples * u64::from(history.cycles);
     all.map(move |index| TAU * ((index / samples) as f64) + phase(index % samples, samples))
 }
 
-/// Adds the samples and events of a contact that slides all the time. It reverses at the maximum and the minimum of its
-/// motion.
+/// Adds the samples and events of a contact that slides all the time. The contact reverses at the maximum and at the
+/// minimum of its motion.
 fn continuous(history: &mut History, motion: &SystemMotion<'_>, of: &[Of]) {
     let friction = motion.friction();
     let (lag, beta) = (friction.phase, friction.beta);
@@ -117,7 +118,7 @@ fn continuous(history: &mut History, motion: &SystemMotion<'_>, of: &[Of]) {
     history.events.sort_by(|a, b| a.tau.total_cmp(&b.tau));
 }
 
-/// Adds the samples and events of a contact that stops, or reverses more than twice.
+/// Adds the samples and events of a contact that stops, or that reverses more than twice a cycle.
 fn with_stops(history: &mut History, orbit: &SystemOrbit<'_>, of: &[Of]) {
     let origin = orbit.origin();
     let system = orbit.system;
@@ -139,7 +140,7 @@ fn with_stops(history: &mut History, orbit: &SystemOrbit<'_>, of: &[Of]) {
         .intervals()
         .map(|(start, _, contact)| (start, contact))
         .collect();
-    // Each interval is paired with its predecessor. The predecessor of the first interval is the last one.
+    // The loop pairs each interval with its predecessor. The predecessor of the first interval is the last interval.
     let before = intervals.iter().cycle().skip(intervals.len().max(1) - 1);
     for ((tau, contact), (_, last)) in intervals.iter().zip(before) {
         let event = match (last, contact) {
@@ -178,7 +179,7 @@ fn held(history: &mut History, held: &SystemHeld<'_>, of: &[Of]) {
     }
 }
 
-/// Returns τ minus whole periods, in [0, period).
+/// Returns τ reduced by whole periods to the range [0, period).
 fn within(tau: f64, period: f64) -> f64 {
     let within = tau - (tau / period).floor() * period;
     if within < period { within } else { 0.0 }

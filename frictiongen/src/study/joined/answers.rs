@@ -1,4 +1,5 @@
-//! Linear responses in closed form: of the chain without friction, and of the chain with all contacts stuck.
+//! Linear responses in closed form: the response of the chain without friction, and that of the chain with all contacts
+//! stuck.
 
 use super::error::UnknownContact;
 use super::scene::Joined;
@@ -7,7 +8,7 @@ use crate::Complex;
 use crate::study::error::UnknownMass;
 use crate::study::joints::StuckResponse;
 
-/// Response of a linear chain to the load, with the complex amplitude of each mass.
+/// Linear response of a chain to its load, as the complex amplitude of each mass.
 #[derive(Clone, Debug)]
 pub struct LinearResponse<'a> {
     joined: Joined<'a>,
@@ -28,7 +29,7 @@ impl<'a> LinearResponse<'a> {
         }
     }
 
-    /// Returns X, the complex amplitude of the mass `name`. Its motion is x̄ = Re X exp(iτ).
+    /// Returns the complex amplitude X of the mass called `name`. The motion of the mass is x̄ = Re X exp(iτ).
     ///
     /// # Errors
     /// [`UnknownMass`] if no mass has this name.
@@ -38,7 +39,8 @@ impl<'a> LinearResponse<'a> {
         Ok(found.unwrap_or_default() / self.units.length)
     }
 
-    /// Returns displacement and velocity of every mass at a maximum of the load.
+    /// Returns displacement and velocity of every mass at a maximum of the load. `omega` is the angular frequency of
+    /// the load.
     #[must_use]
     pub fn state(&self, omega: f64) -> (Vec<f64>, Vec<f64>) {
         let all = || self.displacements.iter();
@@ -48,7 +50,7 @@ impl<'a> LinearResponse<'a> {
     }
 }
 
-/// State in which no contact slides.
+/// State of a scene with several contacts in which no contact slides.
 #[derive(Clone, Debug)]
 pub struct StuckState<'a> {
     linear: LinearResponse<'a>,
@@ -69,21 +71,21 @@ impl<'a> StuckState<'a> {
         }
     }
 
-    /// Returns β*_lim, the smallest common friction at which no contact slides. It is the largest |f|/(μ·share) of the
-    /// contacts, where f is the amplitude of a contact's force. If the load is in N or m, the result is the force F in
-    /// N.
+    /// Returns β*_lim, the smallest common friction at which no contact slides. It is the largest value of
+    /// |f|/(μ·share) among the contacts, where f is the amplitude of the force in a contact, and the share is its
+    /// friction force divided by the common friction. If the load is in N or m, the result is a force in N.
     #[must_use]
     pub fn limit(&self) -> f64 {
         self.limit
     }
 
-    /// Returns the name of the contact that slides first if the friction falls below the limit.
+    /// Returns the name of the contact that slides first if the common friction falls below the limit.
     #[must_use]
     pub fn first(&self) -> &str {
         &self.first
     }
 
-    /// Returns the complex amplitude of the mass called `name`.
+    /// Returns the complex amplitude of the mass called `name`, while no contact slides.
     ///
     /// # Errors
     /// [`UnknownMass`] if no mass has this name.
@@ -91,7 +93,7 @@ impl<'a> StuckState<'a> {
         self.linear.mass(name)
     }
 
-    /// Returns the amplitude of the force in the contact called `name`.
+    /// Returns the amplitude of the force in the contact called `name`, while no contact slides.
     ///
     /// # Errors
     /// [`UnknownContact`] if no contact has this name.
@@ -100,7 +102,8 @@ impl<'a> StuckState<'a> {
         Ok(self.forces.get(contact).copied().unwrap_or_default())
     }
 
-    /// Returns displacement and velocity of every mass at a maximum of the load.
+    /// Returns displacement and velocity of every mass at a maximum of the load, while no contact slides. `omega` is
+    /// the angular frequency of the load.
     pub(super) fn state(&self, omega: f64) -> (Vec<f64>, Vec<f64>) {
         self.linear.state(omega)
     }

@@ -12,19 +12,19 @@ use crate::study::joints::{
 use crate::{Given, OutOfDomain};
 use frictiongen_model::scene::Excitation;
 
-/// If a motion does not settle, the code skips this number of cycles.
+/// Number of cycles that the code skips before it takes the amplitude of a motion that does not settle.
 const SKIPPED: usize = 512;
-/// Number of cycles after the skipped ones from which the code takes the amplitude.
+/// Number of cycles after the skipped ones over which the code takes the amplitude of a motion that does not settle.
 const KEPT: usize = 64;
 
-/// Displacements and velocities of all masses, in the units of the answers.
+/// Displacements and velocities of all masses, in the units of [`JoinedAt::units`].
 type GivenState<'s> = (&'s [f64], &'s [f64]);
 
 /// A scene with several contacts at one frequency.
 #[derive(Clone, Debug)]
 pub struct JoinedAt<'a> {
     joined: Joined<'a>,
-    /// The chain with its load. The friction force of each contact in it is the contact's share of the common friction.
+    /// The chain with its load. The friction force of each contact is the contact's share of a common friction of 1.
     chain: Chain,
     omega: f64,
     units: AnswerUnits,
@@ -67,8 +67,9 @@ impl<'a> Joined<'a> {
         Ok(self.loaded(omega, amplitude, units))
     }
 
-    /// Evaluates the scene under a load in the units of the description: the angular frequency ω in rad/s, and the
-    /// amplitude P in N (Y in m for base motion). Frictions are forces F in N, and all answers are in these units.
+    /// Evaluates the scene under a load in the units of the description. `omega` is the angular frequency ω in rad/s,
+    /// and `amplitude` is P in N, or Y in m for base motion. Frictions are forces F in N, and all results are in these
+    /// units.
     ///
     /// # Errors
     /// [`JoinedError::Frequency`] unless ω is above 0 and finite, [`JoinedError::Amplitude`] unless the amplitude is.
@@ -108,13 +109,13 @@ impl<'a> JoinedAt<'a> {
         }
     }
 
-    /// Returns the angular frequency in rad/s.
+    /// Returns the angular frequency ω of the load, in rad/s.
     #[must_use]
     pub fn omega(&self) -> f64 {
         self.omega
     }
 
-    /// Returns the units of the answers.
+    /// Returns the units of the results at this frequency.
     #[must_use]
     pub fn units(&self) -> AnswerUnits {
         self.units
@@ -138,7 +139,8 @@ impl<'a> JoinedAt<'a> {
     }
 
     /// Returns the steady state that the motion from rest reaches. `friction` is the common friction, as β = F/P or as
-    /// F in N. The friction force of a contact is its share of F. The period is at most 64 cycles.
+    /// F in N. The friction force of a contact is its share of the common friction. The period is at most 64 cycles of
+    /// the load.
     ///
     /// # Errors
     /// [`OutOfDomain`] for a friction that is negative or not finite. [`JoinedError::Engine`] if the motion does not
@@ -175,8 +177,8 @@ impl<'a> JoinedAt<'a> {
         ))
     }
 
-    /// Returns the largest |x̄| of every mass over the last 64 of 576 cycles of the motion from rest. Use this
-    /// amplitude if the motion does not settle.
+    /// Returns the largest |x̄| of every mass over cycles 513 to 576 of the motion from rest. This amplitude is useful
+    /// if the motion does not settle.
     ///
     /// # Errors
     /// Same errors as [`simulation`](Self::simulation).
@@ -245,7 +247,8 @@ impl<'a> JoinedAt<'a> {
     }
 
     /// Returns the state in which no contact slides, in closed form: the amplitudes, the force of each contact, and the
-    /// friction from which the state exists. In this state no earlier motion has left a constant force in a contact.
+    /// smallest friction for this state. The call assumes that no earlier motion has left a constant force in a
+    /// contact.
     ///
     /// # Errors
     /// [`JoinedError::Resonance`] on an undamped resonance of the chain with its contacts stuck.
@@ -268,8 +271,8 @@ impl<'a> JoinedAt<'a> {
     }
 }
 
-/// Converts the error of a linear response. All loads of a scene have one valid frequency, so that only a resonance can
-/// cause an error.
+/// Converts the error of a linear response. The frequency is valid for every load of a scene. Only a resonance can
+/// therefore cause an error.
 fn resonance(error: JointError) -> JoinedError {
     match error {
         JointError::Number(_) => JoinedError::Resonance,

@@ -6,7 +6,7 @@ use crate::study::sensitivity::NoDerivative;
 use crate::{Given, OutOfDomain, Unsupported};
 use std::fmt;
 
-/// The error that a scene has no contact with the requested name.
+/// Error: the scene has no contact with the requested name.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct UnknownContact {
     /// The requested name, which no contact has.
@@ -28,11 +28,11 @@ impl fmt::Display for UnknownContact {
 
 impl std::error::Error for UnknownContact {}
 
-/// Reason why a method for several contacts returns no answer.
+/// Reason why a method for scenes with several contacts returns no result.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum JoinedError {
-    /// The request is outside the domain, or the scene does not support it.
+    /// A number of the request is outside the domain, or the scene does not support the request.
     OutOfDomain(OutOfDomain),
     /// The scene has more masses than the solver supports.
     TooManyMasses(usize),
@@ -44,9 +44,9 @@ pub enum JoinedError {
     Amplitude(Given),
     /// The frequency is an undamped resonance of the linear chain.
     Resonance,
-    /// The interval of a share does not begin above 0, or does not end above its begin.
+    /// The interval of a contact's share does not begin above 0, or does not end above its start.
     Shares,
-    /// The search stopped before it had an answer.
+    /// The search was stopped before it had a result.
     Stopped,
     /// The scene has no contact with the requested name.
     UnknownContact(UnknownContact),
@@ -54,7 +54,7 @@ pub enum JoinedError {
     UnknownMass(UnknownMass),
     /// The steady state has no derivatives.
     NoDerivative(NoDerivative),
-    /// The solver found no answer.
+    /// The solver for several contacts found no result.
     Engine(JointError),
 }
 

@@ -1,4 +1,4 @@
-//! Samples of a motion in time, or of one period of a steady state.
+//! Samples of a motion in time of several contacts, or of one period of their steady state.
 
 use super::error::JoinedError;
 use super::orbit::JoinedOrbit;
@@ -8,19 +8,19 @@ use std::f64::consts::TAU;
 /// A motion over time of a scene with several contacts: equally spaced samples, and the events between them.
 #[derive(Clone, Debug, Default)]
 pub struct JoinedHistory {
-    /// Phase τ = ωt of each sample, measured from the first sample.
+    /// Phase τ = ωt of each sample, counted from the first sample.
     pub taus: Vec<f64>,
-    /// Displacements and velocities of all masses, for each sample.
+    /// Displacements and velocities of all masses at each sample.
     pub states: Vec<(Vec<f64>, Vec<f64>)>,
-    /// States of all contacts, for each sample.
+    /// States of all contacts at each sample.
     pub contacts: Vec<Vec<JoinedContactNow>>,
-    /// The events in the order of time. Their phase is measured from the first sample.
+    /// The events in the order of time. Their phase τ is counted from the first sample.
     pub events: Vec<JoinedEvent>,
 }
 
 impl JoinedSimulation<'_> {
-    /// Advances by `skip` cycles, and then samples `cycles` cycles. The first sample is at the start of these cycles,
-    /// and the last sample is at their end.
+    /// Advances by `skip` cycles of the load, and then takes samples over `cycles` cycles. The first sample is at the
+    /// start of these cycles, and the last sample is at their end.
     ///
     /// # Errors
     /// Same errors as [`advance`](Self::advance).
@@ -53,7 +53,7 @@ impl JoinedSimulation<'_> {
 }
 
 impl<'a> JoinedOrbit<'a> {
-    /// Starts the motion in time in this steady state, at a maximum of the load.
+    /// Starts a motion in time from this steady state, at a maximum of the load.
     ///
     /// # Errors
     /// [`JoinedError::Engine`] if the solver does not support the chain.

@@ -1,8 +1,9 @@
-//! Answers of scenes with several contacts, dashpots, or masses without a path of springs to a support.
+//! Responses of scenes with several contacts, with dashpots, or with masses that no path of springs connects to a
+//! support.
 //!
-//! Such a scene has the fields `contacts` or `dampers` in its description.
-//! [`System::joined`](crate::study::System::joined) gives access to its answers. Every other method of a `System` returns
-//! an error that names these fields. The solver is in [`joints`](super::joints).
+//! Such a scene has the field `contacts` or `dampers` in its description.
+//! [`System::joined`](crate::study::System::joined) gives access to its results. Every other method of a `System`
+//! returns an error that names these fields. The solver is in [`joints`](super::joints).
 //!
 //! ```
 //! use frictiongen::{Regime, System};

@@ -1,4 +1,4 @@
-//! Finds the best common friction: the largest amplitude of a mass over a band of frequencies is then smallest.
+//! Finds the best common friction. With it, the largest amplitude of a mass over a band of frequencies is smallest.
 
 use super::error::JoinedError;
 use super::scene::Joined;
@@ -6,36 +6,36 @@ use crate::study::golden::smallest;
 use crate::study::joints::JointError;
 use crate::{Given, OutOfDomain};
 
-/// Number of frequencies of the first grid over the band.
+/// Number of frequencies of the search's first grid over the band.
 const FREQUENCIES: usize = 25;
-/// Number of frictions of the first grid.
+/// Number of frictions of the search's first grid.
 const FRICTIONS: usize = 11;
-/// Number of steps of each refinement by golden sections.
+/// Number of golden sections in each refinement of the search.
 const STEPS: usize = 8;
-/// Smallest friction of the first grid, as a fraction of the largest limit of the stuck state. The largest friction of
-/// the grid is this limit.
+/// Smallest friction of the search's first grid, divided by the largest friction of the grid. The largest friction is
+/// the largest limit of the stuck state.
 const LEAST: f64 = 0.01;
 
-/// The best common friction.
+/// Result of a search for the best common friction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct JoinedOptimum {
     /// The best common friction β.
     pub friction: f64,
-    /// The largest amplitude over the band with this friction.
+    /// The largest amplitude of the mass over the band with this friction.
     pub amplitude: f64,
-    /// Frequency ratio r at which this amplitude occurs.
+    /// Frequency ratio r at which this largest amplitude occurs.
     pub r: f64,
-    /// Number of steady states that the search computed.
+    /// Number of steady states that the search has computed.
     pub evaluations: usize,
-    /// False if the watching function stopped the search. The numbers are then the best so far.
+    /// False if the watching function stopped the search. The result is then the best one until the stop.
     pub is_complete: bool,
 }
 
-/// Reason why a search ends early.
+/// Reason why a search for the best friction ends early.
 pub(super) enum Early {
     /// The watching function stopped the search.
     Stopped,
-    /// A steady state has no answer.
+    /// The computation of a steady state failed.
     Failed(JoinedError),
 }
 
@@ -49,15 +49,16 @@ impl Joined<'_> {
     /// Finds the common friction with which the largest amplitude of a mass over a band of frequency ratios is
     /// smallest.
     ///
-    /// The search first compares 11 frictions at 13 equally spaced frequencies. It then refines the best friction at 25
-    /// frequencies by golden sections, and finally the frequency of the largest peak. It can miss a minimum or a peak
-    /// that is narrower than its grids. Above the largest limit of the stuck state within the band, all contacts are
-    /// stuck at every frequency. The search tries no such friction.
+    /// The search first compares 11 frictions at 13 equally spaced frequencies. It then refines the best friction by
+    /// golden sections at 25 frequencies. Finally it refines the frequency of the largest peak. It can miss a minimum
+    /// or a peak that is narrower than its grids. The search tries no friction above the largest limit of the stuck
+    /// state, because all contacts are then stuck at every frequency of the band.
     ///
     /// # Errors
     /// [`JoinedError::UnknownMass`] if no mass has this name. [`OutOfDomain::Range`] if the upper bound of the band
-    /// does not exceed the lower one. [`JoinedError::Engine`] if a motion has too many events. Where the motion from
-    /// rest does not settle, the largest amplitude of its last 64 of 576 cycles counts.
+    /// does not exceed the lower one. [`JoinedError::Engine`] if a motion has too many events. If a motion from rest
+    /// does not settle, this is no error. The search then takes the largest amplitude in cycles 513 to 576 of the
+    /// motion.
     pub fn optimum(
         &self,
         mass: &str,
@@ -67,11 +68,11 @@ impl Joined<'_> {
     }
 
     /// Finds the best common friction, as [`optimum`](Self::optimum) does. The search calls `watch` before each steady
-    /// state, and stops if it returns false.
+    /// state, and stops if `watch` returns false.
     ///
     /// # Errors
-    /// Same errors as [`optimum`](Self::optimum). [`JoinedError::Stopped`] if the search stops before it has compared two
-    /// frictions.
+    /// Same errors as [`optimum`](Self::optimum). [`JoinedError::Stopped`] if the search stops before it has compared
+    /// two frictions.
     pub fn optimum_watched(
         &self,
         mass: &str,
@@ -102,15 +103,15 @@ pub(super) enum BandAccuracy {
 pub(super) struct FrictionSearch<'j, 'a> {
     joined: Joined<'a>,
     mass: usize,
-    /// Frequency ratios of the first grid.
+    /// Frequency ratios of the search's first grid.
     grid: Vec<f64>,
     evaluations: usize,
     watch: &'j dyn Fn() -> bool,
-    /// The smallest peak so far, of those with the highest accuracy.
+    /// The smallest peak so far, among those that were computed with the highest accuracy.
     best: Option<FrictionPeak>,
 }
 
-/// The largest amplitude over the band with one friction.
+/// The largest amplitude of the mass over the band with one friction.
 #[derive(Clone, Copy, Debug)]
 struct FrictionPeak {
     closely: BandAccuracy,
@@ -120,7 +121,7 @@ struct FrictionPeak {
 }
 
 impl<'j, 'a> FrictionSearch<'j, 'a> {
-    /// Prepares a search.
+    /// Prepares a search for the best common friction.
     pub(super) fn new(
         joined: &Joined<'a>,
         mass: &str,
@@ -152,12 +153,12 @@ impl<'j, 'a> FrictionSearch<'j, 'a> {
         self.joined.set_shares(shares);
     }
 
-    /// Returns the number of steady states so far.
+    /// Returns the number of steady states that the search has computed so far.
     pub(super) fn evaluations(&self) -> usize {
         self.evaluations
     }
 
-    /// Returns the best friction so far.
+    /// Returns the best friction that the search has found so far.
     fn found(&self, is_complete: bool) -> Result<JoinedOptimum, JoinedError> {
         let best = self.best.ok_or(JoinedError::Stopped)?;
         Ok(JoinedOptimum {
@@ -169,7 +170,7 @@ impl<'j, 'a> FrictionSearch<'j, 'a> {
         })
     }
 
-    /// Searches over all frictions, from coarse to fine.
+    /// Searches over all frictions, first on a coarse grid and then on finer ones.
     fn run(&mut self) -> Result<(), Early> {
         let most = self.most()?;
         let ratio = LEAST.powf(1.0 / (FRICTIONS - 1) as f64);
@@ -207,7 +208,7 @@ impl<'j, 'a> FrictionSearch<'j, 'a> {
         Ok(most)
     }
 
-    /// Returns the amplitude of the mass at one frequency.
+    /// Returns the amplitude of the mass at one frequency ratio and one common friction.
     fn amplitude(&mut self, r: f64, friction: f64) -> Result<f64, Early> {
         if !(self.watch)() {
             return Err(Early::Stopped);
@@ -216,15 +217,15 @@ impl<'j, 'a> FrictionSearch<'j, 'a> {
         let at = self.joined.at_any(r)?;
         let amplitudes = match at.orbit(friction) {
             Ok(orbit) => orbit.amplitudes(),
-            // With a friction just below the limit of the stuck state, the contacts move less in each cycle, but never
-            // stop moving.
+            // With a friction just below the limit of the stuck state, the contacts move less and less in each cycle,
+            // but never come to rest.
             Err(JoinedError::Engine(JointError::NotSteady)) => at.last_cycles(friction)?,
             Err(error) => return Err(error.into()),
         };
         Ok(amplitudes.get(self.mass).copied().unwrap_or_default())
     }
 
-    /// Returns the largest amplitude over the band, and its frequency. Keeps them if they are the best so far.
+    /// Returns the largest amplitude over the band, and its frequency ratio. Stores them if they are the best so far.
     fn peak(&mut self, friction: f64, closely: BandAccuracy) -> Result<(f64, f64), Early> {
         let (amplitude, r) = self.largest(friction, closely)?;
         let is_better = self.best.is_none_or(|best| {
@@ -241,7 +242,7 @@ impl<'j, 'a> FrictionSearch<'j, 'a> {
         Ok((amplitude, r))
     }
 
-    /// Returns the largest amplitude over the band, and its frequency.
+    /// Returns the largest amplitude over the band with one friction, and its frequency ratio.
     pub(super) fn largest(
         &mut self,
         friction: f64,

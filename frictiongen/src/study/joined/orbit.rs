@@ -19,7 +19,7 @@ pub struct JoinedOrbit<'a> {
     steady: Steady,
 }
 
-/// Motion of one contact over the period of a steady state.
+/// Motion of one contact over the period of a steady state with several contacts.
 #[derive(Clone, Copy, Debug)]
 pub struct ContactOrbit<'o> {
     cycle: &'o ContactCycle,
@@ -39,32 +39,32 @@ impl ContactOrbit<'_> {
         self.cycle.reversals
     }
 
-    /// Returns the fraction of the period in which the contact sticks. An elastic contact that sticks moves with its
-    /// spring.
+    /// Returns the fraction of the period during which the contact sticks. An elastic contact moves with its spring
+    /// while it sticks.
     #[must_use]
     pub fn stuck_fraction(&self) -> f64 {
         self.cycle.stuck_fraction
     }
 
-    /// Returns the distance that the slider travels in a period, added over both directions.
+    /// Returns the distance that the slider of the contact travels in a period, added over both directions.
     #[must_use]
     pub fn slip(&self) -> f64 {
         self.cycle.slip / self.units.length
     }
 
-    /// Returns the largest absolute relative displacement of the two sides.
+    /// Returns the largest absolute relative displacement of the contact's two sides.
     #[must_use]
     pub fn displacement(&self) -> f64 {
         self.cycle.displacement / self.units.length
     }
 
-    /// Returns the largest absolute force.
+    /// Returns the largest absolute force in the contact.
     #[must_use]
     pub fn force(&self) -> f64 {
         self.cycle.force / self.units.force
     }
 
-    /// Returns the energy that friction dissipates in a period.
+    /// Returns the energy that the friction of the contact dissipates in a period.
     #[must_use]
     pub fn energy(&self) -> f64 {
         self.cycle.energy / self.units.energy()
@@ -93,14 +93,14 @@ impl<'a> JoinedOrbit<'a> {
         }
     }
 
-    /// Returns the period in cycles of the load, at most 64.
+    /// Returns the period of the motion in cycles of the load, at most 64.
     #[must_use]
     pub fn period(&self) -> usize {
         self.steady.period
     }
 
-    /// Returns the Floquet multipliers of a period, in descending order of their modulus. The list omits the
-    /// multipliers 1 of marginal directions.
+    /// Returns the Floquet multipliers of the motion over a period, in descending order of their modulus. The list
+    /// leaves out the multipliers 1 of marginal directions.
     #[must_use]
     pub fn multipliers(&self) -> &[Complex<f64>] {
         &self.steady.multipliers
@@ -113,8 +113,8 @@ impl<'a> JoinedOrbit<'a> {
         self.steady.is_stable()
     }
 
-    /// Returns true if the steady state depends on the initial state. This occurs if a contact never slides and keeps
-    /// its position, or if a part of the chain has no path of springs to a support.
+    /// Returns true if the steady state depends on the initial state. It does if a contact never slides and keeps its
+    /// position, or if a part of the chain has no path of springs to a support.
     #[must_use]
     pub fn is_marginal(&self) -> bool {
         !self.steady.marginal.is_empty() || self.steady.neutral > 0
@@ -129,14 +129,14 @@ impl<'a> JoinedOrbit<'a> {
         kept.map(|(_, name)| name).collect()
     }
 
-    /// Returns the number of marginal directions of parts without a path of springs to a support. They are
-    /// displacements and constant velocities of these parts.
+    /// Returns the number of marginal directions that come from parts without a path of springs to a support. These
+    /// directions are displacements and constant velocities of the parts.
     #[must_use]
     pub fn free_directions(&self) -> usize {
         self.steady.neutral
     }
 
-    /// Returns the largest difference between the state at the start and at the end of a period, relative to the size
+    /// Returns the largest difference between the states at the start and at the end of a period, divided by the size
     /// of the state.
     #[must_use]
     pub fn residual(&self) -> f64 {
@@ -170,7 +170,7 @@ impl<'a> JoinedOrbit<'a> {
     }
 
     /// Returns the amplitude of the mass called `name`: the largest |x̄|. If a part of the chain has no path of springs
-    /// to a support, the result is the centred amplitude about the mean motion, (max − min)/2.
+    /// to a support, returns the centred amplitude (max − min)/2 instead.
     ///
     /// # Errors
     /// [`UnknownMass`] if no mass has this name.
@@ -179,7 +179,7 @@ impl<'a> JoinedOrbit<'a> {
         Ok(self.amplitudes().get(mass).copied().unwrap_or_default())
     }
 
-    /// Returns the amplitude of every mass, as [`amplitude`](Self::amplitude) does.
+    /// Returns the amplitudes of all masses, as [`amplitude`](Self::amplitude) does for one mass.
     #[must_use]
     pub fn amplitudes(&self) -> Vec<f64> {
         let cycle = &self.steady.cycle;
@@ -214,7 +214,7 @@ impl<'a> JoinedOrbit<'a> {
         (x.collect(), v.collect())
     }
 
-    /// Returns a motion that starts at the beginning of the period.
+    /// Returns a motion in time that starts at the beginning of the period.
     ///
     /// # Errors
     /// [`JoinedError::Engine`] if the solver does not support the chain.
@@ -232,7 +232,7 @@ impl<'a> JoinedOrbit<'a> {
         Ok(self.steady.is_symmetric(&self.chain, self.omega)?)
     }
 
-    /// Returns the angular frequency of the load and the units of the answers.
+    /// Returns the scene, the angular frequency of the load, and the units of the results.
     pub(super) fn setting(&self) -> (&Joined<'a>, f64, AnswerUnits) {
         (&self.joined, self.omega, self.units)
     }

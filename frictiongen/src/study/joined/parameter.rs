@@ -4,20 +4,21 @@ use crate::study::parameter::{Parameter, symbol};
 use crate::study::sensitivity::{OperatingPoint, Quantity};
 use frictiongen_model::scene::{Damping, Scene};
 
-/// A number on which a steady state of several contacts depends. Every index is that of the description.
+/// A number on which a steady state of several contacts depends. Every index counts in the order of the description,
+/// from 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum JoinedParameter {
     /// A mass, the stiffness of a spring, or a damping number of the description.
     Quantity(Quantity),
     /// The coefficient of a dashpot.
     Dashpot(usize),
-    /// The share of a contact: its friction force over the common friction.
+    /// The share of a contact: its friction force divided by the common friction.
     Share(usize),
     /// The stiffness of an elastic contact.
     ContactStiffness(usize),
     /// Ratio μ of the static to the kinetic friction force of a contact.
     Stiction(usize),
-    /// The common friction F, or β without a load.
+    /// The common friction: the force F under a load, otherwise β.
     Friction,
     /// The amplitude of the load.
     Load,
@@ -76,12 +77,12 @@ impl JoinedPoint {
             .collect()
     }
 
-    /// Returns the value of a parameter. Returns `None` if this setting has no such parameter.
+    /// Returns the value of a parameter at this operating point. Returns `None` if the scene has no such parameter.
     pub(super) fn value(&self, parameter: JoinedParameter) -> Option<f64> {
         self.clone().number(parameter).copied()
     }
 
-    /// Returns the number of a parameter, for changes. Returns `None` if this setting has no such parameter.
+    /// Gives access to the number of a parameter, to change it. Returns `None` if the scene has no such parameter.
     pub(super) fn number(&mut self, parameter: JoinedParameter) -> Option<&mut f64> {
         let Self { scene, point } = self;
         let contacts = &mut scene.joints.contacts;
@@ -126,7 +127,7 @@ impl JoinedPoint {
 }
 
 impl JoinedParameter {
-    /// Returns the parameter of the same kind for a scene with a single contact, if there is one.
+    /// Returns the corresponding parameter of a scene with a single contact, if there is one.
     fn single(self) -> Option<Parameter> {
         match self {
             Self::Quantity(quantity) => Some(Parameter::Quantity(quantity)),

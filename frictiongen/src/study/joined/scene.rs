@@ -10,11 +10,11 @@ use frictiongen_model::joined::damping_matrix;
 use frictiongen_model::modal::Modal;
 use frictiongen_model::scene::{FrictionLaw, Scene};
 
-/// A scene with several contacts or dashpots, from which its answers are computed.
+/// A scene with several contacts or dashpots, whose methods compute the responses.
 #[derive(Clone, Debug)]
 pub struct Joined<'a> {
     scene: &'a Scene,
-    /// The chain without loads. Each contact has its friction force under a common friction force of 1: its share.
+    /// The chain without loads. The friction force of each contact is its share of a common friction force of 1.
     chain: Chain,
     /// Reference angular frequency √(k₁/m₁), in rad per unit of time.
     reference: f64,
@@ -70,20 +70,20 @@ impl<'a> Joined<'a> {
         }
     }
 
-    /// Returns the scene that the answers describe.
+    /// Returns the scene that the results describe.
     #[must_use]
     pub fn scene(&self) -> &'a Scene {
         self.scene
     }
 
-    /// Returns the chain without loads. Each contact has its friction force under a common friction force of 1: its
-    /// share.
+    /// Returns the chain without loads. The friction force of each contact is its share of a common friction force of
+    /// 1.
     #[must_use]
     pub fn chain(&self) -> &Chain {
         &self.chain
     }
 
-    /// Replaces the shares of the contacts, in the order of the description.
+    /// Replaces the shares of the contacts. `shares` follows the order of the description.
     pub(super) fn set_shares(&mut self, shares: &[f64]) {
         for (contact, share) in self.chain.contacts.iter_mut().zip(shares) {
             contact.level = Wave::constant(*share);
@@ -97,7 +97,7 @@ impl<'a> Joined<'a> {
         contacts.map(|contact| contact.name).collect()
     }
 
-    /// Returns the index of a contact.
+    /// Returns the index of the contact called `name` in the description.
     pub(super) fn contact_index(&self, name: &str) -> Result<usize, UnknownContact> {
         let known = self.contact_names();
         let found = known.iter().position(|known| known == name);
@@ -107,7 +107,7 @@ impl<'a> Joined<'a> {
         })
     }
 
-    /// Returns the index of a mass.
+    /// Returns the index of the mass called `name` in the description.
     pub(super) fn mass_index(&self, name: &str) -> Result<usize, UnknownMass> {
         let masses = || self.scene.masses.iter();
         let found = masses().position(|mass| mass.name == name);

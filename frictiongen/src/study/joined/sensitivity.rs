@@ -1,9 +1,10 @@
 //! Derivatives of steady states with several contacts with respect to every number of a description and of an operating
 //! point.
 //!
-//! Newton's method finds the steady state of a slightly changed scene from the known state, with a residual below 1e-11.
-//! The derivatives are central differences of such states, with Richardson's extrapolation from two steps. A step is
-//! valid only if the contacts have the same numbers of stops and reversals on both sides.
+//! Newton's method finds the steady state of a slightly changed scene from the known state, with a residual below
+//! 1e-11. The derivatives are central differences of these changed states, with Richardson's extrapolation from two
+//! steps. A step is valid only if the contacts have the same numbers of stops and reversals on both sides of the known
+//! state.
 
 use super::error::JoinedError;
 use super::parameter::{JoinedParameter, JoinedPoint};
@@ -17,15 +18,15 @@ use crate::study::units::angular_frequency;
 use crate::{Given, OutOfDomain, Regime};
 use frictiongen_model::scene::{Excitation, Scene};
 
-/// Largest change of a parameter, as a fraction of the parameter.
+/// Largest change of a parameter for a difference, divided by the parameter.
 const STEP: f64 = 1e-3;
-/// Number of steps that the code tries. Each step is a quarter of the one before it.
+/// Number of steps of the parameter that the code tries. Each step is a quarter of the previous one.
 const STEPS: usize = 5;
-/// The extrapolation may change a difference by at most this fraction of the result. The error of the extrapolation is
-/// then about the square of this fraction.
+/// Largest change of a difference by the extrapolation, divided by the result. The relative error of the extrapolation
+/// is then about the square of this number.
 const AGREES: f64 = 3e-5;
 
-/// Derivatives with respect to one parameter p.
+/// Derivatives of a steady state with respect to one parameter p.
 #[derive(Clone, Debug, PartialEq)]
 pub struct JoinedSensitivity {
     /// The parameter p.
@@ -40,18 +41,18 @@ pub struct JoinedSensitivity {
 
 /// Derivatives of a steady state with respect to every parameter.
 ///
-/// Under a load, amplitudes are in m and energies in J. For a non-dimensional operating point, the units are P/k₁ and
-/// P²/k₁ (Y and k₁Y² for base motion).
+/// Under a load, amplitudes are in m and energies in J. At a non-dimensional operating point, amplitudes are divided by
+/// P/k₁ and energies by P²/k₁ (by Y and k₁Y² for base motion).
 #[derive(Clone, Debug, PartialEq)]
 pub struct JoinedSensitivities {
     /// The regime of the steady state.
     pub regime: Regime,
     /// Derivatives with respect to each parameter, in the order masses, springs, damping, dashpots, contacts, friction,
-    /// load, frequency. A parameter that is 0 is not in the list, nor is a μ of 1.
+    /// load, frequency. The list leaves out parameters that are 0, and a μ of 1.
     pub parameters: Vec<JoinedSensitivity>,
 }
 
-/// A scene at an operating point, in the form that the solver needs.
+/// A scene at an operating point, in the form that the solver for several contacts needs.
 struct Prepared {
     chain: Chain,
     omega: f64,
@@ -65,9 +66,10 @@ struct SteadyAmplitudes {
 }
 
 impl Joined<'_> {
-    /// Returns the derivatives of the amplitude of each mass, and of the energy that each contact dissipates, in the
-    /// steady state that motion from rest reaches. A difference of steady states gives each derivative, with an error of
-    /// about 1e-8 of the amplitude (of the sum of all energies). The chain may have a large period.
+    /// Returns derivatives of the steady state that the motion from rest reaches: those of the amplitude of each mass,
+    /// and those of the energy that each contact dissipates. A difference of steady states gives each derivative. Its
+    /// error is about 1e-8 of the amplitude, or of the sum of all energies. The steady state may have a period of
+    /// several cycles.
     ///
     /// ```
     /// use frictiongen::study::{System, joined::JoinedParameter, sensitivity::OperatingPoint};
@@ -94,10 +96,10 @@ impl Joined<'_> {
     /// ```
     ///
     /// # Errors
-    /// [`NoDerivative::Marginal`] if the steady state depends on the initial state, because a contact never slides or no
-    /// spring holds a part of the chain. [`NoDerivative::Graze`] if an event is about to appear or to vanish.
-    /// [`JoinedError::Engine`] if the motion does not settle. Other [`JoinedError`]s for an operating point outside the
-    /// domain.
+    /// [`NoDerivative::Marginal`] if the steady state depends on the initial state, because a contact never slides or
+    /// because no spring connects a part of the chain to a support. [`NoDerivative::Graze`] if an event is about to
+    /// appear or to vanish. [`JoinedError::Engine`] if the motion does not settle. Other [`JoinedError`]s for an
+    /// operating point outside the domain.
     pub fn sensitivities(&self, point: OperatingPoint) -> Result<JoinedSensitivities, JoinedError> {
         let setting = JoinedPoint::new(self.scene(), point);
         let prepared = prepare(&setting)?;
@@ -124,7 +126,7 @@ impl Joined<'_> {
     }
 }
 
-/// Returns the chain of a scene at an operating point, with its load and its friction forces.
+/// Returns the chain of a scene at an operating point, with its load and with the friction force of each contact.
 fn prepare(setting: &JoinedPoint) -> Result<Prepared, JoinedError> {
     let system = system(&setting.scene)?;
     let joined = system.joined()?;
@@ -178,8 +180,8 @@ struct NeighbourSearch {
 }
 
 impl NeighbourSearch {
-    /// Returns the derivatives with respect to one parameter. Returns `None` if no central difference exists, because the
-    /// parameter is 0 or a μ of 1.
+    /// Returns the derivatives with respect to one parameter. Returns `None` if the parameter is 0 or a μ of 1, because
+    /// no central difference exists.
     fn sensitivity(
         &self,
         parameter: JoinedParameter,
@@ -208,7 +210,7 @@ impl NeighbourSearch {
         }))
     }
 
-    /// Returns the derivative of each number of the answer with respect to a parameter.
+    /// Returns the derivatives of all amplitudes and energies with respect to a parameter.
     fn derivatives(&self, parameter: JoinedParameter, value: f64) -> Result<Vec<f64>, JoinedError> {
         let mut coarse: Option<Vec<f64>> = None;
         let mut step = STEP;
@@ -219,7 +221,7 @@ impl NeighbourSearch {
             };
             if let Some(coarse) = &coarse {
                 let pairs = fine.iter().zip(coarse);
-                // The error of a central difference falls with the square of the step.
+                // The error of a central difference is proportional to the square of the step.
                 let better: Vec<f64> = pairs
                     .map(|(fine, coarse)| fine + (fine - coarse) / 15.0)
                     .collect();
@@ -232,8 +234,8 @@ impl NeighbourSearch {
         Err(NoDerivative::Graze.into())
     }
 
-    /// Returns the central difference over a relative step. Returns `None` if the steady states on both sides do not have
-    /// the events of the known state.
+    /// Returns the central difference over a relative step of the parameter. Returns `None` if the steady states on
+    /// both sides have other events than the known state.
     fn difference(
         &self,
         parameter: JoinedParameter,
@@ -256,8 +258,8 @@ impl NeighbourSearch {
         ))
     }
 
-    /// Returns the steady state for another value of a parameter. Returns `None` if it does not have the events of the
-    /// known state.
+    /// Returns the steady state for another value of a parameter. Returns `None` if this state has other events than
+    /// the known state.
     fn moved(
         &self,
         parameter: JoinedParameter,
@@ -280,7 +282,7 @@ impl NeighbourSearch {
         Ok((found.events == self.found.events).then_some(found))
     }
 
-    /// Returns true if the extrapolation changes no derivative by much.
+    /// Returns true if the extrapolation changes no derivative by more than the tolerance.
     fn agree(&self, fine: &[f64], better: &[f64], value: f64) -> bool {
         let (amplitudes, energies) = self.found.numbers.split_at(self.masses);
         let largest = amplitudes.iter().copied().fold(0.0, f64::max);

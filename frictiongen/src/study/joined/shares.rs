@@ -5,16 +5,16 @@ use super::optimum::{BandAccuracy, Early, FrictionSearch, JoinedOptimum};
 use super::scene::Joined;
 use frictiongen_model::scene::Scene;
 
-/// First step of the search on the grid of frequencies, as a factor on a share or on the friction.
+/// First step of the search on the grid of frequencies. A step is a factor on a share or on the friction.
 const FIRST: f64 = 1.6;
-/// First step of the search with refined peaks.
+/// First step of the search with refined peaks. A step is a factor on a share or on the friction.
 const REFINED: f64 = 1.25;
-/// The search ends when its step is below this factor.
+/// Last step of the search. A step is a factor on a share or on the friction.
 const LAST: f64 = 1.02;
-/// Largest number of distributions that the search compares.
+/// Largest number of distributions (friction and shares) that the search compares.
 const MOST: usize = 400;
 
-/// Interval of the share of one contact.
+/// Interval in which the search may choose the share of one contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ShareRange {
     /// Index of the contact in the description.
@@ -25,10 +25,10 @@ pub struct ShareRange {
     pub to: f64,
 }
 
-/// The best common friction and the best shares.
+/// Result of a search for the best common friction together with the best shares of the contacts.
 #[derive(Clone, Debug, PartialEq)]
 pub struct JoinedDistribution {
-    /// The share of each contact, in the order of the description.
+    /// The best share of each contact, in the order of the description.
     pub shares: Vec<f64>,
     /// The best common friction with these shares.
     pub optimum: JoinedOptimum,
@@ -37,7 +37,7 @@ pub struct JoinedDistribution {
 }
 
 impl<'a> Joined<'a> {
-    /// Returns the same scene with other shares. A contact without a number in the list keeps its share.
+    /// Returns the same scene with other shares. A contact for which the list has no number keeps its share.
     #[must_use]
     pub fn with_shares(&self, shares: &[f64]) -> Self {
         let mut joined = self.clone();
@@ -46,17 +46,17 @@ impl<'a> Joined<'a> {
     }
 
     /// Finds the common friction and the shares with which the largest amplitude of a mass over a band of frequency
-    /// ratios is smallest. The search calls `watch` before each steady state, and stops if it returns false.
+    /// ratios is smallest. The search calls `watch` before each steady state, and stops if `watch` returns false.
     ///
     /// The search begins at the best common friction with the shares of the description. It changes one number at a
-    /// time, the friction or a share, by a factor that it reduces from 1.6 to 1.02. It first compares the largest
-    /// amplitudes at 25 equally spaced frequencies of the band. It then repeats the search from a factor of 1.25 with
-    /// the peaks between these frequencies. Its result is a local minimum. Another distribution far from the
-    /// description may be better.
+    /// time, the friction or a share, by a factor. It reduces this factor from 1.6 to 1.02. In this first pass, it
+    /// compares the largest amplitudes at 25 equally spaced frequencies of the band. In the second pass, it begins with
+    /// a factor of 1.25, and includes the peaks between these frequencies. Its result is a local minimum. Another
+    /// distribution far from the description may be better.
     ///
     /// # Errors
     /// Same errors as [`optimum_watched`](Self::optimum_watched). [`JoinedError::Shares`] for an interval that does not
-    /// begin above 0 or does not end above its begin, and for a contact that does not exist.
+    /// begin above 0 or does not end above its start, and for a contact that does not exist.
     pub fn best_shares(
         &self,
         mass: &str,
@@ -111,7 +111,7 @@ impl<'a> Joined<'a> {
     }
 }
 
-/// Returns the shares of the description.
+/// Returns the shares of the contacts in the description.
 fn shares(scene: &Scene) -> Vec<f64> {
     let contacts = scene.named_contacts().into_iter();
     contacts.map(|contact| contact.law.share).collect()
@@ -122,11 +122,11 @@ fn shares(scene: &Scene) -> Vec<f64> {
 struct Distribution {
     shares: Vec<f64>,
     friction: f64,
-    /// Largest amplitude over the band, and the frequency ratio at which it occurs.
+    /// Largest amplitude of the mass over the band, and the frequency ratio at which it occurs.
     peak: (f64, f64),
 }
 
-/// A search along one number after the other.
+/// A search that changes one number after the other: the friction, then each share.
 struct Descent<'j, 'a> {
     search: FrictionSearch<'j, 'a>,
     ranges: &'j [ShareRange],
@@ -154,7 +154,7 @@ impl Descent<'_, '_> {
         self.descend(REFINED)
     }
 
-    /// Changes one number after the other, with ever smaller steps.
+    /// Changes one number after the other, and reduces the factor of the changes.
     fn descend(&mut self, mut factor: f64) -> Result<(), Early> {
         while LAST < factor && self.compared < MOST {
             let before = self.best.clone();
@@ -172,8 +172,8 @@ impl Descent<'_, '_> {
         Ok(())
     }
 
-    /// Tries the best distribution with one number multiplied by a factor: the friction, or a share. Returns true if
-    /// this is better.
+    /// Tries the best distribution with one number multiplied by a factor. The number is the friction or a share.
+    /// Returns true if the changed distribution is better.
     fn better(&mut self, number: usize, factor: f64) -> Result<bool, Early> {
         let mut tried = self.best.clone();
         match number
@@ -195,7 +195,7 @@ impl Descent<'_, '_> {
         self.keep(tried)
     }
 
-    /// Repeats the change from an earlier distribution to the best one.
+    /// Takes the change from an earlier distribution to the best one, and tries the same change once more.
     fn leap(&mut self, before: &Distribution) -> Result<(), Early> {
         let mut tried = self.best.clone();
         tried.friction *= tried.friction / before.friction;
@@ -208,7 +208,7 @@ impl Descent<'_, '_> {
         self.keep(tried).map(|_| ())
     }
 
-    /// Keeps a distribution if it is better than the best one.
+    /// Stores a distribution if it is better than the best one so far.
     fn keep(&mut self, mut tried: Distribution) -> Result<bool, Early> {
         tried.peak = self.peak(&tried)?;
         let better = tried.peak.0 < self.best.peak.0;
@@ -218,7 +218,7 @@ impl Descent<'_, '_> {
         Ok(better)
     }
 
-    /// Returns the largest amplitude over the band, and its frequency ratio.
+    /// Returns the largest amplitude of the mass over the band with a distribution, and its frequency ratio.
     fn peak(&mut self, tried: &Distribution) -> Result<(f64, f64), Early> {
         self.compared += 1;
         self.search.set_shares(&tried.shares);

@@ -1,4 +1,4 @@
-//! Motions in time of scenes with several contacts.
+//! Motions in time of scenes with several contacts, from event to event.
 
 use super::error::{JoinedError, UnknownContact};
 use super::scene::Joined;
@@ -13,7 +13,7 @@ use frictiongen_kernel::joints::STUCK;
 /// An event of one contact.
 #[derive(Clone, Debug, PartialEq)]
 pub struct JoinedEvent {
-    /// Phase τ = ωt of the load.
+    /// Phase τ = ωt of the load at the event.
     pub tau: f64,
     /// Index of the contact in the description.
     pub contact: usize,
@@ -23,14 +23,14 @@ pub struct JoinedEvent {
     pub event: Event,
 }
 
-/// State of a contact at one instant.
+/// State of one contact at one instant of a motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct JoinedContactNow {
-    /// Relative displacement of the two sides.
+    /// Relative displacement of the contact's two sides.
     pub displacement: f64,
-    /// Relative velocity of the two sides.
+    /// Relative velocity of the contact's two sides.
     pub velocity: f64,
-    /// Force of the contact.
+    /// Force in the contact.
     pub force: f64,
     /// Distance that the slider has travelled since the start, added over both directions.
     pub slip: f64,
@@ -47,7 +47,7 @@ pub struct JoinedSimulation<'a> {
     motion: Motion,
     omega: f64,
     units: AnswerUnits,
-    /// Distance that each slider has travelled, and the energy that it has dissipated.
+    /// For each contact, the distance that its slider has travelled, and the energy that it has dissipated.
     slides: Slides,
 }
 
@@ -73,7 +73,7 @@ impl<'a> JoinedSimulation<'a> {
         self.omega * self.motion.time()
     }
 
-    /// Returns displacements and velocities of all masses.
+    /// Returns displacements and velocities of all masses at the present instant.
     #[must_use]
     pub fn state(&self) -> (Vec<f64>, Vec<f64>) {
         let state = self.motion.state();
@@ -82,7 +82,7 @@ impl<'a> JoinedSimulation<'a> {
         (x.collect(), v.collect())
     }
 
-    /// Returns displacement and velocity of the mass called `name`.
+    /// Returns displacement and velocity of the mass called `name` at the present instant.
     ///
     /// # Errors
     /// [`UnknownMass`] if no mass has this name.
@@ -112,7 +112,7 @@ impl<'a> JoinedSimulation<'a> {
         contacts.collect()
     }
 
-    /// Returns the contact called `name` at the present instant.
+    /// Returns the state of the contact called `name` at the present instant.
     ///
     /// # Errors
     /// [`UnknownContact`] if no contact has this name.
@@ -125,8 +125,8 @@ impl<'a> JoinedSimulation<'a> {
         })
     }
 
-    /// Advances by `reach` in the phase τ, and returns the events on the way. Several contacts may have an event at one
-    /// instant.
+    /// Advances by `reach` in the phase τ = ωt, and returns the events on the way. Several contacts may have an event
+    /// at the same instant.
     ///
     /// # Errors
     /// [`OutOfDomain`] for a reach that is negative or not finite. [`JoinedError::Engine`] if the motion has too many

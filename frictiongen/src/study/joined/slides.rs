@@ -10,14 +10,14 @@ pub(super) struct Slides {
     events: Vec<Transition>,
 }
 
-/// Distance and energy of one contact.
+/// Travelled distance and dissipated energy of one contact since the start of a motion.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Slide {
-    /// The two nodes of the contact.
+    /// The two nodes between which the contact acts.
     ends: (usize, usize),
     /// Kinetic friction force.
     level: f64,
-    /// Energy that an elastic contact dissipates at a break-away, over the square of the kinetic friction force.
+    /// Energy that an elastic contact dissipates at a break-away, divided by the square of the kinetic friction force.
     drop: f64,
     /// Distance that the slider has travelled, added over both directions.
     pub slip: f64,
@@ -26,12 +26,13 @@ pub(super) struct Slide {
 }
 
 impl Slides {
-    /// Starts with the distances and energies 0. The friction forces of the contacts are those of the model.
+    /// Starts with distances and energies of 0. The contacts have the friction forces of the model.
     pub fn new(model: &Model) -> Self {
         let contacts = model.contacts.iter().map(|contact| Slide {
             ends: (contact.plus, contact.minus),
             level: contact.level.constant,
-            // The force falls from μF to F, and the spring of the contact loses the difference of energy.
+            // At the break-away the force falls from μF to F. Friction dissipates the energy that the spring of the
+            // contact loses.
             drop: contact.stiffness.map_or(0.0, |stiffness| {
                 (contact.stiction * contact.stiction - 1.0) / (2.0 * stiffness)
             }),
@@ -49,8 +50,8 @@ impl Slides {
         &self.contacts
     }
 
-    /// Sets the friction force of a contact. An elastic contact with a larger `force` loses a part of the energy in its
-    /// spring.
+    /// Sets the kinetic friction force of a contact to `level`. If the `force` of an elastic contact exceeds it, the
+    /// spring loses a part of its energy.
     pub fn set_level(&mut self, index: usize, level: f64, (force, stiffness): (f64, Option<f64>)) {
         let Some(slide) = self.contacts.get_mut(index) else {
             return;
@@ -73,7 +74,7 @@ impl Observe<f64, Heap> for Slides {
     fn stretch(&mut self, series: &Series, end: f64, state: &State) {
         for (index, slide) in self.contacts.iter_mut().enumerate() {
             if ![STUCK, FREE].contains(&state.phase(index)) {
-                // A contact keeps its direction of sliding over a stretch.
+                // A contact keeps its direction of sliding during a stretch (time interval of a power series).
                 let travel = series.place(slide.ends, end) - series.place(slide.ends, 0.0);
                 slide.slip += travel.abs();
                 slide.energy += slide.level * travel.abs();

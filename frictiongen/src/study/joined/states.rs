@@ -4,10 +4,10 @@ use super::at::JoinedAt;
 use super::error::JoinedError;
 use super::orbit::JoinedOrbit;
 
-/// Factors by which the states of linear responses are multiplied. Each product is one more initial state of the
+/// Factors on the states of linear responses. Each state multiplied by each factor is one more initial state of the
 /// search.
 const FACTORS: [f64; 3] = [1.0, -1.0, 3.0];
-/// Two steady states count as the same if their amplitudes differ relatively by less than this value.
+/// Largest relative difference of the amplitudes of two steady states that count as the same.
 const SAME: f64 = 1e-6;
 
 impl<'a> JoinedAt<'a> {
@@ -22,7 +22,7 @@ impl<'a> JoinedAt<'a> {
         let mut keep = |orbit: Result<JoinedOrbit<'a>, JoinedError>| {
             match orbit {
                 Ok(orbit) if !found.iter().any(|known| same(known, &orbit)) => found.push(orbit),
-                // From this start the motion does not settle.
+                // The motion from this initial state does not settle.
                 Ok(_) | Err(JoinedError::Engine(_)) => {}
                 Err(error) => return Err(error),
             }

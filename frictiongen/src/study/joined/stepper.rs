@@ -1,4 +1,4 @@
-//! Motion of scenes with several contacts under sampled forces.
+//! Motion of scenes with several contacts in time steps of equal length, under sampled forces.
 
 use super::error::{JoinedError, UnknownContact};
 use super::scene::Joined;
@@ -9,42 +9,42 @@ use crate::study::joints::{Chain, Heap, Wave};
 use frictiongen_kernel::joints::Stepper;
 use frictiongen_model::scene::{Excitation, StepInput};
 
-/// Input of one step, in the units of the description.
+/// Input of one step of a stepper, in the units of the description.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct JoinedInput<'i> {
     /// Displacement and velocity of the base at the end of the step. Both are 0 for a base that does not move.
     pub base: [f64; 2],
-    /// Forces on masses at the end of the step, each with the name of its mass. Forces on the same mass are added.
-    /// Masses that are not listed have no force.
+    /// Forces on masses at the end of the step, each with the name of its mass. Forces on the same mass add up. A mass
+    /// without an entry has no force.
     pub forces: &'i [(&'i str, f64)],
     /// Kinetic friction forces of contacts during the step, each with the name of its contact. A contact with the
-    /// friction force 0 has no effect. Contacts that are not listed keep their friction force.
+    /// friction force 0 has no effect. A contact without an entry keeps its friction force.
     pub frictions: &'i [(&'i str, f64)],
 }
 
-/// Stepper with a fixed time step, in the units of the description.
+/// Stepper of a scene with several contacts. It has a fixed time step, and uses the units of the description.
 #[derive(Clone, Debug)]
 pub struct JoinedStepper<'a> {
     joined: Joined<'a>,
     stepper: Stepper<f64, Heap>,
     steps: u64,
-    /// Friction force of each contact in the last step.
+    /// Kinetic friction force of each contact in the last step.
     frictions: Vec<f64>,
-    /// Distance that each slider has travelled, and the energy that it has dissipated.
+    /// For each contact, the distance that its slider has travelled, and the energy that it has dissipated.
     slides: Slides,
 }
 
-/// Input of a step, in the order of the description.
+/// Input of one step, in the order of the description.
 struct Ordered {
     forces: Vec<f64>,
     frictions: Vec<f64>,
 }
 
 impl<'a> Joined<'a> {
-    /// Returns a stepper that starts from rest. A force can act on every mass. Every contact has a separate friction
-    /// force, which is 0 until an input sets it. The description determines the input between two samples: linear, or
-    /// constant (`hold`). A base that drives the scene follows a cubic between two samples. With `hold` it moves from the
-    /// new sample with the constant velocity of this sample.
+    /// Returns a stepper that starts from rest. A force can act on every mass. Every contact has its own friction
+    /// force, which is 0 until an input sets it. The field `input` of the description determines the input between two
+    /// samples: linear, or constant (`hold`). A base that drives the scene follows a cubic between two samples. With
+    /// `hold`, it instead starts from the displacement of the new sample and moves with the velocity of this sample.
     ///
     /// # Errors
     /// [`OutOfDomain`](crate::OutOfDomain) for a step that is not above 0 and finite, or too long.
@@ -68,10 +68,10 @@ impl JoinedStepper<'_> {
     /// Advances by one step. Returns the number of events in the step.
     ///
     /// # Errors
-    /// [`OutOfDomain`](crate::OutOfDomain) for a force or a base motion that is not finite, for motion of a base at rest,
-    /// for a friction force that is negative or not finite, and for a step in which the motion exceeds a bound of the solver.
-    /// [`JoinedError::UnknownMass`] and [`JoinedError::UnknownContact`] for a name that the scene does not have. After
-    /// an error the stepper is unchanged.
+    /// [`OutOfDomain`](crate::OutOfDomain) for a force or a base motion that is not finite, for motion of a base at
+    /// rest, for a friction force that is negative or not finite, and for a step in which the motion exceeds a bound of
+    /// the solver. [`JoinedError::UnknownMass`] and [`JoinedError::UnknownContact`] for a name that the scene does not
+    /// have. After an error the stepper is unchanged.
     pub fn advance(&mut self, input: JoinedInput<'_>) -> Result<usize, JoinedError> {
         let Ordered { forces, frictions } = self.ordered(&input)?;
         let mut slides = self.relaxed(&frictions);
@@ -83,8 +83,8 @@ impl JoinedStepper<'_> {
         Ok(events as usize)
     }
 
-    /// Sets the input at the start of the first step. The default is no input. The methods then return the motion under
-    /// this input.
+    /// Sets the input at the start of the first step. Without this call, the input at the start is 0. After the call,
+    /// the methods return the motion under this input.
     ///
     /// # Errors
     /// Same errors as [`advance`](Self::advance), and [`OutOfDomain::Begun`] after the first step.
@@ -99,7 +99,7 @@ impl JoinedStepper<'_> {
         Ok(())
     }
 
-    /// Returns forces and friction forces in the order of the description.
+    /// Returns the forces on masses and the friction forces of an input in the order of the description.
     fn ordered(&self, input: &JoinedInput<'_>) -> Result<Ordered, JoinedError> {
         let on_base = self.joined.scene().excitation == Excitation::Base;
         if !on_base && input.base != [0.0; 2] {
@@ -120,8 +120,8 @@ impl JoinedStepper<'_> {
         Ok(Ordered { forces, frictions })
     }
 
-    /// Returns distances and energies after a change of the friction forces. An elastic contact whose friction force
-    /// falls below its present force loses a part of the energy in its spring.
+    /// Returns the travelled distances and dissipated energies after a change of the friction forces. If the friction
+    /// force of an elastic contact falls below its present force, its spring loses a part of its energy.
     fn relaxed(&self, frictions: &[f64]) -> Slides {
         let mut slides = self.slides.clone();
         let contacts = self.stepper.motion().model().contacts.iter();
@@ -132,13 +132,13 @@ impl JoinedStepper<'_> {
         slides
     }
 
-    /// Returns the time at the end of the last step.
+    /// Returns the time since the start at the end of the last step, in s.
     #[must_use]
     pub fn time(&self) -> f64 {
         self.steps as f64 * self.stepper.dt()
     }
 
-    /// Returns displacement and velocity of the mass called `name`.
+    /// Returns displacement and velocity of the mass called `name` at the end of the last step.
     ///
     /// # Errors
     /// [`JoinedError::UnknownMass`] if no mass has this name.
@@ -147,8 +147,8 @@ impl JoinedStepper<'_> {
         Ok((mass.displacement(), mass.velocity()))
     }
 
-    /// Returns the state of the contact `name` at the end of the last step. A jump of the base (`input: hold`) adds
-    /// nothing to the slip and to the energy.
+    /// Returns the state of the contact called `name` at the end of the last step. A jump of the base (`input: hold`)
+    /// adds nothing to the slip and to the energy.
     ///
     /// # Errors
     /// [`JoinedError::UnknownContact`] if no contact has this name.
@@ -179,7 +179,7 @@ impl JoinedStepper<'_> {
         contacts.collect()
     }
 
-    /// Returns displacement and velocity of each mass, in the order of the description.
+    /// Returns displacement and velocity of each mass at the end of the last step, in the order of the description.
     #[must_use]
     pub fn masses(&self) -> Vec<[f64; 2]> {
         let masses = (0..self.joined.scene().masses.len()).map(|mass| self.stepper.mass(mass));

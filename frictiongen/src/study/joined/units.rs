@@ -1,9 +1,9 @@
-//! Units of the answers of scenes with several contacts.
+//! Units of the results of scenes with several contacts.
 
-/// Units of the answers, expressed in the units of the description.
+/// Units of the results of a scene with several contacts, expressed in the units of the description.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AnswerUnits {
-    /// The unit of forces and frictions.
+    /// The unit of forces and of frictions.
     pub force: f64,
     /// The unit of displacements.
     pub length: f64,
@@ -12,7 +12,7 @@ pub struct AnswerUnits {
 }
 
 impl AnswerUnits {
-    /// Returns the unit of energies.
+    /// Returns the unit of energies, the unit of force times the unit of length.
     #[must_use]
     pub fn energy(&self) -> f64 {
         self.force * self.length

@@ -11,7 +11,7 @@ use frictiongen_model::scene::{
 
 impl Chain {
     /// Sets the damping ratio of each mode of the chain without contacts, in ascending order of natural frequency. A
-    /// motion without deformation also has an entry, which has no effect.
+    /// rigid-body mode, which deforms no spring, also has an entry. This entry has no effect.
     ///
     /// # Errors
     ///
@@ -23,7 +23,8 @@ impl Chain {
         self.damp(Damping::Modal(ratios.to_vec()))
     }
 
-    /// Sets the damping matrix to aM + bK.
+    /// Sets the damping matrix to aM + bK, where a is `mass`, b is `stiffness`, M is the mass matrix and K the
+    /// stiffness matrix.
     ///
     /// # Errors
     ///

@@ -24,11 +24,11 @@ use frictiongen_kernel::joints::{self, Halt, MAX_PATTERNS};
 use frictiongen_model::scene::Node;
 use std::fmt;
 
-/// A chain with valid numbers, whose nodes are numbered.
+/// A checked chain with numbered nodes, whose data are in vectors.
 pub type Model = joints::Model<f64, Heap>;
-/// The state of a chain.
+/// The state of a chain with several contacts, in vectors.
 pub type State = joints::State<f64, Heap>;
-/// The motion over one stretch.
+/// The motion of a chain over one stretch (time interval of a power series), in vectors.
 pub type Series = joints::Series<f64, Heap>;
 /// Collects the results of a period, one stretch (time interval of a power series) after the other.
 pub type Watch = joints::Watch<f64, Heap>;
@@ -39,25 +39,25 @@ pub type ContactCycle = joints::ContactCycle<f64>;
 /// A straight line plus one harmonic: c + bt + a cos(ωt + φ).
 pub type Wave = joints::Wave<f64>;
 
-/// Largest number of contacts.
+/// Largest number of contacts of a chain.
 pub const MAX_CONTACTS: usize = 16;
-/// Largest number of masses.
+/// Largest number of masses of a chain.
 pub const MAX_MASSES: usize = 64;
 
-/// A contact of a chain.
+/// A contact of a chain with several contacts.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Joint {
     /// The two nodes between which the contact acts.
     pub ends: (Node, Node),
-    /// Kinetic friction force F (level). For a rigid contact it may vary in time, and must then stay positive.
+    /// Kinetic friction force F. For a rigid contact it may vary in time, and must then stay positive.
     pub level: Wave,
     /// Ratio μ of the static to the kinetic friction force, at least 1.
     pub stiction: f64,
-    /// Stiffness of the spring in series with the slider; `None` for a rigid contact.
+    /// Stiffness of the spring in series with the slider. `None` for a rigid contact.
     pub stiffness: Option<f64>,
 }
 
-/// A chain with its contacts and its loads.
+/// A chain with its contacts and its loads, in the units of the description.
 #[derive(Clone, Debug, PartialEq, Default)]
 pub struct Chain {
     /// The masses.
@@ -85,18 +85,19 @@ pub enum JointError {
     Size,
     /// A number is not finite, or has an invalid sign.
     Number(&'static str),
-    /// A spring, dashpot, contact or load refers to a mass that does not exist, or connects a node with itself.
+    /// A spring, dashpot, contact or load names a mass that does not exist, or has the same node on both sides.
     Ends(&'static str),
-    /// Rigid contacts, by index, that can all stick at the same time and form a closed loop. Their forces are then not
-    /// determined.
+    /// Several rigid contacts, given by their indices, form a closed loop and can all stick at the same time. Their
+    /// forces are then not determined.
     Redundant(Vec<usize>),
-    /// The solver would need more than [`MAX_PATTERNS`] patterns to decide which contacts stick.
+    /// To decide which contacts stick, the solver would need more than [`MAX_PATTERNS`] patterns of sticking and
+    /// sliding contacts.
     Patterns,
     /// The motion has more than [`MAX_EVENTS`] events.
     Events,
     /// The motion needs more than [`MAX_STRETCHES`] stretches (time intervals of a power series).
     Stretches,
-    /// The solver finds events without any time between them.
+    /// The solver finds one event after the other without any time between them.
     Stalled,
     /// The motion exceeds the range of numbers.
     NotFinite,

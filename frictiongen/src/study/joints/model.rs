@@ -5,7 +5,7 @@ use frictiongen_kernel::joints::{Contact, Link};
 use frictiongen_model::scene::Node;
 
 impl Chain {
-    /// Checks the chain and numbers its nodes.
+    /// Checks the chain and numbers its nodes for the solver.
     ///
     /// # Errors
     ///
@@ -47,7 +47,7 @@ impl Chain {
         Ok(model)
     }
 
-    /// Returns the damping matrix row by row, with one entry for each mass in a row.
+    /// Returns the damping matrix row by row. Each row has one entry for each mass.
     fn damping_by_rows(&self) -> Vec<f64> {
         let rows = self.damping.iter().flat_map(|row| {
             let entry = |column| row.get(column).copied().unwrap_or(0.0);
@@ -57,7 +57,7 @@ impl Chain {
     }
 }
 
-/// Converts a contact to one with numbered nodes.
+/// Converts a contact of the description to a contact between numbered nodes.
 fn numbered(masses: usize, joint: &Joint) -> Result<Contact<f64>, JointError> {
     let (plus, minus) = ends(masses, joint.ends, "a contact")?;
     Ok(Contact {
@@ -156,7 +156,7 @@ fn level_fits(joint: &Joint) -> bool {
     contact.fits(&joint.level)
 }
 
-/// Returns the contacts on the path between two nodes of a graph without loops.
+/// Returns the contacts on the path between two nodes of a graph without loops. `tree` lists the edges of the graph.
 fn path(tree: &[(usize, usize, usize)], from: usize, to: usize) -> Option<Vec<usize>> {
     let mut ways = vec![(from, Vec::<usize>::new())];
     while let Some((node, way)) = ways.pop() {

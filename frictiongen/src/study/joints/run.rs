@@ -1,4 +1,4 @@
-//! Motion in time of a chain with several contacts, with vectors.
+//! Motion in time of a chain with several contacts, whose data are in vectors.
 
 use super::{Chain, JointError, Model, Series, State, Wave};
 use frictiongen_kernel::joints::{self, Bounds, Observe, Size, Value};
@@ -23,7 +23,7 @@ pub struct Heap {
 }
 
 impl Heap {
-    /// Returns the number of unknowns of a steady state.
+    /// Returns the number of unknowns in the search for a steady state.
     fn count(&self) -> usize {
         2 * (self.masses + self.contacts)
     }
@@ -63,14 +63,15 @@ impl Size for Heap {
     }
 }
 
-/// An event. Several contacts may have an event at the same instant.
+/// An event of a motion. Several contacts may have an event at the same instant.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Transition {
     /// Time of the event.
     pub time: f64,
-    /// Phase of each contact before the event: −1 or 1 while it slides, 0 while it sticks, 2 without force.
+    /// Phase of each contact just before the event: −1 or 1 while it slides, 0 while it sticks, 2 if it has no friction
+    /// force.
     pub before: Vec<i8>,
-    /// Phase of each contact after the event.
+    /// Phase of each contact just after the event, with the same numbers as [`before`](Self::before).
     pub after: Vec<i8>,
 }
 
@@ -120,7 +121,7 @@ impl Motion {
         Ok(Self { motion })
     }
 
-    /// Returns the motion as a type of the kernel.
+    /// Returns the motion as the kernel's type.
     pub(super) fn into_engine(self) -> joints::Motion<f64, Heap> {
         self.motion
     }
@@ -137,13 +138,13 @@ impl Motion {
         self.motion.state()
     }
 
-    /// Returns the chain with its numbered nodes.
+    /// Returns the chain of this motion, with its numbered nodes.
     #[must_use]
     pub fn model(&self) -> &Model {
         self.motion.model()
     }
 
-    /// Returns the relative velocity of a contact, then its relative displacement.
+    /// Returns the relative velocity and the relative displacement of a contact, in this order.
     #[must_use]
     pub fn relative(&self, contact: usize) -> (f64, f64) {
         self.motion.relative(contact)
@@ -155,7 +156,7 @@ impl Motion {
         self.motion.forces()
     }
 
-    /// Restarts at time 0 from a state of this chain.
+    /// Restarts the motion at time 0 from a state of this chain.
     pub fn restart(&mut self, state: State) {
         self.motion.restart(state);
     }
@@ -164,8 +165,8 @@ impl Motion {
     ///
     /// # Errors
     ///
-    /// [`JointError::Number`] if the contact cannot have this force. Another [`JointError`] if the solver cannot decide
-    /// which contacts stick.
+    /// [`JointError::Number`] if the contact cannot have this friction force. Another [`JointError`] if the solver
+    /// cannot decide which contacts stick.
     pub fn set_level(&mut self, contact: usize, level: Wave) -> Result<(), JointError> {
         Ok(self.motion.set_level(contact, level)?)
     }

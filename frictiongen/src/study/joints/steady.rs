@@ -7,28 +7,27 @@ use nalgebra::Complex;
 
 pub use frictiongen_kernel::joints::MAX_PERIOD;
 
-/// A steady state: a motion that repeats after some cycles of the load.
+/// A steady state of a chain with several contacts: a motion that repeats after some cycles of the load.
 #[derive(Clone, Debug)]
 pub struct Steady {
     /// Length of the period in cycles of the load.
     pub period: usize,
     /// The state at a maximum of the load, where the period begins.
     pub state: State,
-    /// Number of independent displacements and velocities of parts without a support. The steady state has the values
-    /// that the motion from rest has reached.
+    /// Number of independent displacements and velocities of parts of the chain that no spring connects to a support.
+    /// In the steady state, they have the values that the motion from rest has reached.
     pub neutral: usize,
-    /// Floquet multipliers of a period, in descending order of modulus. The list omits the multipliers 1 that belong to
-    /// `marginal` and `neutral`.
+    /// Floquet multipliers over a period, in descending order of modulus. The list leaves out the multipliers 1 that
+    /// belong to `marginal` and `neutral`.
     pub multipliers: Vec<Complex<f64>>,
-    /// Indices of the contacts that do not slide in the period. The steady state depends on their positions, or on the
-    /// constant forces in them.
+    /// Indices of the contacts that do not slide during the period. The steady state depends on their positions, or on
+    /// the constant forces in them.
     pub marginal: Vec<usize>,
     /// Amplitudes of the masses and results of the contacts over a period.
     pub cycle: Cycle,
-    /// Largest difference between the states at the start and at the end of a period, relative to the size of the
-    /// state.
+    /// Largest difference between the states at the start and at the end of a period, divided by the size of the state.
     pub residual: f64,
-    /// The result of the search.
+    /// The result of the kernel's search.
     found: joints::Steady<f64, Heap>,
 }
 
@@ -74,7 +73,7 @@ pub fn steady_state(chain: &Chain, omega: f64) -> Result<Steady, JointError> {
     steady_state_of(Motion::from_rest(chain)?, omega)
 }
 
-/// Returns the steady state that a given motion reaches, as [`steady_state`] does for the motion from rest.
+/// Returns the steady state that the motion `motion` reaches, as [`steady_state`] does for the motion from rest.
 ///
 /// # Errors
 ///

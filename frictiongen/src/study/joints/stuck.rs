@@ -1,24 +1,24 @@
-//! Response of a chain while no contact slides. The chain is then linear, and the kernel has its formulas.
+//! Response of a chain while no contact slides. The chain is then linear, and the kernel computes the response.
 
 use super::{Chain, JointError};
 use nalgebra::Complex;
 
-/// Response while no contact slides, under loads of one frequency.
+/// Response of a chain while no contact slides, under loads of one frequency.
 #[derive(Clone, Debug)]
 pub struct StuckResponse {
-    /// Amplitude of each mass.
+    /// Amplitude of each mass, |X|.
     pub amplitudes: Vec<f64>,
     /// Complex amplitude X of each mass: x = Re X exp(iωt).
     pub displacements: Vec<Complex<f64>>,
     /// Amplitude of the force in each contact.
     pub forces: Vec<f64>,
-    /// Factor on all friction forces at which the first contact is about to slide, and the index of this contact.
-    /// `None` if no contact has a friction force.
+    /// Factor by which all friction forces must be multiplied so that the first contact is about to slide, and the
+    /// index of this contact. `None` if no contact has a friction force.
     pub limit: Option<(f64, usize)>,
 }
 
-/// Returns the response while no contact slides. The response does not include constant loads, and no earlier motion
-/// has left a constant force in an elastic contact.
+/// Returns the response while no contact slides. It leaves out constant loads, and assumes that no earlier motion has
+/// left a constant force in an elastic contact.
 ///
 /// # Errors
 ///
@@ -36,7 +36,7 @@ pub fn stuck_response(chain: &Chain) -> Result<StuckResponse, JointError> {
     })
 }
 
-/// Returns the common frequency of all loads.
+/// Returns the angular frequency that all loads have in common.
 fn frequency(chain: &Chain) -> Result<f64, JointError> {
     let waves = chain
         .loads

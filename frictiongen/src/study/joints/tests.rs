@@ -92,7 +92,7 @@ pub fn modal(masses: &[f64], springs: &[(Node, Node, f64)], zeta: &[f64]) -> Vec
     c
 }
 
-/// Creates a rigid contact.
+/// Creates a rigid contact between two nodes, with a constant kinetic friction force and the ratio μ.
 pub fn rigid(ends: (Node, Node), level: f64, stiction: f64) -> Joint {
     Joint {
         ends,

@@ -7,18 +7,19 @@ use crate::study::system::System;
 use crate::{Error, Limits, Regime};
 use rayon::prelude::*;
 
-/// A point of a boundary in a map: at this r, the pattern of the contact's motion changes at this β.
+/// A boundary in a map: at this frequency ratio r, the pattern of the contact's motion changes at this friction ratio
+/// β.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Boundary {
     /// Frequency ratio r = ω√(m₁/k₁) of the excitation.
     pub r: f64,
     /// Friction ratio β, the middle of the interval that contains the boundary.
     pub beta: f64,
-    /// Width in β of the interval that contains the boundary. It is 0 for an exact boundary.
+    /// Width in β of the interval that contains the boundary. It is 0 if a limit gives the exact boundary.
     pub width: f64,
-    /// Pattern below the boundary, or the reason why there is no response.
+    /// Pattern at less friction, or the reason why there is no response.
     pub below: Result<Pattern, Error>,
-    /// Pattern above the boundary, or the reason why there is no response.
+    /// Pattern at more friction, or the reason why there is no response.
     pub above: Result<Pattern, Error>,
 }
 
@@ -26,17 +27,18 @@ impl System {
     /// Returns the boundaries in a map, at each of its frequency ratios.
     ///
     /// A boundary of the continuous or of the stuck regime is the exact limit. Between β_lim and β*_lim the contact
-    /// alternately sticks and slides. In this range the search also evaluates the middle and the quarters between two
-    /// neighbouring β of the map. It halves every interval with different patterns at its bounds, until it knows the
-    /// boundary to `digits` significant digits. If the middle has a third pattern, the search continues in both halves.
+    /// alternately sticks and slides. In this range the search evaluates further points in each interval between two
+    /// neighbouring β of the map: its middle and its quarters. It halves every interval with different patterns at its
+    /// bounds, until it knows the boundary to `digits` significant digits. If the middle has a third pattern, the
+    /// search continues in both halves.
     ///
     /// The search finds all boundaries that are more than a quarter of the map's step apart. It can miss two boundaries
-    /// of one region within a quarter of a step. It can also miss a boundary close to a limit, within a 64th of the
-    /// part of the step in which the contact alternately sticks and slides. A finer map has smaller quarters. In a
-    /// cascade of period doublings, the search may meet a third pattern more than six times between two neighbours. It
-    /// then finds only the lowest of these boundaries.
+    /// of one region within a quarter of a step. It can also miss a boundary close to a limit. Let a be the part of a
+    /// step in which the contact alternately sticks and slides. A boundary is then too close if its distance from the
+    /// limit is less than a/64. A finer map has smaller steps. In a cascade of period doublings, the search may meet a
+    /// third pattern more than six times between two neighbouring β. It then finds only the lowest of these boundaries.
     ///
-    /// Close to a boundary a motion settles slowly, so that more digits take much longer.
+    /// Close to a boundary a motion settles slowly. More digits therefore take much longer.
     ///
     /// ```
     /// use frictiongen::study::map::MapRequest;
@@ -90,12 +92,13 @@ impl System {
     }
 }
 
-/// Number of times that the search halves an interval whose bounds have the same pattern.
+/// Number of times that the search halves an interval although both bounds have the same pattern.
 const LOOKS: u32 = 2;
-/// If the pattern at the middle of an interval differs from the patterns at both bounds (a third pattern), the search
-/// continues in both halves, but at most this number of times between two neighbouring β.
+/// Number of times between two neighbouring β that the search may continue in both halves of an interval. It continues
+/// in both if the pattern at the middle differs from the patterns at both bounds (a third pattern).
 const MOST_BRANCHES: u32 = 6;
-/// Distance from a limit at which the search evaluates the pattern, as a fraction of the interval between the limits.
+/// Distance from a limit at which the search evaluates the pattern, divided by the length of the interval between the
+/// limits.
 const BESIDE: f64 = 1.0 / 64.0;
 
 /// A friction ratio β with the pattern of the contact.
@@ -130,13 +133,13 @@ impl Trace<'_> {
         if let Some(limit) = from
             && to.is_none_or(|to| limit < to)
         {
-            // Closer to the limit a motion takes too long to settle.
+            // Even closer to the limit, a motion would take too long to settle.
             low = self.known(limit + BESIDE * left);
             self.exact(limit, below.1, low.1);
         }
         if let Some(limit) = to {
             if from.is_some_and(|from| limit <= from) {
-                // Between the limits no interval is left in which the contact stops and slides.
+                // No interval remains between the limits in which the contact stops and slides.
                 return self.exact(limit, below.1, above.1);
             }
             high = self.known(limit - BESIDE * left);
@@ -173,7 +176,7 @@ impl Trace<'_> {
         });
     }
 
-    /// Finds the boundaries between two β, in ascending order.
+    /// Finds the boundaries between two friction ratios β, in ascending order.
     fn between(&mut self, low: KnownPattern, high: KnownPattern, looks: u32) {
         if low.1 == high.1 && looks == 0 {
             return;

@@ -3,24 +3,25 @@
 use crate::study::system::System;
 use crate::{Limits, OutOfDomain};
 
-/// Number of intervals of the first grid of frequencies.
+/// Number of intervals in the first grid of frequency ratios.
 const PLACES: usize = 400;
-/// Largest number of odd sub-harmonics of a resonance that become points. Without damping β_lim is 0 at these
-/// sub-harmonics.
+/// Largest number of odd sub-harmonics of one resonance that become points of a limit line. Without damping β_lim is 0
+/// at these sub-harmonics.
 const MOST_SUBHARMONICS: usize = 25;
-/// The code does not halve an interval if its relative width is below this value.
+/// Smallest relative width of an interval of r that the code still halves.
 const NARROW: f64 = 1e-9;
 
-/// β_lim and β*_lim over frequency.
+/// The limits β_lim and β*_lim over frequency, as lines through points.
 #[derive(Clone, Debug)]
 pub struct LimitLines {
-    /// Pairs of r and the limits β_lim and β*_lim, in ascending order of r. A limit may be infinite.
+    /// Pairs of the frequency ratio r and the limits β_lim and β*_lim, in ascending order of r. A limit may be
+    /// infinite.
     pub points: Vec<(f64, Limits<f64>)>,
 }
 
 impl System {
-    /// Returns β_lim and β*_lim from one frequency ratio to another. Straight lines between neighbouring points deviate
-    /// from the limits by at most `accuracy` in β/(1 + β).
+    /// Returns β_lim and β*_lim over a range of frequency ratios. Straight lines between neighbouring points deviate
+    /// from the limits by at most `accuracy`, measured in β/(1 + β).
     ///
     /// # Errors
     /// [`OutOfDomain`] unless 0 ≤ from < to < ∞.
@@ -72,8 +73,8 @@ impl System {
             accuracy < (m - 0.5 * (a + b)).abs()
         };
         let straight = !strays(|limits| limits.continuous) && !strays(|limits| limits.sliding);
-        // One test may miss a kink, because the middle may be on the straight line by chance. Two successive tests are
-        // therefore required.
+        // The middle of an interval may be on the straight line by chance, so that one test may miss a kink. The code
+        // therefore requires two successive tests.
         let done = straight && was_straight;
         if !done {
             self.between(left, middle, accuracy, straight, points)?;

@@ -12,7 +12,7 @@ use super::system::System;
 use crate::{Error, Given, Limits, Of, OutOfDomain, Regime};
 use rayon::prelude::*;
 
-/// The grid and the motions of a map.
+/// A request for a map: the grid of points, and the motions.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MapRequest {
     /// Frequency ratios r of the columns, in the order of the request.
@@ -30,7 +30,7 @@ pub struct Pattern {
     pub regime: Regime,
     /// Number of stops of the contact in a period.
     pub stops: usize,
-    /// Number of changes of the sliding direction without a stop, in a period.
+    /// Number of changes of the contact's sliding direction without a stop, in a period.
     pub reversals: usize,
     /// Number of cycles of the excitation after which the motion repeats. It is 0 if the motion does not settle.
     pub period: u32,
@@ -41,41 +41,40 @@ pub struct Pattern {
 pub struct MapPoint {
     /// Pattern of the contact's motion.
     pub pattern: Pattern,
-    /// Fraction of the period for which the contact sticks.
+    /// Fraction of the period during which the contact sticks.
     pub stuck_fraction: f64,
-    /// True if no small deviation from the steady state grows.
+    /// True if the steady state is stable: no small deviation grows.
     pub stable: bool,
-    /// True if the state belongs to a continuum of steady states, or lies at its end.
+    /// True if the steady state belongs to a continuum of steady states, or is the end of a continuum.
     pub marginal: bool,
-    /// True if motion from rest ends in this state. False if motion from rest does not settle and this is another
-    /// state.
+    /// True if the motion from rest ends in this state. False if the motion from rest does not settle, and this state
+    /// is another steady state.
     pub from_rest: bool,
-    /// The offset of the contact's relative motion from its centre, divided by P/k₁ (by Y for base motion).
+    /// The offset of the contact's relative motion, (max + min)/2, divided by P/k₁ (by Y for base motion).
     pub offset: f64,
     /// The requested amplitudes, in the order of the request, divided by P/k₁ (by Y for base motion).
     pub amplitudes: Vec<f64>,
-    /// The centred amplitudes, in the same order and unit as `amplitudes`. A centred amplitude is half the distance
-    /// between the least and the largest displacement.
+    /// The centred amplitudes (max − min)/2 of the requested motions, in the order and unit of `amplitudes`.
     pub centred: Vec<f64>,
 }
 
-/// The responses of a map at one frequency ratio.
+/// A column of a map: the responses at one frequency ratio.
 #[derive(Clone, Debug)]
 pub struct MapColumn {
     /// Frequency ratio r = ω√(m₁/k₁) of the excitation.
     pub r: f64,
-    /// β_lim and β*_lim at r.
+    /// The limits β_lim and β*_lim at this frequency ratio.
     pub limits: Limits<f64>,
-    /// The response for each β, or the reason why there is none.
+    /// The response for each friction ratio β of the map, or the reason why there is none.
     pub points: Vec<Result<MapPoint, Error>>,
 }
 
-/// The responses over frequency and friction.
+/// A map: the responses over a grid of frequency ratios and friction ratios.
 #[derive(Clone, Debug)]
 pub struct Map {
     /// Friction ratios β of the points, in the order of the request.
     pub beta: Vec<f64>,
-    /// The computed columns, in the order of the request. Columns are missing only if the map was cancelled.
+    /// The computed columns, in the order of the request. Columns are missing only if the caller has cancelled the map.
     pub columns: Vec<MapColumn>,
 }
 
@@ -132,9 +131,9 @@ impl MapPoint {
 impl System {
     /// Returns the response at every pair of a frequency ratio and a friction ratio, computed on all cores.
     ///
-    /// Each point has the state in which motion from rest ends, as [`SystemAt::response`](super::SystemAt::response)
-    /// returns it. A point does not depend on its neighbours. With μ > 1 other steady states may exist at the same
-    /// point.
+    /// Each point has the state in which the motion from rest ends, as
+    /// [`SystemAt::response`](super::SystemAt::response) returns it. A point does not depend on its neighbours. With μ
+    /// > 1 other steady states may exist at the same point.
     ///
     /// ```
     /// use frictiongen::study::map::MapRequest;
@@ -193,8 +192,8 @@ impl System {
             }
             Ok(column)
         };
-        // The cost varies widely between columns, but little between neighbouring ones. Each core therefore gets one
-        // column at a time, so that all cores stay busy.
+        // The work varies widely between distant columns, but little between neighbouring ones. Each core therefore
+        // gets one column at a time. All cores then stay busy.
         let columns = request.r.par_iter().with_max_len(1).map(column);
         let columns: Vec<Option<MapColumn>> = columns.collect::<Result<_, OutOfDomain>>()?;
         Ok(Map {
@@ -203,8 +202,8 @@ impl System {
         })
     }
 
-    /// Returns a column, or `None` if the map was cancelled. Fails if the scene has no response at this frequency for
-    /// any friction.
+    /// Returns a column of the map, or `None` if the caller has cancelled the map. Fails if the scene has no response
+    /// at this frequency for any friction.
     fn column(
         &self,
         r: f64,
@@ -228,7 +227,7 @@ impl System {
 }
 
 impl Map {
-    /// Returns all points, with r and β, column by column.
+    /// Returns all points of the map, column by column, each with its r and β.
     pub fn points(&self) -> impl Iterator<Item = (f64, f64, &Result<MapPoint, Error>)> {
         self.columns.iter().flat_map(|column| {
             let points = self.beta.iter().zip(&column.points);

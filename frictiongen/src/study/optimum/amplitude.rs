@@ -1,4 +1,4 @@
-//! Computes the quantity that an optimum minimises, at one frequency ratio and one friction ratio.
+//! Computes the quantity that the search for an optimum minimises, at one frequency ratio and one friction ratio.
 
 use super::objective::Objective;
 use super::places::beside;
@@ -10,30 +10,31 @@ use crate::study::{response::SystemResponse, sensitivity::Sensitive};
 use crate::{Error, NoOrbit, NotContinuous, Regime};
 use std::cell::Cell;
 
-/// Relative step of the central differences: the step in r divided by r, and the step in friction divided by the
+/// Relative step of the central differences. It is the step in r divided by r, and the step in friction divided by the
 /// friction.
 const DIFFERENCE: f64 = 1e-6;
 
-/// Amount of friction: a given friction, or enough friction that the contact never slides.
+/// Amount of friction: a given friction ratio, or so much friction that the contact never slides.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::study) enum FrictionAmount {
-    /// A given friction: the friction force, divided by the load's unit of force at r = 1. For a load of constant
-    /// amplitude it is the friction ratio β.
+    /// A given friction: the friction force divided by the unit of force that the load has at r = 1. For a load of
+    /// constant amplitude it is the friction ratio β.
     Ratio(f64),
-    /// Enough friction that the contact never slides.
+    /// So much friction that the contact never slides.
     Locked,
 }
 
 /// A function that a search calls after each evaluation. It returns false to stop the search.
 pub(in crate::study) type KeepGoing<'s> = &'s (dyn Fn() -> bool + Sync);
 
-/// The requested quantity of a system, called its amplitude, as a function of frequency and friction. The struct counts
-/// the evaluations and their work.
+/// The quantity that the search minimises, as a function of frequency and friction. The code calls the quantity the
+/// amplitude. The struct counts the evaluations and their work.
 pub(in crate::study) struct Amplitude<'s> {
     pub system: &'s System,
     pub objective: Objective,
     unvaried: Varied,
-    /// Each undamped resonance that the contact drives, with the friction ratio below which its amplitude is unbounded.
+    /// Each undamped resonance that the contact drives, with its threshold. At a smaller friction ratio its amplitude
+    /// is unbounded.
     thresholds: Vec<[f64; 2]>,
     /// Number of evaluations of the amplitude.
     pub asked: Cell<usize>,
@@ -47,11 +48,11 @@ pub(in crate::study) struct Amplitude<'s> {
     stopped: Cell<bool>,
     /// Number of evaluations without a result, because the solvers found no amplitude.
     pub silent: Cell<usize>,
-    /// True if the search also computes motion from rest where the closed form exists.
+    /// True if the search also computes the motion from rest if the closed form exists.
     follows: Cell<bool>,
 }
 
-/// Returns the undamped resonances with their thresholds β_n (6.2, 6.26).
+/// Returns the undamped resonances, each with its threshold β_n (6.2, 6.26).
 fn thresholds(system: &System) -> Vec<[f64; 2]> {
     let resonances = system.resonances().iter();
     let all = resonances.zip(system.resonance_thresholds());
@@ -79,9 +80,9 @@ impl<'s> Amplitude<'s> {
         }
     }
 
-    /// Makes the search also compute motion from rest where the closed form exists. With μ > 1 this motion may end in
-    /// another state. The amplitude of that state may be larger, even at a frequency at which the closed form is not
-    /// largest.
+    /// From now on, the search also computes the motion from rest if the closed form exists. With μ > 1 this motion may
+    /// end in another state. The amplitude of that state may be larger, even at a frequency at which the closed form is
+    /// not largest.
     pub(super) fn follow_from_rest(&self) {
         self.follows.set(true);
     }
@@ -94,13 +95,13 @@ impl<'s> Amplitude<'s> {
         }
     }
 
-    /// Lets the caller's function stop the search.
+    /// Sets the caller's function that can stop the search.
     pub(super) fn watched_by(&self, watch: Option<KeepGoing<'s>>) {
         self.watch.set(watch);
     }
 
-    /// Ends the watch, so that the result of a stopped search can be completed. Returns true if the caller has stopped
-    /// the search.
+    /// Removes the caller's function, so that the code can complete the result of a stopped search. Returns true if the
+    /// caller has stopped the search.
     pub(super) fn end_watch(&self) -> bool {
         self.watch.set(None);
         self.stopped.replace(false)
@@ -139,11 +140,11 @@ impl<'s> Amplitude<'s> {
         }
     }
 
-    /// Returns the amplitude, divided by P/k₁ (by Y for base motion). The result is infinite on a resonance at which
-    /// neither friction nor damping bounds the amplitude. It is NaN if no response exists.
+    /// Returns the amplitude at a frequency ratio r, divided by P/k₁ (by Y for base motion). The result is infinite on
+    /// a resonance at which neither friction nor damping bounds the amplitude. It is NaN if no response exists.
     ///
-    /// If β is below β_lim and β*_lim, the result is the amplitude of the closed form. With μ > 1, motion from rest may
-    /// end in another state. [`followed`](Self::followed) returns the amplitude of that state.
+    /// If β is less than β_lim and β*_lim, the result is the amplitude of the closed form. With μ > 1, the motion from
+    /// rest may end in another state. [`followed`](Self::followed) returns the amplitude of that state.
     pub(super) fn at(&self, r: f64, friction: FrictionAmount) -> f64 {
         if let FrictionAmount::Ratio(force) = friction
             && (!self.follows.get() || self.is_spent())
@@ -159,7 +160,7 @@ impl<'s> Amplitude<'s> {
         self.followed(r, friction)
     }
 
-    /// Returns the amplitude of the steady state in which motion from rest ends, in any regime.
+    /// Returns the amplitude of the steady state in which the motion from rest ends, in any regime.
     pub(super) fn followed(&self, r: f64, friction: FrictionAmount) -> f64 {
         self.asked.set(self.asked.get() + 1);
         let found = self.response(r, friction);
@@ -187,8 +188,8 @@ impl<'s> Amplitude<'s> {
     }
 
     /// Returns true if r is an undamped resonance at which the load supplies more energy than this amount of friction
-    /// dissipates. At frequencies near such a resonance, motion from rest needs so many cycles that the search ends in
-    /// another state. The amplitude of that state says nothing about the resonance.
+    /// dissipates. At frequencies near this resonance, the motion from rest needs so many cycles that its computation
+    /// ends in another state. The amplitude of that state says nothing about the resonance.
     pub(super) fn is_unbounded(&self, r: f64, friction: FrictionAmount) -> bool {
         let FrictionAmount::Ratio(friction) = friction else {
             return false;
@@ -199,7 +200,7 @@ impl<'s> Amplitude<'s> {
     }
 
     /// Returns the amplitude on an undamped resonance of the chain with its contact stuck. The amplitude is finite if
-    /// the load does not drive that mode.
+    /// the load does not drive the mode of this resonance.
     fn beside_resonance(&self, r: f64, friction: FrictionAmount) -> f64 {
         beside(r, |r| {
             let response = self.response(r, friction);
@@ -207,7 +208,7 @@ impl<'s> Amplitude<'s> {
         })
     }
 
-    /// Returns the regime of the response, or `Regime::Stuck` if there is no response.
+    /// Returns the regime of the response. If there is no response, returns `Regime::Stuck`.
     pub(super) fn regime(&self, r: f64, friction: FrictionAmount) -> Regime {
         self.response(r, friction)
             .map_or(Regime::Stuck, |response| response.regime())
@@ -266,8 +267,8 @@ mod tests {
     use crate::Of;
     use crate::study::System;
 
-    /// Checks that the search counts evaluations without a result. Neither the contact nor damping acts on the second
-    /// mode, so that no steady state with stops exists.
+    /// Checks that the search counts evaluations without a result. In this chain neither the contact nor damping acts
+    /// on the second mode. A steady state with stops therefore does not exist.
     #[test]
     fn what_has_no_answer_is_counted() {
         let text = "struct Chain { masses: { a: 1, b: 1, c: 1 }, contact: b - wall, excitation: a,

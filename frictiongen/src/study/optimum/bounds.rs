@@ -9,8 +9,8 @@ use super::peaks::{AmplitudeBand, POLE};
 const HALVINGS: usize = 36;
 
 impl AmplitudeBand<'_> {
-    /// Returns two frequency ratios for each one in the band at which β_lim or β*_lim equals β: one just below and one
-    /// just above it.
+    /// Returns two frequency ratios for each frequency of the band at which β_lim or β*_lim equals β: one just below it
+    /// and one just above it.
     pub(super) fn bounds(&self, beta: f64) -> Vec<f64> {
         let (system, objective) = (self.amplitude.system, &self.amplitude.objective);
         let mut bounds = Vec::new();
@@ -39,8 +39,8 @@ impl AmplitudeBand<'_> {
         bounds
     }
 
-    /// Returns two friction ratios. Above the first one the contact stops at some frequency of the band. From the
-    /// second one on, a stuck state exists over the whole band.
+    /// Returns two friction ratios for the band. Above the first one the contact stops at some frequency of the band.
+    /// From the second one on, a stuck state exists at every frequency of the band.
     pub(super) fn limits(&self) -> [f64; 2] {
         let (system, objective) = (self.amplitude.system, &self.amplitude.objective);
         let extreme = |sign: f64, of: &dyn Fn(&[f64; 2]) -> f64| {

@@ -1,18 +1,20 @@
-//! Selects friction ratios that may be the best, and intervals of a scan over friction that may contain better ones.
+//! Selects friction ratios that may be the best ones, and intervals of a scan over friction that may contain better
+//! ones.
 
 use super::creep::meeting;
 use super::scan::Scanned;
 use std::cmp::Ordering;
 
-/// The search examines an interval of the scan if the tangents at its two points meet below this multiple of the best
-/// amplitude.
+/// Largest amplitude for which the search examines an interval of the scan, divided by the best amplitude. The
+/// amplitude is that at which the tangents at the two points of the interval meet.
 const WORTH: f64 = 1.05;
-/// Largest number of intervals that the search examines. It begins with the smallest expected amplitude.
+/// Largest number of intervals of the scan that the search examines, beginning with the smallest expected amplitude.
 const MOST_LOOKED_INTO: usize = 6;
-/// The search assumes that no minimum in an interval is below this fraction of the smaller amplitude at its two points.
+/// Smallest amplitude that the search expects within an interval of the scan, divided by the smaller amplitude at the
+/// two points of the interval.
 const SHARE: f64 = 0.7;
-/// Two amplitudes count as equal if their relative difference is at most this value. If a closer evaluation of the band
-/// exceeds the earlier amplitude by more, it has found a higher peak.
+/// Largest relative difference of two amplitudes that count as equal. If a more precise evaluation of the band exceeds
+/// the earlier amplitude by more than this fraction, it has found a higher peak.
 pub(super) const HOLDS: f64 = 1e-9;
 
 /// A friction ratio that may be the best, with its largest amplitude over the band.
@@ -34,7 +36,7 @@ pub(super) fn of_scan(scan: &[Scanned]) -> Vec<FrictionCandidate> {
     complete.map(candidate).collect()
 }
 
-/// Returns the smallest friction ratio of the scan above which the amplitude is constant, and this amplitude.
+/// Returns the smallest friction ratio of the scan above which the largest amplitude is constant, and this amplitude.
 pub(super) fn stays(scan: &[Scanned]) -> Option<(f64, f64)> {
     let last = scan.last().filter(|last| last.complete)?;
     let same = |scanned: &&Scanned| {
@@ -42,12 +44,12 @@ pub(super) fn stays(scan: &[Scanned]) -> Option<(f64, f64)> {
     };
     let first = scan.iter().rev().take_while(same).last()?;
     // If the last point evaluated the whole band, its friction keeps the contact stuck over the band. Otherwise the
-    // first of the equal points is returned.
+    // function returns the first of the points with equal amplitudes.
     Some((if last.whole { last.beta } else { first.beta }, last.value))
 }
 
-/// Orders candidates by amplitude. For equal amplitudes, the friction above which the amplitude is constant comes
-/// first, then the smallest friction.
+/// Orders candidates by amplitude. Among equal amplitudes, the friction above which the amplitude is constant comes
+/// first. The other candidates follow in ascending order of friction.
 pub(super) fn before(
     a: &FrictionCandidate,
     b: &FrictionCandidate,
@@ -86,8 +88,8 @@ pub(super) fn between(scan: &[Scanned], best: f64) -> Vec<(Scanned, Scanned)> {
                 return Some((0.0, (below.clone(), above.clone())));
             }
             let falls = below.slope < 0.0;
-            // Where the steady state changes to another one, the slope at one point does not predict the amplitude at
-            // the next point.
+            // If the steady state changes to another one in the interval, the slope at one point does not predict the
+            // amplitude at the next point.
             let least = SHARE * below.value.min(above.value);
             // If the tangents do not meet in the interval, the amplitude is not a convex function of friction. Its
             // tangents then give no bound.
@@ -103,8 +105,8 @@ pub(super) fn between(scan: &[Scanned], best: f64) -> Vec<(Scanned, Scanned)> {
         .collect()
 }
 
-/// Returns friction ratios of the scan, each with both neighbours, whose amplitude is at most that of the neighbours
-/// and may be the smallest.
+/// Returns friction ratios of the scan that may be the best ones, each with both neighbours. The amplitude at each of
+/// them is at most that at its neighbours.
 pub(super) fn valleys(scan: &[Scanned], best: f64) -> Vec<(Scanned, Scanned, Scanned)> {
     let triples = scan.windows(3).filter_map(|triple| match triple {
         [below, at, above] => {

@@ -1,5 +1,5 @@
-//! Finds the friction ratio between two given friction ratios for which the highest peak is smallest. The search tracks
-//! each peak while friction changes.
+//! Finds the friction ratio between two given friction ratios with which the highest peak is smallest. The search
+//! tracks each peak while friction changes.
 
 use super::amplitude::FrictionAmount;
 use super::look::{BandPeak, Look};
@@ -8,12 +8,13 @@ use super::scan::{Scanned, slope, with_slope};
 
 /// Largest number of peaks that the search tracks from each side.
 const MOST_FOLLOWED: usize = 6;
-/// Largest number of steps towards a minimum.
+/// Largest number of steps of the search towards a minimum.
 const STEPS: usize = 40;
-/// The heights of two peaks count as equal if their relative difference is below this value.
+/// Largest relative difference of the heights of two peaks that count as equally high.
 const EQUAL: f64 = 2e-13;
 
-/// Returns the friction ratio at which the tangents of two points of the scan meet, and the amplitude there.
+/// Returns the friction ratio at which the tangents of two points of the scan meet, and the amplitude at this friction
+/// ratio.
 pub(super) fn meeting(below: &Scanned, above: &Scanned) -> Option<(f64, f64)> {
     let rise = below.slope - above.slope;
     let beta =
@@ -25,15 +26,15 @@ pub(super) fn meeting(below: &Scanned, above: &Scanned) -> Option<(f64, f64)> {
 /// Result of a search that tracks the peaks from both sides of a minimum.
 pub(super) struct Crept {
     pub best: Scanned,
-    /// The highest friction ratio at which the amplitude still falls (`below`), and the lowest at which it already
-    /// rises (`above`).
+    /// The highest friction ratio at which the amplitude still falls (`below`), and the lowest friction ratio at which
+    /// it already rises (`above`).
     pub below: Scanned,
     pub above: Scanned,
     /// True if the search has reached the minimum of these peaks.
     pub done: bool,
 }
 
-/// Returns the friction ratio between two given friction ratios for which the highest of their peaks is smallest.
+/// Returns the friction ratio between two given friction ratios with which the highest of their peaks is smallest.
 pub(super) fn crept(band: &AmplitudeBand<'_>, below: &Scanned, above: &Scanned) -> Option<Crept> {
     let (mut below, mut above) = (below.clone(), above.clone());
     let mut best: Option<Scanned> = None;
@@ -46,8 +47,8 @@ pub(super) fn crept(band: &AmplitudeBand<'_>, below: &Scanned, above: &Scanned) 
         }
         let inside = |beta: &f64| below.beta < *beta && *beta < above.beta;
         let met = meeting(&below, &above);
-        // A single peak on both sides has its minimum at the zero of its slope. Two peaks have their minimum where
-        // their heights are equal.
+        // If both sides have the same highest peak, its minimum is at the zero of its slope. If they have different
+        // highest peaks, the minimum is where the heights of the two peaks are equal.
         let (a, b) = (below.peaks.first(), above.peaks.first());
         let one = matches!((a, b), (Some(a), Some(b)) if (a.r - b.r).abs() <= 0.02 * a.r);
         let zero = below.beta - below.slope * width / (above.slope - below.slope);
@@ -85,7 +86,7 @@ pub(super) fn crept(band: &AmplitudeBand<'_>, below: &Scanned, above: &Scanned) 
             break;
         }
         let falls = here.slope < 0.0 || !here.value.is_finite();
-        // The partner is the peak that grows while the highest peak falls. At the minimum both peaks have the same
+        // The second peak is one that grows while the highest peak falls. At the minimum both peaks have the same
         // height.
         let other = if falls { &above } else { &below };
         let partner = other.peaks.first().and_then(|known| {
@@ -107,7 +108,7 @@ pub(super) fn crept(band: &AmplitudeBand<'_>, below: &Scanned, above: &Scanned) 
                 next = Some(beta - apart / (here.slope - other_slope));
             }
         } else if one {
-            // The next step uses the zero of the slope instead of the crossing.
+            // The next step then uses the zero of the slope instead of the crossing of the two heights.
             next = None;
         }
         let before = width;
@@ -138,7 +139,7 @@ pub(super) fn crept(band: &AmplitudeBand<'_>, below: &Scanned, above: &Scanned) 
     })
 }
 
-/// Removes frequency ratios that are so close to another one that they probably lead to the same peak.
+/// Removes each frequency ratio that is so close to another one that both probably lead to the same peak.
 fn distinct(mut places: Vec<f64>) -> Vec<f64> {
     places.sort_by(f64::total_cmp);
     places.dedup_by(|a, b| (*a - *b).abs() <= 1e-3 * a.abs());

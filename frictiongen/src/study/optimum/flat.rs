@@ -1,4 +1,5 @@
-//! Computes the intervals of friction around an optimum. A wide interval means that the optimum is flat.
+//! Computes the tolerances of an optimum: intervals of friction around it. A wide interval means that the optimum is
+//! flat.
 
 use super::amplitude::FrictionAmount;
 use super::answer::Tolerance;
@@ -6,23 +7,23 @@ use super::peaks::AmplitudeBand;
 use super::scan::Scanned;
 use super::search::{Least, SearchEnd};
 
-/// Largest number of steps towards a bound of an interval.
+/// Largest number of steps towards one bound of an interval of friction.
 const STEPS: usize = 40;
-/// Relative tolerance, in β, of a bound of an interval.
+/// Relative tolerance, in β, of the bound of an interval of friction.
 const NEAR: f64 = 1e-8;
-/// Relative tolerance, in β, of an interval's bound if the optimum itself is only approximate.
+/// Relative tolerance, in β, of the bound of an interval of friction if the optimum itself is only approximate.
 const ROUGHLY: f64 = 1e-3;
 /// Number of peaks that the search tracks from each friction ratio with known peaks.
 const MOST_FOLLOWED: usize = 3;
-/// Bound on the work of finding one bound of an interval.
+/// Bound on the work of finding one bound of an interval of friction, in units of about 10 µs.
 const WORK: usize = 12_000;
 
 /// Returns the interval of friction around the optimum in which the largest amplitude exceeds the best amplitude by at
-/// most the fraction `excess`.
+/// most the fraction `excess` of the best amplitude.
 pub(super) fn tolerance(band: &AmplitudeBand<'_>, least: &Least, excess: f64) -> Tolerance {
     let level = least.at.value * (1.0 + excess);
     if level == 0.0 {
-        // The best amplitude is 0, so that any excess over it is 0 too.
+        // The best amplitude is 0. Any fraction of it is 0 too.
         let (from, to) = (least.at.beta, f64::INFINITY);
         return Tolerance { excess, from, to };
     }
@@ -39,8 +40,8 @@ pub(super) fn tolerance(band: &AmplitudeBand<'_>, least: &Least, excess: f64) ->
     let mut above = above.filter(|scanned| least.at.beta < scanned.beta);
     let to = match edge(band, &least.at, &mut above, (level, near)) {
         Some(to) => to,
-        // The amplitude is below the level at all further points of the scan, and also with the contact stuck over the
-        // whole band.
+        // The amplitude is below the level at all further points of the scan. It is also below the level if the contact
+        // is stuck over the whole band.
         None if least.locked_from.is_finite() => f64::INFINITY,
         None => least
             .scan
@@ -52,7 +53,8 @@ pub(super) fn tolerance(band: &AmplitudeBand<'_>, least: &Least, excess: f64) ->
     Tolerance { excess, from, to }
 }
 
-/// Returns the friction ratio at which the amplitude reaches a level. The search goes from the optimum outwards.
+/// Returns the friction ratio at which the largest amplitude reaches a level. The search goes from the optimum
+/// outwards.
 fn edge<'a>(
     band: &AmplitudeBand<'_>,
     best: &'a Scanned,

@@ -1,39 +1,39 @@
 //! Searches a fine grid of the band for peaks that are not near any resonance, sub-harmonic or limit.
 //!
-//! With μ > 1 motion from rest may end in different steady states at neighbouring frequencies. The amplitude jumps
-//! between these frequencies. Only a computation of the motion reveals these jumps.
+//! With μ > 1 the motions from rest may end in different steady states at neighbouring frequencies. The amplitude then
+//! jumps between these frequencies. Only a computation of the motions reveals such jumps.
 
 use super::amplitude::FrictionAmount;
 use super::look::{BandPeak, Look, PLACE, sorted};
 use super::peaks::AmplitudeBand;
 
-/// Relative distance of neighbouring frequencies of the grid. It is a third of the narrowest known range of stick-slip
-/// states, which occurs in a frame of three storeys with μ = 1.2.
+/// Relative distance of neighbouring frequencies of the fine grid. It is a third of the narrowest known range of
+/// stick-slip states. This range occurs in a frame of three storeys with μ = 1.2.
 const FINE: f64 = 0.0025;
-/// Largest number of intervals of the grid.
+/// Largest number of intervals of the fine grid.
 const MOST_INTERVALS: f64 = 1500.0;
-/// The search adds a peak of the grid if its amplitude is at least this fraction of the largest known amplitude.
+/// Smallest amplitude of a grid peak that the search adds, divided by the largest known amplitude.
 const WORTH: f64 = 0.98;
-/// Number of passes over the grid. Each pass takes every ninth frequency.
+/// Number of passes over the fine grid. Each pass takes every ninth frequency.
 const PASSES: usize = 9;
-/// Two amplitudes belong to two peaks if their relative difference is at least this value.
+/// Smallest relative difference of two amplitudes that belong to two different peaks.
 const ANOTHER: f64 = 1e-6;
 /// Number of additional frequencies on each side of the largest peak, all within one step of the grid.
 const DENSE: i32 = 100;
-/// Bound on the work of the evaluations close to the largest peak. Motions that do not settle reach it after a few
-/// frequencies.
+/// Bound on the work of the evaluations close to the largest peak, in units of about 10 µs. Motions that do not settle
+/// reach it after a few frequencies.
 const WORK_BESIDE: usize = 60_000;
 /// Largest number of peaks that one search adds.
 const MOST: usize = 3;
-/// A peak is added to the evaluations at other friction ratios if its amplitude is at least this fraction of the
-/// largest amplitude.
+/// Smallest amplitude of a peak that the search also evaluates at other friction ratios, divided by the largest
+/// amplitude.
 const LEARNED: f64 = 0.9;
-/// Number of grid points on each side of a peak that the search adds to all later evaluations, because the peak moves
-/// with friction.
+/// Number of grid points on each side of a peak that the search adds to all later evaluations. They are necessary
+/// because the peak moves with friction.
 const SIDE: i32 = 4;
 
 impl AmplitudeBand<'_> {
-    /// Adds the largest peaks of an evaluation to all later first evaluations of the band.
+    /// Adds the largest peaks of one evaluation to the frequencies of all later first evaluations of the band.
     pub(super) fn learn_largest(&self, look: &Look) {
         let most = look.peaks.first().map_or(0.0, |peak| peak.value);
         for peak in look
@@ -45,7 +45,8 @@ impl AmplitudeBand<'_> {
         }
     }
 
-    /// Adds the frequency ratio of a peak and its neighbours on the grid to all later first evaluations of the band.
+    /// Adds the frequency ratio of a peak and its neighbours on the grid to the frequencies of all later first
+    /// evaluations of the band.
     fn learn_around(&self, r: f64) {
         let [from, to] = self.ends();
         for index in -SIDE..=SIDE {
@@ -61,7 +62,7 @@ impl AmplitudeBand<'_> {
         let intervals = (width / FINE).min(MOST_INTERVALS).ceil();
         let mut most = look.peaks.first().map_or(0.0, |peak| peak.value);
         let mut seen: Vec<BandPeak> = Vec::new();
-        // A coarse pass over the band comes first, so that an amplitude above the cutoff is found early.
+        // A coarse pass over the band comes first. It finds an amplitude above the cutoff early.
         let last = intervals as usize;
         for index in (0..PASSES).flat_map(|first| (first..=last).step_by(PASSES)) {
             if self.amplitude.is_spent() {
@@ -97,7 +98,7 @@ impl AmplitudeBand<'_> {
             .collect();
         found.sort_by(|a, b| b.value.total_cmp(&a.value));
         found.truncate(MOST);
-        // Near a peak that is already known exactly, a lower point of the grid adds nothing.
+        // If a peak is already known exactly, a lower grid point near it adds nothing.
         found.retain(|peak| {
             let covers = |known: &BandPeak| {
                 (known.r - peak.r).abs() <= FINE * peak.r && peak.value <= known.value
@@ -116,7 +117,7 @@ impl AmplitudeBand<'_> {
         }
     }
 
-    /// Returns the largest amplitude at frequencies close together around a peak. Between frequencies of the grid the
+    /// Returns the largest amplitude at closely spaced frequencies around a peak. Between frequencies of the grid, the
     /// motion may end in a state with a larger amplitude.
     fn densely(&self, peak: BandPeak, friction: FrictionAmount) -> BandPeak {
         let [from, to] = self.ends();

@@ -1,7 +1,7 @@
 //! Finds the best friction among those that keep other quantities within bounds.
 //!
-//! The scan over friction shows which friction ratios satisfy all bounds. Bisection finds the limit between a ratio that
-//! satisfies them and one that violates a bound. The result satisfies every bound over the whole band.
+//! The scan over friction shows which friction ratios satisfy all bounds. Between a friction ratio that satisfies them
+//! and one that violates a bound, bisection finds the limit. The result satisfies every bound over the whole band.
 
 use super::amplitude::KeepGoing;
 use super::answer::{Optimum, OptimumEnd, OptimumKind};
@@ -18,14 +18,15 @@ use std::cell::Cell;
 
 /// Largest number of bisections between a friction ratio that satisfies all bounds and one that does not.
 const HALVINGS: usize = 36;
-/// Relative width of the interval at which the bisections end.
+/// Relative width of the interval of friction at which the bisections end.
 const NARROW: f64 = 1e-9;
-/// Largest number of friction ratios that are checked over the whole band. If a check finds a violated bound, the search
-/// continues.
+/// Largest number of friction ratios whose bounds the search checks over the whole band. If a check finds a violated
+/// bound, the search continues.
 const CHECKS: usize = 12;
-/// The search examines points up to this multiple of the smallest amplitude among the points that satisfy all bounds.
+/// Largest amplitude of a point that the search examines, divided by the smallest amplitude among the points that
+/// satisfy all bounds.
 const NEARLY: f64 = 1.5;
-/// Largest number of points that the search examines.
+/// Largest number of points of the scan that the search examines.
 const MOST_POINTS: usize = 6;
 
 /// A quantity whose largest value over the band must not exceed a bound.
@@ -42,21 +43,22 @@ pub struct KeptQuantity {
 /// The best friction among those that satisfy all bounds.
 #[derive(Clone, Debug)]
 pub struct KeptOptimum {
-    /// The best friction, with its peaks and tolerances.
+    /// The best friction that satisfies all bounds, with its peaks.
     pub optimum: Optimum,
     /// The largest value over the band of each kept quantity with this friction, in the order of the bounds.
     pub largest: Vec<f64>,
 }
 
 impl System {
-    /// Returns the friction with which the largest value of a quantity over a band is smallest, among the frictions
-    /// with which other quantities stay within their bounds over the whole band.
+    /// Finds the best friction under bounds. With it, the largest value of a quantity over a band of frequencies is
+    /// smallest, among all frictions with which other quantities stay within their bounds over the whole band.
     ///
-    /// The search calls `watch` after each evaluation. If `watch` returns false once, it must return false from then on.
+    /// The search calls `watch` after each evaluation. If `watch` returns false once, it must return false from then
+    /// on.
     ///
     /// # Errors
-    /// Same errors as [`optimum`](System::optimum), [`OptimumError::Unreachable`] if no friction satisfies all bounds, and
-    /// [`OptimumError::Stopped`] if `watch` returned false.
+    /// Same errors as [`optimum`](System::optimum), [`OptimumError::Unreachable`] if no friction satisfies all bounds,
+    /// and [`OptimumError::Stopped`] if `watch` returned false.
     pub fn kept_optimum(
         &self,
         request: &OptimumRequest,
@@ -103,7 +105,8 @@ impl System {
             kind: OptimumKind::Bounded,
             end: OptimumEnd::Converged,
             beyond_jump: None,
-            // Tolerances and sensitivities describe a minimum. A friction ratio at a bound is not a minimum.
+            // Tolerances and sensitivities describe a minimum. A friction ratio that a bound determines is not a
+            // minimum.
             tolerances: Vec::new(),
             sensitivities: Vec::new(),
             ..own.told(&search.band, &least)?
@@ -112,13 +115,13 @@ impl System {
     }
 }
 
-/// A search with one frequency band for each quantity.
+/// A search for the best friction under bounds. It has one frequency band for each quantity.
 struct KeptSearch<'s> {
     band: AmplitudeBand<'s>,
     others: Vec<AmplitudeBand<'s>>,
     most: Vec<f64>,
     watch: KeepGoing<'s>,
-    /// Work that the checks of the whole band may still take.
+    /// Work that remains for the checks of the whole band, in units of about 10 µs.
     left: &'s Cell<usize>,
 }
 
@@ -132,7 +135,7 @@ impl<'s> KeptSearch<'s> {
         }
     }
 
-    /// Returns the best friction. The flag is true if a bound excluded a better one.
+    /// Returns the best friction that satisfies all bounds. The flag is true if a bound excluded a better friction.
     fn best(
         &self,
         others: &[OptimumProblem<'s>],
@@ -161,7 +164,7 @@ impl<'s> KeptSearch<'s> {
             if self.holds(found.beta) {
                 return Ok((whole(&self.band, found.beta, self.left), true));
             }
-            // The check of the whole band has found a peak that further evaluations take into account.
+            // The check of the whole band has found a peak. Further evaluations take this peak into account.
             for (beta, holds) in &mut known {
                 *holds = *holds && self.seems_to_hold(*beta);
             }
@@ -177,7 +180,8 @@ impl<'s> KeptSearch<'s> {
         Ok((whole(&self.band, beta, self.left), true))
     }
 
-    /// Returns the best friction ratio between known points. The flag of a point is true if it satisfies all bounds.
+    /// Returns the best friction ratio near the known points. The flag of a known point is true if the point satisfies
+    /// all bounds.
     fn refined(&self, known: &[(f64, bool)]) -> Option<Scanned> {
         let value = |beta: f64| scanned_at(&self.band, beta, f64::INFINITY);
         let mut all: Vec<(usize, Scanned)> = known
@@ -226,8 +230,8 @@ impl<'s> KeptSearch<'s> {
         best
     }
 
-    /// Returns a friction ratio that satisfies all bounds, next to one that does not. `holds` satisfies all bounds, and
-    /// `violates` does not.
+    /// Returns a friction ratio that satisfies all bounds and lies next to one that violates a bound. `holds` is a
+    /// friction ratio that satisfies all bounds, and `violates` is one that does not.
     fn edge(&self, mut holds: f64, mut violates: f64) -> f64 {
         for _ in 0..HALVINGS {
             if (holds - violates).abs() <= NARROW * holds.max(violates) {
@@ -243,11 +247,12 @@ impl<'s> KeptSearch<'s> {
         holds
     }
 
-    /// Returns a friction ratio that satisfies all bounds. The search calls this function if the scan has no such
-    /// ratio.
+    /// Returns a friction ratio that satisfies all bounds. The search calls this function if no point of the scan
+    /// satisfies them.
     ///
     /// # Errors
-    /// [`OptimumError::Unreachable`] names the first bound that cannot be satisfied together with the bounds before it.
+    /// [`OptimumError::Unreachable`] names the first bound that cannot be satisfied together with all earlier bounds in
+    /// the list.
     fn reachable(&self, others: &[OptimumProblem<'s>]) -> Result<Option<f64>, OptimumError> {
         let mut found = None;
         for (index, problem) in others.iter().enumerate() {
@@ -270,7 +275,7 @@ impl<'s> KeptSearch<'s> {
             }
             found = Some(at.beta);
         }
-        // The last ratio satisfies all bounds.
+        // The last friction ratio satisfies all bounds.
         Ok(found)
     }
 

@@ -2,7 +2,7 @@
 
 /// Smaller of the two fractions into which a golden section divides an interval.
 const GOLDEN: f64 = 0.381_966_011_250_105_1;
-/// Largest number of steps. A golden section keeps at most 0.62 of the interval.
+/// Largest number of steps of the search. A golden section keeps at most 0.62 of the interval.
 const STEPS: usize = 90;
 
 /// Returns the position and height of a function's maximum on [a, b], by Brent's method from a starting position
@@ -94,7 +94,7 @@ mod tests {
         let roof = |x: f64| -(x - 0.3).abs();
         let (x, _) = largest(roof, [0.0, 1.0], (0.5, roof(0.5)), 1e-12);
         assert!((x - 0.3).abs() < 1e-9, "{x}");
-        // The maximum of this function is at the upper bound of the interval.
+        // The function x has its maximum at the upper bound of the interval.
         let (x, _) = largest(|x| x, [0.0, 1.0], (0.5, 0.5), 1e-12);
         assert!(x > 1.0 - 1e-9, "{x}");
     }

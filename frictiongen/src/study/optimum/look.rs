@@ -7,15 +7,17 @@
 use super::amplitude::FrictionAmount;
 use super::places::BandPlace;
 
-/// Relative tolerance in r of a refined maximum. The amplitude at the maximum is then exact to rounding.
+/// Relative tolerance in r of a refined maximum of the amplitude. The amplitude at the maximum is then exact to
+/// rounding.
 pub(super) const PLACE: f64 = 2e-9;
-/// Expected change of the amplitude with friction, as two numbers. If the friction ratio changes by at most the first
-/// factor, the amplitude changes by at most the second factor.
+/// Expected change of the amplitude with friction, in a first look. If the friction ratio changes by at most the first
+/// factor, the search expects the amplitude to change by at most the second factor.
 const FIRST: [f64; 2] = [1.5, 2.0];
-/// The same two numbers as in `FIRST`, for an evaluation at all frequencies of the band.
+/// Expected change of the amplitude with friction, in a whole look. The two numbers have the meaning of those in
+/// `FIRST`.
 const WHOLE: [f64; 2] = [1.1, 4.0];
-/// Factor by which the expected amplitude is multiplied, if all friction ratios with a known amplitude are farther away
-/// than the first factor of `FIRST` or `WHOLE`.
+/// Factor on the expected amplitude if every friction ratio with a known amplitude is too far away. The first factor of
+/// `FIRST` or `WHOLE` defines how far this is.
 const UNKNOWN: f64 = 5.0;
 
 /// A local maximum of the amplitude over the band.
@@ -36,23 +38,23 @@ pub(super) enum Closely {
     Whole,
 }
 
-/// The local maxima of the amplitude over a band at one friction ratio.
+/// Result of a look: the local maxima of the amplitude over a band at one friction ratio.
 #[derive(Clone, Debug)]
 pub(super) struct Look {
     /// The local maxima that were found, in descending order.
     pub peaks: Vec<BandPeak>,
-    /// True if the evaluation is complete. False if the largest amplitude exceeds the cutoff, or if the bound on work
-    /// was reached.
+    /// True if the look is complete. False if the largest amplitude exceeds the cutoff, or if the look reached its
+    /// bound on work.
     pub complete: bool,
 }
 
-/// The latest known amplitude at one frequency. It gives an estimate for another friction ratio.
+/// The latest known amplitude at one frequency. From it the search estimates the amplitude for another friction ratio.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct KnownAmplitude {
-    /// The friction ratio of the latest motion at this frequency. NaN before the first motion.
+    /// The friction ratio of the latest motion at this frequency. It is NaN if no motion has been computed yet.
     pub beta: f64,
-    /// The amplitude of the latest motion. Before the first motion, it is the larger of the amplitudes without friction
-    /// and with the contact stuck.
+    /// The amplitude of the latest motion. If no motion has been computed yet, it is the larger one of two amplitudes:
+    /// without friction, and with the contact stuck.
     pub value: f64,
 }
 
@@ -74,7 +76,8 @@ impl KnownAmplitude {
     }
 }
 
-/// A frequency of the band with its amplitude. The amplitude is NaN if the motion has not been computed yet.
+/// A frequency of the band with its amplitude. The amplitude is NaN if the motion at this frequency has not been
+/// computed yet.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SeenFrequency {
     pub place: BandPlace,
@@ -82,16 +85,16 @@ pub(super) struct SeenFrequency {
     pub closed: bool,
 }
 
-/// The amplitude over a band at one friction ratio, from closed forms only. The motions in time have not been computed
-/// yet.
+/// The amplitude over a band at one friction ratio, from closed forms only. The search has not yet computed motions in
+/// time.
 pub(super) struct OpenBand {
     pub friction: FrictionAmount,
     pub seen: Vec<SeenFrequency>,
     pub peaks: Vec<BandPeak>,
     /// The largest amplitude from closed forms. It is a lower bound on the largest amplitude over the band.
     pub floor: f64,
-    /// Estimate of the largest amplitude over the band. It is the larger of `floor` and the stuck amplitudes at
-    /// frequencies at which a stuck state exists.
+    /// Estimate of the largest amplitude over the band. It is the largest one of `floor` and of the stuck amplitudes at
+    /// those frequencies at which a stuck state exists.
     pub expected: f64,
 }
 
@@ -103,8 +106,8 @@ impl OpenBand {
     }
 }
 
-/// A local maximum: the two frequency ratios that enclose it (`None` on a plateau), then its frequency ratio and
-/// amplitude.
+/// A local maximum of the amplitude. It consists of the two frequency ratios that enclose it (`None` on a plateau), and
+/// of its frequency ratio and amplitude.
 pub(super) type Top = (Option<[f64; 2]>, (f64, f64));
 
 /// Returns the local maxima whose amplitude is at least `least`. If `closed` is true, the result contains the maxima

@@ -1,4 +1,4 @@
-//! Finds the best friction, for which the largest amplitude over a band of frequencies is smallest. The search covers
+//! Finds the best friction. With it, the largest amplitude over a band of frequencies is smallest. The search covers
 //! all regimes.
 
 mod amplitude;
@@ -35,31 +35,33 @@ pub use tuned::{Tunable, TunedOptimum, TunedPoint, Tuning, UnknownTunable};
 #[doc(hidden)]
 pub use weighted::{Weighted, WeightedOptimum};
 
-/// Default bound on the work of a search, in units of about 10 µs.
+/// Default bound on the work of a search for the best friction, in units of about 10 µs.
 const WORK: usize = 2_000_000;
 
 impl System {
-    /// Returns the friction for which the largest amplitude of a motion over a band of frequencies is smallest. If the
+    /// Returns the friction with which the largest amplitude of a motion over a band of frequencies is smallest. If the
     /// contact slides all the time, the amplitude is that of the closed form. Otherwise it is that of the steady state
     /// with stops, or of the stuck response.
     ///
     /// At one friction ratio the search evaluates the amplitude near every resonance of the chain, both with a free and
     /// with a stuck contact. It also evaluates sub-harmonics, both sides of regime changes and a grid of frequencies. A
-    /// scan over friction, from zero to so much that nothing slides, finds the smallest of the largest amplitudes. The
-    /// search evaluates closed forms first. It rejects a friction ratio if they exceed the best amplitude so far by a
-    /// margin. It computes motions in time only where their amplitude may be the largest.
+    /// scan over friction, from zero to so much that nothing slides, finds the friction ratio with the smallest largest
+    /// amplitude. The search evaluates closed forms first. If they exceed the best amplitude so far by a margin, it
+    /// rejects the friction ratio. It computes motions in time only at frequencies at which their amplitude may be the
+    /// largest.
     ///
     /// The work of a search is bounded and counted, so that the result is the same on every machine. Motions that do
     /// not settle take most of the work. [`Optimum::end`] says whether the search reached the bound, or ended at a jump
     /// to another steady state. [`Optimum::bracket`] then contains the best friction ratio.
     ///
-    /// With μ > 1 the first comparison of friction ratios uses the closed form if β is below β_lim and β*_lim. The
-    /// search then computes motion from rest over a fine grid of the band, at the friction ratios that seem best. The
-    /// amplitude of the result is the largest on that grid. Grid points are 0.25 % apart, and 0.0025 % around the
+    /// With μ > 1 the first comparison of friction ratios uses the closed form if β is less than β_lim and β*_lim. At
+    /// the friction ratios that seem best, the search then computes the motion from rest over a fine grid of the band.
+    /// The amplitude of the result is the largest on that grid. Grid points are 0.25 % apart, and 0.0025 % around the
     /// largest peak. A peak between two grid points may be higher.
     ///
     /// ```
-    /// use frictiongen::study::{System, optimum::{FrequencyBand, OptimumKind, OptimumRequest}, response::MotionQuantity, units::Load};
+    /// use frictiongen::study::{System, optimum::{FrequencyBand, OptimumKind, OptimumRequest}, response::Size,
+    /// units::Load};
     ///
     /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
     /// let frame: System = "struct Frame {
@@ -105,7 +107,8 @@ impl System {
     /// the search ends with the best friction so far and [`OptimumEnd::Stopped`].
     ///
     /// # Errors
-    /// Same errors as [`optimum`](Self::optimum), and [`OptimumError::Stopped`] if no friction was found before the stop.
+    /// Same errors as [`optimum`](Self::optimum), and [`OptimumError::Stopped`] if no friction was found before the
+    /// stop.
     #[doc(hidden)]
     pub fn optimum_watched(
         &self,

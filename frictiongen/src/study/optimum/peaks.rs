@@ -1,8 +1,8 @@
 //! Finds the largest amplitude over a band of frequencies at one friction ratio.
 //!
-//! The search evaluates the amplitude where it can change quickly with frequency. Frequencies are close together near
-//! the resonances of the chain, both with a free and with a stuck contact, and near their sub-harmonics. Further
-//! frequencies are on both sides of every frequency at which a limit equals β, and on a grid.
+//! The search evaluates the amplitude at frequencies near which it can change quickly. Such frequencies are close
+//! together near the resonances of the chain, both with a free and with a stuck contact, and near the sub-harmonics of
+//! these resonances. Further frequencies are on both sides of every frequency at which a limit equals β, and on a grid.
 //!
 //! An evaluation of the band begins with closed forms. If a closed form exceeds the cutoff, the search computes no
 //! motion in time. It refines every local maximum that may be the largest.
@@ -17,23 +17,24 @@ use super::places::{BandPlace, places};
 use crate::study::system::System;
 use std::cell::{Cell, RefCell};
 
-/// The search refines a local maximum if it is at least this fraction of the largest amplitude.
+/// Smallest local maximum that the search refines, divided by the largest amplitude.
 const WORTH: f64 = 0.7;
-/// The search refines a local maximum precisely if it is at least this fraction of the largest amplitude, and otherwise
-/// roughly.
+/// Smallest local maximum that the search refines precisely, divided by the largest amplitude. It refines lower maxima
+/// only roughly.
 const WORTH_FINELY: f64 = 0.95;
-/// Largest number of refined local maxima of motions in time (outside the closed forms).
+/// Largest number of refined local maxima at frequencies that require a motion in time.
 const MOST_TOPS: usize = 8;
-/// Relative tolerance in r of a maximum in comparisons of many friction ratios.
+/// Relative tolerance in r of a maximum of the amplitude, in comparisons of many friction ratios.
 const NEARLY: f64 = 1e-5;
-/// Relative tolerance in r of a maximum before the largest maximum is known.
+/// Relative tolerance in r of a maximum of the amplitude, as long as the largest maximum is not known.
 const ROUGHLY: f64 = 1e-3;
-/// Relative width of the first bracket of a maximum whose position at another friction ratio is known.
+/// Relative width of the first bracket of a maximum of the amplitude, if its position at another friction ratio is
+/// known.
 const NEIGHBOUR: f64 = 2e-3;
-/// An amplitude counts as infinite if it is at least this value.
+/// Smallest amplitude that counts as infinite.
 pub(super) const POLE: f64 = 1e9;
 
-/// Two amplitudes count as equal if their relative difference is at most this value.
+/// Largest relative difference of two amplitudes that count as equal.
 const SAME: f64 = 1e-9;
 
 /// A band of frequencies, with all known amplitudes in the band.
@@ -45,7 +46,7 @@ pub(in crate::study) struct AmplitudeBand<'s> {
     pub(super) places: Vec<BandPlace>,
     /// Amplitude at each of `places` with the contact stuck.
     held: Vec<f64>,
-    /// Last known amplitude at each of `places`.
+    /// Latest known amplitude at each of `places`.
     known: Vec<Cell<KnownAmplitude>>,
     /// Frequency ratios of peaks that a first, incomplete evaluation of the band had missed.
     learned: RefCell<Vec<f64>>,
@@ -88,12 +89,12 @@ impl<'s> AmplitudeBand<'s> {
         [self.from, self.to]
     }
 
-    /// Adds a frequency ratio to all further first evaluations of the band.
+    /// Adds a frequency ratio to the frequencies of all further first evaluations of the band.
     pub(super) fn learn(&self, r: f64) {
         self.learned.borrow_mut().push(r);
     }
 
-    /// Returns the number of frequency ratios that were added so far.
+    /// Returns the number of frequency ratios that [`learn`](Self::learn) has added so far.
     pub(super) fn learned(&self) -> usize {
         self.learned.borrow().len()
     }
@@ -104,7 +105,7 @@ impl<'s> AmplitudeBand<'s> {
         self.look(open, f64::INFINITY, Closely::Whole).peaks
     }
 
-    /// Evaluates the band at one friction ratio, but only at frequencies where the response has a closed form.
+    /// Evaluates the band at one friction ratio, but only at frequencies at which the response has a closed form.
     pub(super) fn open(&self, friction: FrictionAmount) -> OpenBand {
         let seen = |place: BandPlace| {
             let closed = place.is_closed(friction);
@@ -159,7 +160,7 @@ impl<'s> AmplitudeBand<'s> {
             for (ends, start) in tops(&open.seen, WORTH * most, true) {
                 let peak = match ends {
                     Some(ends) => self.climbed(ends, start, friction, PLACE),
-                    // On a plateau every frequency gives the same amplitude.
+                    // On a plateau every frequency has the same amplitude.
                     None if open.peaks.is_empty() => self.peak(start.0, start.1),
                     None => continue,
                 };
@@ -179,7 +180,7 @@ impl<'s> AmplitudeBand<'s> {
         open.floor = f64::INFINITY;
     }
 
-    /// Computes motions in time at frequencies without a closed form, until an amplitude exceeds `cutoff`.
+    /// Computes motions in time at frequencies without a closed form. Stops when an amplitude exceeds `cutoff`.
     pub(super) fn look(&self, mut open: OpenBand, cutoff: f64, closely: Closely) -> Look {
         let friction = open.friction;
         if open.floor.is_infinite() {
@@ -209,7 +210,7 @@ impl<'s> AmplitudeBand<'s> {
                 continue;
             };
             if promise < most {
-                // The list is in descending order, so no later frequency has a larger expected amplitude.
+                // The list is in descending order of the expected amplitude. No later frequency has a larger one.
                 break;
             }
             let r = seen.place.r;
@@ -251,8 +252,8 @@ impl<'s> AmplitudeBand<'s> {
         }
     }
 
-    /// Computes motion from rest at the largest peaks. With μ > 1 this motion decides which steady state occurs, also
-    /// where the closed form exists.
+    /// Computes the motion from rest at the largest peaks. With μ > 1 this motion decides which steady state occurs,
+    /// even if the closed form exists.
     fn follow_largest(&self, peaks: &mut Vec<BandPeak>, friction: FrictionAmount) {
         let most = peaks.first().map_or(0.0, |peak| peak.value);
         let largest = peaks.iter_mut().take(MOST_TOPS);
@@ -265,8 +266,8 @@ impl<'s> AmplitudeBand<'s> {
         *peaks = sorted(std::mem::take(peaks));
     }
 
-    /// Refines local maxima between their neighbouring frequencies: all of them roughly, and those that may be the
-    /// largest precisely.
+    /// Refines local maxima between their neighbouring frequencies. The method refines all of them roughly, and those
+    /// that may be the largest precisely.
     fn refined(
         &self,
         tops: Vec<Top>,
@@ -301,8 +302,8 @@ impl<'s> AmplitudeBand<'s> {
         roughly.into_iter().map(finely).collect()
     }
 
-    /// Returns the frequencies at which a motion in time is necessary, with the largest expected amplitude, in
-    /// descending order of that amplitude.
+    /// Returns the frequencies at which a motion in time is necessary, each with the largest amplitude to expect. The
+    /// list is in descending order of this amplitude.
     fn promising(
         &self,
         open: &OpenBand,
@@ -348,9 +349,9 @@ impl<'s> AmplitudeBand<'s> {
         }
     }
 
-    /// Returns the amplitudes at both bounds of the band, and the largest local maxima. The search for each maximum
-    /// begins at a frequency ratio in `seeds`, its position at a similar friction ratio. The search ends when an
-    /// amplitude exceeds `cutoff`.
+    /// Returns the amplitudes at both bounds of the band, and the largest local maxima. `seeds` contains the frequency
+    /// ratios of the maxima at a similar friction ratio. The search for each maximum begins at one of them. It ends
+    /// when an amplitude exceeds `cutoff`.
     pub(super) fn followed(
         &self,
         friction: FrictionAmount,
@@ -363,7 +364,7 @@ impl<'s> AmplitudeBand<'s> {
             .to_vec();
         let mut tops: Vec<Top> = Vec::new();
         for seed in seeds.iter().filter(|seed| !self.is_edge(**seed)) {
-            // Moves uphill until the amplitude is lower on both sides.
+            // The loop moves towards larger amplitudes until the amplitude is lower on both sides.
             let (mut middle, mut width) = (*seed, NEIGHBOUR * seed);
             let mut own = value(middle);
             let mut ends = [middle, middle];

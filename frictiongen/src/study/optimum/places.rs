@@ -1,5 +1,5 @@
-//! Selects the frequency ratios of a band at which the search evaluates the amplitude (*places*). A place is *closed*
-//! if the response has a closed form at it. Every other place requires a motion in time.
+//! Selects the frequency ratios of a band at which the search evaluates the amplitude, called *places*. A place is
+//! *closed* if the response at it has a closed form. Every other place requires a motion in time.
 //!
 //! The first evaluation of the band at a friction ratio computes motions in time at only some of the places.
 
@@ -7,21 +7,20 @@ use super::amplitude::FrictionAmount;
 use super::objective::Objective;
 use crate::study::system::System;
 
-/// Smallest relative distance from a pole at which the code evaluates a function to detect the pole. The value at this
-/// distance is ten times the value at ten times the distance.
+/// Smallest relative distance from a pole at which the code evaluates a function to detect the pole. At a pole, the
+/// value at this distance is ten times the value at ten times the distance.
 const BESIDE: f64 = 1e-9;
-/// A function has no pole if its value at the distance `BESIDE` is below this value. The value is then only rounding
-/// error.
+/// Upper bound on the value at the distance `BESIDE` of a function without a pole. Such a value is only rounding error.
 const DRIVEN: f64 = 1e-3;
-/// Number of intervals of the grid of frequencies.
+/// Number of intervals of the grid of frequency ratios.
 const GRID: usize = 96;
-/// Largest order of the sub-harmonics of a resonance that become places.
+/// Largest order of the sub-harmonics of a resonance near which the search evaluates the amplitude.
 const MOST_SUBHARMONICS: u32 = 9;
-/// Relative distance of the frequencies at which the first evaluation of the band computes motions in time. It also
-/// computes motions at all resonances.
+/// Relative distance of the frequencies at which the first evaluation of the band computes motions in time. The first
+/// evaluation also computes motions at all resonances.
 const APART: f64 = 0.01;
 
-/// A frequency ratio of a band, with β_lim and β*_lim there.
+/// A frequency ratio of a band, with its limits β_lim and β*_lim.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct BandPlace {
     pub r: f64,
@@ -37,7 +36,8 @@ impl BandPlace {
         Self { r, limits, first }
     }
 
-    /// Returns true if the response has a closed form. The contact then slides all the time, or cannot slide.
+    /// Returns true if the response has a closed form with this amount of friction. The contact then slides all the
+    /// time, or cannot slide.
     pub(super) fn is_closed(&self, friction: FrictionAmount) -> bool {
         let [continuous, sliding] = self.limits;
         match friction {
@@ -47,7 +47,7 @@ impl BandPlace {
     }
 }
 
-/// Returns β_lim and β*_lim at r, or NaN if they are not defined.
+/// Returns β_lim and β*_lim at the frequency ratio r, or NaN if they are not defined.
 pub(super) fn limits(system: &System, r: f64) -> [f64; 2] {
     let limits = |r: f64| {
         system.at(r).map_or([f64::NAN; 2], |at| {
@@ -64,8 +64,8 @@ pub(super) fn limits(system: &System, r: f64) -> [f64; 2] {
     [continuous, sliding]
 }
 
-/// Returns the limit of a function towards a resonance at which the function is undefined. The result is infinite if
-/// the function grows towards the resonance.
+/// Returns the value that a function approaches towards a resonance at which the function is undefined. The result is
+/// infinite if the function grows towards the resonance.
 pub(super) fn beside(r: f64, function: impl Fn(f64) -> f64) -> f64 {
     let at = |distance: f64| function(r * (1.0 + distance));
     let (far, near) = (at(10.0 * BESIDE), at(BESIDE));
@@ -76,7 +76,8 @@ pub(super) fn beside(r: f64, function: impl Fn(f64) -> f64) -> f64 {
     }
 }
 
-/// Returns the frequencies of a band that are evaluated at any friction, in ascending order.
+/// Returns the frequencies of a band at which the search evaluates the amplitude for every friction, in ascending
+/// order.
 pub(super) fn places(
     system: &System,
     objective: &Objective,
@@ -103,7 +104,7 @@ pub(super) fn places(
     for (resonance, zeta) in free.chain(held) {
         places.push((resonance, true));
         if zeta < 1.0 {
-            // Damping shifts the maximum to this frequency.
+            // Damping shifts the maximum of the amplitude from the resonance to this frequency.
             let damped = resonance * (1.0 - 2.0 * zeta * zeta).max(0.0).sqrt();
             places.push((damped, false));
             let mut width = 0.25 * zeta.max(2e-4);
@@ -112,16 +113,16 @@ pub(super) fn places(
                 width *= 2.0;
             }
         }
-        // On a sub-harmonic itself an undamped chain has a continuum of steady states. The frequencies are therefore
-        // next to the sub-harmonic.
+        // Exactly on a sub-harmonic, an undamped chain has a continuum of steady states. The places are therefore next
+        // to the sub-harmonic.
         for order in 2..=MOST_SUBHARMONICS {
             let place = resonance / f64::from(order);
             places.extend([0.9803, 0.9957, 1.0043, 1.0197].map(|share| (place * share, false)));
         }
     }
     places.retain(|(r, _)| from <= *r && *r <= to);
-    // The sort puts an entry for the first evaluation before an equal frequency without it, so that the entry for the
-    // first evaluation remains.
+    // Of two equal frequencies, the sort puts the one for the first evaluation first. It then remains when duplicates
+    // are removed.
     places.sort_by(|a, b| a.0.total_cmp(&b.0).then(b.1.cmp(&a.1)));
     places.dedup_by(|a, b| a.0 == b.0);
     let mut last = 0.0;

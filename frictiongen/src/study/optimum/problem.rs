@@ -1,4 +1,4 @@
-//! A checked request for the best friction, and the full result for a friction.
+//! A checked request for the best friction, and the whole result for a friction.
 
 use super::amplitude::{FrictionAmount, KeepGoing};
 use super::answer::{Optimum, OptimumEnd, OptimumKind, OptimumPeak};
@@ -15,11 +15,11 @@ use crate::study::response::MotionQuantity;
 use crate::study::system::System;
 use crate::study::units::{Load, angular_frequency};
 
-/// Bound on the work of completing the result of an optimum.
+/// Bound on the work of completing the result of a search for the best friction, in units of about 10 µs.
 const WORK_OF_A_REPORT: usize = 60_000;
-/// Excesses over the best amplitude, as fractions, for which the result has a friction interval.
+/// Excesses (amplitude − best amplitude)/best amplitude for which the result has an interval of friction.
 const EXCESSES: [f64; 3] = [0.01, 0.05, 0.1];
-/// A peak counts as equal to the largest peak if their relative difference is at most this value.
+/// Largest relative difference from the largest peak at which a peak counts as equally high.
 const EQUAL: f64 = 1e-9;
 
 /// A request for the best friction after all checks, with the system and the band of frequencies.
@@ -27,7 +27,7 @@ pub(super) struct OptimumProblem<'s> {
     pub system: &'s System,
     pub objective: Objective,
     pub load: Option<Load>,
-    /// Ends of the band, as frequency ratios r.
+    /// Lower and upper bound of the band, as frequency ratios r.
     pub ends: [f64; 2],
     watch: Option<KeepGoing<'s>>,
 }
@@ -80,7 +80,7 @@ impl<'s> OptimumProblem<'s> {
         })
     }
 
-    /// Lets the caller's function stop every search of this problem.
+    /// Sets the caller's function that can stop every search of this problem.
     pub(super) fn watched_by(self, watch: Option<KeepGoing<'s>>) -> Self {
         Self { watch, ..self }
     }
@@ -91,8 +91,8 @@ impl<'s> OptimumProblem<'s> {
         band
     }
 
-    /// Returns the friction for which the largest amplitude is smallest. The search covers all friction, within a bound
-    /// on work.
+    /// Returns the friction with which the largest amplitude is smallest. The search covers all frictions, within a
+    /// bound on work.
     pub(super) fn least(band: &AmplitudeBand<'_>, work: usize) -> Result<Least, OptimumError> {
         search::least(band, work).ok_or_else(|| {
             if band.amplitude.is_stopped() {
@@ -111,7 +111,7 @@ impl<'s> OptimumProblem<'s> {
         self.told(&band, &least)
     }
 
-    /// Returns the full result for a friction: peaks, limits, intervals and derivatives.
+    /// Returns the whole result for a friction: peaks, limits, intervals of friction and derivatives.
     pub(super) fn told(
         &self,
         band: &AmplitudeBand<'_>,
@@ -141,7 +141,8 @@ impl<'s> OptimumProblem<'s> {
             // Derivatives exist only for a minimum that moves smoothly with a parameter. A minimum at a jump does not.
             _ => Vec::new(),
         };
-        // The friction ratios of an unfinished search are not verified, and neither is an interval between them.
+        // If the search has spent its work, its friction ratios are not verified. An interval between them would not be
+        // reliable.
         let verified = EXCESSES.iter().filter(|_| least.end != SearchEnd::Spent);
         let tolerances = verified
             .map(|excess| flat::tolerance(band, least, *excess))
@@ -189,9 +190,9 @@ impl<'s> OptimumProblem<'s> {
         })
     }
 
-    /// Returns the relative derivatives d ln X/d ln p of the optimum's amplitude X. For one peak they are the
-    /// derivatives of the peak. For two equal peaks they are the common derivatives, while friction keeps the peaks
-    /// equal.
+    /// Returns the relative derivatives d ln X/d ln p of the best amplitude X with respect to each parameter p. For one
+    /// peak they are the derivatives of the peak. For two equal peaks they are the derivatives of the common height,
+    /// while the friction changes so that the peaks stay equal.
     fn sensitivities(&self, beta: f64, peaks: &[OptimumPeak]) -> Option<Vec<(Parameter, f64)>> {
         let all = self.slopes(self.load?, beta, peaks)?;
         let weights = weights(&all)?;
@@ -230,8 +231,8 @@ impl<'s> OptimumProblem<'s> {
     }
 }
 
-/// Returns the largest amplitude at the ends of the bracket, if it is above the amplitude at the best friction. One of
-/// the ends is beyond the jump.
+/// Returns the largest amplitude at the bounds of the bracket, if it exceeds the amplitude at the best friction. One of
+/// the bounds is then beyond the jump.
 fn beyond(band: &AmplitudeBand<'_>, least: &Least) -> Option<f64> {
     let others = least
         .bracket
@@ -242,15 +243,15 @@ fn beyond(band: &AmplitudeBand<'_>, least: &Least) -> Option<f64> {
     (least.at.value < most).then_some(most)
 }
 
-/// Returns two results: the value of `parameter`, and a peak's amplitude with its derivative with respect to that
-/// parameter.
+/// Returns two results: the value of `parameter`, and a peak's amplitude with its derivative with respect to
+/// `parameter`.
 pub(super) fn slope(of: &ResponseSensitivities, parameter: Parameter) -> Option<(f64, Slope)> {
     let mut found = of.parameters.iter();
     let found = found.find(|of| of.parameter == parameter)?;
     Some((found.value, found.amplitude))
 }
 
-/// Returns the weights of the peaks in the derivative of their common height, while friction keeps the peaks equal.
+/// Returns the weights of the peaks in the derivative of their common height, while the friction keeps the peaks equal.
 pub(super) fn weights(all: &[ResponseSensitivities]) -> Option<Vec<f64>> {
     let along_friction = |of: &ResponseSensitivities| {
         let (value, slope) = slope(of, Parameter::Friction)?;
@@ -272,7 +273,7 @@ pub(super) fn equal_peaks(
     (at, kind): (&Scanned, MinimumKind),
     friction: FrictionAmount,
 ) -> Vec<OptimumPeak> {
-    // Over a range of frequencies a stuck contact may move with the base. The amplitude is then the same in the whole
+    // A stuck contact may move with the base at all frequencies of a range. The amplitude is then the same in the whole
     // range.
     let most = if kind == MinimumKind::Held { 1 } else { 8 };
     let equal = at.peaks.iter();

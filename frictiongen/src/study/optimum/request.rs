@@ -1,4 +1,4 @@
-//! The request of a search for the best friction.
+//! The request for a search for the best friction.
 
 use crate::Of;
 use crate::study::error::{InvalidScene, UnknownMass};
@@ -6,7 +6,7 @@ use crate::study::response::MotionQuantity;
 use crate::study::units::{Load, LoadError};
 use crate::study::words;
 
-/// A band of frequencies, in frequency ratios or in Hz.
+/// A band of frequencies, given as frequency ratios or in Hz.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum FrequencyBand {
     /// Lowest and highest frequency ratio r, with m₁ and k₁ of the description.
@@ -22,9 +22,9 @@ pub struct OptimumRequest {
     pub of: Of,
     /// The quantity of the motion: its displacement, velocity or acceleration, or the force of the contact.
     pub size: MotionQuantity,
-    /// The band of frequencies, both bounds included, above 0 and finite.
+    /// The band of frequencies. It includes both bounds, which must be above 0 and finite.
     pub band: FrequencyBand,
-    /// The load. Friction in N and amplitudes in m require it.
+    /// The load. A result in N and m requires it.
     pub load: Option<Load>,
 }
 
@@ -42,7 +42,8 @@ pub enum OptimumError {
     NoSuchMotion(Of),
     /// The load does not fit the scene.
     Load(LoadError),
-    /// The load drives the mode with this index, counted from 0, but neither damping nor the contact acts on it.
+    /// Neither damping nor the contact acts on the mode with this index, counted from 0, although the load drives the
+    /// mode.
     Undamped(usize),
     /// The amplitude at a resonance within the band is unbounded at every friction.
     Unbounded,
@@ -51,25 +52,25 @@ pub enum OptimumError {
     /// [`System::optimum`](crate::study::System::optimum) reached its bound on work before it found any friction that
     /// bounds the amplitude.
     TooLong,
-    /// The caller stopped the search before it found any friction that bounds the amplitude, or that keeps the bounds on
-    /// other quantities.
+    /// The caller stopped the search before it found any friction that bounds the amplitude, or any friction that keeps
+    /// other quantities within their bounds.
     Stopped,
-    /// The interval of a varied number is invalid: not finite, without width, or with an upper bound below the lower
+    /// The interval of the varied number is invalid: not finite, without width, or with an upper bound below its lower
     /// bound.
     Interval,
-    /// The scene is invalid with a varied number at a bound of its interval.
+    /// The scene is invalid if the varied number is at a bound of its interval.
     Scene(InvalidScene),
     /// The motion does not have the requested quantity. Only the contact has a contact force and an energy, and a force
-    /// has neither a velocity nor an acceleration.
-    /// An equivalent damping ratio has no least value to search for.
+    /// has neither a velocity nor an acceleration. An equivalent damping ratio has no least value to search for.
     Size,
-    /// Several quantities are requested, and the value of one of them is missing, or is not above 0 and finite.
+    /// The request contains several quantities, and the value that divides one of them is missing, or is not above 0
+    /// and finite.
     Weight,
-    /// No friction satisfies this bound together with the bounds before it in the request.
+    /// No friction satisfies this bound together with all earlier bounds in the request.
     Unreachable {
         /// Index of the bound in the request.
         index: usize,
-        /// Smallest possible value of the bounded quantity (largest value over the band), while the bounds before it
+        /// Smallest possible value of the bounded quantity (its largest value over the band) while all earlier bounds
         /// hold. It is in the unit of the bound.
         least: f64,
         /// Friction ratio at which the quantity has this smallest value.

@@ -5,37 +5,38 @@ use super::amplitude::FrictionAmount;
 use super::look::{BandPeak, Closely, Look, OpenBand};
 use super::peaks::AmplitudeBand;
 
-/// Number of intervals of the scan over friction. The intervals are shorter near zero friction.
+/// Number of intervals of the scan over friction. The intervals near zero friction are shorter.
 const SCAN: usize = 40;
-/// Number of additional friction ratios in geometric steps. The first one is `LEAST` times the median of β*_lim over
-/// the band.
+/// Number of additional friction ratios of the scan in geometric steps. The smallest of them is `LEAST` times the
+/// median of β*_lim over the band.
 const GEOMETRIC: usize = 24;
-/// Smallest of the friction ratios in geometric steps, as a multiple of the median of β*_lim over the band.
+/// Smallest of the friction ratios in geometric steps, divided by the median of β*_lim over the band.
 const LEAST: f64 = 0.02;
-/// Additional friction ratios of the scan, as multiples of the friction from which on a stuck state exists over the
-/// whole band. With μ > 1 a motion from rest may still slide at these frictions.
+/// Additional friction ratios of the scan, divided by the smallest friction ratio with a stuck state over the whole
+/// band. With μ > 1 a motion from rest may still slide at these friction ratios.
 const BEYOND: [f64; 6] = [1.05, 1.15, 1.3, 1.6, 2.5, 4.0];
-/// Relative step in β of a finite difference for a peak that moves with friction.
+/// Relative step in β of the finite difference for a peak that moves with friction.
 const DIFFERENCE: f64 = 1e-6;
-/// Largest number of times that a scan without an upper bound doubles its range.
+/// Largest number of times that the scan doubles its range if the range has no upper bound.
 const LONGER: usize = 12;
-/// A scan without an upper bound stops if each of its last four amplitudes rises with friction, or exceeds this
-/// multiple of the best amplitude.
+/// Factor in the rule that ends a scan without an upper bound. The scan ends if each of its last four amplitudes rises
+/// with friction, or exceeds the best amplitude times this factor.
 const FAR_ABOVE: f64 = 2.0;
-/// Additional friction ratios of the scan, slightly above the friction that bounds all resonances. Each number is the
-/// relative distance from this friction.
+/// Additional friction ratios of the scan, slightly above the friction ratio that bounds the amplitude at all
+/// resonances. Each number is the relative distance from that friction ratio.
 const BOUNDED: [f64; 8] = [1e-3, 0.01, 0.03, 0.06, 0.1, 0.2, 0.35, 0.5];
-/// The amplitude jumps if its relative change exceeds this multiple of the relative change of friction.
+/// Largest relative change of a smooth amplitude, divided by the relative change of friction. A larger change counts as
+/// a jump.
 const STEEPEST: f64 = 50.0;
-/// Number of rounds that halve intervals of the scan which may hide a minimum.
+/// Number of rounds in which the search halves intervals of the scan that may hide a minimum.
 const CLOSER: usize = 5;
-/// The search halves an interval of the scan only if the smaller amplitude at its two points is below this multiple of
-/// the best amplitude.
+/// Largest amplitude at which the search halves an interval of the scan, divided by the best amplitude. The amplitude
+/// is the smaller one at the two points of the interval.
 const NEARLY: f64 = 1.2;
-/// Largest number of intervals that one round halves.
+/// Largest number of intervals of the scan that one round halves.
 const MOST_CLOSER: usize = 8;
-/// The search rejects a friction ratio as soon as an amplitude exceeds this multiple of the best amplitude so far. The
-/// multiple is larger than those for which the answer gives a range of friction ratios (its tolerances).
+/// Largest amplitude with which a friction ratio is not rejected, divided by the best amplitude so far. It is larger
+/// than those multiples of the best amplitude for which the result has tolerances of friction.
 const MARGIN: f64 = 1.2;
 
 /// The largest amplitude over the band at one friction ratio, with its slope and its peaks.
@@ -44,7 +45,7 @@ pub(super) struct Scanned {
     pub beta: f64,
     /// Largest amplitude over the band. It is only a lower bound if `complete` is false.
     pub value: f64,
-    /// Derivative of the largest amplitude with respect to β. NaN where the amplitude is unbounded.
+    /// Derivative of the largest amplitude with respect to β. It is NaN if the amplitude is unbounded.
     pub slope: f64,
     pub peaks: Vec<BandPeak>,
     pub complete: bool,
@@ -53,7 +54,7 @@ pub(super) struct Scanned {
 }
 
 /// Returns the friction ratio up to which the amplitude at an undamped resonance of the band is unbounded. Returns 0 if
-/// the band has no such resonance.
+/// the band contains no such resonance.
 pub(super) fn unbounded_to(band: &AmplitudeBand<'_>) -> f64 {
     let (system, [from, to]) = (band.amplitude.system, band.ends());
     let modal = system.modal();
@@ -73,8 +74,8 @@ pub(super) fn best(scan: &[Scanned]) -> f64 {
     complete.fold(f64::INFINITY, |best, scanned| best.min(scanned.value))
 }
 
-/// Computes the scan, which is the largest amplitude over the band at a list of friction ratios. The list begins at 0
-/// and ends where more friction no longer reduces the amplitude.
+/// Computes the scan: the largest amplitude over the band at a list of friction ratios. The list begins at 0. It ends
+/// at a friction ratio above which more friction no longer reduces the amplitude.
 pub(super) fn scanned(band: &AmplitudeBand<'_>, free_to: f64, locked_from: f64) -> Vec<Scanned> {
     let system = band.amplitude.system;
     let unbounded_to = unbounded_to(band);
@@ -98,7 +99,7 @@ pub(super) fn scanned(band: &AmplitudeBand<'_>, free_to: f64, locked_from: f64) 
     add(band, &mut scan, betas);
     if !locked_from.is_finite() {
         // At a resonance of the chain with its contact stuck, no friction keeps the contact stuck. The scan then ends
-        // where more friction no longer helps.
+        // at a friction ratio above which more friction no longer reduces the amplitude.
         for _ in 0..LONGER {
             let more = [1.0, 1.25, 1.5, 1.75].map(|share| top * share);
             add(band, &mut scan, more.into_iter());
@@ -127,8 +128,8 @@ pub(super) fn scanned(band: &AmplitudeBand<'_>, free_to: f64, locked_from: f64) 
     scan
 }
 
-/// Adds friction ratios to the scan, in the order of their expected amplitude. After a low amplitude, closed forms
-/// alone reject most of the other friction ratios.
+/// Adds friction ratios to the scan, in the order of their expected amplitude. After a low amplitude is known, closed
+/// forms alone suffice to reject most of the other friction ratios.
 pub(super) fn add(
     band: &AmplitudeBand<'_>,
     scan: &mut Vec<Scanned>,
@@ -150,8 +151,9 @@ pub(super) fn add(
     scan.dedup_by(|a, b| a.beta == b.beta);
 }
 
-/// Adds friction ratios between neighbouring points of the scan that may hide a minimum. Such a minimum exists if the
-/// amplitude falls at both points although the second one is higher, or rises at both although the first one is higher.
+/// Adds friction ratios between neighbouring points of the scan that may hide a minimum. They may hide one if the
+/// amplitude falls at both points although the second point is higher. They may also hide one if it rises at both
+/// points although the first point is higher.
 pub(super) fn closer(band: &AmplitudeBand<'_>, scan: &mut Vec<Scanned>) {
     for _ in 0..CLOSER {
         let best = best(scan);
@@ -176,8 +178,8 @@ pub(super) fn closer(band: &AmplitudeBand<'_>, scan: &mut Vec<Scanned>) {
     }
 }
 
-/// Evaluates the band at one friction ratio and returns the largest amplitude. The evaluation ends when an amplitude
-/// exceeds `cutoff`.
+/// Evaluates the band at one friction ratio and returns the largest amplitude. The evaluation ends early if an
+/// amplitude exceeds `cutoff`.
 pub(super) fn scanned_at(band: &AmplitudeBand<'_>, beta: f64, cutoff: f64) -> Scanned {
     let open = band.open(FrictionAmount::Ratio(beta));
     let look = band.look(open, cutoff, Closely::First);
@@ -201,7 +203,7 @@ pub(super) fn with_slope(beta: f64, look: Look, slope: impl Fn(&BandPeak) -> f64
     }
 }
 
-/// Returns the derivative of a peak's amplitude with respect to β.
+/// Returns the derivative of a peak's amplitude with respect to β, at the friction ratio `beta`.
 pub(super) fn slope(band: &AmplitudeBand<'_>, beta: f64, peak: &BandPeak) -> f64 {
     if let Some([along_r, along_beta]) = band.amplitude.slopes(peak.r, beta)
         && (peak.edge || is_smooth(band, beta, peak, along_r))
@@ -222,8 +224,8 @@ pub(super) fn slope(band: &AmplitudeBand<'_>, beta: f64, peak: &BandPeak) -> f64
     (at(beta + h) - at(beta - h)) / (h + h)
 }
 
-/// Returns true if the amplitude is smooth over frequency at a maximum. At a kink, derivatives do not describe the
-/// peak.
+/// Returns true if the amplitude is a smooth function of frequency at a maximum. At a kink, derivatives do not describe
+/// the change of the peak.
 fn is_smooth(band: &AmplitudeBand<'_>, beta: f64, peak: &BandPeak, along_r: f64) -> bool {
     if along_r.abs() * peak.r <= 1e-7 * peak.value {
         return true;
@@ -234,7 +236,7 @@ fn is_smooth(band: &AmplitudeBand<'_>, beta: f64, peak: &BandPeak, along_r: f64)
     along_r.abs() * step <= 0.1 * fallen
 }
 
-/// Returns the derivative of the amplitude with respect to β from a finite difference at the peak's frequency. Returns
+/// Returns the derivative of the amplitude with respect to β, as a finite difference at the peak's frequency. Returns
 /// NaN across a jump.
 fn rough_slope(band: &AmplitudeBand<'_>, beta: f64, peak: &BandPeak) -> f64 {
     let at = |beta: f64| band.amplitude.at(peak.r, FrictionAmount::Ratio(beta));

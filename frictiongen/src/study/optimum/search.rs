@@ -1,12 +1,12 @@
-//! Finds the friction ratio for which the largest amplitude over a band is smallest.
+//! Finds the friction ratio with which the largest amplitude over a band is smallest.
 //!
-//! The largest amplitude is the maximum of smooth branches, one for each peak. It jumps where the motion reaches
-//! another steady state. A scan over friction gives the amplitude and its slope. If the slope changes from negative to
-//! positive between two points, a minimum lies between them.
+//! As a function of friction, the largest amplitude is the maximum of smooth branches, one for each peak. It jumps at
+//! frictions at which the motion reaches another steady state. A scan over friction gives the amplitude and its slope.
+//! If the slope is negative at one point and positive at the next, a minimum lies between the two points.
 //!
-//! A minimum is either a crossing of two peaks or the minimum of one peak. Newton's method on the difference of the
-//! peaks' heights finds a crossing. The zero of the slope is the minimum of one peak. If the search finds neither,
-//! golden sections narrow the bracket around the best friction ratio. Golden sections need no slopes.
+//! A minimum is either a crossing of two peaks or the minimum of one peak. Newton's method on the difference of the two
+//! heights finds a crossing. The zero of the slope gives the minimum of one peak. If the search finds neither, golden
+//! sections narrow the bracket around the best friction ratio. Golden sections need no slopes.
 
 use super::amplitude::FrictionAmount;
 use super::candidates::{FrictionCandidate, HOLDS, before, between, of_scan, stays, valleys};
@@ -17,11 +17,11 @@ use super::scan::{Scanned, add, best, closer, scanned, scanned_at, slope, with_s
 use super::verified::{raise, verified};
 use crate::Regime;
 
-/// Largest number of attempts at one minimum. The search makes another attempt if the previous one finds a higher peak
-/// at the minimum.
+/// Largest number of attempts at one minimum. The search makes a further attempt if it has found a higher peak at the
+/// minimum.
 const AGAIN: usize = 4;
-/// Largest number of checks of the best friction ratio over the whole band. The search makes another check if a check
-/// finds a higher peak.
+/// Largest number of checks of the best friction ratio over the whole band. The search makes a further check if it has
+/// found a higher peak.
 const CHECKS: usize = 6;
 /// Largest number of golden-section steps. The steps end earlier if the relative width of the bracket reaches `NARROW`.
 const SECTIONS: usize = 40;
@@ -29,22 +29,24 @@ const SECTIONS: usize = 40;
 const NARROW: f64 = 1e-7;
 /// Smaller of the two fractions into which a golden section divides an interval.
 const GOLDEN: f64 = 0.381_966_011_250_105_1;
-/// A peak counts as stationary if its relative change is below this fraction of the relative change of friction.
+/// Largest relative change of a stationary peak, divided by the relative change of friction.
 const STATIONARY: f64 = 1e-4;
-/// Bound on the work of one of the many searches of a tuned optimum. It corresponds to a few seconds.
+/// Bound on the work of one of the many searches for a tuned optimum, in units of about 10 µs. It corresponds to a few
+/// seconds.
 pub(super) const WORK_OF_ONE: usize = 300_000;
-/// The final check may do additional work: the bound on the work of the search, divided by this number.
+/// Divisor for the work of the final check. The check has its own bound: the bound on the work of the search, divided
+/// by this number.
 const OF_A_CHECK: usize = 6;
-/// The search checks the points of the scan whose amplitude is at most this multiple of the best amplitude. The
-/// multiple exceeds every amplitude for which the result has a tolerance of friction.
+/// Largest amplitude of a scan point that the search checks, divided by the best amplitude. It exceeds every amplitude
+/// for which the result has a tolerance of friction.
 const HIGHEST_TOLERANCE: f64 = 1.12;
 
-/// The kind of a minimum of the largest amplitude over friction.
+/// The kind of a minimum over friction of the largest amplitude.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum MinimumKind {
-    /// Two peaks have equal height. With more friction one falls and the other rises.
+    /// Two peaks have equal height. With more friction one of them falls and the other rises.
     Crossing,
-    /// One peak is at its own minimum over friction, or at a jump.
+    /// One peak is at its own minimum over friction, or at a jump of its height.
     Smooth,
     /// The smallest amplitude occurs at zero friction.
     Without,
@@ -60,7 +62,7 @@ pub(super) enum SearchEnd {
     Spent,
 }
 
-/// The best friction ratio that the search found, with the scan over friction.
+/// The best friction ratio that a search has found, with its scan over friction.
 #[derive(Clone, Debug)]
 pub(super) struct Least {
     pub at: Scanned,
@@ -69,12 +71,12 @@ pub(super) struct Least {
     /// Interval of β that contains the best friction ratio. It is the narrowest interval that the search has found.
     pub bracket: [f64; 2],
     pub scan: Vec<Scanned>,
-    /// Friction ratio from which a stuck state exists over the whole band.
+    /// Smallest friction ratio with a stuck state over the whole band.
     pub locked_from: f64,
     pub free_to: f64,
 }
 
-/// Finds the friction for which the largest amplitude over the band is smallest. Returns `None` if no friction bounds
+/// Finds the friction with which the largest amplitude over the band is smallest. Returns `None` if no friction bounds
 /// the amplitude.
 pub(super) fn least(band: &AmplitudeBand<'_>, work: usize) -> Option<Least> {
     band.amplitude.allow(work);
@@ -113,7 +115,7 @@ pub(super) fn least(band: &AmplitudeBand<'_>, work: usize) -> Option<Least> {
     })
 }
 
-/// Returns the minima between points of the scan that may be below `top`, the best amplitude so far.
+/// Returns the minima between points of the scan that may have an amplitude below `top`, the best amplitude so far.
 pub(super) fn minima(
     band: &AmplitudeBand<'_>,
     scan: &[Scanned],
@@ -122,8 +124,8 @@ pub(super) fn minima(
     // With μ > 1 the amplitude of an unchecked minimum is a lower bound. Such a bound must not exclude other minima.
     let exact = band.amplitude.system.scene().stiction <= 1.0;
     let mut minima: Vec<FrictionCandidate> = Vec::new();
-    // An amplitude of 0 cannot be improved. Just below the friction that stops the contact, motions too small to settle
-    // have amplitudes close to 0.
+    // No amplitude is smaller than 0. Just below the friction that stops the contact, motions that are too small to
+    // settle have amplitudes close to 0.
     if top <= 0.0 {
         return minima;
     }
@@ -144,8 +146,8 @@ pub(super) fn minima(
     minima
 }
 
-/// Finds the friction between two nearby friction ratios for which the largest amplitude is smallest. Returns `None`
-/// unless the amplitude falls at the first ratio and rises at the second.
+/// Finds the friction between two nearby friction ratios with which the largest amplitude is smallest. Returns `None`
+/// unless the amplitude falls at the first friction ratio and rises at the second.
 pub(super) fn near(band: &AmplitudeBand<'_>, ends: [f64; 2]) -> Option<Least> {
     band.amplitude.allow(WORK_OF_ONE);
     let [below, above] = ends.map(|beta| scanned_at(band, beta, f64::INFINITY));
@@ -166,13 +168,13 @@ pub(super) fn near(band: &AmplitudeBand<'_>, ends: [f64; 2]) -> Option<Least> {
     })
 }
 
-/// Extends the bracket so that it contains β. At a flat minimum both bounds may be closer to each other than the
+/// Extends the bracket so that it contains β. If a minimum is flat, the two bounds may be closer to each other than the
 /// accuracy of β.
 fn about([from, to]: [f64; 2], beta: f64) -> [f64; 2] {
     [from.min(beta), to.max(beta)]
 }
 
-/// Returns the best of the candidates, after an evaluation at all frequencies of the band.
+/// Evaluates the candidates at all frequencies of the band, and returns the best one.
 fn checked(
     band: &AmplitudeBand<'_>,
     scan: &mut Vec<Scanned>,
@@ -203,7 +205,7 @@ fn checked(
         if holds || spent {
             continue;
         }
-        // The first, incomplete evaluation missed these peaks.
+        // The first evaluation, at only some frequencies, missed these peaks.
         for peak in &least.at.peaks {
             band.learn(peak.r);
         }
@@ -220,7 +222,7 @@ fn checked(
     least.filter(|least| least.at.value.is_finite())
 }
 
-/// Returns the minimum between two friction ratios, after another evaluation of the whole band. Returns `None` if its
+/// Returns the minimum between two friction ratios, after a further evaluation of the whole band. Returns `None` if its
 /// amplitude is not below `best`.
 fn minimum(
     band: &AmplitudeBand<'_>,
@@ -283,10 +285,11 @@ fn minimum(
     found.at.complete.then_some(found)
 }
 
-/// Narrows an interval of friction ratios around the best one by golden sections, and returns the best ratio found.
+/// Narrows an interval of friction ratios around the best one by golden sections, and returns the best friction ratio
+/// found.
 ///
-/// Where steady states appear and disappear, the search cannot track peaks, and slopes are useless. It rejects a
-/// friction ratio as soon as one amplitude shows that the ratio is not better.
+/// At frictions at which steady states appear and disappear, the search cannot track peaks, and slopes are useless. It
+/// rejects a friction ratio as soon as one amplitude shows that the ratio is not better.
 pub(super) fn narrowed(
     band: &AmplitudeBand<'_>,
     ends: (&Scanned, &Scanned),
@@ -297,7 +300,7 @@ pub(super) fn narrowed(
 }
 
 /// Narrows an interval of friction ratios as [`narrowed`] does, for any function of friction. `value` returns the
-/// function at a friction ratio. It may return early once the function exceeds the cutoff. `spent` returns true if the
+/// function at a friction ratio. It may return early if the function exceeds the cutoff. `spent` returns true if the
 /// search must end.
 pub(super) fn narrowed_by(
     value: &dyn Fn(f64, f64) -> Scanned,

@@ -1,9 +1,9 @@
 //! Checks friction ratios on a fine grid of the band, for scenes with μ > 1.
 //!
-//! With μ > 1 motion from rest may reach stick-slip states in narrow ranges of frequency. The first comparison of
-//! friction ratios can miss such a range, so that its amplitudes are lower bounds. The check takes the friction ratio
+//! With μ > 1 the motion from rest may reach stick-slip states in narrow ranges of frequency. The first comparison of
+//! friction ratios can miss such a range. Its amplitudes are therefore lower bounds. The check takes the friction ratio
 //! with the lowest bound. It first raises this bound by the peaks that earlier checks found, and then evaluates the
-//! band on the grid. It ends when no bound is below the lowest checked amplitude.
+//! band on the grid. It ends when no bound is below the lowest amplitude that was checked on the grid.
 
 use super::amplitude::FrictionAmount;
 use super::candidates::FrictionCandidate;
@@ -14,33 +14,33 @@ use super::search::minima;
 
 /// Largest number of friction ratios that one round evaluates on the grid.
 const MOST: usize = 24;
-/// The search checks a friction ratio of the scan only if its lower bound is below this fraction of the lowest checked
-/// amplitude. It checks the minima between such friction ratios even if they improve the amplitude by less.
+/// Largest lower bound of a scan point that the search checks, divided by the lowest checked amplitude. The search
+/// checks the minima between such points even if they improve the amplitude by less.
 const BETTER: f64 = 0.999;
-/// Number of rounds that add friction ratios around the best one.
+/// Number of rounds in which the search adds friction ratios around the best one.
 const ABOUT: usize = 3;
-/// Number of bisections in the search for the least friction ratio with an amplitude of 0.
+/// Number of bisections in the search for the smallest friction ratio with an amplitude of 0.
 const HALVINGS: u32 = 12;
-/// Bound on the work of the bisections for an amplitude of 0.
+/// Bound on the work of the bisections for an amplitude of 0, in units of about 10 µs.
 const WORK_OF_TRIVIAL: usize = 100_000;
-/// A round divides the interval on each side of the best friction ratio into this number of equal pieces.
+/// Number of equal pieces into which a round divides the interval on each side of the best friction ratio.
 const PARTS: u32 = 4;
 
-/// A friction ratio with a lower bound of its largest amplitude.
+/// A friction ratio with a lower bound on its largest amplitude.
 struct Bounded {
     at: Scanned,
-    /// Number of frequencies from earlier checks that the bound takes into account.
+    /// Number of frequencies from earlier checks that the lower bound takes into account.
     known: usize,
-    /// Interval that contains the minimum of a search between two friction ratios.
+    /// Interval of friction that contains the minimum of a search between two friction ratios.
     bracket: Option<[f64; 2]>,
 }
 
-/// The friction ratios that a search compares, and the lowest amplitude that was checked on the grid.
+/// The friction ratios that a search compares, and the lowest amplitude that it has checked on the grid.
 struct VerifiedFrictions<'b, 's> {
     band: &'b AmplitudeBand<'s>,
     open: Vec<Bounded>,
     best: Option<Scanned>,
-    /// A friction ratio is checked only if its lower bound is below this fraction of the lowest checked amplitude.
+    /// Largest lower bound with which a friction ratio is checked, divided by the lowest checked amplitude.
     better: f64,
 }
 
@@ -50,12 +50,13 @@ impl VerifiedFrictions<'_, '_> {
         self.open.push(Bounded { at, known, bracket });
     }
 
-    /// Returns the lowest checked amplitude, or infinity before the first check.
+    /// Returns the lowest amplitude checked so far, or infinity if there is none.
     fn level(&self) -> f64 {
         self.best.as_ref().map_or(f64::INFINITY, |best| best.value)
     }
 
-    /// Returns the index of the lowest bound that is below the lowest checked amplitude.
+    /// Returns the index of the friction ratio with the lowest bound, if this bound is below the lowest checked
+    /// amplitude.
     fn next(&self) -> Option<usize> {
         let below = self.better * self.level();
         let open = self.open.iter().enumerate();
@@ -99,8 +100,8 @@ impl VerifiedFrictions<'_, '_> {
         }
     }
 
-    /// Evaluates the whole band on the grid at one friction ratio, until an amplitude exceeds the cutoff. The largest
-    /// peaks are added to all further evaluations of the band.
+    /// Evaluates the whole band on the grid at one friction ratio, until an amplitude exceeds the cutoff. All further
+    /// evaluations of the band take the largest peaks into account.
     fn evaluated(&self, beta: f64, cutoff: f64) -> Scanned {
         let friction = FrictionAmount::Ratio(beta);
         let band = self.band;
@@ -136,8 +137,8 @@ impl VerifiedFrictions<'_, '_> {
         .map(|other| if other.is_finite() { other } else { beta })
     }
 
-    /// Adds friction ratios around the best one, up to its neighbours on both sides. The amplitude jumps with friction,
-    /// so that slopes do not predict amplitudes between friction ratios.
+    /// Adds friction ratios around the best one, up to its neighbours on both sides. Slopes do not predict the
+    /// amplitudes between friction ratios, because the amplitude jumps with friction.
     fn add_around(&mut self) {
         let Some(beta) = self.best.as_ref().map(|best| best.beta) else {
             return;
@@ -168,8 +169,8 @@ impl VerifiedFrictions<'_, '_> {
     }
 }
 
-/// Returns the friction ratio with the lowest amplitude on the grid. If the work ends before the first ratio is
-/// checked, returns the ratio with the lowest lower bound.
+/// Returns the friction ratio with the lowest amplitude on the grid. If the work ends before the first friction ratio
+/// is checked, returns the one with the lowest lower bound.
 pub(super) fn verified(
     band: &AmplitudeBand<'_>,
     scan: &mut Vec<Scanned>,
@@ -207,7 +208,7 @@ pub(super) fn verified(
     Some(FrictionCandidate { at, bracket })
 }
 
-/// Returns the smallest friction ratio with an amplitude of 0. The amplitude at `at` is 0.
+/// Returns the smallest friction ratio with an amplitude of 0. The amplitude at the friction ratio of `at` is 0.
 fn least_trivial(band: &AmplitudeBand<'_>, scan: &[Scanned], at: Scanned) -> Scanned {
     let moves = scan.iter().filter(|other| !(other.value == 0.0));
     let below = moves
@@ -225,8 +226,8 @@ fn least_trivial(band: &AmplitudeBand<'_>, scan: &[Scanned], at: Scanned) -> Sca
     to
 }
 
-/// Evaluates again all points of the scan whose amplitude is at most `level`, including the peaks from the grids. The
-/// former amplitudes of these points were lower bounds.
+/// Evaluates all points of the scan whose amplitude is at most `level` once more, including the peaks that the grids
+/// have shown. The former amplitudes of these points were lower bounds.
 pub(super) fn raise(band: &AmplitudeBand<'_>, scan: &mut [Scanned], level: f64) {
     for seen in scan
         .iter_mut()

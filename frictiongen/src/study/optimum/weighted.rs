@@ -1,5 +1,5 @@
-//! Finds the best friction for several quantities: each quantity is divided by a value, and the largest of these
-//! quotients is smallest.
+//! Finds the best friction for several quantities. Each quantity is divided by a given value. The best friction makes
+//! the largest of these quotients smallest.
 
 use super::amplitude::KeepGoing;
 use super::answer::{Optimum, OptimumEnd, OptimumKind};
@@ -14,19 +14,19 @@ use crate::study::response::MotionQuantity;
 use crate::study::system::System;
 use std::cell::Cell;
 
-/// Largest number of friction ratios that are checked over the whole band. If a check finds a higher peak, the search
-/// continues.
+/// Largest number of friction ratios that the search checks over the whole band. If a check finds a higher peak, the
+/// search continues.
 const CHECKS: usize = 12;
-/// Bound on the work between two checks, for all quantities together.
+/// Bound on the work between two checks, for all quantities together, in units of about 10 µs.
 const WORK_OF_A_ROUND: usize = super::WORK / 2;
-/// The search examines points up to this multiple of the smallest quotient found so far.
+/// Largest quotient of a point that the search examines, divided by the smallest quotient found so far.
 const NEARLY: f64 = 1.5;
 /// Largest number of friction ratios around which the search examines intervals.
 const MOST_POINTS: usize = 6;
-/// A check of the whole band confirms a quotient if the quotient from the check differs from it by at most this
-/// fraction.
+/// Largest relative difference between a quotient and the quotient that the check of the whole band gives, for which
+/// the check confirms the quotient.
 const SAME: f64 = 1e-6;
-/// Two quotients count as equal in the words of the answer if their relative difference is at most this value.
+/// Largest relative difference of two quotients that the result calls equal.
 const BALANCE: f64 = 1e-3;
 
 /// A quantity, and the value by which the search divides it.
@@ -34,10 +34,9 @@ const BALANCE: f64 = 1e-3;
 pub struct Weighted {
     /// The motion to which the quantity belongs.
     pub of: Of,
-    /// The quantity of the motion.
+    /// The quantity of the motion, such as displacement or acceleration.
     pub size: MotionQuantity,
-    /// The value by which the quantity is divided, above 0. It has the unit of [`Optimum::amplitude`] for this
-    /// quantity.
+    /// The value that divides the quantity, above 0. It has the unit of [`Optimum::amplitude`] for this quantity.
     pub over: f64,
 }
 
@@ -46,21 +45,21 @@ pub struct Weighted {
 pub struct WeightedOptimum {
     /// The best friction, with the peaks of the quantity whose quotient is the largest.
     pub optimum: Optimum,
-    /// Index of this quantity in the request.
+    /// Index in the request of the quantity whose quotient is the largest.
     pub decisive: usize,
-    /// The largest quotient of a quantity and its value, with this friction.
+    /// The largest quotient with this friction: a quantity divided by its value.
     pub ratio: f64,
-    /// The largest value over the band of each quantity with this friction, in the order of the request.
+    /// The largest value over the band of each quantity (not divided) with this friction, in the order of the request.
     pub largest: Vec<f64>,
 }
 
 impl System {
     /// Returns the best friction for several quantities. Each quantity is divided by its value in `weighted`. With the
-    /// best friction, the largest of these quotients over the band is smallest. The band and the load come from
-    /// `request`, and the call ignores the quantity in `request`.
+    /// best friction, the largest of these quotients over the band is smallest. The call takes the band and the load
+    /// from `request`, and ignores the quantity in `request`.
     ///
-    /// The search finds the best friction of each quantity alone. It then searches between all friction ratios that it
-    /// has seen, and checks the result over the whole band. The search calls `watch` after each evaluation. If `watch`
+    /// The search finds the best friction of each quantity alone. It then searches between all friction ratios
+    /// evaluated so far, and checks the result over the whole band. It calls `watch` after each evaluation. If `watch`
     /// returns false once, it must return false from then on.
     ///
     /// # Errors
@@ -97,22 +96,22 @@ impl System {
     }
 }
 
-/// The quantities at one friction ratio, each divided by its value.
+/// The quotients at one friction ratio: each quantity divided by its value.
 struct Quotients {
-    /// The largest quotient. Its peaks are those of the decisive quantity, which has this quotient, in the unit of that
-    /// quantity.
+    /// The largest quotient. The quantity that has this quotient is the decisive one. The peaks are those of the
+    /// decisive quantity, in the unit of this quantity.
     at: Scanned,
     decisive: usize,
     values: Vec<f64>,
 }
 
-/// A search with one frequency band for each quantity.
+/// A search for the best friction for several quantities. It has one frequency band for each quantity.
 struct WeightedSearch<'s> {
     bands: Vec<AmplitudeBand<'s>>,
-    /// The value by which each quantity is divided.
+    /// The value that divides each quantity.
     over: Vec<f64>,
     watch: KeepGoing<'s>,
-    /// Work that the checks of the whole band may still take.
+    /// Work that remains for the checks of the whole band, in units of about 10 µs.
     left: &'s Cell<usize>,
 }
 
@@ -177,7 +176,7 @@ impl<'s> WeightedSearch<'s> {
             let scan = least.scan.iter().chain([&least.at]);
             scan.map(move |scanned| (scanned.beta, scanned.value / over))
         });
-        // A friction ratio with its largest quotient so far, which is a lower bound.
+        // Each point is a friction ratio with its largest quotient so far, which is a lower bound.
         let mut points: Vec<(f64, f64)> = scans.filter(|(_, value)| !value.is_nan()).collect();
         let mut best: Option<(Quotients, [f64; 2])> = None;
         for _ in 0..CHECKS {
@@ -210,8 +209,8 @@ impl<'s> WeightedSearch<'s> {
         Ok((found, bracket, false))
     }
 
-    /// Returns the best friction ratio between known ones, and the interval that contains it. The largest quotient may
-    /// still be a lower bound.
+    /// Returns the best friction ratio between known ones, and the interval that contains it. The largest quotient at
+    /// the best friction ratio may still be a lower bound.
     fn refined(&self, points: &[(f64, f64)]) -> Option<(Scanned, [f64; 2])> {
         let mut all: Vec<f64> = points.iter().map(|(beta, _)| *beta).collect();
         all.sort_by(f64::total_cmp);
@@ -255,8 +254,8 @@ impl<'s> WeightedSearch<'s> {
         found.min_by(|a, b| a.0.value.total_cmp(&b.0.value))
     }
 
-    /// Returns the largest quotient at the frequencies of a first, incomplete evaluation. The evaluation ends when a
-    /// quotient exceeds the cutoff.
+    /// Returns the largest quotient at the frequencies of a first evaluation, which leaves out some frequencies. The
+    /// evaluation ends early if a quotient exceeds the cutoff.
     fn seen(&self, beta: f64, cutoff: f64) -> Scanned {
         let mut largest: Option<Scanned> = None;
         for (band, over) in self.bands.iter().zip(&self.over) {
@@ -283,7 +282,7 @@ impl<'s> WeightedSearch<'s> {
         })
     }
 
-    /// Returns the quotients of all quantities at one friction ratio.
+    /// Returns the quotients (quantity divided by its value) of all quantities at one friction ratio.
     fn quotients(&self, beta: f64, largest: impl Fn(&AmplitudeBand<'s>) -> Scanned) -> Quotients {
         let all: Vec<Scanned> = self.bands.iter().map(largest).collect();
         let quotient = |index: usize| {

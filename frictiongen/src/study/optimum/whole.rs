@@ -6,13 +6,13 @@ use super::peaks::AmplitudeBand;
 use super::scan::{Scanned, slope, with_slope};
 use std::cell::Cell;
 
-/// Bound on the work of one check of the whole band for one quantity.
+/// Bound on the work of one check of the whole band for one quantity, in units of about 10 µs.
 const WORK_OF_A_CHECK: usize = super::WORK / 2;
-/// Bound on the work of all checks of one search.
+/// Bound on the work of all checks of one search, in units of about 10 µs.
 pub(super) const WORK_OF_ALL_CHECKS: usize = 2 * super::WORK;
 
-/// Evaluates the whole band, within a bound on work. Later evaluations take its largest peaks into account. `left` is
-/// the work that all checks together may still take.
+/// Evaluates the whole band, within a bound on work. All later evaluations of the band take its largest peaks into
+/// account. `left` is the work that remains for all checks together.
 pub(super) fn whole(band: &AmplitudeBand<'_>, beta: f64, left: &Cell<usize>) -> Scanned {
     let friction = FrictionAmount::Ratio(beta);
     let several = 1.0 < band.amplitude.system.scene().stiction;

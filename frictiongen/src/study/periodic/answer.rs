@@ -8,8 +8,8 @@ use crate::{Complex, Of};
 use frictiongen_kernel::motion::Contact;
 use frictiongen_kernel::stepper::Work;
 
-/// A Floquet multiplier counts as lying on the unit circle if its distance from the circle is at most this value,
-/// because of rounding in the differences.
+/// Largest distance of a Floquet multiplier from the unit circle at which the multiplier counts as lying on it. The
+/// differences that give the multipliers have rounding errors.
 const ON_CIRCLE: f64 = 1e-7;
 
 /// Steady state under a periodic load, over one of its periods, in the units of the scene.
@@ -27,12 +27,12 @@ pub struct PeriodicState {
     forces: Vec<f64>,
 }
 
-/// Motion, or force of a spring, over one period of a steady state.
+/// A motion of the scene, or the force of a spring, over one period of a steady state.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PeriodicTrack {
-    /// The motion or the spring.
+    /// Selects the motion or the spring.
     pub of: Of,
-    /// Value and time derivative at each step, and at the end of the period.
+    /// Value and time derivative at the start of each step, and at the end of the period.
     pub values: Vec<[f64; 2]>,
     step: f64,
     /// For the motion of a rigid contact: true for steps with an event. In such a step the acceleration jumps where the
@@ -42,8 +42,8 @@ pub struct PeriodicTrack {
 
 impl PeriodicTrack {
     /// Returns the smallest and the largest value of this track in the period. Between two steps the value follows the
-    /// cubic through the values and derivatives at both steps. In a step in which the motion of a rigid contact
-    /// reverses, two parabolas replace the cubic. They meet at the contact's largest displacement.
+    /// cubic through the values and derivatives at both steps. If the motion of a rigid contact reverses in a step, two
+    /// parabolas replace the cubic. The parabolas meet at the contact's largest displacement.
     #[must_use]
     pub fn extremes(&self) -> [f64; 2] {
         let mut extremes = [f64::INFINITY, f64::NEG_INFINITY];
@@ -60,11 +60,12 @@ impl PeriodicTrack {
             let (c, d) = (3.0 * rise - 2.0 * v0 - v1, v0 + v1 - 2.0 * rise);
             let kink = self.kinks.get(place).copied().unwrap_or(false);
             if kink && v0 * v1 < 0.0 {
-                // Each parabola has velocity 0 at its end: x0 + v0·s/2 = x1 − v1·(1 − s)/2.
+                // Each parabola has velocity 0 at the point where the two parabolas meet: x0 + v0·s/2 = x1 − v1·(1 −
+                // s)/2.
                 let share = ((2.0 * rise - v1) / (v0 - v1)).clamp(0.0, 1.0);
                 note(x0 + 0.5 * v0 * share);
             } else if v0 * v1 < 0.0 {
-                // The zero of v0 + 2cs + 3ds² in the step, in the form that does not cancel.
+                // The zero of v0 + 2cs + 3ds² in the step, in a form without cancellation.
                 let root = (c * c - 3.0 * d * v0).max(0.0).sqrt();
                 for share in [-v0 / (c + root), -v0 / (c - root)] {
                     if (0.0..=1.0).contains(&share) {
@@ -78,7 +79,7 @@ impl PeriodicTrack {
 }
 
 impl PeriodicState {
-    /// Records one period of a state that repeats.
+    /// Records one period of a motion that starts from a state that repeats.
     pub(super) fn of(
         walk: &mut Walk<'_>,
         load: &Sampled,
@@ -134,9 +135,9 @@ impl PeriodicState {
         self.period
     }
 
-    /// Returns the Floquet multipliers of a period, in descending order of their modulus. They come from central
-    /// differences, with an error of about 1e-9. If the contact never slides, one multiplier is 1, because the contact
-    /// keeps its position.
+    /// Returns the Floquet multipliers over a period of the motion, in descending order of their modulus. They come
+    /// from central differences, with an error of about 1e-9. If the contact never slides, one multiplier is 1, because
+    /// the contact keeps its position.
     #[must_use]
     pub fn multipliers(&self) -> &[Complex<f64>] {
         &self.multipliers
@@ -164,13 +165,13 @@ impl PeriodicState {
     }
 
     /// Returns the work of the load and the energy losses in a period of the motion. The loss in damping is the work of
-    /// the load minus the loss in friction.
+    /// the load, minus the loss in friction.
     #[must_use]
     pub fn work(&self) -> Work<f64> {
         self.work
     }
 
-    /// Returns the difference between the states at the start and at the end of a period, relative to the size of the
+    /// Returns the difference between the states at the start and at the end of a period, divided by the size of the
     /// motion.
     #[must_use]
     pub fn residual(&self) -> f64 {
@@ -189,7 +190,7 @@ impl PeriodicState {
         self.start as f64 * self.step
     }
 
-    /// Returns the requested motions over a period.
+    /// Returns the requested motions and spring forces over a period.
     #[must_use]
     pub fn tracks(&self) -> &[PeriodicTrack] {
         &self.tracks

@@ -1,24 +1,25 @@
-//! The reasons why there is no steady state under a periodic load.
+//! The reasons why the search finds no steady state under a periodic load.
 
 use crate::study::words;
 use crate::{Of, OutOfDomain};
 use std::fmt;
 
-/// The reason why there is no steady state under a periodic load.
+/// The reason why the search finds no steady state under a periodic load.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum PeriodicError {
-    /// The table has fewer than three samples.
+    /// The table of the load has fewer than three samples.
     Short,
     /// A sample, a time step or an amplitude is not finite, or a time step or a frequency is not positive.
     Number,
-    /// The last sample differs from the first sample. The last sample of a table must repeat the first one.
+    /// The last sample of a table differs from the first one. It must repeat the first one, because the load is
+    /// periodic.
     Open(f64, f64),
-    /// The mean acceleration or velocity of the base is not 0, so that the base does not return to its position.
+    /// The mean acceleration or velocity of the base is not 0. The base would then not return to its position.
     Drifts(&'static str, f64),
     /// The list of harmonics is empty.
     NoHarmonics,
-    /// A harmonic has an order above 1000.
+    /// A harmonic of the load has an order above 1000.
     Order(u32),
     /// The load is a force, but the base of the scene moves.
     BaseMoves,
@@ -26,11 +27,11 @@ pub enum PeriodicError {
     BaseAtRest,
     /// The description has `input: hold`, which is not possible for a base motion.
     Held,
-    /// The period needs more steps than the search permits.
+    /// The period of the load needs more steps than the search permits.
     Long,
     /// The scene has no such motion.
     NoSuchMotion(Of),
-    /// The stepper returned an error for a number.
+    /// The stepper rejects a number of the request.
     Step(OutOfDomain),
     /// The motion from rest does not settle to a period of at most 64 periods of the load.
     NotSteady,

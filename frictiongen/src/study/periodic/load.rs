@@ -5,24 +5,24 @@ use crate::study::System;
 use crate::study::scene::{Excitation, StepInput};
 use std::f64::consts::TAU;
 
-/// Number of samples in a cycle of the highest harmonic.
+/// Number of samples in a cycle of the load's highest harmonic.
 const IN_A_CYCLE: usize = 1024;
-/// Largest order of a harmonic.
+/// Largest order of a harmonic of the load.
 const MOST_ORDER: u32 = 1000;
 /// Largest number of steps in a period of the load.
 const MOST_STEPS: usize = 65_536;
-/// Largest phase advance of the fastest mode in a step, in rad. It limits the error of the cubics that give the largest
-/// displacements between steps.
+/// Largest angle by which the fastest mode advances in a step, in rad. It limits the error of the cubics that give the
+/// largest displacements between steps.
 const ANGLE: f64 = 0.1;
-/// The last sample of a table counts as equal to the first one if their relative difference is at most this value.
+/// Largest relative difference between the last and the first sample of a table that count as equal.
 const SAME: f64 = 1e-9;
-/// The mean of the base's acceleration or velocity counts as rounding in the table if it is below this fraction of the
-/// largest value.
+/// Largest mean of the base's acceleration or velocity that counts as rounding in the table, divided by the largest
+/// value in the table.
 const MEAN: f64 = 1e-6;
-/// Number of iterations for the spline through displacements. Each iteration divides the error by more than 2.
+/// Number of iterations that compute the spline through displacements. Each iteration divides the error by more than 2.
 const SWEEPS: usize = 64;
 
-/// One harmonic of a load: a_n cos(nωt − φ).
+/// One harmonic of a periodic load: a_n cos(nωt − φ).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Harmonic {
     /// The order n. Order 0 is a constant.
@@ -33,28 +33,28 @@ pub struct Harmonic {
     pub lag: f64,
 }
 
-/// Physical quantity in a table of the base's motion.
+/// Physical quantity in a table of the base's motion: displacement, velocity or acceleration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BaseTable {
-    /// Displacements, interpolated by a periodic cubic spline.
+    /// Displacements. A periodic cubic spline interpolates them.
     Displacement,
-    /// Velocities, interpolated by straight lines.
+    /// Velocities. Straight lines interpolate them.
     Velocity,
-    /// Accelerations, interpolated by straight lines.
+    /// Accelerations. Straight lines interpolate them.
     Acceleration,
 }
 
-/// A load over one period, in the units of the scene.
+/// A periodic load over one period, in the units of the scene.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PeriodicLoad(LoadKind);
 
 #[derive(Clone, Debug, PartialEq)]
 enum LoadKind {
-    /// Time between samples, and the forces. The list omits the last sample, which repeats the first one.
+    /// Time between samples, and the forces. The list leaves out the last sample, which repeats the first one.
     Forces(f64, Vec<f64>),
     /// Time between samples, and displacement and velocity of the base.
     Base(f64, Vec<[f64; 2]>),
-    /// Period of the load, and its harmonics.
+    /// Period of the load, and the list of its harmonics.
     Harmonics(f64, Vec<Harmonic>),
 }
 
@@ -66,19 +66,19 @@ pub(super) struct LoadPoint {
     pub slope: f64,
 }
 
-/// Load at all steps of one period.
+/// Values of the load at all steps of one period.
 #[derive(Clone, Debug)]
 pub(super) struct Sampled {
     pub step: f64,
     pub points: Vec<LoadPoint>,
-    /// True if forces are cubic in time between the steps.
+    /// True if forces are cubic functions of time within a step.
     pub cubic: bool,
-    /// True if the load is constant in each step.
+    /// True if the load is constant within a step.
     pub hold: bool,
 }
 
 impl Sampled {
-    /// Returns the load at a step. The step may lie beyond the first period.
+    /// Returns the load at a step. The index may exceed the number of steps in a period.
     pub fn at(&self, step: usize) -> LoadPoint {
         let place = step.checked_rem(self.points.len()).unwrap_or(0);
         self.points.get(place).copied().unwrap_or_default()
@@ -161,7 +161,7 @@ impl PeriodicLoad {
         Ok(Self(LoadKind::Harmonics(period, harmonics.to_vec())))
     }
 
-    /// Returns the load at the steps of the search, for this system.
+    /// Returns the load at the steps that the search uses for this system.
     pub(super) fn sampled(&self, system: &System) -> Result<Sampled, PeriodicError> {
         let scene = system.scene();
         let moving = scene.excitation == Excitation::Base;
@@ -267,7 +267,7 @@ fn settled(rates: &[f64], quantity: &'static str) -> Result<Vec<f64>, PeriodicEr
     Ok(rates.iter().map(|rate| rate - mean).collect())
 }
 
-/// Returns displacement and velocity of the base, if its acceleration changes linearly between samples.
+/// Returns displacement and velocity of the base at the samples. Its acceleration changes linearly between samples.
 fn integrated(step: f64, accelerations: &[f64]) -> Vec<[f64; 2]> {
     let next = |k: usize| at(accelerations, (k + 1) % accelerations.len().max(1));
     let (mut place, mut rate) = (0.0, 0.0);
@@ -304,7 +304,7 @@ fn spline(step: f64, places: &[f64]) -> Vec<f64> {
     bends
 }
 
-/// Returns the load at the steps of a table in which every time step is divided into equal parts.
+/// Returns the load at the steps of the search. Each time step of the table is divided into `parts` equal steps.
 fn divided(count: usize, parts: usize, point: impl Fn(usize, f64) -> LoadPoint) -> Vec<LoadPoint> {
     let steps = (0..count).flat_map(|k| (0..parts).map(move |part| (k, part)));
     steps

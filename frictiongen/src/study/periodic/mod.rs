@@ -1,8 +1,9 @@
-//! Steady states under any periodic load: a table of one period, or harmonics.
+//! Steady states under any periodic load. The load is a table of one period, or a list of harmonics.
 //!
 //! The stepper computes the motion. Its steps are exact for loads that are polynomials between samples. Newton's method
-//! finds the state that repeats after a whole number of periods of the load. Closed forms require a load that is a
-//! cosine in time. For other periodic loads there are therefore no limits, no friction ratio and no phase.
+//! finds the state that repeats after a whole number of periods of the load. The closed forms of this crate require a
+//! load that is a cosine in time. For other periodic loads there are therefore no limits β_lim and β*_lim, no friction
+//! ratio and no phase.
 
 mod answer;
 mod error;
@@ -20,27 +21,29 @@ pub use load::{BaseTable, Harmonic, PeriodicLoad};
 use crate::Of;
 use crate::study::System;
 
-/// A question for the steady state under a periodic load.
+/// A request for the steady state under a periodic load.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PeriodicRequest {
-    /// The load over one period.
+    /// The load over one of its periods.
     pub load: PeriodicLoad,
     /// The kinetic friction force F, in the scene's unit of force.
     pub friction: f64,
-    /// The requested motions and spring forces.
+    /// The motions and spring forces that the result contains.
     pub of: Vec<Of>,
 }
 
 impl System {
-    /// Returns the steady state in which motion from rest ends under a periodic load on the excited mass or of the base.
+    /// Returns the steady state in which the motion from rest ends, under a periodic load on the excited mass or of the
+    /// base.
     ///
-    /// The load is a table of one period or a sum of harmonics. Between samples, forces change linearly, and with `input:
-    /// hold` they are constant. The base moves with an acceleration that changes linearly, so that the stepper is exact
-    /// for tables. A sum of harmonics has 1024 samples in a cycle of its highest order and cubics between them, which
-    /// differ from it by at most 4e-12 of its amplitude.
+    /// The load is a table of one period or a sum of harmonics. Between the samples of a table, forces change linearly.
+    /// With `input: hold` they are constant. The base moves with an acceleration that changes linearly. The stepper is
+    /// exact for such loads. For a sum of harmonics, the code takes 1024 samples in a cycle of the highest order, and
+    /// cubics between them. The cubics differ from the sum by at most 4e-12 of its amplitude.
     ///
-    /// The search follows motion from rest until Newton's method finds a state that repeats, with a matrix of central
-    /// differences. This state is stable, and the motion approaches it. Its period is up to 64 periods of the load.
+    /// The search follows the motion from rest until Newton's method finds a state that repeats. Central differences
+    /// give the matrix of Newton's method. The result is stable, and the motion approaches it. Its period is at most 64
+    /// periods of the load.
     ///
     /// ```
     /// use frictiongen::{Of, System};
@@ -61,7 +64,8 @@ impl System {
     /// ```
     ///
     /// # Errors
-    /// [`PeriodicError`] for a load that does not close or does not fit the excitation, and if no steady state is found.
+    /// [`PeriodicError`] for a load that does not close or does not fit the excitation, and if no steady state is
+    /// found.
     pub fn periodic(&self, request: &PeriodicRequest) -> Result<PeriodicState, PeriodicError> {
         search::steady(self, request)
     }

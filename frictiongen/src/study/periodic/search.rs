@@ -1,4 +1,4 @@
-//! Finds a periodic state by motion from rest and Newton's method.
+//! Finds a state that repeats: the search follows the motion from rest and applies Newton's method.
 
 use super::PeriodicRequest;
 use super::answer::PeriodicState;
@@ -7,56 +7,54 @@ use super::walk::{StateNumbers, StepState, Walk};
 use crate::study::System;
 use nalgebra::{Complex, DMatrix, DVector};
 
-/// Number of periods of the load from rest before the first attempt. Each further attempt follows twice as many
-/// periods.
+/// Number of periods of the load that the search follows from rest before its first attempt. Each further attempt
+/// follows twice as many periods.
 const WARM: usize = 8;
-/// Number of attempts to find the periodic motion.
+/// Number of attempts to find a state that repeats.
 const ATTEMPTS: usize = 9;
-/// Largest number of periods of the load after which the motion repeats.
+/// Largest period of the motion, in periods of the load.
 const MOST_PERIODS: usize = 64;
-/// The search tries a number of periods if the motion returns to its state within this fraction of its largest
-/// distance.
+/// Largest distance from a state at which the motion counts as nearly returned, divided by its largest distance from
+/// that state. The search then tries this number of periods.
 const NEARLY: f64 = 0.02;
-/// Largest number of Newton's steps in an attempt.
+/// Largest number of steps of Newton's method in one attempt.
 const NEWTON: usize = 14;
-/// Two states one period apart count as equal if their relative difference is below this value.
+/// Largest relative difference of two states one period apart that count as equal.
 const SAME: f64 = 1e-13;
-/// Newton's method may end if the relative difference after a period is below this value, and a step no longer reduces
-/// the difference.
+/// Largest relative difference after a period at which Newton's method may end, if a step no longer reduces the
+/// difference.
 const ENOUGH: f64 = 1e-11;
 /// Step of the central differences, divided by the size of the motion. The relative error of the differences is about
 /// the square of this step.
 const STEP: f64 = 1e-5;
-/// A direction counts as neutral (a deviation along it does not change after a period) if its singular value is below
-/// this value.
+/// Largest singular value of a neutral direction. A deviation along a neutral direction is the same after a period.
 const RANK: f64 = 1e-7;
-/// A Floquet multiplier counts as lying on the unit circle if its distance from the circle is at most this value,
-/// because of rounding in the differences.
+/// Largest distance of a Floquet multiplier from the unit circle at which the multiplier counts as lying on it. The
+/// differences that give the multipliers have rounding errors.
 const ON_CIRCLE: f64 = 1e-7;
-/// The test of a steady state ends when the multipliers predict that the motion's distance from the steady state has
-/// fallen to this fraction.
+/// Fraction to which the motion's distance from a steady state must fall. The test of the steady state ends when the
+/// multipliers predict this.
 const DECAY: f64 = 0.1;
-/// Largest number of periods of the load that the test of a steady state follows.
+/// Largest number of periods of the load over which the search tests a steady state.
 const MOST_CONFIRMED: usize = 512;
-/// The motion has reached a steady state if its distance from that state is below this fraction of the size of the
-/// motion.
+/// Largest distance of the motion from a steady state that counts as reached, divided by the size of the motion.
 const REACHED: f64 = 1e-7;
-/// Steady states may form a continuum, and the initial state decides in which of them the motion ends. The motion
-/// counts as having reached such a state if its distance from the state is below this value.
+/// Largest distance of the motion from a steady state in a continuum that counts as reached. In a continuum, the
+/// initial state decides in which steady state the motion ends.
 const SETTLED: f64 = 1e-10;
 
-/// A state that repeats, with the multipliers of its period.
+/// A state that repeats after a period, with the Floquet multipliers of the period.
 pub(super) struct FixedPoint {
     pub place: StepState,
     pub numbers: StateNumbers,
     pub period: usize,
     pub multipliers: Vec<Complex<f64>>,
-    /// Relative difference of the state after a period.
+    /// Difference of the state after a period, divided by the size of the motion.
     pub residual: f64,
 }
 
 impl FixedPoint {
-    /// Returns the largest modulus of the multipliers.
+    /// Returns the largest modulus of the Floquet multipliers.
     pub fn largest(&self) -> f64 {
         self.multipliers
             .iter()
@@ -64,7 +62,7 @@ impl FixedPoint {
     }
 }
 
-/// Returns the steady state in which motion from rest ends.
+/// Returns the steady state in which the motion from rest ends.
 pub(super) fn steady(
     system: &System,
     request: &PeriodicRequest,
@@ -97,13 +95,13 @@ pub(super) fn steady(
 
 struct PeriodicSearch<'a> {
     walk: Walk<'a>,
-    /// Size of the motion, which is its largest number at the start of a period.
+    /// Size of the motion: the largest absolute number of its state at the start of a period.
     size: f64,
 }
 
 impl PeriodicSearch<'_> {
-    /// Returns numbers of periods after which the motion may repeat: 1, and the number after which the motion is close
-    /// to its present state. The function restores the present state.
+    /// Returns the numbers of periods after which the motion may repeat: 1, and the number after which the motion is
+    /// close to its present state. Afterwards the function restores the present state.
     fn periods(&mut self, most: usize) -> Result<Vec<usize>, PeriodicError> {
         let here = self.walk.place();
         let first = self.walk.numbers();
@@ -116,7 +114,8 @@ impl PeriodicSearch<'_> {
             aways.push(numbers.away(&first));
         }
         self.walk.go(&here)?;
-        // If the motion has not begun, its size is 0. The code then uses the size 1, because any positive size serves.
+        // If the motion has not begun, its size is 0. Any positive size then gives the same result, and the code uses
+        // 1.
         if self.size == 0.0 {
             self.size = 1.0;
         }
@@ -127,8 +126,8 @@ impl PeriodicSearch<'_> {
         Ok(std::iter::once(1).chain(several).collect())
     }
 
-    /// Searches near the present state for a state that repeats after `period` periods of the load. The function
-    /// restores the present state.
+    /// Searches near the present state for a state that repeats after `period` periods of the load. Afterwards the
+    /// function restores the present state.
     fn newton(&mut self, period: usize) -> Result<Option<FixedPoint>, PeriodicError> {
         let here = self.walk.place();
         let found = self.newton_from(here.clone(), period);
@@ -188,7 +187,8 @@ impl PeriodicSearch<'_> {
     }
 
     /// Returns the derivatives of the state after a period with respect to the state before the period, by central
-    /// differences. Returns `None` if a change of the initial state changes the contact state at the end.
+    /// differences. Returns `None` if a small change of the initial state changes whether the contact sticks at the end
+    /// of the period.
     fn differences(
         &mut self,
         start: &StepState,
@@ -221,8 +221,8 @@ impl PeriodicSearch<'_> {
         Ok(Some(matrix))
     }
 
-    /// Returns true if the motion approaches a state as fast as its multipliers predict. The function advances the
-    /// motion.
+    /// Returns true if the motion approaches a state as fast as the Floquet multipliers predict. The function advances
+    /// the motion.
     fn approaches(&mut self, fixed: &FixedPoint) -> Result<bool, PeriodicError> {
         let rate = fixed.largest();
         if 1.0 - ON_CIRCLE <= rate {

@@ -39,7 +39,7 @@ fn tables_of_the_base_agree() {
         for k in 0..64 {
             let [place, rate] = sampled.at(k * points).base;
             let angle = omega * step * k as f64;
-            // The interpolation of 64 samples has errors of about (2π/64)²/12 in velocity and acceleration.
+            // The interpolation between 64 samples has errors of about (2π/64)²/12 in velocity and acceleration.
             assert!((place - angle.sin()).abs() < 1.7e-3, "{quantity:?} {place}");
             assert!(
                 (rate / omega - angle.cos()).abs() < 1.7e-3,

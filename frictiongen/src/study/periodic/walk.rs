@@ -13,21 +13,22 @@ pub(super) struct Walk<'a> {
     pub stepper: SystemStepper<'a>,
     load: &'a Sampled,
     friction: f64,
-    /// Index of the next step in the period.
+    /// Index of the next step in the period of the load.
     pub at: usize,
     /// Force on each loaded mass. Only the first force can be different from 0.
     forces: Vec<f64>,
     slopes: Vec<[f64; 2]>,
 }
 
-/// State of the motion, and the index of the next step in the period.
+/// A state of the motion, and the index of the next step in the period of the load.
 #[derive(Clone)]
 pub(super) struct StepState {
     saved: SystemStepSaved,
     at: usize,
 }
 
-/// Numbers that describe a state. Two states can be compared number by number only if their contact state is the same.
+/// The numbers of a motion's state. Two states can be compared number by number only if the contact sticks in both or
+/// slides in both.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct StateNumbers {
     pub contact: Contact,
@@ -53,7 +54,7 @@ impl StateNumbers {
 }
 
 impl<'a> Walk<'a> {
-    /// Creates the motion from rest at the beginning of the period.
+    /// Creates the motion from rest at the beginning of the load's period.
     pub fn new(
         system: &'a System,
         load: &'a Sampled,
@@ -117,7 +118,7 @@ impl<'a> Walk<'a> {
         Ok(())
     }
 
-    /// Advances by one period, and then to the middle of the longest sequence of steps without an event.
+    /// Advances by one period of the load, and then to the middle of the longest sequence of steps without an event.
     pub fn reach_quiet(&mut self) -> Result<(), PeriodicError> {
         let count = self.load.points.len();
         let mut eventful = Vec::with_capacity(count);
@@ -140,7 +141,7 @@ impl<'a> Walk<'a> {
         Ok(())
     }
 
-    /// Returns the present state.
+    /// Returns the present state of the motion.
     pub fn place(&self) -> StepState {
         StepState {
             saved: self.stepper.save(),
@@ -148,7 +149,7 @@ impl<'a> Walk<'a> {
         }
     }
 
-    /// Restores an earlier state.
+    /// Restores an earlier state of the motion.
     pub fn go(&mut self, place: &StepState) -> Result<(), PeriodicError> {
         self.at = place.at;
         Ok(self.stepper.restore(&place.saved)?)

@@ -39,7 +39,8 @@ const SCENES: [&str; 4] = [
     }",
 ];
 
-/// Variable of a derivative: a quantity of the scene, the friction force, or a factor on the load.
+/// Variable with respect to which a derivative is taken: a quantity of the scene, the friction force, or a factor on
+/// the load.
 #[derive(Clone, Copy, Debug)]
 enum Along {
     Quantity(Quantity),
@@ -59,7 +60,8 @@ impl Random {
     }
 }
 
-/// Results of a run: displacements, velocities, contact force and dissipated energy, and the numbers of events and steps.
+/// Results of a run: displacements, velocities, contact force and dissipated energy, and then the numbers of events and
+/// steps.
 type Results<S> = (Vec<S>, u32, u32);
 
 macro_rules! run {
@@ -94,7 +96,7 @@ const STEPS: u32 = 2000;
 const DT: f64 = 0.02;
 const FRICTION: f64 = 0.5;
 
-/// Runs with derivatives.
+/// Runs a stepper with derivatives.
 fn carried(system: &System, along: Along) -> Results<Sensitive> {
     let varied = match along {
         Along::Quantity(quantity) => system.along(quantity).unwrap(),
@@ -120,7 +122,7 @@ fn carried(system: &System, along: Along) -> Results<Sensitive> {
     )
 }
 
-/// Runs without derivatives, in double-double numbers, with one number changed by a factor.
+/// Runs a stepper without derivatives, in double-double numbers, after one number is multiplied by a factor.
 fn moved(system: &System, along: Along, factor: f64) -> Results<Dd> {
     let mut scene = system.scene().clone();
     let (mut friction, mut load) = (FRICTION, 1.0);
@@ -166,8 +168,8 @@ fn number(scene: &mut Scene, quantity: Quantity) -> &mut f64 {
     }
 }
 
-/// The differences are taken in double-double numbers, so that rounding does not limit them. The tolerance covers the
-/// error of the differences, which is of second order in the relative change of a ten-millionth.
+/// Compares derivatives with differences in double-double numbers, whose rounding is negligible. The tolerance covers
+/// the error of the differences. This error is of second order in the relative change of a ten-millionth.
 #[test]
 fn steps_carry_derivatives() {
     let mut compared = 0;
@@ -212,12 +214,12 @@ fn steps_carry_derivatives() {
     assert_eq!(compared, COMPARED);
 }
 
-/// Number of compared derivatives. The four scenes have 7, 7, 8 and 4 quantities, each plus friction and load, and 6,
-/// 6, 6 and 4 results.
+/// Number of compared derivatives. The four scenes have 7, 7, 8 and 4 quantities. Friction and load add two to each.
+/// The scenes have 6, 6, 6 and 4 results.
 const COMPARED: u32 = 9 * 6 + 9 * 6 + 10 * 6 + 6 * 4;
 
-/// The upper mass sticks while the lower one oscillates under a constant force. The force in the contact is
-/// P(1 − cos ωt)/2, with its maximum P at ωt = π, and reaches μF slowly if μF is just below P.
+/// A scene whose upper mass sticks while the lower one oscillates under a constant force. The force in the contact is
+/// P(1 − cos ωt)/2, with its maximum P at ωt = π. If μF is just below P, the force reaches μF slowly.
 const SLOW: &str = "struct Slow {
     masses: { lower: 1.0, upper: 0.5 },
     springs: { base - lower: 700.0, lower - upper: 700.0 },
@@ -225,8 +227,8 @@ const SLOW: &str = "struct Slow {
     input: hold, provide: [stepper],
 }";
 
-/// Returns the derivative of the upper mass's displacement with respect to P at ωt = 3π/2, and whether the stepper
-/// reports a graze. P is 1.25 N, and μF is the fraction `share` of P.
+/// Returns two results: the derivative of the upper mass's displacement with respect to P at ωt = 3π/2, and true if the
+/// stepper reports a graze. P is 1.25 N, and μF is `share` times P.
 fn slowly(share: f64) -> (f64, bool) {
     let system: System = SLOW.parse().unwrap();
     let unvaried = system.unvaried();
@@ -244,9 +246,10 @@ fn slowly(share: f64) -> (f64, bool) {
     (stepper.mass_at(1).displacement().slope.to_f64(), grazes)
 }
 
-/// The derivative of the instant of the break-away is −tan(ωt/2)/(ωP). Its relative error is δ/(2(1 − share)), where δ is
-/// the rounding error of the input relative to μF. The stepper permits 1e-6, but adds the terms of its series to the
-/// size of the force, so that the test leaves a factor of 30 on both sides of 1 − share = 1e-10.
+/// Compares the derivative of a slow break-away with its formula. The derivative of the instant is −tan(ωt/2)/(ωP). Its
+/// relative error is δ/(2(1 − share)), where δ is the rounding error of the input divided by μF. The stepper permits an
+/// error of 1e-6. It counts the terms of its series as part of the force's size. The test therefore leaves a factor of
+/// 30 on both sides of 1 − share = 1e-10.
 #[test]
 fn a_slow_break_away_is_a_graze() {
     for (gap, expected) in [
@@ -260,6 +263,6 @@ fn a_slow_break_away_is_a_graze() {
         let (slope, grazes) = slowly(1.0 - gap);
         assert_eq!(grazes, expected, "{gap:e}: derivative {slope:e}");
     }
-    // Above the maximum there is no event, and the mass is at rest whatever the force.
+    // If μF exceeds the maximum of the force, there is no event, and the mass stays at rest.
     assert_eq!(slowly(1.0 + 1e-9), (0.0, false));
 }

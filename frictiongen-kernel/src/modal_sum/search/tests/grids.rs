@@ -19,7 +19,8 @@ fn grid_of(sum: &TestSum<'_>, from: f64, to: f64, width: f64) -> Grid<f64> {
     filled(sum, &Stretch::new(from, to, width, false), &bounds)
 }
 
-/// Checks values and slopes at every node against the bound on their rounding error.
+/// Compares the values and slopes at every node of a grid with the sum. The difference must not exceed the bound on the
+/// rounding error.
 #[test]
 fn nodes_are_on_the_sum() {
     let mut random = Lcg(59);
@@ -32,7 +33,7 @@ fn nodes_are_on_the_sum() {
         let rounding = grid.bounds.rounding;
         let fastest = sum.waves.iter().map(|wave| wave.x).fold(1.0, f64::max);
         grid.beside(u32::MAX, |_, tau, node| {
-            // The reference sum has a rounding error too: its phases xτ are wrong by one rounding.
+            // The reference sum also has a rounding error, because its phases xτ are wrong by one rounding.
             let own = 1e-15 * size_of(&sum) * (1.0 + fastest * tau);
             let value = (node.value - sum_derivative(&sum, tau, 0)).abs();
             let slope = (node.slope - sum_derivative(&sum, tau, 1)).abs();
@@ -87,8 +88,8 @@ fn no_derivative_exceeds_its_bound() {
     assert!(compared == 600 * 51 && nearest > 0.5);
 }
 
-/// Checks the bounds on the derivatives for each term of a mode separately, for every kind of damping. Also checks that
-/// no bound is far too large.
+/// Checks the bounds on the derivatives for the term of each mode separately, for every kind of damping. Also checks
+/// that no bound is far too large.
 #[test]
 fn bounds_hold_for_every_part() {
     let (mut compared, mut least, mut most) = (0, 9.0_f64, 0.0_f64);
@@ -135,8 +136,8 @@ fn size_of(sum: &TestSum<'_>) -> f64 {
     size(&search(*sum, asked(Weight::One, true, 0.0), 0.0))
 }
 
-/// Checks that the sum is below an arbitrary level in all closed cells. The search also refines local maxima in this
-/// test.
+/// Checks that the sum is below an arbitrary level in all closed cells. In this test the search also refines local
+/// maxima.
 #[test]
 fn nothing_is_above_the_level_in_a_closed_cell() {
     let mut random = Lcg(67);
@@ -191,8 +192,8 @@ fn nothing_is_above_the_level_in_a_closed_cell() {
     assert!(closed > 50_000 && open > 500 && beside > 10_000);
 }
 
-/// Checks that a cell stays open if the level is just below the largest value in the cell. The test takes first, last
-/// and other cells, and refines no local maxima.
+/// Checks that a cell stays open if the level is just below the largest value in the cell. The test takes the first
+/// cell, the last cell and other cells. It refines no local maxima.
 #[test]
 fn a_cell_that_exceeds_the_level_is_open() {
     let mut random = Lcg(71);
@@ -207,7 +208,7 @@ fn a_cell_that_exceeds_the_level_is_open() {
         let bounds = DerivativeBounds::of(&sum, &Instant::new(0.0), problem.end);
         let grid = filled(&sum, &stretch, &bounds);
         let cell = [0, stretch.cells() - 1, random.below(stretch.cells())][case % 3];
-        // Largest quotient in the cell, at multiples of a thirty-second of its width.
+        // This is the largest quotient in the cell, among multiples of a thirty-second of its width.
         let at = |i: usize| (cell as f64 + i as f64 / 32.0) * stretch.width;
         let quotient = |tau: f64| {
             let weight = if over_sine { tau.sin() } else { 1.0 };
@@ -216,12 +217,12 @@ fn a_cell_that_exceeds_the_level_is_open() {
         let most = (1..32).map(|i| quotient(at(i))).fold(f64::MIN, f64::max);
         let gap = random.log_uniform(1e-7, 1e-2) * size(&search);
         search.peak.value = most - gap;
-        // The excess above the level must be larger than rounding errors.
+        // The excess over the level must be larger than the rounding errors.
         let above = (1..32)
             .map(|i| excess(&search, false, at(i)))
             .fold(f64::MIN, f64::max);
-        // Non-positive levels are skipped. The last cell of sum/sin τ is an exception, because the sum exceeds only
-        // non-positive levels there.
+        // The test skips levels that are not positive. An exception is the last cell of sum/sin τ, in which the sum
+        // exceeds only such levels.
         let low = search.peak.value <= 0.0 && (!over_sine || case % 3 != 1);
         if above < 1e-9 * size(&search) || low {
             continue;
@@ -243,7 +244,7 @@ fn a_cell_that_exceeds_the_level_is_open() {
     assert!(held.iter().all(|held| *held > 300));
 }
 
-/// Checks that the search closes, around any local maximum, only cells in which the sum is not higher than this
+/// Checks a local maximum. Around it, the search must close only cells in which the sum is not higher than this
 /// maximum.
 #[test]
 fn a_summit_closes_nothing_that_is_higher() {
@@ -255,7 +256,7 @@ fn a_summit_closes_nothing_that_is_higher() {
         let (sum, problem) = (drawn.sum(), drawn.problem);
         let mut search = search(sum, problem, 0.0);
         let rate = sum.waves.iter().map(|wave| wave.x).fold(1.0, f64::max);
-        // The cells are so wide that the fourth derivative decides which cells are closed.
+        // The cells are so wide that the fourth derivative determines which cells are closed.
         let width = random.log_uniform(0.3, 6.0) / rate;
         let from = if case % 4 < 2 {
             0.0

@@ -99,8 +99,8 @@ fn equal_maxima_are_all_found() {
     assert_eq!(compared, 18);
 }
 
-/// Checks that a result contains four positions if seven maxima are equal. Maxima at the two bounds of the half period
-/// count as one maximum.
+/// Checks that the result of a search contains four positions if seven maxima are equal. Maxima at the two bounds of
+/// the half period count as one maximum.
 #[test]
 fn a_peak_keeps_four_places() {
     let (waves, cosine, sine) = harmonics(&[(7.0, 1.0)], &[]);
@@ -128,8 +128,8 @@ fn a_peak_keeps_four_places() {
     assert_eq!(places(&largest(sum, motion_problem())).len(), 1);
 }
 
-/// Checks a mode so fast that the search would have to evaluate each of its 5·10⁴ turns. The search stops at its bound
-/// with the best value found.
+/// Checks a mode that is so fast that the search would have to evaluate each of its 5·10⁴ turns. The search must stop
+/// at its bound and return the largest value found.
 #[test]
 fn a_search_that_takes_too_long_ends_with_the_best_so_far() {
     let waves = [Wave {
@@ -145,7 +145,7 @@ fn a_search_that_takes_too_long_ends_with_the_best_so_far() {
     let most = most_evaluations(Weight::One, 1e5 + 0.3);
     println!("{} evaluations of {most}", peak.evaluations);
     assert!(most < MAX_EVALUATIONS);
-    // The search stops because one more grid and its local maxima might exceed the bound.
+    // The search stops if one more grid and its local maxima might exceed the bound.
     assert!(peak.evaluations <= most && peak.evaluations > most - 32);
     assert!(peak.exceeded && peak.effort() == Effort::Exceeded);
     assert!((peak.value * (1e5 + 0.3) / 1e5 - 1.0).abs() < 1e-9);

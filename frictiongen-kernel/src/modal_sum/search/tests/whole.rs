@@ -1,8 +1,8 @@
-//! Tests of complete searches: the largest value against a dense scan, and the number of evaluations.
+//! Tests of whole searches: the largest value against a dense scan, and the number of evaluations.
 
 use super::*;
 
-/// Returns the largest quotient from a scan with 24 points per turn of the fastest mode, refined by golden section.
+/// Returns the largest quotient from a scan with 24 points per turn of the fastest mode, refined by golden sections.
 pub fn scanned(search: &TestSearch<'_>) -> f64 {
     let end = search.problem.end;
     let rate = search
@@ -68,7 +68,7 @@ fn no_maximum_of_a_random_sum_is_missed() {
         let most = most_evaluations(problem.weight, sum.fastest());
         assert!(!found.exceeded && found.evaluations <= most, "case {case}");
         if found.places[0].is_none() {
-            // The search returns the floor. Sum and sin τ both vanish at τ = 0, where a quotient of the scan may be
+            // The search returns the floor. Because sum and sin τ both vanish at τ = 0, a quotient of the scan may be
             // slightly larger.
             assert!(want < 1e-6, "case {case}: {want} above the floor");
             floors += 1;

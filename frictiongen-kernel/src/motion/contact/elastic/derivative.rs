@@ -1,8 +1,8 @@
 //! Growth of small deviations along a motion with an elastic contact.
 //!
-//! A deviation consists of the states (y, u) of the modes and of the contact force. While the contact slides, the
+//! A deviation consists of the states (y, u) of the modes, and of the contact force. While the contact slides, the
 //! deviation of the force is zero. When the slider stops, a deviation does not jump, because the force is continuous
-//! and its slope is zero.
+//! and its slope is zero at this instant.
 
 use super::ElasticChain;
 use crate::motion::contact::state::{Contact, ContactState, SegmentEnd};
@@ -12,8 +12,8 @@ use crate::number::pairs::{pairs, pairs_mut};
 use crate::number::scalar::Float;
 
 /// Advances small deviations of the state through a segment (the motion between two events), one column after another.
-/// A column has y and u of each mode in turn, and then the contact force. `modes` and `stuck_modes` are the oscillators
-/// after the segment. The function overwrites the states in `stuck_modes`.
+/// A column contains the displacement y and the scaled velocity u of each mode, and then the contact force. `modes` and
+/// `stuck_modes` are the oscillators after the segment. The function overwrites the states in `stuck_modes`.
 pub(super) fn carry<S: Float>(
     setting: &MotionSetting<'_, S, ElasticChain<S>>,
     (modes, stuck_modes): (&[Part<S>], &mut [Part<S>]),

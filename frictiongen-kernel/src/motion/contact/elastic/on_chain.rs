@@ -13,14 +13,14 @@ use crate::number::scalar::Float;
 impl<S: Float> ContactChain<S> for ElasticChain<S> {
     type Law = Rigid<S>;
 
-    /// Returns 0. The chain with its contact stuck has as many modes as the contact drives, because the spring still
-    /// lets the contact move.
+    /// Returns 0. The chain with its contact stuck has as many modes as the contact drives, because the contact can
+    /// still move with its spring.
     #[inline]
     fn lost_modes(&self) -> usize {
         0
     }
 
-    /// Returns 1: a stuck contact stores its force.
+    /// Returns 1, because a stuck elastic contact stores one number: its force.
     #[inline]
     fn remembered(&self) -> usize {
         1
@@ -46,7 +46,7 @@ impl<S: Float> ContactChain<S> for ElasticChain<S> {
         Rigid { level, stiction }
     }
 
-    /// Returns a stuck contact without force. With β = 0 the contact slides instead.
+    /// Returns the state of a stuck contact without force. With β = 0 the contact slides instead.
     fn contact_state(
         setting: &MotionSetting<'_, S, Self>,
         parts: &[Part<S>],
@@ -140,7 +140,8 @@ impl<S: Float> ContactChain<S> for ElasticChain<S> {
         )
     }
 
-    /// Stops the slider. Without friction the spring has no force, and the contact reverses as a rigid contact does.
+    /// Stops the slider. If there is no friction, the spring has no force, and the contact reverses as a rigid contact
+    /// does.
     fn halt(
         setting: &MotionSetting<'_, S, Self>,
         modes: &[Part<S>],
@@ -162,7 +163,7 @@ impl<S: Float> ContactChain<S> for ElasticChain<S> {
         end.contact_state.memory = Self::memory_at_stop(setting, before);
     }
 
-    /// Starts the motion of the slider with the velocity of the contact. With μ > 1 the force drops to the kinetic
+    /// Starts the motion of the slider with the velocity of the contact. With μ > 1 the force falls to the kinetic
     /// force.
     fn break_away(setting: &MotionSetting<'_, S, Self>, contact: Contact, end: &mut SegmentEnd<S>) {
         end.event = Some(Event::Slip);
@@ -192,8 +193,8 @@ impl<S: Float> MotionSetting<'_, S, ElasticChain<S>> {
     }
 
     /// Sets the contact force to `force` by a small change of one oscillator of the chain with its contact stuck. The
-    /// function chooses the mode with the largest force per unit of displacement. With a stiff spring the force
-    /// computed from the oscillators is a small difference of large numbers. The given force has more digits.
+    /// function chooses the mode with the largest force per unit of displacement. With a stiff spring, the force that
+    /// follows from the oscillators is a small difference of large numbers. The given force has more digits.
     pub(super) fn set_elastic_force(&self, stuck_modes: &mut [Part<S>], lifted: S, force: S) {
         let excess = self.elastic_force(stuck_modes, lifted) - force;
         let modes = stuck_modes.iter_mut().zip(self.dynamics.held);

@@ -1,6 +1,6 @@
 //! Sliding motion under a kinetic friction force that changes with the speed.
 //!
-//! On one straight line of the friction law the force is level + slope·velocity, which couples the modes. The code
+//! On one straight line of the friction law the force is level + slope·velocity. The slope couples the modes. The code
 //! divides the motion into short pieces, and computes each piece as a power series. In a piece, the fastest oscillation
 //! and the friction law together change the motion by at most a radian.
 
@@ -16,14 +16,14 @@ use crate::motion::setting::MotionSetting;
 use crate::motion::walk::{WalkResult, WalkStart, first_zero};
 use crate::number::scalar::Float;
 
-/// Upper bound on the rate at which the friction law changes the motion, as a multiple of the fastest mode's rate.
+/// Upper bound on the rate at which the friction law changes the motion, divided by the rate of the fastest mode.
 pub const MAX_STEEPNESS: u32 = 4096;
 
-/// A piece of motion counts as having no length if it is shorter than this number of rounding units.
+/// Length below which a piece of motion counts as having no length, in rounding units.
 const STILL: f64 = 64.0;
 
 impl<S: Float, K: ContactChain<S>> MotionSetting<'_, S, K> {
-    /// The largest rate, in rad per rad of the excitation, at which modes and excitation oscillate.
+    /// Returns the largest rate at which modes and excitation oscillate, in rad per rad of the excitation.
     fn turning(&self, modes: &[Part<S>]) -> S {
         let one = S::constant(1.0);
         let driven = modes.iter().take(self.dynamics.in_contact());
@@ -47,14 +47,14 @@ impl<S: Float, K: ContactChain<S>> MotionSetting<'_, S, K> {
         }
     }
 
-    /// Length in τ of the longest piece in which a power series is valid.
+    /// Returns the length in τ of the longest piece in which a power series is valid.
     fn stretch(&self, modes: &[Part<S>], line: &KineticLine<S>) -> S {
         let steep = self.acceleration(self.law().level() * line.slope.abs());
         S::constant(1.0) / (self.turning(modes) + steep)
     }
 
-    /// Returns the relative velocity z̄′ in a piece as a power series in s, where s goes from 0 to 1. Advances the
-    /// modes from the start of the piece to s = `to`.
+    /// Returns the relative velocity z̄′ in a piece of motion as a power series in s, where s runs from 0 to 1.
+    /// Advances the modes from the start of the piece to s = `to`.
     fn velocity_series(
         &self,
         modes: &mut [Part<S>],
@@ -66,7 +66,7 @@ impl<S: Float, K: ContactChain<S>> MotionSetting<'_, S, K> {
         let [level, slope] = self.law().kinetic_on(line, start.contact);
         let driven = self.dynamics.driven();
         for part in modes.iter_mut().take(driven.len()) {
-            // `value` is the current term of the series, and `slope` the sum of all terms.
+            // The field `value` is the current term of the series, and `slope` the sum of all terms so far.
             (part.value, part.slope) = (part.free, [zero; 2]);
         }
         let mut velocity = Power::zero(TERMS);
@@ -147,8 +147,9 @@ pub(crate) fn seek<S: Float, K: ContactChain<S>>(
 }
 
 impl<S: Float, K: ContactChain<S>> MotionSetting<'_, S, K> {
-    /// Finds the end of a piece on any line of the friction law except the last. The result is a fraction of the
-    /// longest piece, whose length is `stretch`. Returns `None` if the contact cannot start to move from zero velocity.
+    /// Finds the end of a piece of motion on any line of the friction law except the last. The result is the length of
+    /// the piece divided by that of the longest piece, which is `stretch`. Returns `None` if the contact cannot start
+    /// to move from zero velocity.
     fn slope(
         &self,
         modes: &mut [Part<S>],
@@ -176,7 +177,7 @@ impl<S: Float, K: ContactChain<S>> MotionSetting<'_, S, K> {
             WalkResult::NoStart => return None,
         };
         if !(zero < at) {
-            // A piece of length zero has no earlier crossing.
+            // A piece of length zero cannot contain a crossing before its end.
             return Some((at, crossing));
         }
         let rises = velocity.seen(-sign, -high, at);
@@ -188,7 +189,8 @@ impl<S: Float, K: ContactChain<S>> MotionSetting<'_, S, K> {
         })
     }
 
-    /// Finds the end of a piece, in τ, on the last line of the friction law. The kinetic friction is constant there.
+    /// Finds the end of a piece of motion, in τ, on the last line of the friction law. On this line the kinetic
+    /// friction is constant.
     fn plateau(
         &self,
         modes: &mut [Part<S>],
@@ -209,8 +211,8 @@ impl<S: Float, K: ContactChain<S>> MotionSetting<'_, S, K> {
     }
 }
 
-/// Sets the modes to their state a time τ after the start of a piece. `to` is sine and cosine of the excitation's phase
-/// at that instant.
+/// Sets the modes to their state a time τ after the start of a piece of motion. `to` is sine and cosine of the
+/// excitation's phase at that instant.
 pub(crate) fn place<S: Float, K: ContactChain<S>>(
     setting: &MotionSetting<'_, S, K>,
     modes: &mut [Part<S>],

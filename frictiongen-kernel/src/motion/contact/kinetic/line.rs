@@ -2,18 +2,19 @@
 
 use crate::number::scalar::Float;
 
-/// One straight line of the friction law, between two speeds. On this line the force divided by F is level + slope·|v|.
+/// One straight line of the friction law, between two speeds. On this line the friction force divided by F is level +
+/// slope·|v|, where v is the relative velocity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct KineticLine<S> {
     pub level: S,
     pub slope: S,
-    /// The speed at which the line begins.
+    /// The speed at the start of the line.
     pub low: S,
-    /// The speed at which the line ends, or `None` for the last line.
+    /// The speed at the end of the line, or `None` for the last line.
     pub high: Option<S>,
 }
 
-/// Returns the line with the index `place`. A law without points has one line, Coulomb's law.
+/// Returns the line with the index `place`. A law without points (Coulomb's law) has one line.
 #[inline(always)]
 pub(crate) fn line<S: Float>(points: &[[S; 2]], place: usize) -> KineticLine<S> {
     let (zero, one) = (S::constant(0.0), S::constant(1.0));

@@ -29,25 +29,26 @@ impl<'a, S> KineticLaw<'a, S> for Constant {
     }
 }
 
-/// Kinetic friction in straight lines between points: Stribeck's law.  Without points it is constant.
+/// Kinetic friction as straight lines between points of speed and force: Stribeck's law. Without points the kinetic
+/// friction is constant.
 #[derive(Clone, Copy, Debug)]
 pub struct Lines<'a, S> {
-    /// Points (v, f): speed in the scene's units, and kinetic friction divided by its value at zero speed, with v
-    /// ascending.
+    /// Points (v, f) with v ascending. v is the speed in the scene's units. f is the kinetic friction force divided by
+    /// its value at zero speed.
     points: &'a [[S; 2]],
     /// Velocity, in the scene's units, that corresponds to dz̄/dτ = 1.
     unit: S,
     /// Index of the straight line of the law that contains the speed.
     place: usize,
-    /// Line crossing at the end of the piece that the last search has found.
+    /// The line crossing with which the piece ends that the last search has found.
     next: LineCrossing,
-    /// Number of successive pieces of length zero. `cut` counts the sequences of pieces of length zero that the code
-    /// has ended by a longer piece.
+    /// Number of successive pieces of length zero. After too many of them the code ends the sequence by a longer piece.
+    /// `cut` counts these longer pieces.
     still: u32,
     cut: u32,
 }
 
-/// Way in which a piece of motion on one line of the friction law ends.
+/// The way in which a piece of motion on one line of the friction law ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum LineCrossing {
     /// The motion stays on the line.
@@ -58,19 +59,19 @@ pub(crate) enum LineCrossing {
     Slower,
 }
 
-/// After this number of successive pieces of length zero, the code extends the last piece along its line of the
-/// friction law, even across a point of the law.
+/// Number of successive pieces of length zero after which the code extends the last piece. The extension continues on
+/// the same line of the friction law, even across a point of the law.
 const STILL: u32 = 4;
 
-/// Each further extension of a piece of length zero is twice as long as the previous one, up to this number of
-/// doublings. The longest extension has 2²⁰ times the square root of a rounding unit, as a fraction of the power
+/// Largest number of doublings of an extension. Each further extension of a piece of length zero is twice as long as
+/// the previous one. The longest extension is 2²⁰ times the square root of a rounding unit, as a fraction of the power
 /// series' length. In double precision this is a sixty-fourth.
 const CUTS: u32 = 20;
 
 impl<'a, S: Float> Lines<'a, S> {
     /// Creates the lines of a law whose points have speeds in the scene's units. `amplitude` is the amplitude of the
-    /// load at the frequency ratio r. `speed` is the velocity in the scene's units for which dz̄/dτ is 1 at r = 1 and
-    /// amplitude 1.
+    /// load at the frequency ratio r. `speed` is a velocity in the scene's units: dz̄/dτ is 1 at this velocity if r = 1
+    /// and the amplitude is 1.
     #[must_use]
     pub fn under(points: &'a [[S; 2]], r: S, amplitude: S, speed: S) -> Self {
         Self {
@@ -79,7 +80,7 @@ impl<'a, S: Float> Lines<'a, S> {
         }
     }
 
-    /// Creates a law without lines, which is one constant kinetic level.
+    /// Creates a law without lines, that is one constant kinetic friction force.
     #[must_use]
     pub fn none() -> Self {
         Self::at_unit_speed(&[])
@@ -113,7 +114,7 @@ impl<'a, S: Float> Lines<'a, S> {
         }
     }
 
-    /// Returns the line on which the present speed lies, for speeds |dz̄/dτ|.
+    /// Returns the line that contains the present speed, with speeds as |dz̄/dτ|.
     pub(crate) fn line(&self) -> KineticLine<S> {
         let mut line = line::line(self.points, self.place);
         line.slope = line.slope * self.unit;
@@ -122,7 +123,7 @@ impl<'a, S: Float> Lines<'a, S> {
         line
     }
 
-    /// Returns the largest absolute slope of the law, for speeds |dz̄/dτ|.
+    /// Returns the largest absolute slope of the law, with speeds as |dz̄/dτ|.
     pub(crate) fn steepest(&self) -> S {
         line::steepest(self.points) * self.unit
     }
@@ -136,8 +137,8 @@ impl<'a, S: Float> Lines<'a, S> {
     /// instead, returns the length of the extension.
     ///
     /// If the speed only touches a point of the law, rounding may switch the motion between two lines without end.
-    /// After `STILL` pieces of length zero the motion therefore continues along its line through the returned length.
-    /// This length is a fraction of the power series' length.
+    /// After `STILL` pieces of length zero, the motion therefore continues on its line for the returned length. This
+    /// length is a fraction of the power series' length.
     pub(crate) fn leads_to(&mut self, next: LineCrossing, moves: bool) -> Option<S> {
         self.next = next;
         if moves || next == LineCrossing::None {
@@ -157,7 +158,7 @@ impl<'a, S: Float> Lines<'a, S> {
         Some(length)
     }
 
-    /// Selects the line that follows the piece. After a piece that ended at rest, the first line follows.
+    /// Selects the line for the motion after the piece. If the piece ended at rest, selects the first line.
     pub(crate) fn pass(&mut self, at_rest: bool) {
         self.place = match self.next {
             _ if at_rest => 0,
@@ -200,7 +201,7 @@ mod tests {
             assert_eq!(lines.leads_to(next, true), None);
             lines.pass(false);
         }
-        // The speeds of the law are divided by the unit 0.5·2·0.1.
+        // The speeds of the law are divided by the unit of velocity, 0.5·2·0.1.
         let [low, high] = [0.1 / 0.1, 0.3 / 0.1];
         let first = (0.0, Some(low));
         assert_eq!(found, [first, first, (low, Some(high)), (high, None)]);
@@ -209,8 +210,8 @@ mod tests {
         assert!(Lines::<f64>::none().lines().is_none() && lines.lines().is_some());
     }
 
-    /// Checks that a motion cannot switch between two lines without end. The code extends every fourth piece of length
-    /// zero along its line. Each extension is twice as long as the previous one.
+    /// Checks that a motion cannot switch between two lines without end. The code must extend every fourth piece of
+    /// length zero along its line. Each extension must be twice as long as the previous one.
     #[test]
     fn to_and_fro_has_an_end() {
         let mut lines = Lines::under(&LAW, 1.0, 1.0, 1.0);

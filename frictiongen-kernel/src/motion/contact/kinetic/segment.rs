@@ -12,7 +12,7 @@ use crate::number::scalar::Float;
 
 impl<'a, S: Float, K: ContactChain<S>> MotionSetting<'a, S, K> {
     /// Searches for the next event after the given state of the contact, within the time `reach` in τ. Sets the
-    /// oscillators to the start of the segment.
+    /// oscillators to their state at the start of the segment.
     pub(crate) fn seek_under(
         &self,
         level: &mut impl KineticLaw<'a, S>,
@@ -29,7 +29,7 @@ impl<'a, S: Float, K: ContactChain<S>> MotionSetting<'a, S, K> {
         }
     }
 
-    /// Sets the oscillators to their state a time τ after the segment's start. `to` is sine and cosine of the
+    /// Sets the oscillators to their state a time τ after the start of the segment. `to` is sine and cosine of the
     /// excitation's phase at that instant.
     pub(crate) fn place_under(
         &self,
@@ -65,7 +65,7 @@ impl<'a, S: Float, K: ContactChain<S>> MotionSetting<'a, S, K> {
         };
         let (velocity, _) = self.relative_velocity(parts, at);
         let line = lines.line();
-        // Rounding may put a speed slightly beyond the line.
+        // Rounding may put the speed slightly outside the line.
         let speed = velocity.abs().max(line.low);
         let speed = line.high.map_or(speed, |high| speed.min(high));
         self.law().kinetic_at(&line, contact, speed)

@@ -1,5 +1,5 @@
-//! Growth of small deviations along a motion. Between events the growth has a closed form. At each event a deviation
-//! jumps (saltation), because the event then occurs slightly earlier or later.
+//! Growth of small deviations along a motion with a rigid contact. Between events the growth has a closed form. At each
+//! event a deviation jumps (saltation), because the event then occurs slightly earlier or later.
 
 use crate::motion::contact::state::{Contact, ContactState, SegmentEnd};
 use crate::motion::oscillator::Part;
@@ -8,8 +8,8 @@ use crate::number::pairs::{pairs, pairs_mut};
 use crate::number::scalar::Float;
 
 /// Advances small deviations of the state through a segment (the motion between two events), one column after another.
-/// A column has y and u of each mode in turn. `modes` and `stuck_modes` are the oscillators after the segment. The
-/// function overwrites the states in `stuck_modes`.
+/// A column contains the displacement y and the scaled velocity u of each mode. `modes` and `stuck_modes` are the
+/// oscillators after the segment. The function overwrites the states in `stuck_modes`.
 pub(super) fn carry<S: Float>(
     setting: &MotionSetting<'_, S>,
     (modes, stuck_modes): (&[Part<S>], &mut [Part<S>]),
@@ -71,9 +71,9 @@ fn stuck<S: Float>(
     setting.release(stuck_modes, (moved, zero), states);
 }
 
-/// Applies the jump of a deviation at an event. The deviation moves the event by the time δτ = −δf/f′, where f is the
-/// function whose zero is the event. During this time the state has the slope before the event instead of the slope
-/// after it. The two slopes differ by the jump of the contact force.
+/// Applies the jump of a deviation at an event. The deviation shifts the event by the time δτ = −δf/f′, where f is the
+/// function whose zero is the event. During this time the slope of the state is that before the event, and not that
+/// after the event. The two slopes differ by the jump of the contact force.
 fn jump<S: Float>(
     setting: &MotionSetting<'_, S>,
     contact_state: &ContactState<S>,
@@ -92,7 +92,8 @@ fn jump<S: Float>(
         deviation = deviation
             + mode.contact
                 * if contact_state.contact == Contact::Stuck {
-                    // This is the deviation of the contact force, times −m*.
+                    // This number is the deviation of the contact force, times −m* (inverse effective mass of the
+                    // contact).
                     sigma * sigma * (*y + two * mode.zeta * *u)
                 } else {
                     sigma / setting.r * *u

@@ -7,7 +7,8 @@ use super::law::{Law, SlideStart};
 use super::state::Contact;
 use crate::number::scalar::Float;
 
-/// Number of modes that the chain loses while a rigid contact sticks. The contact then has no motion of its own.
+/// Number of modes that the chain loses while a rigid contact sticks, because the contact then has no motion of its
+/// own.
 pub const LOST_MODES: usize = 1;
 
 /// Friction forces of a rigid contact, in one unit. The contact sticks up to μF and slides under F.
@@ -31,8 +32,8 @@ impl<S: Float> Law<S> for Rigid<S> {
         self.stiction * self.level
     }
 
-    /// Returns true if the static force does not exceed the kinetic force. The distance between two motions then never
-    /// grows.
+    /// Returns true if the static friction force does not exceed the kinetic friction force. The distance between two
+    /// motions then never grows.
     fn is_contraction(self) -> bool {
         self.stiction <= S::constant(1.0)
     }

@@ -18,8 +18,8 @@ impl<S: Float> ContactChain<S> for Chain<S> {
         LOST_MODES
     }
 
-    /// Returns the Floquet multipliers of a contact that never slides. A deviation of the contact's displacement stays
-    /// constant, and a deviation of its velocity vanishes immediately.
+    /// Returns the Floquet multipliers of a contact that never slides: 1 and 0. A deviation of the contact's
+    /// displacement stays constant. A deviation of its velocity vanishes immediately.
     fn stuck_multipliers(&self) -> &'static [bool] {
         &[true, false]
     }
@@ -48,7 +48,7 @@ impl<S: Float> ContactChain<S> for Chain<S> {
         }
     }
 
-    /// Returns the relative displacement z̄ of the contact.
+    /// Returns the relative displacement z̄ at which the contact sticks.
     fn stuck_place(
         setting: &MotionSetting<'_, S>,
         modes: &[Part<S>],
@@ -62,7 +62,7 @@ impl<S: Float> ContactChain<S> for Chain<S> {
         S::constant(0.0)
     }
 
-    /// Returns the force that keeps the contact at rest.
+    /// Returns the force that keeps the contact stuck, divided by P.
     fn stuck_force(
         setting: &MotionSetting<'_, S>,
         modes: &[Part<S>],
@@ -72,7 +72,8 @@ impl<S: Float> ContactChain<S> for Chain<S> {
         setting.holding(modes, at)
     }
 
-    /// Returns the force from the displacement wᵀx̄ = `place` + s cos τ_e, which the contact has at z̄ = `place`.
+    /// Returns the force in the stuck contact. It follows from the displacement wᵀx̄ = `place` + s cos τ_e, which the
+    /// contact has at z̄ = `place`.
     fn steady_stuck_force(setting: &MotionSetting<'_, S>, place: S) -> (S, Complex<S>) {
         let inverse_mass = setting.dynamics.chain.inverse_mass;
         let base = setting.base;
@@ -101,7 +102,8 @@ impl<S: Float> ContactChain<S> for Chain<S> {
             end.jump = law.kinetic(before) - force;
             return;
         };
-        // If the contact continues in its direction of sliding, the velocity has only touched zero.
+        // If the contact continues in its direction of sliding, the velocity has only touched zero, and there is no
+        // event.
         if slide.contact != before {
             end.event = Some(Event::Reversal);
             end.jump = law.kinetic(before) - law.kinetic(slide.contact);

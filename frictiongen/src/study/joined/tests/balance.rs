@@ -4,7 +4,7 @@ use super::{FRAME, system};
 use crate::study::joints::Series;
 use frictiongen_model::scene::Node;
 
-/// Returns points and weights of the Gaussian rule of 20 points on [0, 1]. Newton's method finds the roots of
+/// Returns points and weights of Gaussian integration with 20 points on [0, 1]. Newton's method finds the roots of
 /// Legendre's polynomial.
 fn gauss() -> Vec<(f64, f64)> {
     let count = 20;
@@ -59,7 +59,7 @@ fn energies_of_contacts_are_the_work_of_the_load_without_damping() {
                     };
                     let time = series.start + fraction * series.length;
                     input += share * model.load_power(time, &v);
-                    // The base pulls by its springs, dashpots and contacts.
+                    // The base does work by the forces of its springs, dashpots and contacts.
                     for (from, to, k) in &chain.springs {
                         if [*from, *to].contains(&Node::Base) {
                             let pull = k * (of(*from, &x, y) - of(*to, &x, y)).abs();

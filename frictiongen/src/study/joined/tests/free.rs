@@ -7,8 +7,8 @@ use crate::study::joined::JoinedError;
 const BLOCK: &str =
     "struct Block { masses: { block: 2.0 }, contacts: { floor: block - wall }, excitation: block }";
 
-/// Compares the motion of a block on a floor with its closed form. The block starts at once with the velocity (P sin θ
-/// − Fθ)/(mω), and stops when P sin θ = Fθ.
+/// Compares the motion of a block on a floor with its closed form, where θ = ωt is the phase of the load. The block
+/// starts at once with the velocity (P sin θ − Fθ)/(mω), and stops when P sin θ = Fθ.
 #[test]
 fn a_block_on_a_floor() {
     let block = system(BLOCK);
@@ -43,8 +43,8 @@ fn a_block_on_a_floor() {
     assert!(slip > place(low) && run.contact_named("floor").expect("a contact").force == -friction);
 }
 
-/// Checks two masses with a dashpot and without a support. Half the distance between the extremes must equal the
-/// amplitude of the linear response.
+/// Checks two masses with a dashpot and without a support. Half of the distance between the extremes of a mass must
+/// equal the amplitude of the linear response.
 #[test]
 fn a_free_pair_vibrates_about_its_mean_place() {
     let pair = system(
@@ -63,7 +63,7 @@ fn a_free_pair_vibrates_about_its_mean_place() {
         let got = orbit.amplitude(name).expect("a mass");
         assert!(apart(got, expected) < 1e-9, "{name}: {got} {expected}");
     }
-    // With friction the masses still vibrate, and the clutch takes energy.
+    // With friction the masses still vibrate, and the contact `clutch` dissipates energy.
     let stuck = at.stuck().expect("a state");
     let slipping = at.orbit(0.5 * stuck.limit()).expect("a state");
     assert!(
@@ -110,7 +110,8 @@ fn states_repeat() {
     }
 }
 
-/// Checks the samples of a period: the first and the last sample are equal, and the events are those of the contacts.
+/// Checks the samples of a period. The first and the last sample must be equal, and the events must be those of the
+/// contacts.
 #[test]
 fn a_period_sample_by_sample() {
     let frame = system(super::FRAME);

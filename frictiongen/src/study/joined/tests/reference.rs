@@ -1,5 +1,5 @@
-//! Compares results with the scenes of `joints.json`. A separate program with matrix exponentials and bisection wrote
-//! that file.
+//! Compares results with the scenes in `joints.json`. A separate program wrote that file by matrix exponentials and
+//! bisection.
 
 use super::system;
 use crate::answer::Event;
@@ -71,7 +71,7 @@ fn text(scene: &Value) -> String {
     )
 }
 
-/// Returns the events of a scene in the file: time, contact and kind of event.
+/// Returns the events of a scene in `joints.json`: time, contact and kind of event.
 fn events(scene: &Value) -> Vec<(f64, usize, Event)> {
     let mut events = Vec::new();
     for event in list(&scene["events"]) {

@@ -1,4 +1,4 @@
-//! Checks that a scene with several contacts rejects questions without an answer, and that the message names the
+//! Checks that a scene with several contacts rejects requests that have no result, and that the message names the
 //! reason.
 
 use super::{FRAME, system};

@@ -1,5 +1,5 @@
-//! Checks derivatives of steady states: against those of a single contact, which dual numbers compute, against
-//! differences of motions from rest, and against laws of scale.
+//! Checks derivatives of steady states in three ways: against the derivatives of a single contact, which dual numbers
+//! compute, against differences of motions from rest, and against laws of scale.
 
 use super::{FRAME, system};
 use crate::study::joined::{JoinedError, JoinedParameter, JoinedSensitivities};
@@ -15,7 +15,7 @@ fn of(all: &JoinedSensitivities, parameter: JoinedParameter) -> Option<(f64, &[S
     Some((found.value, &found.amplitudes, &found.energies))
 }
 
-/// A scene with one contact has the derivatives that dual numbers give.
+/// Compares the derivatives of a scene with one contact with those that dual numbers give.
 #[test]
 fn derivatives_are_those_of_a_single_contact() {
     let single = |contact: &str, damping: &str| {
@@ -88,11 +88,12 @@ fn derivatives_are_those_of_a_single_contact() {
         }
     }
     println!("{compared} derivatives: {worst:.1e} of the amplitude");
-    // The residual of a steady state is below 1e-11 of the motion, and a step is 2.5e-4 of the parameter or less.
+    // The residual of a steady state is below 1e-11 of the motion, and a step of the difference is at most 2.5e-4 of
+    // the parameter.
     assert!(worst < 1e-6 && compared > 80, "{worst} {compared}");
 }
 
-/// Returns the amplitudes and energies of the motion from rest.
+/// Returns the amplitudes and energies of the steady state that the motion from rest reaches.
 fn from_rest(text: &str, (r, beta): (f64, f64)) -> Vec<f64> {
     let system = system(text);
     let joined = system.joined().expect("answers");
@@ -102,7 +103,7 @@ fn from_rest(text: &str, (r, beta): (f64, f64)) -> Vec<f64> {
     orbit.amplitudes().into_iter().chain(energies).collect()
 }
 
-/// Derivatives are differences of steady states that motions from rest reach.
+/// Compares the derivatives with differences of steady states that motions from rest reach.
 #[test]
 fn derivatives_are_differences_of_motions_from_rest() {
     let (r, beta) = (0.6, 0.3);
@@ -110,7 +111,7 @@ fn derivatives_are_differences_of_motions_from_rest() {
     let joined = system.joined().expect("answers");
     let all = joined.sensitivities(OperatingPoint::Groups { r, beta });
     let all = all.expect("derivatives");
-    // The numbers in the text, each with its replacement for a change of one ten thousandth.
+    // The numbers in the text, each with a replacement that is larger or smaller by one ten thousandth.
     let changes = [
         (
             JoinedParameter::Quantity(Quantity::Mass(1)),
@@ -172,8 +173,8 @@ fn derivatives_are_differences_of_motions_from_rest() {
     assert!(worst < 1e-6, "{worst}");
 }
 
-/// If all forces grow by one factor, so do all displacements. If friction, load, masses, springs and dashpots grow, no
-/// displacement changes.
+/// Checks two laws of scale. If all forces grow by one factor, all displacements grow by this factor. If friction,
+/// load, masses, springs and dashpots grow by one factor, no displacement changes.
 #[test]
 fn derivatives_follow_the_laws_of_scale() {
     let text = FRAME
@@ -200,7 +201,7 @@ fn derivatives_follow_the_laws_of_scale() {
     let quantity = JoinedParameter::Quantity;
     for index in 0..4 {
         let both = relative(Friction, index) + relative(OfLoad, index);
-        // Amplitudes are proportional to the forces, energies to their squares.
+        // Amplitudes are proportional to the forces, and energies to the squares of the forces.
         let degree = if index < 2 { 1.0 } else { 2.0 };
         assert!((both - degree).abs() < 1e-7, "{index}: {both}");
         let shares = relative(Share(0), index) + relative(Share(1), index);
@@ -238,7 +239,7 @@ fn states_without_derivatives_are_refused_by_name() {
     let beta = 3.0 * at.stuck().expect("a state").limit();
     let error = refused(&system, 0.6, beta);
     assert_eq!(error, JoinedError::NoDerivative(NoDerivative::Marginal));
-    // With μ = 1, two steady states do not exist at once. Between these frictions, the numbers of stops and reversals
+    // With μ = 1, there is only one steady state. Between these two frictions, its numbers of stops and reversals
     // change.
     let system = super::system(&FRAME.replace(", stiction: 1.2", ""));
     let joined = system.joined().expect("answers");

@@ -19,13 +19,13 @@ fn range(from: f64, to: f64) -> [ShareRange; 1] {
     }]
 }
 
-/// A search that stops early returns a distribution that is no worse than that of the description. Its peak is the
-/// largest amplitude at the 25 frequencies of the search.
+/// Checks that a search that stops early returns a distribution no worse than that of the description. The peak of the
+/// result must be the largest amplitude at the 25 frequencies of the search.
 #[test]
 fn a_stopped_search_keeps_its_best_distribution() {
     let block = system(BLOCK);
     let joined = block.joined().expect("answers");
-    // The search over the friction alone takes 428 steady states.
+    // The search over the friction alone computes 428 steady states.
     let allowed = 780;
     let count = Cell::new(0);
     let watch = || {
@@ -54,7 +54,7 @@ fn a_stopped_search_keeps_its_best_distribution() {
     assert_eq!(found.optimum.evaluations, allowed);
 }
 
-/// A search that stops at once has no answer, and an interval must begin above 0.
+/// Checks that a search that stops at once has no result, and that an interval must begin above 0.
 #[test]
 fn searches_without_an_answer() {
     let block = system(BLOCK);
@@ -67,7 +67,7 @@ fn searches_without_an_answer() {
     }
 }
 
-/// The complete search: no neighbour is better by more than the last step allows.
+/// Runs the whole search, and checks that no neighbour of its result is better by more than the last step permits.
 #[test]
 #[ignore = "a minute of steady states; the search that stops early is the short form"]
 fn neighbours_of_the_best_distribution_are_no_better() {

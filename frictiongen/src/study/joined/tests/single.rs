@@ -1,4 +1,4 @@
-//! Compares a list with one rigid contact with the solver for a single contact.
+//! Compares results of a list `contacts` with one rigid contact with those of the solver for a single contact.
 
 use super::{FRAME, apart, system};
 use crate::Regime;
@@ -54,7 +54,7 @@ fn steady_states_are_those_of_a_single_contact() {
             expected.is_marginal(),
             "r {r}, beta {beta}"
         );
-        // The solver of a single contact lists the multiplier 1 of a stuck contact, too.
+        // For a stuck contact, the solver for a single contact also lists the multiplier 1.
         if !expected.is_marginal() {
             let rate = expected.multipliers().iter().map(|m| m.norm());
             let rate = rate.fold(0.0, f64::max);

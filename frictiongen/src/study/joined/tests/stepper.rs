@@ -1,4 +1,4 @@
-//! Tests of steps in which each contact has a separate friction force.
+//! Tests of the stepper with a friction force of each contact of its own.
 
 use super::{FRAME, system};
 use crate::study::joined::JoinedInput;
@@ -87,8 +87,9 @@ fn bad_inputs_change_nothing() {
     }
 }
 
-/// Checks the energy of each contact against the work of a constant force, less the kinetic energy and the energy in the
-/// springs of the contacts. The static friction exceeds the kinetic friction, and the friction falls during the motion.
+/// Checks the energy of each contact against the work of a constant force, less the kinetic energy and the energy in
+/// the springs of the contacts. The static friction exceeds the kinetic friction, and the friction falls during the
+/// motion.
 #[test]
 fn energies_close_the_balance() {
     let pair = system(
@@ -148,7 +149,7 @@ fn the_first_input_acts_from_the_start() {
     };
     stepper.begin(input).expect("an input");
     stepper.advance(input).expect("a step");
-    // Both forces act all the time: x = (5 − 1)/2 · t²/2.
+    // The load and the friction force act all the time: x = (5 − 1)/2 · t²/2.
     let (x, v) = stepper.mass("block").expect("a mass");
     assert!(
         (x - 0.01).abs() < 1e-15 && (v - 0.2).abs() < 1e-15,

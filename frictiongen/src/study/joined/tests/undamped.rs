@@ -34,7 +34,7 @@ fn description(random: &mut Random) -> String {
         if random.once_in(3) {
             law += &format!(", stiction: {:.3}", random.between(1.0, 1.5));
         }
-        // Rigid contacts must not form a loop. All contacts with the wall but the first are therefore elastic.
+        // Rigid contacts must not form a loop. Of the contacts with the wall, only the first is therefore rigid.
         if contact > 0 && place.is_multiple_of(2) || random.once_in(2) {
             law += &format!(", stiffness: {:.1}", random.between(2e3, 2e4));
         }
@@ -98,7 +98,7 @@ fn check_random(count: usize) -> (usize, usize) {
     (settled, unsettled)
 }
 
-/// The free vibration of this chain nearly repeats after 21 cycles.
+/// Checks a chain whose free vibration nearly repeats after 21 cycles. This vibration must not lengthen the period.
 #[test]
 fn a_free_vibration_does_not_lengthen_the_period() {
     let text = "struct Chain {
@@ -119,7 +119,8 @@ fn a_free_vibration_does_not_lengthen_the_period() {
     ));
 }
 
-/// An elastic contact of this chain slides once, and then reaches its friction force once in every cycle.
+/// Checks a chain with an elastic contact that slides once, and then only reaches its friction force once in every
+/// cycle. The contact must count as sticking.
 #[test]
 fn a_contact_that_only_reaches_its_limit_sticks() {
     let text = "struct Chain {

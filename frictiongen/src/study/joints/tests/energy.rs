@@ -6,7 +6,7 @@ use super::{Chain, Random, random_chain};
 use frictiongen_model::scene::Node;
 use std::f64::consts::TAU;
 
-/// Returns nodes and weights of the Gaussian rule of ten points on [0, 1], computed by Newton's method.
+/// Returns points and weights of Gaussian integration with ten points on [0, 1], computed by Newton's method.
 pub fn gauss() -> Vec<(f64, f64)> {
     let n = 10;
     let nodes = (1..=n).map(|i| {
@@ -26,7 +26,7 @@ pub fn gauss() -> Vec<(f64, f64)> {
     nodes.collect()
 }
 
-/// Returns the energy of masses, springs and elastic contacts.
+/// Returns the kinetic energy of the masses plus the elastic energy of springs and elastic contacts.
 fn energy(chain: &Chain, motion: &Motion, forces: &[f64]) -> f64 {
     let (x, v) = (&motion.state().x, &motion.state().v);
     let base = chain.base.amplitude * (chain.base.omega * motion.time()).cos();
@@ -50,7 +50,8 @@ fn energy(chain: &Chain, motion: &Motion, forces: &[f64]) -> f64 {
     kinetic + springs + contacts.sum::<f64>()
 }
 
-/// Returns the power of the loads and the dissipated power at an instant of a stretch.
+/// Returns the power of the loads and the dissipated power at an instant of a stretch (time interval of a power
+/// series).
 fn powers(chain: &Chain, motion: &super::super::Model, series: &Series, at: f64) -> (f64, f64) {
     let (x, v) = series.motion(motion, at);
     let (y, dy) = series.base(at);
@@ -79,8 +80,8 @@ fn powers(chain: &Chain, motion: &super::super::Model, series: &Series, at: f64)
     (input, lost)
 }
 
-/// Returns the error of the energy balance of one scene over some cycles. The error is relative to the energy that load
-/// or base put in or took out. Also returns the number of events.
+/// Returns the error of the energy balance of one scene over some cycles, and the number of events. The error is
+/// divided by the energy that load or base put in or took out.
 fn balance(chain: &Chain, omega: f64, cycles: f64) -> Result<(f64, usize), JointError> {
     let mut motion = Motion::from_rest(chain)?;
     let model = motion.model().clone();
@@ -122,7 +123,8 @@ fn balance(chain: &Chain, omega: f64, cycles: f64) -> Result<(f64, usize), Joint
     Ok(((put - lost - (end - start)).abs() / (start + moved), events))
 }
 
-/// Runs random scenes of 1 to 6 masses, a third of them without a support. Returns the number of events.
+/// Checks the energy balance of random scenes of 1 to 6 masses, a third of them without a support. Returns the number
+/// of events.
 fn random_scenes(count: usize) -> usize {
     let mut random = Random::new(7);
     let (mut worst, mut events) = (0.0_f64, 0);

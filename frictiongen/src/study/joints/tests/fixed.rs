@@ -1,5 +1,5 @@
-//! Compares arrays of fixed length, as in emitted code, with vectors. Arrays and vectors run the same code, so that the
-//! bits of the results must be equal. Also tests `f32`.
+//! Compares arrays of fixed length, as in emitted code, with vectors. Arrays and vectors run the same code. The results
+//! must therefore be equal to the last bit. The module also tests `f32`.
 
 use super::super::{Chain, Model, Motion, Wave};
 use super::{Joint, rigid};
@@ -122,7 +122,7 @@ fn arrays_and_vectors_give_the_same_bits() {
     assert!(events > 40, "{events}");
 }
 
-/// Checks that the events in `f32` are those in `f64`, as long as rounding errors are small.
+/// Checks that motions in `f32` have the same events as in `f64`, as long as rounding errors are small.
 #[test]
 fn single_precision_follows_double_precision() {
     let chain = scene(3.0);

@@ -7,7 +7,7 @@ use frictiongen_model::scene::Node::{self, Base, Mass, Wall};
 use std::f64::consts::{PI, TAU};
 
 /// Compares a motion with the example `CoupledClutches` of the Modelica Standard Library, which is a reference for
-/// friction.
+/// friction models.
 #[test]
 fn coupled_clutches() {
     let clutch = |index| Joint {
@@ -59,14 +59,14 @@ fn coupled_clutches() {
     ];
     println!("{changes:?} {:?}", motion.state().v);
     assert_eq!(changes.len(), expected.len(), "{changes:?}");
-    // The published digits end at 5e-14.
+    // The published digits determine the instants to 5e-14.
     for (got, expected) in changes.iter().zip(expected) {
         assert_eq!((got.0, got.1), (expected.0, expected.1));
         assert!((got.2 - expected.2).abs() < 1e-12, "{got:?} {expected:?}");
     }
     let v = &motion.state().v;
     assert!((v[0] - 3.247_058_272_419).abs() < 1e-12, "{v:?}");
-    // Ten digits of the other velocities are known. The angular momentum determines the further digits.
+    // Only ten digits of the other velocities are published. The angular momentum gives further digits.
     assert!((2.463_187_166..2.463_187_167).contains(&v[1]), "{v:?}");
     assert!(v[1] == v[2] && v[2] == v[3], "{v:?}");
     // The angular momentum is the integral of the torque plus the momentum at the start.
@@ -115,7 +115,7 @@ fn loop_of_an_elastic_contact() {
     };
     let mut motion = Motion::from_rest(&chain).expect("a chain");
     let angle = |displacement: f64| (displacement / 5.0).asin();
-    // Displacement 5, 3.5, 2, −5, −3.5, −2, 5, then once around.
+    // The displacements are 5, 3.5, 2, −5, −3.5, −2 and 5. The next cycle repeats them.
     let instants = [
         (PI / 2.0, 3.0),
         (PI - angle(3.5), 0.0),
@@ -194,8 +194,8 @@ fn symmetric_halves_share_their_events() {
     assert!((whole.state().x[0] - half.state().x[0]).abs() < 1e-12);
 }
 
-/// Checks a free block under a constant force. A force of 0.3 of the static friction force does not move it. A force of
-/// 1.3 moves it in proportion to t².
+/// Checks a free block under a constant force. A force of 0.3 times the static friction force does not move it. A force
+/// of 1.3 times the static friction force moves it in proportion to t².
 #[test]
 fn block_on_the_floor() {
     for (share, expected) in [(0.3, 0.0), (1.3, 0.3 * 4.0 / 2.0 / 2.0 * 9.0)] {

@@ -1,5 +1,5 @@
-//! Compares the decision on which contacts stick with a test of all 3^m patterns. For μ = 1 also compares it with the
-//! minimum of a convex function.
+//! Compares the decision on which contacts stick with a test of all 3^m patterns of m contacts. For μ = 1, also
+//! compares the decision with the minimum of a convex function.
 
 use super::super::{Heap, Model};
 use super::{Chain, Random, rigid};
@@ -112,8 +112,8 @@ fn dense(chain: &Chain, model: &Model, forces: &[f64], pattern: &[i8]) -> (Vec<f
     )
 }
 
-/// Returns all patterns in the order in which the rule prefers them: first by the number of sticking contacts, then in
-/// the order of the description.
+/// Returns all patterns in the order in which the rule prefers them. Patterns with more sticking contacts come first.
+/// Patterns with the same number follow the order of the description.
 fn all(count: usize) -> Vec<Vec<i8>> {
     let mut all: Vec<Vec<i8>> = (0..3_usize.pow(count as u32))
         .map(|code| {
@@ -172,8 +172,8 @@ fn against_all(count: usize) {
         let (chain, forces) = question(&mut random, contacts, index % 3 == 0);
         let model = chain.model().expect("a chain");
         let all = all(contacts);
-        // In half of the cases, every contact has broken away whose force would exceed the static friction force if all
-        // contacts stuck.
+        // In half of the cases, some contacts have just broken away. These are the contacts whose force would exceed
+        // the static friction force if all contacts stuck.
         let (_, holds) = dense(&chain, &model, &forces, &vec![0; contacts]);
         let exceeds = |&j: &usize| {
             let contact = &chain.contacts[j];
@@ -220,7 +220,8 @@ fn decisions_are_those_of_all_patterns_long() {
     against_all(100_000);
 }
 
-/// Checks that for μ = 1 the accelerations minimise Σ ½ m a² − Σ R a + Σ F |wᵀa|.
+/// Checks that for μ = 1 the accelerations a minimise Σ ½ m a² − Σ R a + Σ F |wᵀa|, where R are the other forces on the
+/// masses.
 #[test]
 fn accelerations_are_those_of_the_convex_minimum() {
     let mut random = Random::new(5);
@@ -242,7 +243,7 @@ fn accelerations_are_those_of_the_convex_minimum() {
                     .sum::<f64>()
         };
         let least = cost(&a);
-        // A convex function that no small displacement lowers has its minimum there.
+        // If no small displacement lowers a convex function, the function has its minimum there.
         for step in [1e-1, 1e-3] {
             for _ in 0..40 {
                 let mut other = a.clone();

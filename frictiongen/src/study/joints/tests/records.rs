@@ -47,14 +47,14 @@ fn storeys() -> Chain {
         loads: (0..5).map(|i| (i, Wave::default())).collect(),
         ..Chain::default()
     };
-    // A friction pad in addition to the dampers. It sticks most of the time.
+    // The storeys have a friction pad in addition to the dampers. The pad sticks most of the time.
     chain.contacts.push(rigid((Mass(4), Wall), 6.0, 1.3));
     chain.damp_modes(&[0.02; 5]).expect("ratios");
     chain
 }
 
-/// Applies a record, with each of its steps divided into `parts` steps. Returns the last state and the number of
-/// events.
+/// Applies a record of forces. Each step of the record is divided into `parts` steps. Returns the last state and the
+/// number of events.
 fn run(chain: &Chain, record: &[f64], step: f64, parts: usize) -> (Motion, usize) {
     let mut motion = Motion::from_rest(chain).expect("a chain");
     let mut events = 0;
@@ -91,8 +91,8 @@ fn parts_of_a_step_do_not_change_a_motion() {
     }
 }
 
-/// Checks a load that jumps. A jump above the static friction force moves the contact at once. A jump back does not
-/// stop it at once.
+/// Checks a load that jumps. A jump above the static friction force moves the contact at once. A jump back to zero does
+/// not stop the contact at once.
 #[test]
 fn a_load_that_jumps() {
     let chain = Chain {

@@ -1,5 +1,5 @@
-//! Compares events, states and steady states with `joints.json`.  A plain program made that file, with matrix exponentials
-//! and bisection.  It shares nothing with this project.
+//! Compares events, states and steady states with `joints.json`.  A plain program made that file, with matrix
+//! exponentials and bisection.  It shares nothing with this project.
 
 use super::super::{Motion, Series};
 use super::{Chain, Joint, Wave, modal, stiffness};
@@ -78,7 +78,8 @@ pub fn chain(value: &Value, omega: f64) -> Chain {
     chain
 }
 
-/// Increases the largest |x| of each mass to the largest value in a stretch.
+/// Compares the largest |x| of each mass in a stretch (time interval of a power series) with its amplitude so far, and
+/// keeps the larger number.
 fn largest(amplitudes: &mut [f64], series: &Series, end: f64) {
     for (mass, amplitude) in amplitudes.iter_mut().enumerate() {
         let (x, v) = (series.displacement_terms(mass), series.velocity_terms(mass));
@@ -90,7 +91,8 @@ fn largest(amplitudes: &mut [f64], series: &Series, end: f64) {
     }
 }
 
-/// Returns amplitudes and stuck fractions over one period, after a number of cycles.
+/// Returns the amplitudes of the masses and the stuck fractions of the contacts over one period, after a number of
+/// cycles.
 fn steady(chain: &Chain, omega: f64, cycles: usize) -> (Vec<f64>, Vec<f64>) {
     let mut motion = Motion::from_rest(chain).expect("a chain");
     let period = TAU / omega;

@@ -1,4 +1,4 @@
-//! Tests steady states of random scenes, a third of them without a support, with any period.
+//! Tests of steady states of random scenes, with periods of any length. A third of the scenes have no support.
 
 use super::super::{JointError, Motion, State, steady_state};
 use super::{Chain, Random, random_chain};
@@ -24,7 +24,8 @@ fn away(a: &State, b: &State) -> f64 {
     differences.fold(0.0, f64::max)
 }
 
-/// Returns two numbers of scenes: those without a result, and those with a period of several cycles.
+/// Checks steady states of random scenes. Returns two numbers of scenes: those without a result, and those with a
+/// period of several cycles.
 fn settle(count: usize) -> (usize, usize) {
     let mut random = Random::new(99);
     let (mut open, mut several, mut compared) = (0, 0, 0);
@@ -49,7 +50,7 @@ fn settle(count: usize) -> (usize, usize) {
             back < 1e-10 * size,
             "scene {index}: {back:.1e} of {size:.1e}"
         );
-        // The motion has no shorter period.
+        // No shorter period repeats the motion.
         for state in period.iter().take(steady.period - 1) {
             assert!(away(state, &steady.state) > 1e-6 * size, "scene {index}");
         }

@@ -1,5 +1,5 @@
-//! Compares steady states with the reference, with formulas and with motions in time. Also tests the chain while no
-//! contact slides.
+//! Compares steady states with the reference file, with formulas and with motions in time. Also tests the response of
+//! the chain while no contact slides.
 
 use super::super::{Motion, stuck_response};
 use super::super::{Steady, steady_state};
@@ -10,7 +10,8 @@ use frictiongen_model::scene::Node::{Base, Mass, Wall};
 use serde_json::Value;
 use std::f64::consts::TAU;
 
-/// Returns the largest difference from the reference. Differences of amplitudes are relative to the largest amplitude.
+/// Returns the largest difference from the reference file. Differences of amplitudes are divided by the largest
+/// amplitude.
 fn differs(steady: &Steady, expected: &Value) -> f64 {
     let amplitudes = numbers(&expected["amplitude"]);
     let largest = amplitudes.iter().fold(0.0_f64, |m, x| m.max(*x));
@@ -60,7 +61,7 @@ fn steady_states_are_those_of_the_reference() {
     println!("{worst:.1e}");
 }
 
-/// Checks that an elastic contact with two stops in a cycle dissipates 4F(X − F/k).
+/// Checks that an elastic contact with two stops in a cycle dissipates 4F(X − F/k) in a cycle.
 #[test]
 fn energy_of_a_cycle_is_the_area_of_the_loop() {
     let all = read();
@@ -111,7 +112,7 @@ fn changes_decay_with_the_multipliers() {
             .map(|(a, b)| (a - b).powi(2));
         changes.push(size.sum::<f64>().sqrt());
     }
-    // The largest multiplier is one of a complex pair, so the rate of decay is a mean over many cycles.
+    // The largest multiplier belongs to a complex pair. The rate of decay is therefore a mean over many cycles.
     let rate = (changes[59] / changes[29]).powf(1.0 / 30.0);
     let expected = steady.multipliers[0].norm();
     assert!(
@@ -163,7 +164,7 @@ fn the_stuck_chain_is_the_steady_state_with_large_levels() {
         }
         let largest = stuck.amplitudes.iter().fold(1e-12_f64, |m, x| m.max(*x));
         for (i, amplitude) in stuck.amplitudes.iter().enumerate() {
-            // Sampling misses a maximum by at most (π/720)²/2, which is 1e-5.
+            // The samples miss a maximum by at most (π/720)²/2, which is 1e-5.
             let miss = (0.5 * (highest[i] - lowest[i]) - amplitude).abs() / largest;
             assert!(miss < 2e-5, "{miss:.1e} {chain:?}");
             worst = worst.max(miss);
@@ -181,7 +182,8 @@ fn the_stuck_chain_is_the_steady_state_with_large_levels() {
     println!("{worst:.1e}");
 }
 
-/// Checks that no contact slides just above the limit, and that the named contact slides just below it.
+/// Checks that no contact slides if the friction just exceeds the limit, and that the named contact slides if the
+/// friction is just below the limit.
 #[test]
 fn the_limit_names_the_contact_that_goes_first() {
     let make = |factor: f64| Chain {
@@ -210,8 +212,8 @@ fn the_limit_names_the_contact_that_goes_first() {
     let (limit, first) = stuck.limit.expect("a limit");
     for (share, slides) in [(1.001, false), (0.999, true)] {
         let mut motion = Motion::from_rest(&make(limit * share)).expect("a chain");
-        // The motion from rest overshoots. The test therefore first settles it with much larger friction forces, and
-        // continues from the settled state.
+        // The motion from rest overshoots. The test therefore first lets it settle with much larger friction forces,
+        // and continues from the settled state.
         let mut far = Motion::from_rest(&make(1e6)).expect("a chain");
         far.run(80.0 * TAU / 19.0, &mut |_, _, _| {})
             .expect("a motion");

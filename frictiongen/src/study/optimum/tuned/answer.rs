@@ -4,7 +4,7 @@ use super::number::Tunable;
 use crate::study::optimum::Optimum;
 use crate::study::system::System;
 
-/// A number of the description for optimisation together with the friction, and the interval of its values.
+/// A number of the description that the search varies together with the friction, and the interval of its values.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tuning {
     /// The varied number of the description.
@@ -15,33 +15,35 @@ pub struct Tuning {
     pub to: f64,
 }
 
-/// The best friction for one value of the varied number.
+/// The best friction at one value of the varied number.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TunedPoint {
     /// The value of the varied number.
     pub value: f64,
     /// The best friction ratio β, with m₁ and k₁ of the description. NaN if no best friction exists.
     pub beta: f64,
-    /// The largest amplitude over the band with this friction, in P/k₁ (in Y for base motion), with k₁ of the
-    /// description. It is infinite if no friction bounds the amplitude. NaN means that the search reached its bound on
-    /// work, or was stopped, before it found any friction.
+    /// The largest amplitude over the band with this friction, divided by P/k₁ (by Y for base motion), with k₁ of the
+    /// description. It is infinite if no friction bounds the amplitude. It is NaN if the search ended before it found
+    /// any friction, because it reached its bound on work or was stopped.
     pub amplitude: f64,
 }
 
-/// The friction and the value of one number that together give the smallest peak over a band of frequencies.
+/// The friction and the value of the varied number that together give the smallest largest amplitude over a band of
+/// frequencies.
 #[derive(Clone, Debug)]
 pub struct TunedOptimum {
     /// The best value of the varied number.
     pub value: f64,
-    /// True if the best value is a bound of the interval. A value outside the interval may then be better.
+    /// True if the best value of the varied number is a bound of its interval. A value outside the interval may then be
+    /// better.
     pub at_end: bool,
     /// The scene with the best value of the varied number.
     pub system: System,
-    /// The best friction with the best value. Its groups r, β and x̄ refer to m₁ and k₁ of the original description.
-    /// Use the original description to convert them to Hz, N and m.
+    /// The best friction at the best value of the varied number. Its groups r, β and x̄ refer to m₁ and k₁ of the
+    /// original description. Use the original description to convert them to Hz, N and m.
     pub optimum: Optimum,
-    /// The best friction at all scanned values of the varied number, in ascending order. The list shows the influence
-    /// of the number.
+    /// The best friction at all scanned values of the varied number, in ascending order of the values. The list shows
+    /// the influence of the number.
     pub scan: Vec<TunedPoint>,
     /// Total number of amplitudes that the search computed.
     pub evaluations: usize,

@@ -17,19 +17,20 @@ impl System {
     /// a mass, a damping ratio, a damping factor or μ. Band, load and friction force keep their values in Hz, N and m,
     /// even if m₁ or k₁ varies.
     ///
-    /// The search evaluates 17 values of the number, including both bounds of its interval. For each value it finds the
-    /// best of all friction ratios, as [`optimum`](Self::optimum) does. It also computes the derivative of the
-    /// amplitude with respect to the number, while friction stays optimal. The values are in geometric steps, or in
-    /// quadratic steps if the interval starts at 0 or below.
+    /// The search evaluates 17 values of the number, including both bounds of its interval. The values are in geometric
+    /// steps, or in quadratic steps if the interval starts at 0 or below. For each value the search finds the best of
+    /// all friction ratios, as [`optimum`](Self::optimum) does. It also computes the derivative of the best amplitude
+    /// with respect to the number, while the friction stays the best.
     ///
     /// If the amplitude first falls and then rises between two neighbouring values, the search finds the minimum
     /// between them. The minimum is a zero of the derivative, or a crossing of two branches. The search first looks for
-    /// the best friction near the best friction of the neighbours, and at the end among all friction ratios.
+    /// the best friction near the best frictions of the neighbouring values. At the end it looks for it among all
+    /// friction ratios.
     ///
-    /// The result is the smallest amplitude of all evaluated values. The search misses a minimum between two neighbours
-    /// if the amplitude rises at the first or falls at the second. If the minimum is sharp, value and friction have 9
-    /// digits. If the minimum is flat, they have half of the digits of the amplitude. The call takes several times as
-    /// long as [`optimum`](Self::optimum).
+    /// The result is the smallest amplitude of all evaluated values. The search misses a minimum between two
+    /// neighbouring values if the amplitude rises at the first value or falls at the second. If the minimum is sharp,
+    /// value and friction have 9 digits. If the minimum is flat, they have half as many digits as the amplitude. The
+    /// call takes several times as long as [`optimum`](Self::optimum).
     ///
     /// ```no_run
     /// use frictiongen::study::{System, optimum::{FrequencyBand, OptimumRequest, Tuning}, response::MotionQuantity};
@@ -59,8 +60,8 @@ impl System {
     /// ```
     ///
     /// # Errors
-    /// Same errors as [`optimum`](Self::optimum). [`OptimumError`] also for an invalid interval, for a bound of the
-    /// interval with which the scene is invalid, and if no value has a result.
+    /// Same errors as [`optimum`](Self::optimum). [`OptimumError`] also for an invalid interval, for a scene that is
+    /// invalid at a bound of the interval, and if no value of the number has a result.
     pub fn tuned_optimum(
         &self,
         request: &OptimumRequest,
@@ -69,13 +70,13 @@ impl System {
         TunedSearch::new(self, request, *tuning)?.solved()
     }
 
-    /// Searches as [`tuned_optimum`](Self::tuned_optimum) does, and calls `watch` after each evaluation, on several
+    /// Searches as [`tuned_optimum`](Self::tuned_optimum) does, and calls `watch` after each evaluation, from several
     /// threads. If `watch` returns false once, it must return false from then on. The search then ends with the best
     /// result so far.
     ///
     /// # Errors
-    /// Same errors as [`tuned_optimum`](Self::tuned_optimum), and [`OptimumError::Stopped`] if nothing was found before
-    /// the stop.
+    /// Same errors as [`tuned_optimum`](Self::tuned_optimum), and [`OptimumError::Stopped`] if the search was stopped
+    /// before it found a result.
     #[doc(hidden)]
     pub fn tuned_optimum_watched(
         &self,

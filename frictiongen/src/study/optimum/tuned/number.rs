@@ -1,4 +1,4 @@
-//! The numbers of a description that an optimum can vary together with the friction.
+//! The numbers of a description that a search for the best friction can vary together with the friction.
 
 use crate::study::error::InvalidScene;
 use crate::study::parameter::symbol;
@@ -7,10 +7,11 @@ use crate::study::system::System;
 use frictiongen_model::scene::{Damping, Scene, Spring};
 use frictiongen_model::sensitivity::Quantity;
 
-/// A number of a description that an optimum can vary together with the friction.
+/// A number of a description that a search for the best friction can vary together with the friction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Tunable {
-    /// A mass, the stiffness of a spring or of the contact, μ, the damping ratio of one mode, or a factor of C = aM + bK.
+    /// A mass, the stiffness of a spring or of the contact, μ, the damping ratio of one mode, or a factor of C = aM +
+    /// bK.
     Quantity(Quantity),
     /// The common damping ratio of all modes.
     DampingRatios,
@@ -40,7 +41,7 @@ impl std::error::Error for UnknownTunable {}
 
 impl Tunable {
     /// Returns the symbol of the number, for example `m upper`, `k base - lower`, `zeta 1`, `a` or `mu`. Lists of
-    /// derivatives contain the same symbols. The symbol of the common damping ratio is `zeta`.
+    /// derivatives use the same symbols. The symbol of the damping ratio that all modes have in common is `zeta`.
     #[must_use]
     pub fn symbol(&self, scene: &Scene) -> String {
         match self {
@@ -61,7 +62,7 @@ impl Tunable {
         }
     }
 
-    /// Returns all quantities of the description that vary with this number.
+    /// Returns all quantities of the description that change together with this number.
     pub(super) fn quantities(self, scene: &Scene) -> Vec<Quantity> {
         match self {
             Self::Quantity(quantity) => vec![quantity],
@@ -71,7 +72,7 @@ impl Tunable {
         }
     }
 
-    /// Returns the scene with another value of this number. Returns `None` if the description does not have such a
+    /// Returns the scene with another value of this number. Returns `None` if the description does not have this
     /// number.
     fn applied(self, scene: &Scene, value: f64) -> Option<Scene> {
         let mut scene = scene.clone();
@@ -128,8 +129,9 @@ fn ratios(scene: &Scene) -> Option<Vec<f64>> {
 }
 
 impl System {
-    /// Returns all numbers of the description that an optimum can vary: masses, springs, damping and μ. An undamped
-    /// description allows damping ratios and C = aM + bK. A damped description allows only its own kind of damping.
+    /// Returns all numbers of the description that a search can vary: masses, springs, damping and μ. If the
+    /// description has no damping, these include damping ratios and C = aM + bK. Otherwise they include only its own
+    /// kind of damping.
     #[must_use]
     pub fn tunables(&self) -> Vec<Tunable> {
         let scene = self.scene();
@@ -150,9 +152,9 @@ impl System {
         all
     }
 
-    /// Returns the number with the symbol `name`: `m upper`, `k base - lower`, `zeta` of all modes, `zeta 1`, `a`, `b`,
-    /// `stiffness` of an elastic contact, or `mu`. The two nodes of a spring may be in either order. `k2` means the second spring of the description,
-    /// `m1` its first mass.
+    /// Returns the number with the symbol `name`. Symbols are `m upper`, `k base - lower`, `zeta` for all modes, `zeta
+    /// 1`, `a`, `b`, `stiffness` for an elastic contact, and `mu`. The two nodes of a spring may be in either order.
+    /// `k2` means the second spring of the description, and `m1` its first mass.
     ///
     /// # Errors
     /// [`UnknownTunable`] if no number has this symbol.
@@ -186,7 +188,7 @@ impl System {
     }
 
     /// Returns the same scene with another value of one number. Damping ratios belong to the modes in ascending order
-    /// of frequency, both before and after the change.
+    /// of natural frequency, in the original scene and in the changed one.
     ///
     /// ```
     /// # fn main() -> Result<(), Box<dyn std::error::Error>> {

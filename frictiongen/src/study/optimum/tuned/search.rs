@@ -8,20 +8,20 @@ use crate::study::optimum::problem::OptimumProblem;
 use crate::study::optimum::search::{Least, SearchEnd, WORK_OF_ONE};
 use std::sync::atomic::Ordering;
 
-/// Number of intervals of the scan over the number.
+/// Number of intervals of the scan over the varied number.
 const STEPS: usize = 16;
-/// The search examines an interval of the scan if the tangents at its two points meet below this multiple of the best
-/// amplitude.
+/// Largest amplitude for which the search examines an interval of the scan, divided by the best amplitude. The
+/// amplitude is that at which the tangents at the two points of the interval meet.
 const WORTH: f64 = 1.05;
-/// Largest number of intervals that the search examines. It begins with the smallest expected amplitude.
+/// Largest number of intervals of the scan that the search examines, beginning with the smallest expected amplitude.
 const MOST_LOOKED_INTO: usize = 3;
-/// Largest number of steps towards a minimum.
+/// Largest number of steps of the search towards one minimum.
 const MOST_STEPS: usize = 40;
-/// Tolerance of the position of a minimum, as a fraction of an interval of the scan.
+/// Tolerance of the position of a minimum, divided by the length of an interval of the scan.
 const NEAR: f64 = 1e-10;
-/// The search ends if a step reduces the amplitude relatively by less than this value.
+/// Smallest relative reduction of the amplitude by a step. After a smaller reduction the search ends.
 const GAIN: f64 = 2e-13;
-/// Largest number of repeated searches. A search repeats if another friction is better at the minimum.
+/// Largest number of repetitions of a search. A search is repeated if another friction is better at the minimum.
 const AGAIN: usize = 3;
 
 impl TunedSearch<'_> {
@@ -45,7 +45,7 @@ impl TunedSearch<'_> {
             let problem = OptimumProblem::new(&varied, &self.request_for(&varied))?;
             let problem = problem.watched_by(self.watch);
             let band = problem.band();
-            // This search covers all friction, not only friction near the best friction of the neighbouring values.
+            // This search covers all frictions, not only those near the best frictions of the neighbouring values.
             let mut least = match (OptimumProblem::least(&band, WORK_OF_ONE), &best.found) {
                 (Err(OptimumError::Stopped), Some(found)) => Least {
                     end: SearchEnd::Spent,
@@ -167,8 +167,9 @@ impl TunedSearch<'_> {
             if left <= NEAR * width || enough || !self.goes_on() {
                 break;
             }
-            // A single branch has its minimum at the zero of its derivative. Two branches have their minimum at their
-            // crossing. If one end of the bracket does not move, the step goes slightly beyond the crossing.
+            // If both ends of the bracket have the same branch, the minimum is at the zero of its derivative. If they
+            // have two branches, the minimum is at the crossing. If one end of the bracket does not move, the step goes
+            // slightly beyond the crossing.
             let one = below.peaks.len() == above.peaks.len()
                 && below
                     .peaks
@@ -200,8 +201,8 @@ impl TunedSearch<'_> {
             } else {
                 above = here;
             }
-            // After two steps on the same side, the next step is extended beyond the meeting point by the distance from
-            // the last value to that point.
+            // After two steps on the same side, the next step goes beyond the meeting point of the tangents, by the
+            // distance between the last value and that point.
             beyond = match meeting(&below, &above) {
                 Some((next, _)) if last == Some(side) => next - value,
                 _ => 0.0,
@@ -238,21 +239,21 @@ fn meeting(below: &Tried, above: &Tried) -> Option<(f64, f64)> {
     (below.value < value && value < above.value).then_some((value, low))
 }
 
-/// Returns the amplitude at which the tangents of two scanned values meet. The result is at least half of the smaller
-/// amplitude.
+/// Returns the amplitude at which the tangents of two scanned values meet. If it is less than half of the smaller
+/// amplitude of the two, returns this half.
 fn promised(below: &Tried, above: &Tried) -> f64 {
     let least = 0.5 * below.amplitude.min(above.amplitude);
     meeting(below, above).map_or(least, |(_, low)| low.max(least))
 }
 
-/// Applies a function to each value, in order and on all cores.
+/// Applies a function to each value on all cores. The results keep the order of the values.
 #[cfg(feature = "desk")]
 fn on_all_cores<T: Send>(values: Vec<f64>, f: impl Fn(f64) -> T + Sync + Send) -> Vec<T> {
     use rayon::prelude::*;
     values.into_par_iter().with_max_len(1).map(f).collect()
 }
 
-/// Applies a function to each value, in order.
+/// Applies a function to each value, in the order of the values.
 #[cfg(not(feature = "desk"))]
 fn on_all_cores<T>(values: Vec<f64>, f: impl Fn(f64) -> T) -> Vec<T> {
     values.into_iter().map(f).collect()

@@ -1,5 +1,5 @@
-//! The best friction at one value of a number of the description, and the derivative of the best amplitude with
-//! respect to that number.
+//! The best friction at one value of a number of the description, and the derivative of the best amplitude with respect
+//! to that number.
 
 use super::answer::Tuning;
 use crate::study::optimum::amplitude::{FrictionAmount, KeepGoing};
@@ -14,13 +14,13 @@ use crate::study::units::{Load, angular_frequency};
 use frictiongen_model::scene::Excitation;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// A peak counts as stationary with respect to a variable if its relative slope is at most this value. A steeper peak
-/// has no derivative.
+/// Largest relative slope, with respect to a variable, of a peak that counts as stationary. The minimum of a steeper
+/// peak has no derivative.
 const STATIONARY: f64 = 1e-4;
-/// Step of a finite difference, relative to the number's value.
+/// Step of a finite difference with respect to the number, divided by the number's value.
 const DIFFERENCE: f64 = 1e-5;
-/// The searched friction interval extends beyond the best frictions of both neighbours by at least this relative
-/// distance.
+/// Smallest relative distance by which the searched interval of friction extends beyond the best frictions of both
+/// neighbouring values.
 const MARGIN: f64 = 1e-3;
 
 /// A checked request for the best friction together with one number of the description.
@@ -37,8 +37,8 @@ pub(super) struct TunedSearch<'s> {
 pub(super) struct Tried {
     pub value: f64,
     pub amplitude: f64,
-    /// Derivative of the smallest amplitude with respect to the varied number of the description. NaN if the derivative
-    /// is not known.
+    /// Derivative of the best amplitude with respect to the varied number of the description. It is NaN if the
+    /// derivative is not known.
     pub slope: f64,
     /// Best friction ratio β, with m₁ and k₁ of the description.
     pub beta: f64,
@@ -47,7 +47,8 @@ pub(super) struct Tried {
     pub found: Option<Least>,
 }
 
-/// Factors from the groups of the description to the groups of the scene with another value of the number.
+/// Factors that convert non-dimensional groups of the description to those of the scene with another value of the
+/// number.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct GroupRatios {
     pub r: f64,
@@ -63,7 +64,7 @@ impl GroupRatios {
             Excitation::Force(_) => (1.0, 1.0 / stiffer),
         };
         let r = varied.reference / described.reference;
-        // The load, velocities and accelerations are taken at r = 1, whose frequency changes with m₁ and k₁.
+        // The load, velocities and accelerations refer to r = 1. The frequency at r = 1 changes with m₁ and k₁.
         let fall = request.load.map_or(0, |load| load.fall());
         let load = r.powi(-fall);
         let length = match request.size {
@@ -119,7 +120,7 @@ impl<'s> TunedSearch<'s> {
         for end in [from, to] {
             described.with_value(of, end).map_err(OptimumError::Scene)?;
         }
-        // All other faults of a request do not depend on the value of the number.
+        // All other faults of a request are the same for every value of the number.
         if let Err(error) = OptimumProblem::new(described, request)
             && !matches!(error, OptimumError::Undamped(_))
         {
@@ -134,7 +135,7 @@ impl<'s> TunedSearch<'s> {
         })
     }
 
-    /// Lets the caller's function stop the search.
+    /// Sets the caller's function that can stop the search.
     pub(super) fn watched_by(self, watch: KeepGoing<'s>) -> Self {
         let watch = Some(watch);
         Self { watch, ..self }
@@ -154,7 +155,8 @@ impl<'s> TunedSearch<'s> {
         varied.map_err(OptimumError::Scene)
     }
 
-    /// Returns the request with the same band, in the groups of the scene with another value of the number.
+    /// Returns the request with the same band of frequencies in Hz, in the groups of the scene with another value of
+    /// the number.
     pub(super) fn request_for(&self, varied: &System) -> OptimumRequest {
         let groups = GroupRatios::new(self.request, self.described, varied);
         let ratio = |r: f64| r / groups.r;
@@ -179,7 +181,8 @@ impl<'s> TunedSearch<'s> {
             })
     }
 
-    /// Returns the best friction at a value of the number. The search covers all friction, or the interval `window`.
+    /// Returns the best friction at a value of the number. The search covers all frictions, or only the interval
+    /// `window`.
     pub(super) fn tried(
         &self,
         value: f64,
@@ -228,7 +231,7 @@ impl<'s> TunedSearch<'s> {
             found => found?,
         };
         if band.amplitude.is_stopped() {
-            // An unfinished search may have missed the largest peak, so that its amplitude is a lower bound.
+            // A search that did not finish may have missed the largest peak. Its amplitude is then a lower bound.
             tried.amplitude = f64::NAN;
             return Ok(tried);
         }
@@ -244,7 +247,7 @@ impl<'s> TunedSearch<'s> {
         Ok(tried)
     }
 
-    /// Returns the derivative of the smallest amplitude with respect to the number, while friction stays optimal.
+    /// Returns the derivative of the best amplitude with respect to the number, while the friction stays the best.
     fn slope(
         &self,
         problem: &OptimumProblem<'_>,
@@ -254,7 +257,7 @@ impl<'s> TunedSearch<'s> {
         let held = least.kind == MinimumKind::Held;
         let beta = least.at.beta;
         let peaks = equal_peaks(band, (&least.at, least.kind), FrictionAmount::Ratio(beta));
-        // For a stuck contact, more friction changes nothing, but makes the regime certain.
+        // If the contact is stuck, more friction changes nothing. It makes the regime certain.
         let beta = if held && least.locked_from <= beta {
             2.0 * beta
         } else {
@@ -276,14 +279,14 @@ impl<'s> TunedSearch<'s> {
         }
         let weights = weights(&all)?;
         match weights.as_slice() {
-            // A single peak at its own minimum must be stationary in friction. Otherwise there is no derivative.
+            // A single peak at its own minimum must be stationary in friction. Otherwise the minimum has no derivative.
             [_] if least.kind == MinimumKind::Smooth => {
                 if STATIONARY < relative(0, Parameter::Friction)?.abs() {
                     return None;
                 }
             }
             [_] => {}
-            // One peak falls with friction and the other rises, so that both weights are positive.
+            // One peak falls with more friction and the other rises. Both weights are then positive.
             weights if weights.iter().all(|weight| 0.0 <= *weight) => {}
             _ => return None,
         }
@@ -298,7 +301,7 @@ impl<'s> TunedSearch<'s> {
     }
 }
 
-/// Returns the friction interval to search for a value of the number between two known values.
+/// Returns the interval of friction that the search covers for a value of the number between two known values.
 pub(super) fn near(below: &Tried, above: &Tried) -> [f64; 2] {
     let [low, high] = [below.beta.min(above.beta), below.beta.max(above.beta)];
     let margin = (0.25 * (high - low)).max(MARGIN * high);
