@@ -23,12 +23,12 @@ const AMPLITUDE: f64 = 0.01;
 const FRICTION: f64 = 3.5;
 const SAMPLES: usize = 4000;
 const RATE: f64 = 1000.0;
-/// Values of one count: m, m/s, m, N.
+/// The value of one count, for each quantity of the recording: in m, m/s, m and N.
 const COUNTS: [f64; 4] = [1e-6, 1e-5, 1e-6, 1e-3];
-/// Standard deviations of the sensors, in the same units.
+/// Standard deviations of the sensors' noise, in the units of [`COUNTS`] but not in counts: m, m/s, m and N.
 const NOISE: [f64; 4] = [2e-6, 2e-4, 1e-5, 0.02];
 
-/// Random numbers with an approximately normal distribution: each is the sum of twelve uniform ones.
+/// Random numbers with an approximately normal distribution. Each is the sum of twelve uniform random numbers.
 struct Noise(u64);
 
 impl Noise {

@@ -9,9 +9,9 @@ use frictiongen_kernel::number::dd::Dd;
 /// A matrix, stored as a list of columns.
 pub type ColumnMatrix = Vec<Vec<Dd>>;
 
-/// Two columns count as orthogonal if the |cosine| of the angle between them is at most this value.
+/// Largest |cosine| of the angle between two columns that count as orthogonal.
 const ORTHOGONAL: f64 = 1e-30;
-/// Upper bound on the number of sweeps. The method converges quadratically and needs far fewer sweeps. The bound only
+/// Upper bound on the number of sweeps. The method converges quadratically and needs far fewer. The bound only
 /// prevents an endless loop.
 const MAX_SWEEPS: usize = 60;
 

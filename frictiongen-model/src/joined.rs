@@ -4,8 +4,8 @@ use crate::modal::Modal;
 use crate::scene::{Damping, Node, Scene};
 use frictiongen_kernel::number::dd::Dd;
 
-/// A natural frequency belongs to a motion without deformation if it is below this fraction of the largest natural
-/// frequency.
+/// Fraction of the largest natural frequency. A smaller natural frequency counts as 0: that of a motion without
+/// deformation.
 const RIGID: f64 = 1e-13;
 
 /// Returns the modal data with natural frequencies of exactly 0 for motions of the chain without deformation.
@@ -24,8 +24,8 @@ pub fn at_rest(scene: &Scene, mut modal: Modal) -> Modal {
     modal
 }
 
-/// Returns the damping matrix of the field `damping` by rows, in the units of the description. The matrix has no rows
-/// if the field is `none`. A motion without deformation has no modal damping. `modal` is the result of [`at_rest`].
+/// Returns the damping matrix of the field `damping` by rows, in the units of the description. Without damping the
+/// list is empty. A motion without deformation has no modal damping. `modal` is the result of [`at_rest`].
 #[must_use]
 pub fn damping_matrix(scene: &Scene, modal: &Modal) -> Vec<Vec<f64>> {
     let matrix = match scene.damping {
@@ -91,9 +91,9 @@ fn rayleigh(scene: &Scene, mass: f64, stiffness: f64) -> Vec<Vec<Dd>> {
     matrix
 }
 
-/// Returns the numbers of the two ends of a spring, dashpot or contact. The numbers count the masses first, then the
-/// wall, then the base. The end that counts as positive comes first: the later mass, or the mass if the other end is a
-/// support. Returns `None` unless the ends are two nodes of the chain, one of them a mass.
+/// Returns the numbers of the two nodes of a spring, dashpot or contact. The masses count first, then the wall, then
+/// the base. The node whose motion counts as positive comes first: the later mass, or the mass if the other node is a
+/// support. Returns `None` unless both are nodes of the chain and one is a mass.
 #[must_use]
 pub fn numbered(masses: usize, from: Node, to: Node) -> Option<(usize, usize)> {
     let number = |node| match node {

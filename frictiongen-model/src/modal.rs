@@ -8,8 +8,8 @@ use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::response::Ends;
 
-/// A residue counts as rounding noise if it is at most this fraction of the largest value that it can have. The code
-/// sets a residue of this size to exactly zero.
+/// Fraction of the largest value that a residue can have. A residue of at most this fraction is rounding noise, and
+/// the code sets it to exactly zero.
 pub(crate) const NOISE: f64 = 1e-26;
 
 /// A scene in modal coordinates (section 2 of `docs/derivation.md`), to about 30 digits. The type `T` is a number, or a
@@ -20,25 +20,25 @@ pub struct Modal<T = Dd> {
     pub resonances: Vec<T>,
     /// ζ_i, the modal damping ratio of each mode.
     pub damping_ratios: Vec<T>,
-    /// φ, the components of the mode shapes: one list per mode, one entry per mass. The shapes are normalised to φᵀΓφ =
-    /// 1.
+    /// φ, the components of the mode shapes, as one list for each mode with one entry for each mass. The shapes are
+    /// normalised to φᵀΓφ = 1, where Γ is the diagonal matrix of the mass ratios.
     pub shapes: Vec<Vec<T>>,
     /// φᵀp, the load on each mode, from the load vector p.
     pub loads: Vec<T>,
     /// φᵀw, the relative displacement of the contact in each mode, from the contact direction w.
     pub contacts: Vec<T>,
-    /// Γ = φᵀΓ1, the participation factor of each mode for base motion. The list is empty unless damping acts on
-    /// velocities relative to the moving base.
+    /// φᵀΓ1, the participation factor of each mode for base motion, where Γ is the diagonal matrix of the mass
+    /// ratios. The list is empty unless damping acts on velocities relative to the moving base.
     pub participations: Vec<T>,
-    /// φᵀK_w1, the modal forces if all masses move by 1, with the stiffnesses K_w of the springs to the wall. The list
-    /// is empty unless damping acts on velocities relative to the moving base.
+    /// φᵀK_w1, the force on each mode if all masses move by 1, where K_w has the stiffnesses of the springs to the
+    /// wall. The list is empty unless damping acts on velocities relative to the moving base.
     pub walls: Vec<T>,
     /// wᵀΓ⁻¹C̄1/r, the relative acceleration of the contact that damping causes if the base moves at unit velocity.
     /// This acceleration is 0 unless damping acts on velocities relative to the moving base.
     pub inertial_drag: T,
     /// m* = wᵀΓ⁻¹w, the inverse effective mass of the contact.
     pub inverse_mass: T,
-    /// wᵀΓ⁻¹p, the relative acceleration of the contact under a unit load, without spring forces.
+    /// wᵀΓ⁻¹p, the relative acceleration of the contact under a unit load if the springs exert no force.
     pub inertial_load: T,
     /// wᵀK̄⁻¹p − s, the static relative displacement of the contact under a unit load. s is 1 if the contact slides on
     /// the moving base, otherwise 0.
@@ -63,7 +63,8 @@ fn dd(value: f64) -> Dd {
     Dd::from(value)
 }
 
-/// Returns the contact direction w as pairs (index of a mass, sign). The earlier of two masses has the minus sign.
+/// Returns the contact direction w as pairs (index of a mass, sign). Of two masses, the one with the lower index has
+/// the sign −1.
 fn direction(contact: ContactSides) -> Vec<(usize, f64)> {
     match (contact.from, contact.to) {
         (Node::Mass(a), Node::Mass(b)) => vec![(a.min(b), -1.0), (a.max(b), 1.0)],
@@ -72,7 +73,7 @@ fn direction(contact: ContactSides) -> Vec<(usize, f64)> {
     }
 }
 
-/// Matrix and vectors of a scene before its modal analysis, divided by √γ of the masses.
+/// Matrix and vectors of a scene before its modal analysis. Each entry is divided by √γ of its mass.
 struct Assembled {
     /// √γ_i, the square roots of the mass ratios.
     root_gamma: Vec<Dd>,
@@ -173,10 +174,10 @@ impl Modal {
         Self::assembled(scene, &assembled, resonances, &vectors, NOISE)
     }
 
-    /// Returns the modal analysis of a scene, by a solver that the caller provides. The solver receives the columns of
+    /// Returns the modal analysis of a scene by a solver that the caller provides. The solver receives the columns of
     /// G, where GᵀG has the eigenvalues λ. It returns the singular values of G in ascending order, and the right
-    /// singular vectors as columns. `noise` is a relative bound. The function sets a modal value to zero if it is below
-    /// `noise` times the largest value that it can have.
+    /// singular vectors as columns. A modal value below `noise` times the largest value that it can have becomes
+    /// zero.
     #[must_use]
     pub fn solved_by(
         scene: &Scene,
@@ -325,8 +326,8 @@ impl<T: Float> Modal<T> {
             .collect()
     }
 
-    /// Returns true if any mode is damped. The result is also true if a mode is undamped but its damping has a
-    /// derivative.
+    /// Returns true if any mode is damped. A mode without damping counts as damped if its damping has a derivative
+    /// that is not 0.
     #[must_use]
     pub fn is_damped(&self) -> bool {
         self.damping_ratios.iter().any(|zeta| !zeta.vanishes())

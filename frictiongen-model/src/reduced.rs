@@ -1,4 +1,4 @@
-//! Modal data for the steady response, rounded to the number type of a solver. The data implement the kernel's trait
+//! Modal data for the steady response, rounded to the scalar type of a solver. The data implement the kernel's trait
 //! [`Scene`].
 
 use crate::modal::Modal;
@@ -16,7 +16,7 @@ use frictiongen_kernel::response::{
 pub struct Reduced<S> {
     /// The modes that the load or the contact drives, in ascending order of resonance.
     pub modes: Vec<Mode<S>>,
-    /// Mode shapes: for each mass in turn, the mass's component in each mode of `modes`.
+    /// Mode shapes φ: for each mass in turn, its component in each mode of `modes`.
     pub shapes: Vec<S>,
     /// Loads in quadrature with the motion of the base, for each mode of `modes`. The list is empty unless damping acts
     /// on velocities relative to the moving base.
@@ -35,10 +35,11 @@ pub struct Reduced<S> {
     /// Frequency ratios of the undamped resonances that the load drives. The response at these resonances may be
     /// unbounded.
     pub unbounded: Vec<S>,
-    /// Those frequency ratios of `unbounded` at which friction in the contact does not act on the resonant mode.
+    /// The frequency ratios of `unbounded` whose resonant mode has no friction, because the contact does not move in
+    /// it.
     pub invisible: Vec<S>,
-    /// True if the sums over the modes may process two modes at the same time. The results have the same bits.
-    /// Optimised code is then faster, but code without optimisation is slower.
+    /// True if the sums over the modes process two modes at the same time. The results have the same bits. Optimised
+    /// code is then faster, but code without optimisation is slower.
     pub two_at_once: bool,
 }
 

@@ -47,7 +47,7 @@ impl<T: Float> Modal<T> {
         Some((0..masses).map(start).collect())
     }
 
-    /// Returns an estimate of the peak amplitude of a mass at a damped resonance, for small ζ (7.60). The formula uses
+    /// Returns an estimate of the peak amplitude of a mass at a damped resonance, for small ζ (7.60). The code uses
     /// sinh x/(cosh x − 1) = coth(x/2). Returns `None` for a mode without damping.
     #[must_use]
     pub fn resonant_peak_estimate(&self, mode: usize, mass: usize, beta: T) -> Option<T> {

@@ -1,4 +1,5 @@
-//! Data of a stepper: units, loads and the friction law. The stepper also needs the data for the motion in time.
+//! Data of the stepper: units, loads and the friction law. The stepper additionally needs the data for the motion in
+//! time.
 
 use crate::modal::Modal;
 use crate::scene::{Excitation, FrictionLaw, Node, Precision, Scene, StepInput};
@@ -14,20 +15,20 @@ use frictiongen_kernel::{Float, Scalar};
 /// Settings of the stepper of a scene, in a solver's number type.
 #[derive(Clone, Debug)]
 pub struct StepperSettings<S> {
-    /// Factors that turn non-dimensional groups into the scene's units.
+    /// Factors that convert non-dimensional groups to the scene's units.
     pub units: Units<S>,
     /// True if the excitation is a motion of the base.
     pub on_base: bool,
     /// True if damping acts on velocities relative to the moving base.
     pub damped_from_base: bool,
-    /// Indices of the masses on which a force may act: the excited mass, then the masses in the description, then the
-    /// masses that the caller adds.
+    /// Indices of the masses on which a force may act: the excited mass, then the masses of the description's field
+    /// `force`, then the masses that the caller adds.
     pub forces: Vec<usize>,
     /// Course of the input between two samples.
     pub input: Input,
     /// Points (speed, level) of the friction law. The list is empty for Coulomb's law.
     pub law: Vec<[S; 2]>,
-    /// Velocity in the scene's units for which dz̄/dτ is 1, at r = 1 under a load of amplitude 1. This velocity is
+    /// Velocity in the scene's units that corresponds to dz̄/dτ = 1, at r = 1 under a load of amplitude 1. It is
     /// √(k₁/m₁), divided by k₁ if the load is a force.
     pub speed: S,
 }
@@ -127,7 +128,7 @@ impl<S: Float> StepperSettings<S> {
     }
 }
 
-/// Returns the number and length of the sub-intervals into which the kernel divides a step of a scene.
+/// Returns the number and length of the parts into which the kernel divides a step of a scene.
 ///
 /// # Errors
 /// [`OutOfDomain`] for a step that the kernel does not accept.
@@ -152,9 +153,9 @@ pub fn pace<S: Float, K: ContactChain<S>>(
     )
 }
 
-/// Returns the reason why a stepper does not accept the step of a scene. The first number is the angle in rad by which
-/// the fastest oscillator advances in one step. The second is the range of angles that a stepper accepts. Returns
-/// `None` if the stepper accepts the step.
+/// Returns the reason why a stepper refuses the step of a scene, or `None` if it accepts the step. The first number
+/// is the angle in rad by which the fastest oscillator turns in one step. The second is the range of angles that a
+/// stepper accepts.
 #[must_use]
 pub fn refused_step(scene: &Scene, modal: &Modal) -> Option<(f64, [f64; 2])> {
     let step = scene.stepping.step?;

@@ -34,7 +34,7 @@ pub fn validate(scene: &Scene) -> Result<(), Vec<SceneError>> {
     validate_known(scene, &Checks::default())
 }
 
-/// Checks a scene whose description has errors. It checks only the items that the parser could read.
+/// Checks a scene whose description has errors. Only the items that the parser could read are checked.
 ///
 /// # Errors
 /// Returns every error of the items that the parser could read, in the order of the fields.

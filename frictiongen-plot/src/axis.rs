@@ -5,10 +5,11 @@ use crate::label::Label;
 /// The scale of an axis: linear or logarithmic.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Scale {
-    /// Linear scale.
+    /// Linear scale: equal distances on paper are equal differences of values.
     #[default]
     Linear,
-    /// Logarithmic scale. Values that are not positive are not drawn.
+    /// Logarithmic scale: equal distances on paper are equal ratios of values. Values that are not positive are not
+    /// drawn.
     Log,
 }
 
@@ -27,11 +28,11 @@ pub enum TickUnit {
 /// An axis of a panel: its label, range and scale.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Axis {
-    /// Text along the axis, with the quantity and its unit.
+    /// Text along the axis: the name of the quantity and its unit.
     pub label: Label,
-    /// Value at the lower end.
+    /// Value at the lower end of the axis: at the left or at the bottom of the panel.
     pub low: f64,
-    /// Value at the upper end.
+    /// Value at the upper end of the axis: at the right or at the top of the panel.
     pub high: f64,
     /// Linear or logarithmic spacing.
     pub scale: Scale,
@@ -61,8 +62,9 @@ impl Axis {
         }
     }
 
-    /// Creates a linear axis that shows all finite values with a margin. The axis begins at zero if no value is
-    /// negative and the smallest value is near zero.
+    /// Creates a linear axis that shows all finite values, with a margin of 4 % of their range at each end. The axis
+    /// begins at zero if no value is negative and the smallest is at most 0.3 of the largest. In the same way it ends
+    /// at zero for negative values.
     #[must_use]
     pub fn fitted(label: impl Into<Label>, values: impl IntoIterator<Item = f64>) -> Self {
         let Some((low, high)) = ends(values, f64::MIN) else {
@@ -105,8 +107,8 @@ impl Axis {
         }
     }
 
-    /// Returns the range of the axis, changed if it could not be drawn. The result is finite, ascending and wider than
-    /// rounding, and positive on a logarithmic axis.
+    /// Returns the range of the axis as it is drawn. If the given ends cannot be drawn, the function changes them.
+    /// The result is finite and ascending, wider than rounding errors, and positive on a logarithmic axis.
     pub(crate) fn range(&self) -> (f64, f64) {
         if !self.low.is_finite() || !self.high.is_finite() {
             return if self.scale == Scale::Log {
@@ -148,8 +150,8 @@ impl Axis {
     }
 }
 
-/// Smallest width of a linear axis. On a narrower axis the steps between ticks would be subnormal numbers, which have
-/// fewer digits.
+/// Smallest difference between the ends of a linear axis. On a narrower axis the steps between ticks would be
+/// subnormal numbers, which have fewer digits.
 const SMALLEST: f64 = 1e-304;
 
 /// Returns the smallest and the largest of the finite values that are at least `least`. Returns `None` if no value is
@@ -168,20 +170,22 @@ fn ends(values: impl IntoIterator<Item = f64>, least: f64) -> Option<(f64, f64)>
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Mapping {
     scale: Scale,
-    /// Lower end of the range, in the form that the conversion needs. On a linear axis it is halved, so that the width
-    /// stays finite. On a logarithmic axis it is a logarithm. `span` is the width in the same form.
+    /// Converted value at the lower end of the axis. A linear axis converts a value by halving it, so that the width
+    /// of the range stays finite. A logarithmic axis converts it to a logarithm. `span` is the difference of the
+    /// converted values at both ends.
     low: f64,
     span: f64,
     from: f64,
     to: f64,
 }
 
-/// Largest distance of a position from the paper's origin, in pixels. Farther positions are moved to this distance,
-/// because the paper has a few thousand pixels.
+/// Largest distance of a position from the paper's origin, in pixels. The paper has a few thousand pixels, so the
+/// code moves farther positions to this distance.
 const FAR: f64 = 1e7;
 
 impl Mapping {
-    /// Creates the conversion from an axis's range to the interval between two positions on paper.
+    /// Creates the conversion that places the lower end of an axis at the position `from` on paper, and the upper end
+    /// at `to`.
     pub(crate) fn new(axis: &Axis, from: f64, to: f64) -> Self {
         let (low, high) = axis.range();
         let scale = axis.scale;
@@ -202,7 +206,8 @@ impl Mapping {
         }
     }
 
-    /// Returns the position of a value on paper. Returns `None` if the value cannot be drawn.
+    /// Returns the position of a value along an axis, in pixels. Returns `None` if the axis cannot show the value,
+    /// such as a negative value on a logarithmic axis.
     pub(crate) fn at(&self, value: f64) -> Option<f64> {
         if !value.is_finite() || (self.scale == Scale::Log && value <= 0.0) {
             return None;

@@ -11,15 +11,15 @@ use crate::panel::draw_panel;
 use crate::svg::Canvas;
 use crate::text::TextStyle;
 
-/// Margin around the page, in pixels.
+/// Margin around the page of a figure, in pixels.
 const MARGIN: f64 = 14.0;
-/// Distance between neighbouring panels, in pixels.
+/// Distance between neighbouring panels of a figure, in pixels.
 const GAP: f64 = 22.0;
-/// Text size of the title, in pixels.
+/// Text size of the title of a figure, in pixels.
 const TITLE: f64 = 16.0;
-/// Text size of the caption, in pixels.
+/// Text size of the caption of a figure, in pixels.
 const CAPTION: f64 = 13.0;
-/// Distance between lines of text, as a multiple of the text size.
+/// Distance between the base lines of wrapped text, as a multiple of the text size.
 const LEADING: f64 = 1.3;
 
 impl Figure {
@@ -65,7 +65,7 @@ impl Figure {
     }
 }
 
-/// Returns the whole figure as an SVG document, with the rectangles of its panels' frames.
+/// Returns the whole figure as an SVG document, with the rectangle of each panel's frame on the page.
 fn figure(figure: &Figure) -> (String, Vec<Rect>) {
     let most = if figure.page == Page::Narrow { 1 } else { 2 };
     let columns = figure
@@ -77,7 +77,7 @@ fn figure(figure: &Figure) -> (String, Vec<Rect>) {
         (Page::Wide, 1) => 640.0,
         (Page::Wide, _) => 900.0,
     };
-    // If a chain is too wide even after shrinking, the narrow page becomes wider.
+    // If a sketch of a chain is too wide even after shrinking, the page becomes wider.
     let room = width - 2.0 * MARGIN;
     let chain = figure.sketch.as_ref().and_then(|sketch| sketch.size(room));
     let width = f64::max(width, chain.map_or(0.0, |size| size.0 + 2.0 * MARGIN));
@@ -118,7 +118,8 @@ fn figure(figure: &Figure) -> (String, Vec<Rect>) {
     (document, frames)
 }
 
-/// Returns the rectangles of all panels' frames in rows, and advances `y` to the position under the last row.
+/// Arranges the panels of a figure in rows, and returns the rectangle of each panel's frame. `y` moves to the
+/// position under the last row.
 fn rows(figure: &Figure, columns: usize, room: f64, y: &mut f64) -> Vec<Rect> {
     let cell = (room - GAP * (columns - 1) as f64) / columns as f64;
     // The frames of a column are aligned. Every frame therefore has the largest margins of its column.
@@ -167,7 +168,8 @@ fn rows(figure: &Figure, columns: usize, room: f64, y: &mut f64) -> Vec<Rect> {
     frames
 }
 
-/// Draws sketch and legend, side by side if the width is enough. Returns the vertical position under sketch and legend.
+/// Draws the sketch and the legend of a figure, side by side if `room` is wide enough. Returns the vertical position
+/// under both.
 fn below(canvas: &mut Canvas, figure: &Figure, legend: &Legend, room: f64, top: f64) -> f64 {
     let sketch = figure.sketch.as_ref();
     let size = sketch.and_then(|sketch| Some((sketch, sketch.size(room)?)));
@@ -201,7 +203,7 @@ fn heading(figure: &Figure) -> Label {
     }
 }
 
-/// Draws a label in wrapped lines and returns its height.
+/// Draws a label in lines that fit into the width `room`. Returns the height of the lines.
 fn text(canvas: &mut Canvas, label: &Label, top: f64, room: f64, style: TextStyle) -> f64 {
     let lines = label.wrapped(style.size, room / 1.03);
     for (index, line) in lines.iter().enumerate() {

@@ -9,13 +9,14 @@ use crate::plan::{Above, HATCH, HEIGHT, PAD, Plan, WIDTH};
 use crate::sketch::{End, Excitation, Sketch, SketchContact};
 use crate::svg::Canvas;
 
-/// Horizontal distance between the middle of a mass and the end of a spring above the row, in pixels.
+/// Horizontal distance in a sketch between the middle of a mass and the vertical end of a spring above the row, in
+/// pixels.
 const RISER: f64 = 11.0;
-/// Colour of masses.
+/// Colour of the masses of a sketch.
 const MASS: Rgb = Rgb(0xe9, 0xee, 0xf4);
-/// Colour of the contact.
+/// Colour of the friction contact in a sketch.
 const FRICTION: Rgb = Rgb(0xb3, 0x3a, 0x1e);
-/// Colour of the excitation.
+/// Colour of the excitation in a sketch.
 const FORCE: Rgb = Rgb(0x00, 0x5f, 0xad);
 
 /// Margin around a sketch in a document of its own, in pixels.
@@ -35,12 +36,13 @@ impl Sketch {
         Some(canvas.document((width + 2.0 * MARGIN, height + 2.0 * MARGIN), &title, ""))
     }
 
-    /// Returns width and height of the sketch within the width `room`. Returns `None` if the sketch is not drawn.
+    /// Returns the width and the height of the sketch in pixels, within the width `room`. Returns `None` if the
+    /// sketch cannot be drawn.
     pub(crate) fn size(&self, room: f64) -> Option<(f64, f64)> {
         Plan::new(self, room).map(|plan| plan.size())
     }
 
-    /// Draws the sketch with its upper left corner at `corner`, within the width `room`.
+    /// Draws the sketch on a canvas, with its upper left corner at `corner` and within the width `room`.
     pub(crate) fn draw(&self, canvas: &mut Canvas, corner: (f64, f64), room: f64) {
         if let Some(plan) = Plan::new(self, room) {
             plan.draw(canvas, corner);
@@ -85,7 +87,7 @@ impl Plan<'_> {
         self.excitation(&mut pen, row);
     }
 
-    /// Draws the base and the wall of the sketch.
+    /// Draws the base and the wall of a sketch, with hatching.
     fn ground(&self, pen: &mut Pen<'_>, row: f64) {
         let lowest = row + HEIGHT + PAD;
         let highest = |station: usize| {
@@ -110,7 +112,7 @@ impl Plan<'_> {
     fn far(&self, pen: &mut Pen<'_>, above: &Above<'_>) {
         let (low, high, lane) = (above.low, above.high, above.lane);
         let (row, y) = (self.top(), self.lane(lane));
-        // Springs of the same mass rise side by side.
+        // Springs that end at the same mass have separate vertical ends, side by side.
         let shift = (RISER - 4.0 * (lane % 4) as f64) * self.pitch.0 / WIDTH;
         let end = |station: usize, sign: f64| {
             let (left, right) = self.sides(station);

@@ -17,7 +17,7 @@ pub enum Page {
     Narrow,
 }
 
-/// A picture with panels in rows, a legend, and a sketch of the system.
+/// A picture with a title, panels in rows, a legend, a caption, and a sketch of the system.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Figure {
     /// Number of the figure, such as 3.14. It may be empty.
@@ -26,9 +26,9 @@ pub struct Figure {
     pub title: Label,
     /// Caption, for example with the parameters.
     pub caption: Label,
-    /// Number of panels in a row: one or two.
+    /// Number of panels in a row of the figure: one or two.
     pub columns: usize,
-    /// The panels, row after row.
+    /// The panels of the figure, row after row.
     pub panels: Vec<Panel>,
     /// Sketch of the mechanical system. `None` for a figure without a sketch.
     pub sketch: Option<Sketch>,
@@ -80,12 +80,13 @@ impl Figure {
     }
 }
 
-/// Position of a panel's frame in a picture, in the units of the SVG's `viewBox`, and the values at the frame's sides.
+/// Position of a panel's frame in a picture, and the values at its sides. Positions are in the units of the SVG's
+/// `viewBox`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PanelFrame {
-    /// Left edge of the frame.
+    /// Horizontal position of the left edge of the frame.
     pub left: f64,
-    /// Upper edge of the frame.
+    /// Vertical position of the upper edge of the frame, counted downwards.
     pub top: f64,
     /// Width of the frame.
     pub width: f64,
@@ -94,7 +95,7 @@ pub struct PanelFrame {
     /// Values at the left and right edges of the frame. [`Axis::scale`] of the panel's axis gives the scale between
     /// them.
     pub x: (f64, f64),
-    /// Values at the lower and upper edges of the frame.
+    /// Values of the vertical axis at the lower and upper edges of the frame.
     pub y: (f64, f64),
 }
 
@@ -107,11 +108,13 @@ pub struct Panel {
     pub x: Axis,
     /// Vertical axis.
     pub y: Axis,
-    /// Layers, from the bottom to the top. The grid is above regions and maps.
+    /// Layers of the panel, from the bottom to the top. The grid is drawn above regions and maps, and under all other
+    /// layers.
     pub layers: Vec<Layer>,
     /// Smaller panels inside this panel.
     pub insets: Vec<Inset>,
-    /// Height of the frame in pixels. `None` gives the usual height. A row is as high as its highest panel.
+    /// Height of the panel's frame in pixels. `None` gives the usual height. All panels of a row have the height of
+    /// the highest.
     pub height: Option<f64>,
 }
 
@@ -151,7 +154,7 @@ pub struct Inset {
     pub place: (f64, f64, f64, f64),
     /// True if a rectangle in the outer panel marks the area that the inset shows.
     pub marked: bool,
-    /// Contents of the inset.
+    /// The panel that is drawn inside the outer panel.
     pub panel: Panel,
 }
 

@@ -15,11 +15,11 @@ const TITLE: f64 = 14.5;
 const LABEL: f64 = 15.0;
 /// Text size of the tick labels, in pixels.
 const TICK: f64 = 13.0;
-/// Text size of the tick labels of an inset, in pixels.
+/// Text size of the tick labels of an inset, a small panel inside a panel, in pixels.
 const SMALL: f64 = 12.0;
-/// Distance from the frame to the tick labels, in pixels.
+/// Distance from the frame of a panel to its tick labels, in pixels.
 const OFF: f64 = 6.0;
-/// Width of the colour bar, in pixels.
+/// Width of the colour bar of a map, in pixels.
 const BAR: f64 = 13.0;
 
 /// The frame of a panel at its position on the page.
@@ -30,7 +30,7 @@ pub(crate) struct Frame {
     pub y: Mapping,
     x_ticks: Vec<Tick>,
     y_ticks: Vec<Tick>,
-    /// Text sizes of the tick labels and of the axis labels.
+    /// Text sizes of the tick labels and of the axis labels, in pixels.
     sizes: (f64, f64),
     /// True if the text has a light outline, which keeps it legible over lines.
     halo: bool,
@@ -54,7 +54,8 @@ impl Frame {
         }
     }
 
-    /// Returns the widths that the labels of the axes need to the left and to the right of a frame.
+    /// Returns the widths, in pixels, that tick labels, axis label and colour bar need to the left and to the right
+    /// of a panel's frame.
     pub(crate) fn sides(panel: &Panel) -> (f64, f64) {
         let ticks = upright_ticks(&panel.y, panel.height.unwrap_or(260.0), TICK);
         let label = if panel.y.label.is_empty() {
@@ -80,7 +81,7 @@ impl Frame {
         (left, right)
     }
 
-    /// Returns the height that a panel needs above its frame, for its title.
+    /// Returns the height that a panel needs above its frame, for its title, in pixels.
     pub(crate) fn above(panel: &Panel) -> f64 {
         if panel.title.is_empty() {
             10.0
@@ -89,7 +90,7 @@ impl Frame {
         }
     }
 
-    /// Returns the height that a panel needs below its frame, for tick labels and axis label.
+    /// Returns the height that a panel needs below its frame, for tick labels and axis label, in pixels.
     pub(crate) fn under(panel: &Panel) -> f64 {
         let label = if panel.x.label.is_empty() {
             0.0
@@ -99,7 +100,7 @@ impl Frame {
         TICK + OFF + 4.0 + label
     }
 
-    /// Returns the rectangle that contains the frame and its labels.
+    /// Returns the rectangle that contains the frame of a panel, its tick labels and its axis labels.
     pub(crate) fn whole(&self, panel: &Panel) -> Rect {
         let label = |axis: &Axis| {
             if axis.label.is_empty() {
@@ -124,7 +125,7 @@ impl Frame {
         }
     }
 
-    /// Draws the grid, which is under curves and above areas.
+    /// Draws the grid lines of a panel. `over_areas` is true if the panel has shaded areas or a map under the grid.
     pub(crate) fn grid(&self, canvas: &mut Canvas, over_areas: bool) {
         let Rect { left, top, .. } = self.rect;
         let (right, bottom) = (self.rect.right(), self.rect.bottom());
@@ -141,7 +142,7 @@ impl Frame {
                 .into_iter()
                 .map(|y| vec![(left, y), (right, y)]),
         );
-        // Grid lines are lighter than a shaded area, and darker than white paper.
+        // Over a shaded area the grid lines are lighter than the area. On white paper they are darker than the paper.
         let colour = if over_areas {
             crate::palette::PAPER
         } else {
@@ -150,7 +151,7 @@ impl Frame {
         canvas.path(&lines, colour, 0.7, "");
     }
 
-    /// Draws the frame's lines, the ticks and the labels of the axes.
+    /// Draws the lines of a panel's frame, and the ticks and labels of its axes.
     pub(crate) fn axes(&self, canvas: &mut Canvas, panel: &Panel) {
         let rect = self.rect;
         let (tick_size, label_size) = self.sizes;
@@ -257,7 +258,7 @@ impl Frame {
     }
 }
 
-/// Returns the axis of the colour bar. Returns `None` unless the panel has a map of values.
+/// Returns the axis of a panel's colour bar. Returns `None` unless the panel has a map of values.
 fn bar_of(panel: &Panel) -> Option<&Axis> {
     panel.layers.iter().find_map(|layer| match layer {
         Layer::Raster(raster) => match &raster.cells {
@@ -275,7 +276,8 @@ fn widest(ticks: &[Tick], size: f64) -> f64 {
         .fold(0.0, f64::max)
 }
 
-/// Returns the ticks of a horizontal axis, as many as there is space for their labels.
+/// Returns the ticks of a horizontal axis of `width` pixels. Their number is limited by the space for their labels of
+/// the text size `size`.
 fn level_ticks(axis: &Axis, width: f64, size: f64) -> Vec<Tick> {
     let most = ((width / (3.6 * size)) as usize).clamp(3, 8);
     for count in (3..=most).rev() {

@@ -1,6 +1,6 @@
 //! Rectangles, and the clipping of lines and areas to rectangles.
 
-/// A point, in data units or on paper.
+/// A point with its coordinates x and y, in data units or in pixels on paper.
 pub type Point = (f64, f64);
 
 /// A rectangle on paper, with y growing downwards.
@@ -25,7 +25,8 @@ impl Rect {
         self.left <= x && x <= self.right() && self.top <= y && y <= self.bottom()
     }
 
-    /// Returns the interval of a segment from a to b that lies inside the rectangle, as fractions of the segment.
+    /// Returns the part of the segment from a to b that lies inside the rectangle. The two numbers are fractions of
+    /// the segment. Returns `None` if no part lies inside.
     fn within(&self, a: Point, b: Point) -> Option<(f64, f64)> {
         let (dx, dy) = (b.0 - a.0, b.1 - a.1);
         let (mut from, mut to) = (0.0_f64, 1.0_f64);
@@ -48,7 +49,7 @@ impl Rect {
         (from <= to).then_some((from, to))
     }
 
-    /// Returns the pieces of a polyline that lie inside the rectangle.
+    /// Returns the pieces of a polyline that lie inside the rectangle, each as a list of points.
     pub(crate) fn clip(&self, line: &[Point]) -> Vec<Vec<Point>> {
         let mut parts: Vec<Vec<Point>> = Vec::new();
         let mut part: Vec<Point> = Vec::new();
@@ -73,7 +74,8 @@ impl Rect {
         parts
     }
 
-    /// Returns the part of an area inside the rectangle, as a polygon.
+    /// Returns the part of an area that lies inside the rectangle, as a polygon. `outline` is the polygon around the
+    /// area.
     pub(crate) fn clip_area(&self, outline: &[Point]) -> Vec<Point> {
         let mut kept = outline.to_vec();
         let (left, right, top, bottom) = (self.left, self.right(), self.top, self.bottom());
@@ -84,7 +86,8 @@ impl Rect {
     }
 }
 
-/// Returns the part of an area in which the linear function `side` is not negative, as a polygon.
+/// Returns the part of an area in which the linear function `side` is not negative. The area and the result are
+/// polygons.
 fn cut(outline: &[Point], side: impl Fn(Point) -> f64) -> Vec<Point> {
     let mut kept = Vec::with_capacity(outline.len() + 4);
     let before = outline.iter().cycle().skip(outline.len().saturating_sub(1));
@@ -101,8 +104,8 @@ fn cut(outline: &[Point], side: impl Fn(Point) -> f64) -> Vec<Point> {
     kept
 }
 
-/// Thins a polyline: removes points that are nearer than `tolerance` to the line through the points that are kept
-/// (Douglas and Peucker).
+/// Removes points from a polyline that it hardly needs. Each removed point is nearer than `tolerance` to the line
+/// through the remaining points. The method is that of Douglas and Peucker.
 pub(crate) fn thin(line: &[Point], tolerance: f64) -> Vec<Point> {
     let mut keep = vec![false; line.len()];
     let mut open = vec![(0, line.len().saturating_sub(1))];
@@ -133,7 +136,7 @@ pub(crate) fn thin(line: &[Point], tolerance: f64) -> Vec<Point> {
         .collect()
 }
 
-/// Returns the distance from a point to the segment between two other points.
+/// Returns the distance from a point to the segment from a to b.
 fn distance(point: Point, a: Point, b: Point) -> f64 {
     let along = (b.0 - a.0, b.1 - a.1);
     let from = (point.0 - a.0, point.1 - a.1);

@@ -8,7 +8,7 @@ use crate::metrics::advance;
 pub struct Span {
     /// The characters of the piece.
     pub text: String,
-    /// Typeface of the letters.
+    /// Typeface of the letters: regular, italic or bold.
     pub face: Face,
     /// Vertical level of the letters: normal, subscript or superscript.
     pub level: Level,
@@ -63,7 +63,7 @@ impl Label {
         self.spans.iter().map(|span| span.text.as_str()).collect()
     }
 
-    /// Returns a label with the text of this label followed by that of another.
+    /// Returns a label with the text of this label, followed by the text of another.
     #[must_use]
     pub fn then(mut self, other: &Self) -> Self {
         for span in &other.spans {
@@ -72,7 +72,7 @@ impl Label {
         self
     }
 
-    /// Returns the width of the label at a text size, in the embedded fonts.
+    /// Returns the width of the label in pixels, if it is set at the text size `size` in the embedded fonts.
     pub(crate) fn width(&self, size: f64) -> f64 {
         self.spans
             .iter()
@@ -83,7 +83,8 @@ impl Label {
             .sum()
     }
 
-    /// Splits the label into lines that are no wider than `width`. A single word may be wider.
+    /// Splits the label, set at the text size `size`, into lines that are at most `width` pixels wide. A line with a
+    /// single word may be wider.
     pub(crate) fn wrapped(&self, size: f64, width: f64) -> Vec<Self> {
         let mut lines = Vec::new();
         let mut line = Self::default();
@@ -101,8 +102,8 @@ impl Label {
         lines
     }
 
-    /// Splits the label into words, each with the space after it. Words on both sides of an equals sign, such as "*r* =
-    /// 1", count as one word.
+    /// Splits the label into words, each with the space after it. An equals sign with its two sides, such as "*r* =
+    /// 1", counts as one word.
     fn words(&self) -> Vec<Self> {
         let mut words = Vec::new();
         let mut word = Self::default();

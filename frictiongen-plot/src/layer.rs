@@ -23,7 +23,7 @@ pub enum Layer {
     Guide(Guide),
 }
 
-/// A curve of one or more pieces, which no line connects. A value that is not finite ends a piece.
+/// A curve of one or more pieces. No line connects two pieces. A value that is not finite ends a piece.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Line {
     /// Name of the curve in the legend. With `None` the legend omits the curve.
@@ -109,7 +109,7 @@ impl Markers {
 pub struct Region {
     /// Name of the area.
     pub name: Label,
-    /// Position of the name inside the panel. `None` puts the name in the legend.
+    /// Position of the name inside the panel, in data units. With `None` the name is in the legend.
     pub at: Option<Point>,
     /// Colour of the area.
     pub fill: Fill,
@@ -129,7 +129,7 @@ impl Region {
         }
     }
 
-    /// Creates the area between two curves. Each point gives x, the lower y and the upper y.
+    /// Creates the area between two curves. Each item of `places` gives x, the lower y and the upper y.
     #[must_use]
     pub fn between(name: impl Into<Label>, fill: Fill, places: &[(f64, f64, f64)]) -> Self {
         let finite = |place: &&(f64, f64, f64)| {
@@ -154,8 +154,8 @@ impl Region {
     }
 }
 
-/// A map of rectangular cells of equal size on paper. Rows go from low to high y, and cells of a row from low to high
-/// x.
+/// A map of rectangular cells, which have equal size on paper. The rows begin at the lowest y, and the cells of a row
+/// at the lowest x.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Raster {
     /// Range of x that the cells cover.
@@ -169,7 +169,7 @@ pub struct Raster {
 }
 
 impl Raster {
-    /// Returns the number of rows.
+    /// Returns the number of rows of cells.
     pub(crate) fn rows(&self) -> usize {
         let cells = match &self.cells {
             Cells::Classes { cells, .. } => cells.len(),
@@ -184,7 +184,7 @@ impl Raster {
 pub enum Cells {
     /// Each cell belongs to a class. A cell without a class stays empty.
     Classes {
-        /// The classes with their names in the legend.
+        /// Each class: its name in the legend, and its colour.
         classes: Vec<(Label, Fill)>,
         /// Index of each cell's class in `classes`. `None` for an empty cell.
         cells: Vec<Option<usize>>,
@@ -213,11 +213,11 @@ pub enum Anchor {
 /// A text inside a panel.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Note {
-    /// Position of the text.
+    /// Position of the text in data units.
     pub at: Point,
     /// The text.
     pub text: Label,
-    /// Horizontal alignment relative to the position.
+    /// Which part of the text is at the position `at`: its start, middle or end.
     pub anchor: Anchor,
     /// Colour of the text.
     pub colour: Colour,

@@ -20,7 +20,7 @@ const SPACE: f64 = 8.0;
 /// Distance between two columns of the legend, in pixels.
 const GAP: f64 = 24.0;
 
-/// A legend entry. Curves and markers of the same name share one entry.
+/// A legend entry with its samples. Curves and markers of the same name share one entry.
 #[derive(Debug)]
 struct LegendEntry {
     name: Label,
@@ -38,7 +38,8 @@ pub(crate) struct Legend {
 }
 
 impl Legend {
-    /// Adds a sample to the entry of a name. Earlier samples of that entry are kept.
+    /// Adds a sample to the legend entry of a name. The entry keeps its earlier samples. Without such an entry the
+    /// function creates one.
     pub(crate) fn add(&mut self, name: &Label, sample: LegendSample) {
         if name.is_empty() {
             return;
@@ -81,12 +82,13 @@ impl Legend {
             .collect()
     }
 
-    /// Returns the least width that the legend needs, with one column.
+    /// Returns the least width that the legend needs, in pixels. This is the width with a single column.
     pub(crate) fn least(&self) -> f64 {
         self.widths(1).iter().sum()
     }
 
-    /// Draws the legend within a width and returns its height. Without a canvas it only computes the height.
+    /// Draws the legend within a width in pixels, and returns its height. Without a canvas it only computes the
+    /// height.
     pub(crate) fn draw(
         &self,
         canvas: Option<&mut Canvas>,
@@ -94,7 +96,7 @@ impl Legend {
         width: f64,
     ) -> f64 {
         let most = self.entries.len().max(1);
-        // Fewer columns are used if the rows are then evenly filled.
+        // The legend has fewer columns than would fit if its rows are then evenly filled.
         let fits = |columns: &usize| self.widths(*columns).iter().sum::<f64>() - GAP <= width;
         let columns = (1..=most).rev().find(fits).unwrap_or(1);
         let columns = most.div_ceil(most.div_ceil(columns));
@@ -125,7 +127,7 @@ impl Legend {
         y - top
     }
 
-    /// Returns the widths of the columns, each with the gap after the column.
+    /// Returns the widths of the legend's columns in pixels, each with the gap after the column.
     fn widths(&self, columns: usize) -> Vec<f64> {
         let mut widths = vec![0.0_f64; columns];
         for row in self.entries.chunks(columns) {

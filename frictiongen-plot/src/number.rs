@@ -2,7 +2,7 @@
 
 use crate::label::Label;
 
-/// Returns the power of ten of the first digit of a positive number.
+/// Returns the power of ten of the first digit of a positive number, such as −2 for 0.03.
 pub(crate) fn exponent(value: f64) -> i32 {
     let text = format!("{value:e}");
     let after = text.split_once('e').map(|(_, after)| after.parse());
@@ -21,7 +21,8 @@ pub(crate) fn number(digits: i64, power: i32) -> Label {
     if digits == 0 {
         return Label::verbatim("0");
     }
-    // The two conditions limit the number of digits before and after the decimal point.
+    // A number with more than five digits before the decimal point, or more than six after it, is written with a
+    // power of ten.
     if 5 < power + length || power < -6 {
         return scientific(digits, power);
     }

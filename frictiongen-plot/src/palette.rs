@@ -23,7 +23,7 @@ pub enum Fill {
     Class(usize),
     /// A pale tint of a line's colour.
     Tint(Colour),
-    /// Colour of a value from 0 to 1 on the colour map.
+    /// Colour of a value from 0 to 1 on the colour map, from dark blue to yellow.
     Map(f64),
 }
 
@@ -43,12 +43,12 @@ pub(crate) const INK: Rgb = Rgb(0x22, 0x22, 0x22);
 pub(crate) const SOFT: Rgb = Rgb(0x55, 0x55, 0x55);
 /// Colour of grid lines.
 pub(crate) const GRID: Rgb = Rgb(0xe4, 0xe4, 0xe4);
-/// Colour of frames.
+/// Colour of the frames of panels.
 pub(crate) const FRAME: Rgb = Rgb(0x66, 0x66, 0x66);
 /// Colour of the page.
 pub(crate) const PAPER: Rgb = Rgb(0xff, 0xff, 0xff);
 
-/// Colours of curves.
+/// Colours of curves, in the order of [`Colour::Series`].
 const SERIES: [Rgb; 8] = [
     Rgb(0x00, 0x64, 0xbd),
     Rgb(0xef, 0x58, 0x0e),
@@ -60,7 +60,7 @@ const SERIES: [Rgb; 8] = [
     Rgb(0x8c, 0x93, 0x19),
 ];
 
-/// Colours of classes of areas.
+/// Pale colours of areas, in the order of [`Fill::Class`].
 const CLASSES: [Rgb; 8] = [
     Rgb(0xc1, 0xea, 0xff),
     Rgb(0xfb, 0xdc, 0xa2),
@@ -150,7 +150,7 @@ fn between(from: Rgb, to: Rgb, share: f64) -> Rgb {
 mod tests {
     use super::{CLASSES, Colour, Fill, MAP, Rgb, SERIES};
 
-    /// Converts a colour to linear light, red, green and blue from 0 to 1.
+    /// Converts an sRGB colour to linear light. The result is red, green and blue, from 0 to 1.
     fn light(colour: Rgb) -> [f64; 3] {
         [colour.0, colour.1, colour.2].map(|part| {
             let part = f64::from(part) / 255.0;
@@ -162,7 +162,8 @@ mod tests {
         })
     }
 
-    /// Converts linear light to CIE L*a*b*, white D65.
+    /// Converts linear light to the colour space CIE L*a*b* with the white D65. Distances in this space measure how
+    /// different two colours look.
     fn lab(rgb: [f64; 3]) -> [f64; 3] {
         let row = |m: [f64; 3]| rgb.iter().zip(m).map(|(a, b)| a * b).sum::<f64>();
         let f = |t: f64| {

@@ -15,7 +15,7 @@ const TOLERANCE: f64 = 0.05;
 /// Size of a text inside the panel, in pixels.
 const NOTE: f64 = 13.5;
 
-/// Draws a panel, and adds its visible layers to the legend.
+/// Draws a panel with its layers and insets, and adds its visible layers to the legend.
 pub(crate) fn draw_panel(canvas: &mut Canvas, panel: &Panel, frame: &Frame, legend: &mut Legend) {
     let mut areas = false;
     for layer in &panel.layers {
@@ -51,7 +51,7 @@ pub(crate) fn draw_panel(canvas: &mut Canvas, panel: &Panel, frame: &Frame, lege
     }
 }
 
-/// Converts a line to positions on paper, split where points cannot be drawn.
+/// Converts the points of a line to positions on paper. The line is split at points that cannot be drawn.
 fn placed(points: &[Point], frame: &Frame) -> Vec<Vec<Point>> {
     let mut runs: Vec<Vec<Point>> = vec![Vec::new()];
     for (x, y) in points {
@@ -123,7 +123,7 @@ fn region(canvas: &mut Canvas, layer: &Region, frame: &Frame, legend: &mut Legen
         .iter()
         .map(|outline| frame.rect.clip_area(&placed(outline, frame).concat()))
         .map(|mut outline| {
-            // A closed outline is thinned as a line that returns to its start.
+            // The outline is closed before it is thinned, because `thin` expects a line.
             outline.extend(outline.first().copied());
             thin(&outline, TOLERANCE)
         })
@@ -152,7 +152,7 @@ fn note(canvas: &mut Canvas, layer: &Note, frame: &Frame, halo: bool) {
         Anchor::Middle => 0.5 * width,
         Anchor::End => width,
     };
-    // Text stays within the frame if it fits.
+    // The text is moved into the frame if it fits there.
     let (least, most) = (frame.rect.left + 4.0, frame.rect.right() - 4.0 - width);
     let left = if least < most {
         (x - before).clamp(least, most)
@@ -192,7 +192,8 @@ fn inset(canvas: &mut Canvas, layer: &Inset, outer: &Frame, legend: &mut Legend)
     draw_panel(canvas, &layer.panel, &frame, legend);
 }
 
-/// Marks the area of the outer panel that an inset shows, and connects this area with the inset by lines.
+/// Draws a rectangle around the area of the outer panel that an inset shows. Two lines connect this rectangle with
+/// the inset.
 fn mark(canvas: &mut Canvas, inner: &Panel, outer: &Frame, frame: Rect) {
     let (x, y) = (inner.x.range(), inner.y.range());
     let corners = [(x.0, y.1), (x.1, y.1), (x.1, y.0), (x.0, y.0)];
@@ -214,7 +215,7 @@ fn mark(canvas: &mut Canvas, inner: &Panel, outer: &Frame, frame: Rect) {
         height: bottom - top,
     };
     canvas.rect(area, None, Some((FRAME, 0.8)));
-    // The lines connect the two sides that face each other.
+    // Lines connect the side of the area and the side of the inset that face each other.
     let gaps = [
         frame.left - right,
         left - frame.right(),

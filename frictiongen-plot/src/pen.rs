@@ -7,7 +7,7 @@ use crate::palette::{INK, Rgb, SOFT};
 use crate::svg::Canvas;
 use crate::text::TextStyle;
 
-/// Size of the text in a sketch.
+/// Text size in a sketch, in pixels.
 pub(crate) const TEXT: f64 = 14.0;
 
 /// A pen that draws the elements of a sketch, with coordinates relative to the sketch's corner.
@@ -53,7 +53,7 @@ impl<'c> Pen<'c> {
             .text(label, (x + self.left, y + self.top), style);
     }
 
-    /// Draws a spring from left to right: a zigzag with straight ends.
+    /// Draws a horizontal spring of a sketch between two positions: a zigzag with straight ends.
     pub(crate) fn spring(&mut self, from: f64, to: f64, y: f64) {
         let turns = 8;
         let lead = f64::min(9.0, 0.15 * (to - from));
@@ -67,7 +67,8 @@ impl<'c> Pen<'c> {
         self.line(&points, INK, 1.2);
     }
 
-    /// Draws a dashpot: a piston in a cylinder that is open to the right.
+    /// Draws a horizontal dashpot of a sketch between two positions: a piston in a cylinder that is open to the
+    /// right.
     pub(crate) fn dashpot(&mut self, from: f64, to: f64, y: f64) {
         let middle = 0.5 * (from + to);
         let (left, right) = (middle - 9.0, middle + 8.0);
@@ -83,7 +84,8 @@ impl<'c> Pen<'c> {
         self.line(&[(middle, y), (to, y)], INK, 1.2);
     }
 
-    /// Draws a line with hatching on one side.
+    /// Draws a line with short oblique strokes on one side, as for a wall. `side` is the direction towards the
+    /// strokes.
     pub(crate) fn hatched(&mut self, from: Point, to: Point, side: Point) {
         let (dx, dy) = (to.0 - from.0, to.1 - from.1);
         let length = dx.abs().max(dy.abs());

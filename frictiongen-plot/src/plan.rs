@@ -5,31 +5,31 @@ use crate::label::Label;
 use crate::pen::TEXT;
 use crate::sketch::{End, Excitation, Sketch, SketchContact, Spring};
 
-/// Usual width of a mass, in pixels.
+/// Usual width of a mass in a sketch, in pixels.
 pub(crate) const WIDTH: f64 = 46.0;
-/// Height of a mass, in pixels.
+/// Height of a mass in a sketch, in pixels.
 pub(crate) const HEIGHT: f64 = 44.0;
-/// Usual width of a gap between masses, in pixels.
+/// Usual width of a gap between two masses of a sketch, in pixels.
 pub(crate) const GAP: f64 = 58.0;
-/// Smallest factor by which masses and gaps shrink to fit into the available width.
+/// Smallest factor by which the masses and gaps of a sketch shrink to fit into the available width.
 pub(crate) const LEAST: f64 = 0.48;
-/// Height that a spring above the row of masses needs, with its label.
+/// Height of a level above the row of masses, for a spring with its label, in pixels.
 pub(crate) const LANE: f64 = 34.0;
-/// Width of the hatching of the base and the wall, in pixels.
+/// Width of the hatching of the base and the wall in a sketch, in pixels.
 pub(crate) const HATCH: f64 = 7.0;
 /// Height of the pad between a mass and the surface on which it slides, in pixels.
 pub(crate) const PAD: f64 = 7.0;
 
-/// A spring or a dashpot that is drawn above the row of masses.
+/// A spring or a dashpot that a sketch shows above the row of masses.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Above<'a> {
-    /// Index of the element at the left end of the spring. The elements are base, masses and wall, counted from left to
-    /// right.
+    /// Element of the row at the left end of the spring. The base has the index 0, the masses follow from 1, and the
+    /// wall is last.
     pub low: usize,
-    /// Index of the element at the right end of the spring. The elements are base, masses and wall, counted from left
-    /// to right.
+    /// Element of the row at the right end of the spring. The base has the index 0, the masses follow from 1, and the
+    /// wall is last.
     pub high: usize,
-    /// Level above the row of masses, counted from 0.
+    /// Level of the spring above the row of masses, counted from 0.
     pub lane: usize,
     pub label: &'a Label,
     pub dashpot: bool,
@@ -39,7 +39,8 @@ pub(crate) struct Above<'a> {
 #[derive(Debug)]
 pub(crate) struct Plan<'a> {
     pub sketch: &'a Sketch,
-    /// Springs between neighbouring elements of the row, each with the index of its gap.
+    /// Springs between neighbouring elements of the row. The number before a spring is the index of the element at
+    /// its left end.
     pub direct: Vec<(usize, &'a Spring)>,
     /// Springs and dashpots above the row of masses.
     pub above: Vec<Above<'a>>,
@@ -47,12 +48,13 @@ pub(crate) struct Plan<'a> {
     pub base: bool,
     pub wall: bool,
     pub lanes: usize,
-    /// Width of a mass, and width of a gap between masses.
+    /// Width of a mass and width of a gap between masses, in pixels.
     pub pitch: (f64, f64),
 }
 
 impl<'a> Plan<'a> {
-    /// Computes the positions for a sketch in the width `room`. Masses and gaps shrink if the width is too small.
+    /// Computes the positions of a sketch's elements in the width `room`. If the width is too small, masses and gaps
+    /// shrink. Returns `None` if the sketch has no masses or too many.
     pub(crate) fn new(sketch: &'a Sketch, room: f64) -> Option<Self> {
         let count = sketch.masses.len();
         let valued = !sketch.values.is_empty();
@@ -64,7 +66,8 @@ impl<'a> Plan<'a> {
         if !(1..=most).contains(&count) {
             return None;
         }
-        // The elements from left to right are the base, the masses and the wall. The code calls them stations.
+        // The elements from left to right are the base, the masses and the wall. The code calls each of them a
+        // station.
         let station = |end: End| match end {
             End::Base => Some(0),
             End::Mass(index) => (index < count).then_some(index + 1),
@@ -133,7 +136,8 @@ impl<'a> Plan<'a> {
         let (wide, _) = plan.size();
         let (last, _) = plan.sides(count);
         if room < wide && !valued {
-            // Everything shrinks to fit the width, except the base and the elements to the right of the last mass.
+            // The masses and the gaps between them shrink. The elements to the right of the last mass keep their
+            // width.
             let share = ((room - (wide - last)) / last).clamp(LEAST, 1.0);
             plan.pitch = (share * WIDTH, share * GAP);
         }
@@ -144,12 +148,13 @@ impl<'a> Plan<'a> {
         self.sketch.masses.len()
     }
 
-    /// Returns the position of the left edge of the first mass.
+    /// Returns the horizontal position of the left edge of the first mass, in pixels.
     pub(crate) fn start(&self) -> f64 {
         if self.base { HATCH + self.pitch.1 } else { 2.0 }
     }
 
-    /// Returns the positions of the left and right side of an element of the row.
+    /// Returns the horizontal positions of the left and the right side of an element of the row. `station` is the
+    /// index of the element: 0 for the base, then the masses, then the wall.
     pub(crate) fn sides(&self, station: usize) -> (f64, f64) {
         let left = self.start() + (self.pitch.0 + self.pitch.1) * (station as f64 - 1.0);
         match station {
@@ -170,7 +175,7 @@ impl<'a> Plan<'a> {
         }
     }
 
-    /// Returns the height needed below the masses, for example for the contact.
+    /// Returns the height needed below the masses, for the contact and for the arrow of the base's motion, in pixels.
     pub(crate) fn under(&self) -> f64 {
         let contact = match self.contact {
             Some(_) => PAD + HATCH + TEXT + 6.0,
@@ -202,24 +207,26 @@ impl<'a> Plan<'a> {
         (wall.max(force), self.top() + HEIGHT + self.under())
     }
 
-    /// Returns true if nothing is drawn to the right of a mass.
+    /// Returns true if the sketch shows nothing to the right of a mass. `mass` is its index from 0.
     pub(crate) fn is_free(&self, mass: usize) -> bool {
         mass + 1 == self.count() && !self.wall
     }
 
-    /// Returns the height needed for the arrow of a force above the row of masses.
+    /// Returns the height needed above the row of masses for the arrow of a force, in pixels. It is 0 if the arrow is
+    /// beside the last mass.
     pub(crate) fn over(&self) -> f64 {
         let over = self.force().is_some_and(|(mass, _)| !self.is_free(mass));
         if over { 10.0 } else { 0.0 }
     }
 
-    /// Returns the vertical position of the springs at a level above the row.
+    /// Returns the vertical position of the springs at a level above the row of masses. `lane` is the level, counted
+    /// from 0.
     pub(crate) fn lane(&self, lane: usize) -> f64 {
         self.top() - 14.0 - self.over() - LANE * lane as f64
     }
 }
 
-/// Returns the width of a mass and the width of a gap that leave space for every label.
+/// Returns the width of a mass and the width of a gap that leave space for every label of the sketch, in pixels.
 fn pitch(sketch: &Sketch) -> (f64, f64) {
     let widest = |labels: &mut dyn Iterator<Item = &Label>| {
         labels.map(|label| label.width(TEXT)).fold(0.0, f64::max)

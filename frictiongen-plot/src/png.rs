@@ -4,14 +4,14 @@ use resvg::{tiny_skia, usvg};
 use std::sync::Arc;
 use thiserror::Error;
 
-/// The embedded fonts.
+/// The embedded fonts, as files in the TrueType format.
 const FONTS: [&[u8]; 4] = [
     include_bytes!("../fonts/PlotSerif-Regular.ttf"),
     include_bytes!("../fonts/PlotSerif-Italic.ttf"),
     include_bytes!("../fonts/PlotSerif-Bold.ttf"),
     include_bytes!("../fonts/PlotSymbols-Regular.otf"),
 ];
-/// Largest width and height of a picture, in pixels.
+/// Largest width and height of a PNG picture, in pixels.
 const LARGEST: f32 = 16384.0;
 
 /// The reason why no PNG picture can be made.
@@ -69,7 +69,7 @@ mod tests {
     use crate::face::Face;
     use crate::metrics::advance;
 
-    /// Returns the width that the renderer gives to one character.
+    /// Returns the width that the renderer gives to one character, or `None` if it draws nothing.
     fn set(character: char, style: &str) -> Option<f64> {
         let text = character
             .to_string()

@@ -10,12 +10,13 @@ use crate::legend::Legend;
 use crate::palette::Fill;
 use crate::svg::{Canvas, CellGrid};
 
-/// At the frame, the code clips a cell only if more than this fraction of the cell lies outside.
+/// A cell that crosses the frame is cut only if more than this fraction of it lies outside. A smaller part is a
+/// rounding error.
 const CUT: f64 = 0.01;
-/// Number of colours of a map of values.
+/// Number of colour steps of a map of values. The number of different colours is larger by one.
 const SHADES: f64 = 96.0;
 
-/// Draws a map of cells. Returns true if any cell is visible.
+/// Draws a map of cells, and adds its visible classes to the legend. Returns true if any cell is visible.
 pub(crate) fn draw(
     canvas: &mut Canvas,
     raster: &Raster,
@@ -59,7 +60,8 @@ pub(crate) fn draw(
     }
 }
 
-/// Returns the grid of a map on the page. Returns `None` if an axis cannot show an end of the map.
+/// Returns the grid of a map's cells on the page. Returns `None` if an axis of the panel cannot show an end of the
+/// map.
 fn grid(raster: &Raster, frame: &Frame) -> Option<CellGrid> {
     let (columns, rows) = (raster.columns.max(1), raster.rows());
     let (left, right) = (frame.x.at(raster.x.0)?, frame.x.at(raster.x.1)?);
@@ -74,14 +76,15 @@ fn grid(raster: &Raster, frame: &Frame) -> Option<CellGrid> {
     })
 }
 
-/// Returns the rectangles of neighbouring cells that are shown, within the frame and in units of a cell.
+/// Joins neighbouring cells of a row for which `shown` is true, and returns the rectangles. They are cut off at the
+/// frame of the panel, and are in units of a cell.
 fn runs(raster: &Raster, shown: &[bool], grid: CellGrid, frame: &Frame) -> Vec<Rect> {
     let columns = raster.columns.max(1);
     let (outer, mut found) = (frame.rect, Vec::new());
     let within = |index: usize, origin: f64, cell: f64, (low, high): (f64, f64)| {
         let (low, high) = ((low - origin) / cell, (high - origin) / cell);
         let (low, high) = (low.min(high), low.max(high));
-        // If rounding puts an end of the frame slightly inside a cell, the cell is not cut.
+        // The frame may cut off a very small part of a cell by rounding. Such a cell stays whole.
         let inside = (index as f64).clamp(low, high);
         if (inside - index as f64).abs() < CUT {
             index as f64

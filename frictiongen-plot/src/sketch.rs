@@ -7,9 +7,9 @@ use crate::label::Label;
 pub enum End {
     /// A mass, by its index from 0.
     Mass(usize),
-    /// The base on the left, which may move.
+    /// The base to the left of the masses. It may move.
     Base,
-    /// The ground, which never moves: the floor, and a wall on the right.
+    /// The ground, which never moves. A sketch shows it as the floor, or as a wall to the right of the masses.
     Wall,
 }
 
@@ -22,7 +22,7 @@ pub struct Spring {
     pub label: Label,
 }
 
-/// The friction contact between two elements.
+/// The friction contact of a sketch, between two elements.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SketchContact {
     /// The two elements, in any order.
@@ -41,12 +41,12 @@ pub enum Excitation {
     Force {
         /// Index of the loaded mass, from 0.
         mass: usize,
-        /// Label next to the arrow.
+        /// Label next to the arrow of the force.
         label: Label,
     },
     /// The motion of the base.
     Base {
-        /// Label next to the arrow.
+        /// Label next to the arrow of the base's motion.
         label: Label,
     },
 }
@@ -56,7 +56,7 @@ pub enum Excitation {
 /// mass that does not exist.
 ///
 /// ```
-/// use frictiongen_plot::{SketchContact, End, Excitation, Sketch, Spring};
+/// use frictiongen_plot::{End, Excitation, Sketch, SketchContact, Spring};
 /// let sketch = Sketch {
 ///     masses: vec!["*m*_1".into(), "*m*_2".into()],
 ///     values: Vec::new(),
@@ -74,8 +74,8 @@ pub enum Excitation {
 pub struct Sketch {
     /// The names of the masses, from left to right.
     pub masses: Vec<Label>,
-    /// Texts under the names of the masses, such as 3.27 kg. The list may be empty. A sketch with values is as wide as
-    /// these texts need.
+    /// Texts under the names of the masses, such as 3.27 kg. The list may be empty. The masses of a sketch with
+    /// values are wide enough for these texts.
     pub values: Vec<Label>,
     /// The springs between masses, base and wall.
     pub springs: Vec<Spring>,

@@ -16,7 +16,7 @@ pub enum Stroke {
     Thin,
 }
 
-/// The shape of a marker.
+/// The shape of a marker, which shows a separate point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Marker {
     /// An open circle.

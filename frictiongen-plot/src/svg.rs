@@ -11,13 +11,14 @@ use std::fmt::Write as _;
 const FAMILY: &str =
     "'STIX Two Text','Times New Roman',Times,'Liberation Serif','Noto Serif',serif";
 
-/// Attribute for the sharp corners of rectangles and markers. The whole document has round corners for lines.
+/// SVG attribute for the sharp corners of rectangles and markers. In the rest of the document, corners of lines are
+/// round.
 const SHARP: &str = " stroke-linejoin=\"miter\"";
 
 /// A grid of cells on the page.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct CellGrid {
-    /// Corner of the first cell of the first row.
+    /// Position on the page of the corner at which the first cell of the first row begins.
     pub(crate) origin: Point,
     /// Width and height of a cell. The height is negative if the rows ascend on the page.
     pub(crate) cell: Point,
@@ -38,7 +39,7 @@ pub(crate) struct Canvas {
 }
 
 impl Canvas {
-    /// Returns the complete document, with a size, a title and a description.
+    /// Returns the complete SVG document of the given size in pixels, with a title and a description in words.
     pub(crate) fn document(self, (width, height): Point, title: &str, description: &str) -> String {
         let (width, height) = (number(width.ceil()), number(height.ceil()));
         let mut text = format!(
@@ -67,7 +68,7 @@ impl Canvas {
         self.path(lines, colour, width, dashes);
     }
 
-    /// Draws lines of one colour, with a given width in pixels and a dash pattern.
+    /// Draws lines of one colour, with a width in pixels and a dash pattern in the notation of SVG.
     pub(crate) fn path(&mut self, lines: &[Vec<Point>], colour: Rgb, width: f64, dashes: &str) {
         let data = data(lines, "");
         if data.is_empty() {
@@ -96,8 +97,8 @@ impl Canvas {
         }
     }
 
-    /// Draws rectangles of one colour, which meet without a seam. The coordinates of the rectangles count cells of a
-    /// grid. Most coordinates are then small integers, so that the file is only a third as long.
+    /// Draws rectangles of one colour, which meet without a seam. Their coordinates count cells of the grid. Most
+    /// coordinates are then small integers, which makes the file two thirds shorter.
     pub(crate) fn cells(&mut self, cells: &[Rect], grid: CellGrid, fill: Rgb) {
         let mut data = String::new();
         let mut pen = (0.0, 0.0);
@@ -123,7 +124,8 @@ impl Canvas {
         }
     }
 
-    /// Draws a rectangle. A `fill` or `edge` of `None` is not drawn.
+    /// Draws a rectangle. `fill` is its colour, and `edge` the colour and width of its edge. `None` leaves out the
+    /// fill or the edge.
     pub(crate) fn rect(&mut self, rect: Rect, fill: Option<Rgb>, edge: Option<(Rgb, f64)>) {
         let Rect {
             left,

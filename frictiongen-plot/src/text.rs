@@ -1,4 +1,5 @@
-//! Writes text elements. SVG has no elements for subscripts and bars, so offsets and extra characters replace them.
+//! Writes texts as SVG elements. SVG has no elements for subscripts and bars, so offsets and extra characters replace
+//! them.
 
 use crate::face::Face;
 use crate::geometry::Point;
@@ -10,7 +11,7 @@ use crate::svg::Canvas;
 use crate::xml::{escaped, number};
 use std::fmt::Write as _;
 
-/// Size, colour and alignment of a text.
+/// Size, colour and alignment of a text in a figure.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct TextStyle {
     pub size: f64,
@@ -39,24 +40,25 @@ impl TextStyle {
     }
 }
 
-/// Size of the bar over a letter, relative to the letter. The code draws the bar as an en dash, because few browser
-/// fonts place a combining macron well. The en dash of every font is half an em long, at a fourth of its height.
+/// Size of the letter that serves as a bar, relative to the letter under it. The code draws the bar as an en dash,
+/// because few browser fonts place a combining macron well. The en dash of every font is half an em long, at a fourth
+/// of its height.
 const BAR: f64 = 0.8;
 /// Width of the en dash that serves as the bar, relative to the letter size.
 const DASH: f64 = 0.5 * BAR;
 
-/// A piece of text with its offset from the end of the previous piece.
+/// A piece of text, with its offset from the end of the piece before it.
 struct TextPiece<'a> {
     text: &'a str,
     face: Face,
     size: f64,
-    /// Offset to the right of the end of the previous piece.
+    /// Offset of the piece to the right, in pixels, from the end of the previous piece.
     shift: f64,
-    /// Offset below the base line.
+    /// Offset of the piece below the base line, in pixels.
     drop: f64,
 }
 
-/// Splits a label into pieces of text at a size. Bars over letters are separate pieces.
+/// Splits a label, set at the text size `size`, into pieces of text. A bar over a letter is a separate piece.
 fn pieces(label: &Label, size: f64) -> Vec<TextPiece<'_>> {
     let mut pieces = Vec::new();
     for Span { text, face, level } in label.spans() {

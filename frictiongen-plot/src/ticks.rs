@@ -13,11 +13,11 @@ pub(crate) struct Tick {
     pub label: Label,
 }
 
-/// Returns the ticks of an axis, of which about `count` at most have labels.
+/// Returns the ticks of an axis. About `count` of them have labels, or fewer.
 pub(crate) fn ticks(axis: &Axis, count: usize) -> Vec<Tick> {
     let (low, high) = axis.range();
     let count = count.max(2);
-    // A circle is divided into a few round fractions.
+    // An axis of angles has at most five ticks, at round fractions of a circle.
     let parts = count.min(5);
     match (axis.scale, axis.unit) {
         (Scale::Log, _) => log(low, high, count),
@@ -73,8 +73,8 @@ pub(crate) fn ticks(axis: &Axis, count: usize) -> Vec<Tick> {
     }
 }
 
-/// Returns the number of multiples of a step within a range. A multiple that rounding puts just outside the range
-/// counts as well.
+/// Returns how many multiples of a step lie in the range from `low` to `high`. A multiple that rounding puts just
+/// outside the range counts as well.
 fn multiples(low: f64, high: f64, step: f64) -> f64 {
     let (from, to) = bounds(low, high, step);
     to - from + 1.0
@@ -87,7 +87,7 @@ fn bounds(low: f64, high: f64, step: f64) -> (f64, f64) {
 
 fn whole(low: f64, high: f64, step: f64, label: impl Fn(i64) -> Label) -> Vec<Tick> {
     let (from, to) = bounds(low, high, step);
-    // The number of multiples was checked before. The upper bound ends the loop for a range of any size.
+    // The caller has checked the number of multiples. The upper bound ends the loop for a range of any size.
     (0..=64)
         .map(|i| from as i64 + i)
         .take_while(|k| *k as f64 <= to)
@@ -98,7 +98,8 @@ fn whole(low: f64, high: f64, step: f64, label: impl Fn(i64) -> Label) -> Vec<Ti
         .collect()
 }
 
-/// Returns ticks at multiples of 1, 2 or 5 times a power of ten.
+/// Returns the ticks of a linear axis, at multiples of 1, 2 or 5 times a power of ten. At most `count` multiples lie
+/// in the range.
 fn plain(low: f64, high: f64, count: usize) -> Vec<Tick> {
     let span = 2.0 * (0.5 * high / count as f64 - 0.5 * low / count as f64);
     let first = exponent(span);
@@ -126,8 +127,8 @@ fn plain(low: f64, high: f64, count: usize) -> Vec<Tick> {
         .to_vec()
 }
 
-/// Returns labelled ticks at decades, and also at 2 and 5 times a decade if the range is shorter than two decades.
-/// Ticks between labelled ticks have no labels.
+/// Returns the ticks of a logarithmic axis. Powers of ten have labels. In a range of less than two decades, 2 and 5
+/// times a power of ten also have labels. Ticks between labelled ticks have none.
 fn log(low: f64, high: f64, count: usize) -> Vec<Tick> {
     let (first, last) = (exponent(low), exponent(high));
     let decades = libm::log10(high) - libm::log10(low);

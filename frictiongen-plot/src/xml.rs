@@ -3,7 +3,8 @@
 use crate::geometry::Point;
 use std::fmt::Write as _;
 
-/// Returns the path data of lines, as steps from point to point. The text is half as long as with absolute coordinates.
+/// Returns the SVG path data of lines, as steps from point to point. The text is half as long as with absolute
+/// coordinates. `end` follows each line, such as `Z` to close it.
 pub(crate) fn data(lines: &[Vec<Point>], end: &str) -> String {
     let mut data = String::new();
     for line in lines.iter().filter(|line| 1 < line.len()) {
@@ -32,7 +33,7 @@ pub(crate) fn data(lines: &[Vec<Point>], end: &str) -> String {
     data
 }
 
-/// Appends a number to path data, without the zero before the decimal point.
+/// Appends a number to SVG path data, without the zero before the decimal point.
 fn step(data: &mut String, value: f64) {
     let text = number(value);
     match text.split_once("0.") {

@@ -1,5 +1,6 @@
 //! Chooses candidates for the witness over an interval of r. A witness is an instant near the largest velocity
-//! constraint. The candidates come from the instants at which the exact search finds this constraint.
+//! constraint, as a polynomial in r. The candidates follow from the instants at which exact searches find the largest
+//! constraint.
 
 use crate::force;
 use crate::series::IntervalSeries;
@@ -10,25 +11,27 @@ use frictiongen_model::table::building::Exact;
 use frictiongen_model::table::building::interpolated;
 use std::f64::consts::PI;
 
-/// Number of instants through which the polynomial of a witness passes. The value is tuned. Each instant costs a
-/// search. Five instants give a polynomial of degree 4 in r.
+/// Number of instants through which the polynomial of a witness passes. A witness is an instant near the largest
+/// velocity constraint, as a function of r. The value is tuned. Each instant takes the work of a search. Five
+/// instants give a polynomial of degree 4 in r.
 const NODES: usize = 5;
-/// Two instants belong to different maxima, and so not to one witness, if their distance exceeds this value, in
-/// half-turns. The value is tuned. A polynomial through two maxima would be near neither of them.
+/// Distance in half-turns of τ. Two instants that are farther apart belong to different maxima of the velocity
+/// constraint, and so not to one witness. The value is tuned. A polynomial through two maxima would be near neither
+/// of them.
 const JUMP: f64 = 0.05;
-/// A witness may use the Taylor series in τ (module `early`) if its instant is closer to the start of the half period
-/// than this distance. The unit is a radian of the fastest mode. The series is valid for all instants of such a
-/// witness.
+/// Distance from the start of the half period, in radians of the fastest mode. If the instant of a witness is closer,
+/// its constraint may come from the Taylor series in τ (module `early`). For all such instants the series is valid.
 const EARLY: f64 = 1.2;
-/// A witness uses only the Taylor series in τ if its instant is closer to the start of the half period than this
-/// distance, in radians of the fastest mode. The value is tuned. So close to the start, F/sin τ is a quotient of two
-/// small intervals.
+/// Distance from the start of the half period, in radians of the fastest mode. If the instant of a witness is closer,
+/// its constraint comes only from the Taylor series in τ (module `early`). The value is tuned. So close to the start,
+/// the constraint F/sin τ would be a quotient of two small intervals.
 const SURELY: f64 = 0.3;
-/// The start of the half period itself is also a candidate if an instant is closer to it than this distance, in radians
-/// of the fastest mode. The value is tuned. A maximum this close may reach the start within the interval of r.
+/// Distance from the start of the half period, in radians of the fastest mode. If an instant is closer, the start
+/// itself is also a candidate for the witness. The value is tuned. A maximum so close may reach the start within the
+/// interval of r.
 const START: f64 = 0.05;
 
-/// Returns the candidates for the instant of the largest constraint, from exact searches at several r.
+/// Returns the candidates for the witness over an interval of r, from exact searches at several r of the interval.
 pub(crate) fn candidates(
     exact: &mut Exact<'_>,
     chain: &IntervalChain,
@@ -85,8 +88,8 @@ pub(crate) fn candidates(
         if early {
             witnesses.push(Witness::Early(path.clone()));
         }
-        // If the instant is between `SURELY` and `EARLY`, the witness with and the witness without the Taylor series
-        // are both candidates.
+        // If the instant is between `SURELY` and `EARLY`, the code adds two candidates: with the Taylor series and
+        // without it.
         if !(early && latest < SURELY) {
             witnesses.push(Witness::Instant(path));
         }

@@ -1,6 +1,6 @@
-//! The velocity constraint over an interval of r, for all cells of a half period. The proof must show that D(τ, r) =
-//! N(r) sin τ − F(τ, r) is positive. F is the sum of the constraint over the modes (module `force`). N is slightly
-//! above the constraint of the witness.
+//! The data of the proof for the cells of a half period, over an interval of r. The proof must show that the function
+//! D(τ, r) = N(r) sin τ − F(τ, r) is positive. F is the sum of the velocity constraint over the modes (module
+//! `force`). N is slightly above the constraint of the witness, an instant near the largest constraint.
 
 use crate::force;
 use crate::found::Budget;
@@ -10,27 +10,30 @@ use crate::witness::{Witness, WitnessInstant};
 use frictiongen_model::interval::Interval;
 use std::f64::consts::PI;
 
-/// Length of a step that widens the region about a witness, as a fraction of √(N/D″). The value is tuned. A longer step
-/// widens the region faster, but gives wider bounds of D″.
+/// Length of a step that widens the region about a witness, as a fraction of √(N/D″), with D and N of
+/// [`HalfPeriodCells`]. The value is tuned. A longer step widens the region faster, but gives wider bounds of D″.
 const TUBE_STEP: f64 = 0.3;
-/// Largest number of steps that widen the region about a witness (an instant near the largest velocity constraint). The
-/// value is tuned. It limits the work for one region.
+/// Largest number of steps that widen the region about a witness, on each side. A witness is an instant near the
+/// largest velocity constraint. The value is tuned. It limits the work for one region.
 const TUBE_STEPS: usize = 8;
-/// Largest first widening step, as a fraction of the way from the witness to the end of the half period. The value is
-/// tuned. For a flat maximum, a step in proportion to √(N/D″) alone would be too long.
+/// Largest first step that widens the region about a witness, as a fraction of the distance from the witness to the
+/// end of the half period. The value is tuned. For a flat maximum, a step in proportion to √(N/D″) alone would be too
+/// long.
 const TUBE_FIRST: f64 = 0.2;
-/// Largest sum of all widening steps, as a fraction of the way from the witness to the end of the half period. The
-/// region must end before the half period does.
+/// Largest sum of the steps that widen the region about a witness, as a fraction of the distance from the witness to
+/// the end of the half period. The region must end before the half period does.
 const TUBE_MOST: f64 = 0.9;
-/// Allowance for the rounding of a position, of the end of a region, or of r. It is thousands of rounding units.
+/// Relative allowance for the rounding of an instant, of the end of a region, or of r. It is thousands of rounding
+/// units.
 pub(crate) const ROUNDING: f64 = 1e-12;
 
-/// In the widened region, D″ must stay above this fraction of its value at the witness, or at a second maximum of the
-/// constraint. The value is tuned. A smaller fraction makes the region wider, but its parabola flatter.
+/// Fraction of D″ at the centre of a region about an instant, with D of [`HalfPeriodCells`]. In the whole region D″
+/// must stay above this fraction. The value is tuned. A smaller fraction gives a wider region, but a flatter parabola
+/// as lower bound.
 pub(crate) const BENT: f64 = 0.15;
 
-/// The chain and the witness over an interval of r: at its centre (fields `at`), and over the whole interval (fields
-/// `over`).
+/// The chain and the witness at the centre of an interval of r (fields with `at`), and over the whole interval
+/// (fields with `over`). The witness is an instant near the largest velocity constraint.
 pub(crate) struct CellData<'a> {
     pub chain: &'a IntervalChain,
     pub witness: &'a Witness,
@@ -40,13 +43,13 @@ pub(crate) struct CellData<'a> {
     pub over: &'a ChainStage<ORDER>,
     pub seen_at: &'a WitnessInstant<ORDER>,
     pub seen_over: &'a WitnessInstant<ORDER>,
-    /// Relative margin of N above the witness: √(U² + N²) is (1 + share)·√(U² + Q²), with Q the constraint of the
-    /// witness.
+    /// Relative margin by which √(U² + N²) exceeds √(U² + Q²). Q is the velocity constraint of the witness, N a level
+    /// above Q, and U the velocity of the contact, from friction, at a reversal.
     pub share: f64,
 }
 
-/// The part of the half period before the witness, or the part after the witness. A `share` from 0 to 1 gives a
-/// position on this side, from the end of the half period (0) to the witness (1).
+/// A side of the half period: the part before the witness, or the part after it. A `share` gives a position on the
+/// side, from the end of the half period (0) to the witness (1).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Flank {
     Before,
@@ -54,15 +57,18 @@ pub(crate) enum Flank {
 }
 
 /// The chain and the witness over an interval of r, as the cells of the half period need them.
+///
+/// The cells must prove that D = N sin τ − F is positive on 0 < τ < π. F/sin τ is the velocity constraint at τ. N is
+/// a level slightly above the constraint of the witness, which is an instant near the largest constraint.
 pub(crate) struct HalfPeriodCells<'a> {
-    /// The chain at the centre of the interval.
+    /// The chain at the centre of the interval of r.
     pub thin: ChainStage<1>,
-    /// The chain over the interval, with its slope in r.
+    /// The chain over the interval of r, with derivatives with respect to r.
     pub wide: ChainStage<2>,
-    /// The chain over the interval, without slope.
+    /// The chain over the interval of r, without derivatives.
     pub flat: ChainStage<1>,
-    /// N, a value slightly above the witness's velocity constraint: at the centre of the interval of r (`level_at`),
-    /// and over the interval.
+    /// N, a level slightly above the velocity constraint of the witness: at the centre of the interval of r
+    /// (`level_at`), and over the interval (`level_over`).
     pub level_at: IntervalSeries<1>,
     pub level_over: IntervalSeries<2>,
     pub full_at: IntervalSeries<ORDER>,
@@ -72,8 +78,9 @@ pub(crate) struct HalfPeriodCells<'a> {
     pub part: &'a CellData<'a>,
 }
 
-/// Returns κN. N is the level for which √(N² + U²) is (1 + share) times its value for the witness's constraint. κ is
-/// the product of cosines in `Stage`.
+/// Returns κN. N is the level for which √(N² + U²) is 1 + `share` times √(Q² + U²). Q is the velocity constraint of
+/// the witness, and U the velocity of the contact, from friction, at a reversal. κ is the product of cosines in
+/// [`ChainStage`].
 fn level<const N: usize>(seen: &WitnessInstant<N>, share: f64) -> IntervalSeries<N> {
     let share = Interval::point(share);
     let more = share + share + share * share;
@@ -100,7 +107,8 @@ impl<'a> HalfPeriodCells<'a> {
         }
     }
 
-    /// Returns F over intervals of t and r, with its slope in r. Also returns F′, F″ and F‴, then sine and cosine of τ.
+    /// Returns F, the sum of the velocity constraint over the modes, over intervals of t and r. Its series has the
+    /// slope in r. Also returns the derivatives F′, F″ and F‴ in τ = πt, then sin τ and cos τ.
     pub fn boxed(&self, t: Interval) -> (IntervalSeries<2>, [Interval; 3], (Interval, Interval)) {
         let at = IntervalSeries::<2>::fixed(t);
         let (sine, cosine) = t.sine_cosine();
@@ -110,29 +118,31 @@ impl<'a> HalfPeriodCells<'a> {
         (value, derivatives, (sine, cosine))
     }
 
-    /// Returns F′, F″ and F‴ over intervals of t and r, then sine and cosine of τ.
+    /// Returns the derivatives F′, F″ and F‴ in τ = πt over intervals of t and r, then sin τ and cos τ. F is the sum
+    /// of the velocity constraint over the modes.
     pub fn derivatives(&self, t: Interval) -> ([Interval; 3], (Interval, Interval)) {
         let waves = t.sine_cosine();
         let motions = force::motions(&self.flat, &IntervalSeries::fixed(t));
         (force::derivatives(&self.flat, &motions, waves), waves)
     }
 
-    /// Returns D″ over an interval of t, for all r.
+    /// Returns D″, the second derivative in τ of D = N sin τ − F, over an interval of t = τ/π and the whole interval
+    /// of r.
     pub fn bend(&self, t: Interval, budget: &mut Budget) -> Interval {
         budget.spend(2 * self.wide.modes.len());
         let level = self.level_over.value();
         let ([_, second, third], (sine, cosine)) = self.derivatives(t);
         let plain = -(level * sine) - second;
-        // The mean value form about the middle of the interval makes the bound narrower.
+        // The mean value form about the middle of the interval of t makes the bound narrower.
         let middle = Interval::point(t.middle());
         let ([_, second, _], (sine, _)) = self.derivatives(middle);
         let moves = (-(level * cosine) - third) * (t - middle) * Interval::pi();
         plain.both(-(level * sine) - second + moves)
     }
 
-    /// Returns a region about an instant in which D″ stays above the fraction `bent` of its value at the instant. The
-    /// first result is the length of the region before and after the instant, in half-turns. The second is the smallest
-    /// D″ in the region.
+    /// Returns a region about an instant in which D″ stays above the fraction `bent` of its value at the instant,
+    /// with D of [`HalfPeriodCells`]. The first result has the lengths of the region before and after the instant, in
+    /// half-turns. The second is the smallest D″ in the region.
     pub fn widened(
         &self,
         t: Interval,
@@ -164,8 +174,8 @@ impl<'a> HalfPeriodCells<'a> {
         (reach, least)
     }
 
-    /// Returns the instant t at the position `share` of a side, in three forms: t over the whole interval of r, the
-    /// slope of t with respect to r, and t at the centre of the interval.
+    /// Returns the instant t = τ/π at the position `share` of a side, in three forms: t over the whole interval of r,
+    /// the slope of t with respect to r, and t at the centre of the interval.
     pub fn instant(&self, side: Flank, share: Interval) -> (Interval, Interval, Interval) {
         let (path, slope) = (self.path_over.value(), self.path_over.term(1));
         match side {

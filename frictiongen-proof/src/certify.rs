@@ -1,9 +1,9 @@
-//! Proves that no instant of the half period has a velocity constraint above that of the witness by more than a small
-//! margin.
+//! Proves that no instant of the half period has a velocity constraint that exceeds the constraint of the witness by
+//! more than a small margin. The witness is an instant near the largest constraint.
 //!
-//! D(τ, r) = N(r) sin τ − F(τ, r) must be positive on 0 < τ < π. Cells cover the half period. Their ends shift with the
-//! witness as r changes. In each cell the value, the slope and a bound on the second derivative give a lower bound on
-//! D. About the witness, where D nearly vanishes, a single parabola is the lower bound.
+//! The function D(τ, r) = N(r) sin τ − F(τ, r) must be positive on 0 < τ < π. Cells cover the half period. Their ends
+//! shift with the witness as r changes. In each cell a lower bound on D follows from its value, its slope and a bound
+//! on its second derivative. About the witness, where D nearly vanishes, a single parabola is the lower bound.
 
 use crate::cells::{BENT, CellData, Flank, HalfPeriodCells, ROUNDING};
 use crate::force;
@@ -15,39 +15,40 @@ use crate::witness::Witness;
 use frictiongen_model::interval::Interval;
 use std::f64::consts::PI;
 
-/// Length of the first cell of a side, in radians of the fastest mode. The value is tuned. A longer cell has wider
-/// bounds of D″.
+/// Length of the first cell of a side of the half period, in radians of the fastest mode. The value is tuned. A
+/// longer cell has wider bounds of D″, with D of [`HalfPeriodCells`].
 const CELL: f64 = 1.0;
-/// N counts as far above the witness's constraint if their relative difference exceeds this value. The value is tuned.
-/// D is then clearly positive at the witness.
+/// Relative difference from which the level N counts as far above the witness's velocity constraint. The value is
+/// tuned. With this difference, D of [`HalfPeriodCells`] is clearly positive at the witness.
 const FAR_ABOVE: f64 = 0.01;
-/// Larger fraction of D″ for the region about the witness, which the code tries if `BENT` does not suffice. The value
-/// is tuned. It gives a steeper parabola in a narrower region.
+/// Fraction of D″ for a narrower region about the witness, which the code tries if `BENT` does not suffice. D is
+/// defined at [`HalfPeriodCells`]. The value is tuned. A larger fraction gives a steeper parabola in a narrower
+/// region.
 const MORE_BENT: f64 = 0.5;
-/// Shortest cell, as a fraction of its side. The value is tuned. It limits the work on a side whose proof fails. The
-/// prover then halves the interval of r.
+/// Shortest cell, as a fraction of its side of the half period. The value is tuned. It limits the work on a side
+/// whose proof fails. The prover then halves the interval of r.
 const SHORTEST: f64 = 1e-3;
-/// The code searches for another instant with nearly the witness's constraint if a cell becomes shorter than this
-/// length, in radians of the fastest mode. The value is tuned. Cells become short where D is small.
+/// Length of a cell in radians of the fastest mode. If a cell becomes shorter, the code searches for another instant
+/// whose velocity constraint is nearly that of the witness. The value is tuned. Cells become short where D is small.
 const COMPETE: f64 = 0.1;
-/// Largest number of searches for another instant with nearly the same constraint as the witness. The value is tuned.
-/// It limits the work of the searches.
+/// Largest number of searches, on one side, for another instant whose velocity constraint is nearly that of the
+/// witness. The value is tuned. It limits the work of the searches.
 const MOST_TRIED: usize = 4;
-/// After a proven cell, the next cell is longer by this factor. The value is tuned. Fast growth saves cells, but a
+/// Factor by which the next cell is longer after a proven cell. The value is tuned. Fast growth saves cells, but a
 /// failed cell is lost work.
 const LONGER: f64 = 1.4;
-/// First trial length of the range that a single bound covers from the start of the half period. The unit is a radian
-/// of the fastest mode. The value is tuned. A longer range saves cells, but its bound is wider.
+/// First length of the range that a single bound covers from the start of the half period, in radians of the fastest
+/// mode. The value is tuned. A longer range saves cells, but its bound is wider.
 const EARLY: f64 = 0.3;
-/// Largest number of times that the code shortens the range of [`EARLY`] after a failed bound. The value is tuned. The
-/// last range is about an eighth of the first.
+/// Largest number of lengths that the code tries for the range of [`EARLY`]. The value is tuned. The last length is
+/// about a sixth of the first one.
 const EARLY_STEPS: usize = 6;
-/// Factor by which the code shortens the range of [`EARLY`] after a failed bound. The value is tuned together with
+/// Factor by which the code shortens the range of [`EARLY`] if its bound fails. The value is tuned together with
 /// `EARLY_STEPS`.
 const EARLY_STEP: f64 = 0.7;
 
-/// Returns true if the proof succeeds: over the interval of r, every velocity constraint is below the witness's
-/// constraint plus the margin.
+/// Returns true if the proof over an interval of r succeeds: every velocity constraint is below the constraint of the
+/// witness plus the margin.
 pub(crate) fn certified(part: &CellData<'_>, budget: &mut Budget) -> bool {
     // Without damping and with every x ≤ 2, the velocity constraint is largest at the start of the half period.
     let slow = |mode: &ModeStage<ORDER>| mode.x.value().high <= 2.0;
@@ -56,19 +57,19 @@ pub(crate) fn certified(part: &CellData<'_>, budget: &mut Budget) -> bool {
         return true;
     }
     let cells = HalfPeriodCells::of(part);
-    // Margin of N above the break-away term. This term limits β_lim as a velocity constraint does.
+    // Margin of N above the break-away term, which limits β_lim as a velocity constraint does.
     let spare = IntervalSeries::joined(
         &(cells.full_at - part.at.break_away),
         &(cells.full_over - part.over.break_away),
     );
     // With μ = 1 the break-away term equals the velocity constraint at the start of the half period. The proof for a
-    // witness near the start includes this constraint.
+    // witness near the start covers this constraint.
     let one = part.chain.stiction == Interval::ONE;
     let is_early = matches!(part.witness, Witness::Early(_));
     let seen = is_start || (is_early && one);
     let kappa = part.over.kappa.map_or(Interval::ONE, |kappa| kappa.value());
     if !seen && (kappa.holds_zero() || !(0.0 < spare.range(part.away).low)) {
-        // If κ may be 0, its sign is unknown. The squares are compared in this case.
+        // If κ may be 0, its sign is unknown. The code then compares the squares.
         let spare = cells.level_over.value().squared() - part.over.break_away.value().squared();
         if !(0.0 < spare.low) {
             return false;
@@ -86,8 +87,8 @@ pub(crate) fn certified(part: &CellData<'_>, budget: &mut Budget) -> bool {
 }
 
 impl HalfPeriodCells<'_> {
-    /// Returns the fraction of each side that the cells must still prove. A parabola about the witness proves the rest.
-    /// Returns `None` if D is not proven positive about the witness.
+    /// Returns the fractions of both sides of the half period that the cells must still prove. A parabola about the
+    /// witness proves the rest. Returns `None` if D of [`HalfPeriodCells`] is not proven positive about the witness.
     fn tube(&self, budget: &mut Budget) -> Option<[f64; 2]> {
         if matches!(self.part.witness, Witness::BreakAway) {
             return Some([1.0, 1.0]);
@@ -98,8 +99,8 @@ impl HalfPeriodCells<'_> {
         }
         let curve = self.bend(path, budget);
         if !(0.0 < curve.low) {
-            // D may have no minimum near the witness, for example where U exceeds S, the largest velocity constraint. N
-            // is then far above all constraints. The cells alone prove D on both sides.
+            // D may have no minimum near the witness, for example where U exceeds S, the largest velocity constraint.
+            // N is then far above all constraints, and the cells alone prove that D is positive on both sides.
             return Some([1.0, 1.0]);
         }
         // The code first tries the widest region, then a narrower region with a steeper parabola.
@@ -112,14 +113,15 @@ impl HalfPeriodCells<'_> {
             let far = FAR_ABOVE * self.level_over.value().high < self.above().low;
             return far.then_some([1.0, 1.0]);
         };
-        // The certified regions are reduced a little, to allow for the rounding of the fractions.
+        // The proven regions are shortened a little, to allow for the rounding of the fractions.
         Some([
             1.0 - before * (1.0 - ROUNDING) / path.high,
             1.0 - after * (1.0 - ROUNDING) / (1.0 - path.low),
         ])
     }
 
-    /// Returns N − Q, computed as (N² − Q²)/(N + Q). Q is the constraint of the witness.
+    /// Returns N − Q, computed as (N² − Q²)/(N + Q). Q is the velocity constraint of the witness, and N the level
+    /// above it.
     fn above(&self) -> Interval {
         let seen = self.part.seen_over;
         let share = Interval::point(self.part.share);
@@ -127,8 +129,9 @@ impl HalfPeriodCells<'_> {
         seen.size.value() * more / (self.level_over.value() + seen.constraint.value())
     }
 
-    /// Returns true if D, or D/τ, is positive in the region in which its second derivative is at least `bend`. The
-    /// criterion is D(τ_w) > D′(τ_w)²/(2·bend), because D ≥ D(τ_w) − D′(τ_w)²/(2·bend).
+    /// Returns true if D, or D/τ for a witness near the start, is positive in a region about the witness τ_w. D is
+    /// defined at [`HalfPeriodCells`]. In the region the second derivative is at least `bend`, so D ≥ D(τ_w) −
+    /// D′(τ_w)²/(2·bend). The function tests whether this bound is positive.
     fn is_least(&self, bend: f64) -> bool {
         let (seen_at, seen_over) = (self.part.seen_at, self.part.seen_over);
         let above = self.above();
@@ -140,7 +143,8 @@ impl HalfPeriodCells<'_> {
     }
 
     /// Returns the fraction of the side after the witness that the cells must still prove, for a witness near the
-    /// start. Before the witness, (D/τ)″ is at least a third of the smallest D‴, because it equals ∫₀¹ s²D‴(sτ) ds.
+    /// start of the half period. The proof about the witness needs (D/τ)″, with D of [`HalfPeriodCells`]. (D/τ)″ =
+    /// ∫₀¹ s²D‴(sτ) ds is at least a third of the smallest D‴.
     fn early(&self, budget: &mut Budget) -> Option<f64> {
         let path = self.part.seen_over.t;
         let path = IntervalSeries::joined(&self.part.seen_at.t, &path).range(self.part.away);
@@ -162,8 +166,8 @@ impl HalfPeriodCells<'_> {
         None
     }
 
-    /// Returns true if D is proven positive on a side, from the end of the half period to the share `up_to` of this
-    /// side.
+    /// Returns true if D of [`HalfPeriodCells`] is proven positive on a side, from the end of the half period to the
+    /// position `up_to` of the side.
     fn side(&self, side: Flank, up_to: f64, budget: &mut Budget) -> bool {
         let fastest = self.wide.modes.iter().map(|mode| mode.x.value().high);
         let fastest = fastest.fold(1.0, f64::max);
@@ -195,8 +199,8 @@ impl HalfPeriodCells<'_> {
                 from = to;
                 length *= LONGER;
             } else {
-                // Near an instant with nearly the same constraint, a cell would have to be as short as the distance
-                // between the two instants.
+                // Near an instant with nearly the same constraint, cells would become as short as their distance from
+                // that instant.
                 let near = region.and_then(|region: PositiveRegion| {
                     region.reach(side, from, self.path_over.value())
                 });
@@ -219,19 +223,19 @@ impl HalfPeriodCells<'_> {
         true
     }
 
-    /// Returns true if D is proven positive in a cell of a side.
+    /// Returns true if D of [`HalfPeriodCells`] is proven positive in a cell of a side.
     fn cell(&self, side: Flank, share: Interval, budget: &mut Budget) -> bool {
         budget.spend(2 * self.wide.modes.len());
         let (t, t_slope, _) = self.instant(side, share);
         let (value, [first, second, _], (sine, cosine)) = self.boxed(t);
         let level = self.level_over.value();
-        // D changes with r for two reasons: its own slope in r (`of_r`), and its slope in τ (`of_tau`) where the cell
-        // shifts with r.
+        // D in the cell changes with r for two reasons: by its own slope in r (`of_r`), and by its slope in τ
+        // (`of_tau`), because the cell shifts with r.
         let of_tau = level * cosine - first;
         let of_r = self.level_over.term(1) * sine - value.term(1);
         let moves = of_r + of_tau * t_slope * Interval::pi();
         let bend = -(level * sine) - second;
-        // D at the centre of r is expanded about the middle of the cell.
+        // D at the centre of the interval of r is expanded about the middle of the cell.
         let middle = Interval::point(share.middle());
         let (_, _, t_at) = self.instant(side, middle);
         let (_, _, ends) = self.instant(side, share);
@@ -247,7 +251,7 @@ impl HalfPeriodCells<'_> {
     }
 }
 
-/// Returns the minimum of value + slope·δ + bend·δ²/2 over |δ| ≤ half.
+/// Returns a lower bound on value + slope·δ + bend·δ²/2 over |δ| ≤ half.
 fn lowest(value: Interval, slope: Interval, bend: Interval, half: f64) -> Interval {
     let steep = Interval::point(slope.size());
     let bend = Interval::point(bend.low);

@@ -1,4 +1,4 @@
-//! Compares the polynomial of a piece with β_lim from the witness, over an interval of r.
+//! Compares the polynomial of a table's piece with the β_lim that follows from the witness, over an interval of r.
 
 use crate::series::IntervalSeries;
 use crate::stage::{ChainStage, ORDER};
@@ -11,38 +11,39 @@ use frictiongen_model::table::Request;
 use frictiongen_model::table::Worst;
 use frictiongen_model::table::building::rounding;
 
-/// Number of terms of a series after its division by the distance from a zero. The division costs one term.
+/// Number of terms of a series that was divided by the distance from a zero. The division loses one term.
 pub(crate) const SHORT: usize = ORDER - 1;
-/// Number of cells into which the code divides an interval to bound a polynomial. The value is tuned. More cells give
-/// narrower bounds, but need more work.
+/// Number of cells into which the code divides an interval of r to bound a polynomial. The value is tuned. More cells
+/// give narrower bounds, but take more work.
 pub(crate) const CELLS: usize = 8;
-/// Largest fraction of the accuracy that the uncertain position of a zero of β_lim may use. The value is tuned. The
-/// proof leaves a neighbourhood of the zero open, whose length is proportional to the inverse of this fraction.
+/// Largest fraction of the accuracy that the uncertain position of a zero of β_lim may take. The value is tuned. The
+/// proof leaves a neighbourhood of the zero open. Its length is inversely proportional to this fraction.
 const UNCERTAIN: f64 = 0.01;
-/// Smallest distance from a zero, relative to r, at which the proof still covers r. It is hundreds of rounding units of
-/// r.
+/// Smallest distance from a zero of β_lim, divided by r, down to which the proof covers r. It is hundreds of rounding
+/// units.
 const NEAREST: f64 = 1e-13;
-/// Largest relative rounding error, or angle in rad, for which the bounds are valid. A larger error exceeds every
-/// permitted accuracy, so that the comparison fails in any case.
+/// Relative rounding error, or angle in rad, up to which the bounds are valid. A larger error exceeds every permitted
+/// accuracy, so the comparison fails in any case.
 pub(crate) const SMALL: f64 = 0.1;
 
-/// Result of the comparison of a table with the witness over an interval of r.
+/// Result of the comparison of a table's β_lim with the β_lim from the witness, over an interval of r.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ComparedLimit {
-    /// Largest possible error, with the r at which it occurs.
+    /// Largest possible relative error of the table's β_lim, with the r at which it occurs.
     pub worst: Worst,
-    /// Neighbourhood of a zero in which the comparison proves nothing, as an interval of r. `None` without a zero.
+    /// Neighbourhood of a zero of β_lim in which the comparison proves nothing, as an interval of r. `None` without a
+    /// zero.
     pub gap: Option<(f64, f64)>,
-    /// The proven interval of r, relative to the centre of the series.
+    /// The interval of r that the comparison proves, minus the centre of the series.
     pub away: Interval,
-    /// Square of the quotient p/β_lim. p is the polynomial of the table, and β_lim is computed independently of the table.
-    /// The first series is at the centre of the interval, and the second one contains the whole interval.
+    /// Square of the quotient p/β_lim. p is the polynomial of the table, and β_lim comes from the witness. The first
+    /// series is at the centre of the interval of r, the second over the interval.
     pub square: [IntervalSeries<SHORT>; 2],
-    /// Largest relative rounding error of the polynomial's evaluation.
+    /// Largest rounding error in the evaluation of p, divided by p.
     pub rounding: f64,
 }
 
-/// Returns the series divided by r − r₀, where r₀ is the centre of the series. The function must be zero at r₀, and the
+/// Returns a series divided by r − r₀, where r₀ is the centre of the series. The function must be zero at r₀, so the
 /// code ignores the first coefficient.
 pub(crate) fn divided(series: &IntervalSeries<ORDER>) -> IntervalSeries<SHORT> {
     let mut terms = [Interval::ZERO; SHORT];
@@ -52,8 +53,9 @@ pub(crate) fn divided(series: &IntervalSeries<ORDER>) -> IntervalSeries<SHORT> {
     IntervalSeries { terms }
 }
 
-/// Compares the emitted polynomial with β_lim. Returns `None` if the polynomial is not within the accuracy. The exact
-/// β_lim is at most the witness's β_lim, and smaller by at most the fraction `share`.
+/// Compares the polynomial of a piece with β_lim over an interval of r. Returns `None` if the polynomial is not
+/// proven to be within the accuracy. The exact β_lim is at most the β_lim from the witness, and smaller by at most
+/// the fraction `share`.
 pub(crate) fn compared<S: Float>(
     piece: &Fitted<S>,
     request: &Request,
@@ -79,7 +81,7 @@ pub(crate) fn compared<S: Float>(
     };
     let (own_at, own_over) = (table(Interval::point(centre)), table(r));
     let accuracy = request.accuracy;
-    // `nearest` is the distance from the zero at which the proof stops.
+    // `nearest` is the distance from the zero of β_lim down to which the proof covers r.
     let (mut nearest, mut gap) = (0.0, None);
     if zero.is_some() {
         let size = |place: usize| {
@@ -135,8 +137,8 @@ pub(crate) fn compared<S: Float>(
     ];
     let [square_at, square_over] = &squares;
     let joined = IntervalSeries::joined(square_at, square_over);
-    // `own` is the range of the polynomial's values. Near a zero the polynomial is divided by the distance from the
-    // zero.
+    // `own` contains the values of the polynomial over the interval. Near a zero, it contains the polynomial divided
+    // by the distance from the zero.
     let own = match zero {
         None => IntervalSeries::joined(&own_at, &own_over).range(away),
         Some(_) => {

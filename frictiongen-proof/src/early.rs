@@ -1,32 +1,32 @@
-//! The velocity constraint F/sin τ near the start of the half period. At the start F and sin τ are both zero. The
-//! module therefore uses the Taylor series of F/τ in τ.
+//! The velocity constraint F/sin τ near the start of the half period. At the start F and sin τ are both zero, so this
+//! module uses the Taylor series of F/τ in τ.
 
 use crate::force;
 use crate::series::IntervalSeries;
 use crate::stage::ChainStage;
 use frictiongen_model::interval::Interval;
 
-/// Number of terms of the series of F/τ. [`rest`] bounds the remainder. With fewer terms the proof would still be
-/// correct, but would leave more of r open.
+/// Number of terms of the Taylor series of F/τ in τ, where F/sin τ is the velocity constraint. [`rest`] bounds the
+/// remainder. With fewer terms the proof would stay correct, but would leave more of r open.
 const TERMS: usize = 13;
-/// Derivatives of the cosine at τ = 0, which repeat after four.
+/// Derivatives of cos τ at τ = 0, which repeat after four.
 const OF_COSINE: [f64; 4] = [1.0, 0.0, -1.0, 0.0];
-/// Largest |τ|, in rad, for which the series of sin τ/τ is valid. The instants of a witness near the start of the half
-/// period are all smaller.
+/// Largest |τ|, in rad, for which the bound on the remainder of the series of sin τ/τ is valid. The instants of a
+/// witness near the start of the half period are smaller.
 const FARTHEST: f64 = 1.3;
-/// Bound on the neglected terms of the series of sin τ/τ and of its slope, for |τ| up to [`FARTHEST`]. The terms beyond
-/// the first [`PAIRS`] sum to less than 20·1.3¹⁹/21! < 6·10⁻¹⁷.
+/// Bound on the remainder of the power series of sin τ/τ, and of its slope, for |τ| up to [`FARTHEST`]. The terms
+/// after the first [`PAIRS`] add up to less than 20·1.3¹⁹/21! < 6·10⁻¹⁷.
 const SINC_REST: f64 = 1e-16;
-/// Number of powers of τ² in the series of sin τ/τ. The next term is below one rounding unit for |τ| up to
+/// Number of powers of τ² in the power series of sin τ/τ. The next term is below one rounding unit for |τ| up to
 /// [`FARTHEST`].
 const PAIRS: usize = 10;
-/// Factor that covers up to four roundings in a bound, each at most 2⁻⁵³ ≈ 1.1·10⁻¹⁶.
+/// Factor on an upper bound. It covers up to four roundings, each at most 2⁻⁵³ ≈ 1.1·10⁻¹⁶.
 const UP: f64 = 1.0 + 1e-15;
-/// Factor that covers up to ninety roundings in a bound, including those of π and of earlier factors.
+/// Factor on an upper bound. It covers up to ninety roundings, including those of π and of other factors.
 const FAR_UP: f64 = 1.0 + 1e-14;
 
-/// Returns sin τ/τ and its slope, by their power series. [`SINC_REST`] bounds the remainder. Returns `ALL` if |τ| may
-/// exceed [`FARTHEST`].
+/// Returns sin τ/τ and its slope in τ, by power series with the remainder [`SINC_REST`]. Returns intervals of all
+/// numbers if |τ| may exceed [`FARTHEST`].
 pub(crate) fn sinc<const N: usize>(
     tau: &IntervalSeries<N>,
 ) -> (IntervalSeries<N>, IntervalSeries<N>) {
@@ -39,8 +39,8 @@ pub(crate) fn sinc<const N: usize>(
     let square = tau.squared();
     let zero = IntervalSeries::fixed(Interval::ZERO);
     let (mut value, mut slope) = (zero, zero);
-    // The sums run from the highest power down. The coefficient of τ^{2j} is (−1)^j/(2j + 1)!. The coefficient of
-    // τ^{2j−1} in the slope is 2j times as large.
+    // The sums run from the highest power to the lowest. The coefficient of τ^{2j} is (−1)^j/(2j + 1)!. The
+    // coefficient of τ^{2j−1} in the slope is 2j times as large.
     for j in (0..PAIRS).rev() {
         let mut weight = Interval::ONE;
         for factor in 2..=(2 * j + 1) {
@@ -57,14 +57,15 @@ pub(crate) fn sinc<const N: usize>(
     (value + rest, slope * *tau + rest)
 }
 
-/// Returns F/τ and its slope at τ = πt, up to the remainder of [`rest`].
+/// Returns F/τ and its slope in τ from a Taylor series in τ, without the remainder that [`rest`] bounds. F/sin τ is
+/// the velocity constraint.
 pub(crate) fn over_tau<const N: usize>(
     stage: &ChainStage<N>,
     tau: &IntervalSeries<N>,
 ) -> (IntervalSeries<N>, IntervalSeries<N>) {
     let zero = IntervalSeries::fixed(Interval::ZERO);
-    // At τ = 0 the nth derivative of p is k_n xⁿ⁻¹, with k_n + 2ζk_{n−1} + k_{n−2} = 0. Because x = σ/r, all modes have
-    // the same power of r. The code sums κc(1 + g)·k_nσⁿ⁻¹ and κcu/x²·k_{n+1}σⁿ over the modes.
+    // At τ = 0 the nth derivative of p is k_n xⁿ⁻¹, with k_n + 2ζk_{n−1} + k_{n−2} = 0. Because x = σ/r, all modes
+    // have the same power of r. The code adds up κc(1 + g)·k_nσⁿ⁻¹ and κcu/x²·k_{n+1}σⁿ over the modes.
     let mut sums = [(zero, zero); TERMS + 1];
     for mode in &stage.modes {
         let own = mode.oscillator;
@@ -98,7 +99,7 @@ pub(crate) fn over_tau<const N: usize>(
     (value, slope)
 }
 
-/// Returns bounds on the remainders of [`over_tau`], for F/τ and for its slope, at all τ from 0 to πt.
+/// Returns bounds on the remainders of [`over_tau`], of F/τ and of its slope, for all τ from 0 to πt.
 pub(crate) fn rest<const N: usize>(stage: &ChainStage<N>, t: f64) -> [Interval; 2] {
     let stage = stage.truncated::<1>();
     let all = Interval::new(0.0, t);

@@ -1,11 +1,11 @@
-//! Sum of the velocity constraint, F(τ) = Σ κc[(1 + g)p + (u/x²)(cos τ − p′)] over the modes, and its derivatives. The
-//! code gives the time in half-turns, τ = πt.
+//! F(τ) = Σ κc[(1 + g)p + (u/x²)(cos τ − p′)], the sum of the velocity constraint over the modes, and its derivatives
+//! in τ. The code gives τ in half-turns: τ = πt.
 
 use crate::series::IntervalSeries;
 use crate::stage::{ChainStage, ModeDecay, ModeStage};
 use frictiongen_model::interval::Interval;
 
-/// Returns the free displacement p of a mode and its slope p′.
+/// Returns the free displacement p of a mode after a unit velocity, and its slope p′, at an instant.
 fn free<const N: usize>(
     mode: &ModeStage<N>,
     t: &IntervalSeries<N>,
@@ -41,7 +41,7 @@ fn free<const N: usize>(
     }
 }
 
-/// Returns p and p′ of all modes at an instant.
+/// Returns, for each mode at an instant, its free displacement p after a unit velocity, and the slope p′.
 pub(crate) fn motions<const N: usize>(
     stage: &ChainStage<N>,
     t: &IntervalSeries<N>,
@@ -49,7 +49,7 @@ pub(crate) fn motions<const N: usize>(
     stage.modes.iter().map(|mode| free(mode, t)).collect()
 }
 
-/// Returns F at an instant. The instant may depend on r.
+/// Returns F, the sum of the velocity constraint over the modes, at an instant. The instant may depend on r.
 pub(crate) fn value<const N: usize>(
     stage: &ChainStage<N>,
     motions: &[(IntervalSeries<N>, IntervalSeries<N>)],
@@ -62,7 +62,8 @@ pub(crate) fn value<const N: usize>(
     sum
 }
 
-/// Returns F′ at an instant. The instant may depend on r.
+/// Returns F′, the slope in τ of the sum of the velocity constraint over the modes, at an instant. The instant may
+/// depend on r.
 pub(crate) fn slope<const N: usize>(
     stage: &ChainStage<N>,
     motions: &[(IntervalSeries<N>, IntervalSeries<N>)],
@@ -78,7 +79,8 @@ pub(crate) fn slope<const N: usize>(
     sum
 }
 
-/// Returns F′, F″ and F‴ over an interval of r and an interval of τ.
+/// Returns F′, F″ and F‴ over an interval of r and an interval of τ. F is the sum of the velocity constraint over the
+/// modes.
 pub(crate) fn derivatives<const N: usize>(
     stage: &ChainStage<N>,
     motions: &[(IntervalSeries<N>, IntervalSeries<N>)],
@@ -108,7 +110,8 @@ pub(crate) fn derivatives<const N: usize>(
     sums
 }
 
-/// Returns F″ at τ = 0, where p′ = 1, p″ = −2ζx and p‴ = x²(4ζ² − 1).
+/// Returns F″ at τ = 0, where p′ = 1, p″ = −2ζx and p‴ = x²(4ζ² − 1). F is the sum of the velocity constraint over
+/// the modes.
 pub(crate) fn bend_at_start<const N: usize>(stage: &ChainStage<N>) -> IntervalSeries<N> {
     let one = IntervalSeries::fixed(Interval::ONE);
     let zero = IntervalSeries::fixed(Interval::ZERO);

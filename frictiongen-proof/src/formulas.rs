@@ -12,8 +12,8 @@ use frictiongen_model::interval::Interval;
 use frictiongen_model::modal::Modal;
 use frictiongen_model::samples::{random, scene};
 
-/// Contact, number of masses and ζ of the chains that the test compares. They cover each kind of damping, and undamped
-/// modes in a damped chain.
+/// Contact, number of masses and damping ratio ζ of the chains that the test compares. They cover each kind of
+/// damping, and undamped modes in a damped chain.
 const KINDS: [(&str, usize, f64); 9] = [
     ("Wall", 1, 0.0),
     ("Base", 2, 0.0),
@@ -25,12 +25,12 @@ const KINDS: [(&str, usize, f64); 9] = [
     ("Base", 2, 1.7),
     ("Wall", 4, -0.02),
 ];
-/// Largest allowed width of an interval, divided by the largest term of its sum.
+/// Largest allowed width of an interval, divided by the largest term of the sum that the interval contains.
 const WIDTH: f64 = 1e-11;
 /// Number of frequency ratios at which the test compares each chain.
 const RATIOS: usize = 300;
 
-/// Counts of compared values, and the width of the widest interval.
+/// Numbers of compared values, and the width of the widest interval.
 #[derive(Default)]
 struct ComparedFormulas {
     values: usize,
@@ -38,7 +38,7 @@ struct ComparedFormulas {
 }
 
 impl ComparedFormulas {
-    /// Compares an interval with κ times the kernel's value.
+    /// Compares an interval with the kernel's value, multiplied by κ.
     fn with(&mut self, name: &str, own: Interval, kernel: Dd, kappa: Interval, size: f64) {
         let kernel = Interval::of(kernel) * kappa;
         assert!(
@@ -52,7 +52,8 @@ impl ComparedFormulas {
     }
 }
 
-/// Compares V, U and G, the constraint at the start and at the break-away, and F at one instant.
+/// Compares V, U and G, the velocity constraint at the start, the break-away term, and F at one instant, with the
+/// kernel's values.
 fn compare(name: &str, modal: &Modal, r: f64, t: f64, compared: &mut ComparedFormulas) {
     let chain = IntervalChain::of(modal);
     let stage = ChainStage::<2>::over(&chain, Interval::point(r), &singular(&chain, r));

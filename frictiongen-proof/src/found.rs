@@ -1,16 +1,17 @@
-//! Results of a proof up to the present interval, and the remaining work.
+//! Results of a proof so far, and the work that it may still do.
 
 use crate::compare::ComparedLimit;
 use frictiongen_model::table::Worst;
 use frictiongen_model::table::{Evidence, Proof, ProofWork};
 
-/// Limit on the work of a proof, and the work spent, both in evaluations of one mode.
+/// Largest permitted work of a proof, and the work spent so far, both in evaluations of one mode.
 pub(crate) struct Budget {
     most: usize,
     pub spent: usize,
 }
 
-/// Work of evaluating a `Stage` over an interval, per mode. This estimate serves only to limit the work of a proof.
+/// Estimated work of one evaluation of `ChainStage` over an interval of r, for each mode. The estimate serves only to
+/// limit the work of a proof.
 pub(crate) const OF_STAGE: usize = 20;
 
 impl Budget {
@@ -28,8 +29,8 @@ impl Budget {
     }
 }
 
-/// Results for one function up to the present interval: its largest error, and the intervals of r that are not proven
-/// (open).
+/// Results of a proof so far for one function of a table: its largest error, and the intervals of r that are not
+/// proven (open).
 pub(crate) struct FunctionProof {
     bound: Worst,
     pub open: Vec<(f64, f64)>,
@@ -52,7 +53,7 @@ impl FunctionProof {
         }
     }
 
-    /// Adds the results of the next piece.
+    /// Adds the results of the proof of the next piece.
     pub fn and(&mut self, next: Self) {
         if next.looked {
             self.seen(next.bound);
@@ -60,7 +61,7 @@ impl FunctionProof {
         self.open.extend(next.open);
     }
 
-    /// Returns the finished proof. Adjacent open intervals are joined.
+    /// Returns the proof of one function. Joins adjacent open intervals, and records the work.
     pub fn finished(mut self, work: usize) -> Proof {
         self.open.sort_by(|a, b| a.0.total_cmp(&b.0));
         let mut open: Vec<(f64, f64)> = Vec::new();
@@ -84,7 +85,7 @@ impl FunctionProof {
     }
 }
 
-/// Results for a piece of a table: for β_lim and for the motion, with the work.
+/// Results of the proof of a table's piece: for β_lim, for amplitude and phase, and the work.
 pub(crate) struct PieceProof {
     pub limit: FunctionProof,
     pub motion: FunctionProof,
@@ -100,13 +101,13 @@ impl PieceProof {
         }
     }
 
-    /// Records an interval of r as not proven, for β_lim and for the motion.
+    /// Records an interval of r as not proven, both for β_lim and for amplitude and phase.
     pub fn leave(&mut self, part: (f64, f64)) {
         self.limit.open.push(part);
         self.motion.open.push(part);
     }
 
-    /// Adds the results of the next piece.
+    /// Adds the results of the proof of the next piece.
     pub fn and(&mut self, next: Self) {
         self.limit.and(next.limit);
         self.motion.and(next.motion);
@@ -114,7 +115,7 @@ impl PieceProof {
     }
 }
 
-/// Proven results over an interval of r, for β_lim and, if proven, for the motion.
+/// What a proof has shown over an interval of r: for β_lim and, if proven, for amplitude and phase.
 pub(crate) struct IntervalProof {
     pub limit: ComparedLimit,
     pub motion: Option<Worst>,

@@ -7,14 +7,14 @@
 //! errors of its evaluation. Both modules use intervals with outward rounding. `motion` proves amplitude and phase of
 //! the contact in the same way.
 //!
-//! If the proof of an interval fails, the prover halves the interval. If the proofs of the halves fail too, the
-//! interval stays *open*: the table is checked at points of the interval, but not proven.
+//! If the proof of an interval fails, the prover halves the interval. If the proofs of short intervals fail too, they
+//! stay *open*: the table is checked at points of these intervals, but not proven.
 //!
-//! A value called *tuned* determines how much work a proof takes and how much of r stays open. Whether a proof is
-//! correct does not depend on it.
+//! A value called *tuned* determines the work of a proof, and how much of r stays open. The correctness of a proof
+//! does not depend on it.
 //!
-//! The builder of the tables, in `frictiongen-model`, itself bounds the errors of the products over zeros and poles for
-//! β*_lim and |V|.
+//! The products over zeros and poles for β*_lim and |V| need no proof here. The builder of the tables, in
+//! `frictiongen-model`, bounds their errors.
 
 mod candidates;
 mod cells;
@@ -48,24 +48,24 @@ use prover::Prover;
 use stage::IntervalChain;
 use std::ops::Range;
 
-/// Estimate of the work to prove a piece, per mode, if every mode is damped. The estimate only decides whether the code
-/// starts a proof that may stay incomplete.
+/// Estimated work to prove a piece of a table, for each mode, if every mode is damped. The estimate only decides
+/// whether the code starts a proof that may stay incomplete.
 const PIECE_WORK: usize = 1800;
-/// Estimate of the work to prove a piece, per mode, if a mode is undamped. It is larger, because intervals are shorter
-/// near the poles of an undamped mode.
+/// Estimated work to prove a piece of a table, for each mode, if a mode is undamped. It is larger, because intervals
+/// of r are shorter near the poles of an undamped mode.
 const PIECE_WORK_UNDAMPED: usize = 2600;
-/// Largest work for one piece, as a multiple of its equal share of the total work. The value is tuned. One piece must
-/// not use the work that the other pieces need.
+/// Largest work for one piece, as a multiple of the piece's equal share of the total work. The value is tuned. One
+/// piece must not use the work that the other pieces need.
 const FAIR: usize = 8;
 
-/// Proves β_lim, and amplitude and phase of the contact, as far in r as the work allows. Stores the proofs in the
-/// tables.
+/// Proves the errors of a table in β_lim, and in amplitude and phase of the contact, for as much of r as the work
+/// allows. Stores the proofs in the tables.
 pub fn prove<S: Float>(tables: &mut Tables<S>, modal: &Modal, work: ProofWork) {
     let pieces = 0..tables.pieces.len();
     [tables.proof, tables.motion_proof] = of_pieces(tables, modal, pieces, work);
 }
 
-/// Makes the proof of [`prove`] if the work is likely to suffice for all pieces of the tables.
+/// Makes the proof of [`prove`], but only if the work is likely to suffice for all pieces of the tables.
 pub fn prove_if_small<S: Float>(tables: &mut Tables<S>, modal: &Modal, work: ProofWork) {
     let of_piece = if Exact::new(modal).all_damped() {
         PIECE_WORK
@@ -90,7 +90,7 @@ pub fn prove_piece<S: Float>(
     of_pieces(tables, modal, place..place + 1, work)
 }
 
-/// Proves β_lim and the motion in the given pieces.
+/// Proves β_lim, and amplitude and phase, in the pieces with the given indices.
 fn of_pieces<S: Float>(
     tables: &Tables<S>,
     modal: &Modal,
@@ -104,12 +104,12 @@ fn of_pieces<S: Float>(
     );
     let (low, high) = (ends.0.to_f64(), ends.1.to_f64());
     let landmarks = Landmarks::of(modal, Zeros::of(modal).as_ref(), (low, high));
-    // |V| is bounded at every r at which β_lim is bounded, except at its own zeros and poles.
+    // Where β_lim is bounded, the error of |V| is bounded too, except at the zeros and poles of |V|.
     let excitation = tables.excitation.as_ref().map(|_| &tables.excitation_proof);
     let excitation = excitation
         .filter(|proof| proof.evidence != Evidence::Checked && proof.open_length() == 0.0)
         .map(|proof| proof.bound.error)
-        // If |V| is one of the tabulated functions, the comparison of these functions covers its error.
+        // If the table contains |V| as a polynomial, the comparison of polynomials covers its error.
         .or((tables.functions > SIZE).then_some(0.0));
     let ProofWork(most) = work;
     let share = ProofWork(most.min(FAIR * most / places.len().max(1)));

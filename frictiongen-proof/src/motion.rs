@@ -1,10 +1,10 @@
-//! Bounds on the errors of amplitude and phase of the contact, at any β and over an interval of r. These errors depend
+//! Bounds on the errors of the contact's amplitude and phase, for every β, over an interval of r. These errors depend
 //! on all polynomials of a piece of the table, except the polynomial of β_lim.
 //!
 //! The amplitude is |V|(√(1 − ρ²α²) − ργ), with α = β_lim·U/|V|, γ = β_lim·G/|V| and ρ = β/β_lim. The table has the
-//! polynomials a and g in place of α and γ. They were fitted with the table's own β_lim, called β_table. The code
-//! therefore compares a·β_lim/β_table with α, and g·β_lim/β_table with γ. It takes β_lim and α from the witness, which
-//! differ from the exact values by at most the relative margin `share`. The bounds include this margin.
+//! polynomials a and g in place of α and γ. They were fitted together with the table's own β_lim, called β_table. The
+//! code therefore compares a·β_lim/β_table with α, and g·β_lim/β_table with γ. It takes β_lim from the witness, which
+//! exceeds the exact β_lim by at most the relative margin `share`. The bounds include this margin.
 
 use crate::compare::{CELLS, ComparedLimit, SHORT, SMALL, divided};
 use crate::series::IntervalSeries;
@@ -18,67 +18,71 @@ use frictiongen_model::table::Worst;
 use frictiongen_model::table::building::{ANGLE, SIZE, rounding};
 use std::f64::consts::PI;
 
-/// Ends of the intervals of β over which the code bounds the errors, as fractions of the largest β. The values are
-/// tuned. Near the largest β the root √(1 − ρ²α²) is small and the amplitude changes fast, so the intervals are shorter
+/// Ends of the intervals of β over which the code bounds the errors of amplitude and phase, as fractions of the
+/// largest β. The values are tuned. Near the largest β the amplitude changes fast, so the intervals are shorter
 /// there.
 const SHARES: [f64; 11] = [
     0.0, 0.4, 0.65, 0.8, 0.88, 0.93, 0.96, 0.98, 0.99, 0.997, 1.0,
 ];
-/// Allowed rounding units for a few operations: a and g times β/β_lim, the root, the product with |V|, and an arc
-/// tangent in double precision.
+/// Allowance, in rounding units, for a few operations of the emitted amplitude: a and g times β/β_lim, the root, and
+/// the product with |V|. It also covers an arc tangent in double precision.
 const FEW: f64 = 4.0;
-/// Allowed rounding units for the emitted phase, including its arc tangent.
+/// Allowance, in rounding units, for the operations of the emitted phase, including its arc tangent.
 const OF_PHASE: f64 = 64.0;
-/// Bound on the factor by which a quotient grows if its divisor has a relative error of up to [`SMALL`].
+/// Upper bound on the factor by which a quotient changes if its divisor has a relative error of up to [`SMALL`].
 const WITH_PRODUCTS: f64 = 1.0 / (1.0 - SMALL);
-/// Upper bound on an angle divided by its sine, for angles up to [`SMALL`] rad. The exact largest ratio is below
+/// Upper bound on an angle divided by its sine, for angles up to [`SMALL`] rad. The exact largest quotient is below
 /// 1.0017.
 const OVER_SINE: f64 = 1.01;
-/// Factor that covers the rounding errors of the bounds themselves. It allows millions of rounding units.
+/// Factor on an upper bound. It covers the rounding of the bounds themselves, with room for millions of rounding
+/// units.
 const UP: f64 = 1.0 + 1e-9;
 
-/// Data for the comparison of amplitude and phase over an interval of r.
+/// Data with which the errors of amplitude and phase are bounded over an interval of r.
 pub(crate) struct MotionProof<'a, S> {
     pub piece: &'a Fitted<S>,
     /// Largest relative error of |V|, if |V| is a product over zeros and poles.
     pub excitation: f64,
     /// Largest allowed error of the amplitude (relative) and of the phase (rad).
     pub accuracy: f64,
-    /// The ends of the interval, and the centre of the series.
+    /// The ends of the interval of r, and the centre of the series (`centre`).
     pub ends: (f64, f64),
     pub centre: f64,
-    /// True if the centre is a zero of β_lim.
+    /// True if the centre of the series is a zero of β_lim.
     pub beside_zero: bool,
-    /// Margin, as a fraction of the witness's constraint. The largest constraint exceeds that of the witness by at most
-    /// this margin.
+    /// Relative margin. The largest velocity constraint exceeds the constraint of the witness by at most this
+    /// fraction.
     pub share: f64,
 }
 
-/// Errors and exact values of the functions over a cell of r.
+/// Errors and exact values of a table's functions over a cell of r, for the errors of amplitude and phase.
 struct MotionCell {
-    /// Errors of a and g (field `off`), and their exact values α and γ (field `exact`).
+    /// Errors (`off`) of the polynomials a and g, and the exact values (`exact`) α = β_lim·U/|V| and γ = β_lim·G/|V|.
     off: [Interval; 2],
     exact: [Interval; 2],
-    /// Relative error of the table's |V|.
+    /// Relative error of the |V| that the table gives.
     size: Interval,
-    /// Error of arg V, in rad.
+    /// Error of the angle arg V that the table gives, in rad.
     turned: Interval,
-    /// The smallest ratio of the table's β_lim to the witness's β_lim.
+    /// Smallest quotient, over the cell, of the table's β_lim and the β_lim from the witness.
     least: f64,
 }
 
-/// Errors and exact values of the functions, as series at the centre of an interval and over it.
+/// Errors and exact values of a table's functions, as series in r.
 struct Functions {
-    /// Error of the table's first function, a·b/β_table − α, and the exact value α = β_lim·U/|V|.
+    /// Error of the table's polynomial a: a·b/β_table − α, and the exact value α = β_lim·U/|V|. b is the β_lim from
+    /// the witness.
     quadrature: [IntervalSeries<SHORT>; 2],
-    /// Error of the table's second function, g·b/β_table − γ, and the exact value γ = β_lim·G/|V|.
+    /// Error of the table's polynomial g: g·b/β_table − γ, and the exact value γ = β_lim·G/|V|. b is the β_lim from
+    /// the witness.
     displacement: [IntervalSeries<SHORT>; 2],
-    /// Error of arg V, in rad: the table's value minus the exact value.
+    /// Error of the angle arg V, in rad: the table's polynomial minus the exact value.
     angle: IntervalSeries<SHORT>,
 }
 
 impl<S: Float> MotionProof<'_, S> {
-    /// Returns the largest error of amplitude and phase over the interval, or `None` if it is not within the accuracy.
+    /// Returns the largest error of amplitude and phase over the interval of r, or `None` if it may exceed the
+    /// accuracy.
     pub fn compared(
         &self,
         limit: &ComparedLimit,
@@ -130,8 +134,8 @@ impl<S: Float> MotionProof<'_, S> {
         Some(worst)
     }
 
-    /// Returns the largest error of amplitude and phase over a cell of r. `of_limit` is the largest relative rounding
-    /// error of β_lim from its polynomial.
+    /// Returns the largest error of amplitude and phase over a cell of r, or `None` if it may exceed the accuracy.
+    /// `of_limit` is the largest relative rounding error of the table's β_lim.
     fn error(&self, cell: &MotionCell, of_limit: f64) -> Option<f64> {
         let MotionCell {
             off,
@@ -141,10 +145,10 @@ impl<S: Float> MotionProof<'_, S> {
             least,
         } = *cell;
         let unit = 0.5 * S::EPSILON;
-        // The exact β_lim is between b/(1 + share) and b, where b is the β_lim of the witness.
+        // The exact β_lim is between b/(1 + share) and b, where b is the β_lim from the witness.
         let fewer = Interval::new(1.0 / (1.0 + self.share) * (2.0 - UP), 1.0);
         let [alpha, gamma] = exact.map(|exact| exact * fewer);
-        // Adds the rounding errors of a and β_table, relative to β_table, and the rounding errors of the product with
+        // Adds the rounding errors of a, divided by β_table, those of β_table itself, and those of the product with
         // β.
         let with_roundings = |function: usize, off: Interval, exact: Interval| {
             let most = exact.size() + off.size();
@@ -186,7 +190,7 @@ impl<S: Float> MotionProof<'_, S> {
         self.piece.coefficients.len() > ANGLE
     }
 
-    /// Returns the largest rounding error in the evaluation of one of the table's functions.
+    /// Returns the largest rounding error in the evaluation of one of the piece's polynomials.
     fn rounding(&self, function: usize) -> f64 {
         if self.piece.coefficients.len() <= function {
             return 0.0;
@@ -237,8 +241,8 @@ impl<S: Float> MotionProof<'_, S> {
         }
     }
 
-    /// Returns the relative error of the table's |V|, if |V| is one of the functions of the table. The first result is
-    /// a series at the centre and over the interval. The second is the rounding error of the evaluation.
+    /// Returns the relative error of the table's |V|, if the table contains |V| as a polynomial. The first result is
+    /// the error as a series in r. The second is the relative rounding error of the polynomial's evaluation.
     fn size(
         &self,
         stages: [&ChainStage<ORDER>; 2],
@@ -252,7 +256,7 @@ impl<S: Float> MotionProof<'_, S> {
         let coefficients = self.coefficients(SIZE);
         let origin = self.piece.origin.to_f64();
         let [at, over] = stages;
-        // Near a zero, both series are divided by the distance from the zero.
+        // Near a zero of V, both |V| and its polynomial are divided by the distance from the zero.
         let part = |series: &IntervalSeries<ORDER>, at: &IntervalSeries<ORDER>| {
             if self.beside_zero {
                 divided(series) + IntervalSeries::fixed(at.value() / away)
@@ -268,7 +272,7 @@ impl<S: Float> MotionProof<'_, S> {
         let own = table(Interval::point(self.centre));
         let sign = if self.beside_zero { away.sign() } else { 1 };
         let side = Interval::point(f64::from(sign));
-        // `Stage` contains V multiplied by r².
+        // `ChainStage` contains r²V, not V.
         let ratio = |r: Interval, stage: &ChainStage<ORDER>| {
             let [re, im] = [0, 1].map(|place| {
                 let of = |stage: &ChainStage<ORDER>| stage.excitation.get(place).copied();
@@ -290,12 +294,12 @@ impl<S: Float> MotionProof<'_, S> {
         let nearest = self.beside_zero.then_some(away);
         let rounded = rounding::<S>(&coefficients, origin, self.ends, nearest) / least;
         let off = IntervalSeries::joined(&(first - one), &(all - one));
-        // The rounding errors are relative to the |V| of the table, not to the exact |V|.
+        // The rounding errors are relative to the |V| of the table. The factor makes them relative to the exact |V|.
         let most = 1.0 + off.range(away).size();
         (rounded < SMALL).then_some((off, rounded * most * UP))
     }
 
-    /// Returns the sign of κV in an undamped chain. The table's function a contains this sign.
+    /// Returns the sign of κV in an undamped chain. The polynomial a of the table contains this sign.
     fn sign(
         &self,
         at: &ChainStage<ORDER>,
@@ -316,8 +320,8 @@ impl<S: Float> MotionProof<'_, S> {
         (sign != 0).then(|| Interval::point(f64::from(sign)))
     }
 
-    /// Returns arg V at the centre and over the interval, up to whole turns. Also returns the error of arg V due to the
-    /// uncertain position of a zero.
+    /// Returns the angle arg V as series at the centre and over the interval of r, up to whole turns. Also returns
+    /// the error of arg V, in rad, by the uncertain position of a zero.
     fn angle(
         &self,
         at: &ChainStage<ORDER>,
@@ -362,7 +366,7 @@ impl<S: Float> MotionProof<'_, S> {
         Some(([turning(own, value), turning(all, value)], uncertain))
     }
 
-    /// Returns the error of an angle, up to whole turns.
+    /// Returns the error of an angle without whole turns, including rounding and the uncertain position of a zero.
     fn turned(&self, angle: Interval, uncertain: f64) -> Interval {
         if !self.is_damped() {
             return Interval::ZERO;
@@ -373,8 +377,8 @@ impl<S: Float> MotionProof<'_, S> {
     }
 }
 
-/// Returns the series of the angle of a complex series. `value` is the first term of the angle. The slope of the angle
-/// is (re·im′ − im·re′)/(re² + im²).
+/// Returns the series of the angle of the complex function re + i·im. `value` is the first term of the angle. The
+/// slope of the angle is (re·im′ − im·re′)/(re² + im²).
 fn turning([re, im]: [IntervalSeries<SHORT>; 2], value: Interval) -> IntervalSeries<SHORT> {
     let slope = |series: &IntervalSeries<SHORT>| {
         let mut slope = IntervalSeries::fixed(Interval::ZERO);

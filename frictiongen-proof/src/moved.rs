@@ -1,4 +1,4 @@
-//! Tests of the proof of amplitude and phase: against exact values, and with small and large errors in polynomial
+//! Tests the proof of amplitude and phase against exact values, and with small and large errors in the polynomials'
 //! coefficients.
 
 use crate::{prove, prove_piece};
@@ -31,8 +31,8 @@ fn tables<S: Float>(modal: &Modal, accuracy: f64, side: Side) -> Tables<S> {
     Tables::build(modal, asked).unwrap()
 }
 
-/// Returns the errors of β_lim (relative), amplitude (relative) and phase (rad) at one r. The errors of amplitude and
-/// phase are the largest over the friction ratios.
+/// Returns the errors of β_lim (relative), amplitude (relative) and phase (rad) of a table at one r. The errors of
+/// amplitude and phase are the largest over the tested friction ratios.
 fn errors<S: Float>(tables: &Tables<S>, place: usize, exact: &mut Exact<'_>, r: S) -> [f64; 3] {
     let piece = &tables.pieces[place];
     let of = |function: usize| piece.value(function, r);
@@ -67,8 +67,8 @@ fn agreeing<S: Float>(accuracy: f64, side: Side) -> usize {
         let name = format!("{kind}{count}, {zeta}, {accuracy:e}: {}", proof.told());
         assert!(proof.evidence != Evidence::Checked, "{name}");
         assert!(proof.bound.error <= accuracy, "{name}");
-        // In an undamped chain, the proof may leave only the neighbourhoods of zeros open. If only some modes are
-        // damped, it may also leave the motion open over short intervals near sub-harmonics.
+        // In an undamped chain, the proof may leave only neighbourhoods of zeros open. If only some modes are damped,
+        // it may also leave the motion open over short intervals near subharmonics.
         let most = if zeta > 0.0 {
             0.0
         } else if zeta < 0.0 {
@@ -103,7 +103,7 @@ fn agreeing<S: Float>(accuracy: f64, side: Side) -> usize {
     compared
 }
 
-/// Checks the proven bound at random r, for friction ratios up to 0.98 of β_lim.
+/// Checks the proven bound at random r, for friction ratios up to 0.98 β_lim.
 #[test]
 fn the_bound_holds() {
     let double = agreeing::<f64>(1e-2, Side::Near)
@@ -116,7 +116,7 @@ fn the_bound_holds() {
     );
 }
 
-/// Returns the largest errors in a piece at many r, divided by the accuracy.
+/// Returns the largest errors of a table in a piece, at many r, divided by the accuracy.
 fn largest(
     tables: &Tables<f64>,
     place: usize,
@@ -134,8 +134,8 @@ fn largest(
 }
 
 /// Checks that the proof rejects every piece with a wrong coefficient. The test changes each coefficient of each
-/// function of several pieces by ten times the accuracy. It also changes each by so little that the error only just
-/// exceeds the accuracy at one r.
+/// function of several pieces by ten times the accuracy. It then changes each coefficient by so little that the error
+/// exceeds the accuracy only just, at one r.
 #[test]
 fn wrong_coefficients_are_not_proven() {
     let (mut little, mut much) = (0, 0);
@@ -193,7 +193,7 @@ fn wrong_coefficients_are_not_proven() {
                             assert!(seen <= 1.02 || open > 0.0, "{told}");
                             little += usize::from(seen > 1.02 && seen < 2.0);
                             much += usize::from(seen >= 2.0);
-                            // A gross error must leave a large fraction of the piece open.
+                            // With a large error, the proof must leave a large fraction of the piece open.
                             assert!(seen < 5.0 || open > 0.02 * (next - ends.0), "{told}");
                         }
                     }

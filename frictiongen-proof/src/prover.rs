@@ -1,4 +1,4 @@
-//! Proves one piece of a table, interval by interval.
+//! Proves one piece of a table, one interval of r after another.
 
 use crate::candidates::candidates;
 use crate::cells::{CellData, ROUNDING};
@@ -13,41 +13,45 @@ use frictiongen_model::interval::Interval;
 use frictiongen_model::table::building::{Exact, LimitZero};
 use frictiongen_model::table::{FINEST_PROVEN, Fitted, ProofWork, Request};
 
-/// Fraction of the accuracy by which the constraint at another instant may exceed that of the witness. The value is
-/// tuned. The error of the polynomial may use the rest. The check of the tables leaves a tenth of the accuracy unused.
+/// Fraction of the accuracy by which the velocity constraint at another instant may exceed that of the witness. The
+/// value is tuned. The rest of the accuracy is for the error of the polynomial. The check of the tables leaves a
+/// tenth of the accuracy unused.
 const ELSEWHERE: f64 = 1.0 / 32.0;
-/// Shortest interval, as a fraction of r. The value is tuned. It limits the work next to zeros and poles.
+/// Shortest interval of r, as a fraction of r. The value is tuned. It limits the work next to zeros and poles.
 const SHORTEST: f64 = 1e-7;
-/// Shortest interval for the motion, as a fraction of its piece. The value is tuned. If at this length only the proof
-/// of β_lim succeeds, the motion stays open. Otherwise intervals would become much shorter.
+/// Shortest interval of r for the proof of amplitude and phase, as a fraction of its piece. The value is tuned. If at
+/// this length only the proof of β_lim succeeds, amplitude and phase stay open. Otherwise intervals would become much
+/// shorter.
 const SHORTEST_OF_MOTION: f64 = 2e-3;
-/// Shortest interval for the motion near a zero of β_lim, as a fraction of the distance from the zero.
+/// Shortest interval of r for the proof of amplitude and phase near a zero of β_lim, as a fraction of the distance
+/// from the zero.
 const SHORTEST_BESIDE_ZERO: f64 = 0.02;
-/// The first interval of a piece is the length of the piece, divided by this number. The value is tuned. The prover
-/// halves an interval that is too long.
+/// Number of intervals of r into which a piece is divided at first. The value is tuned. The prover halves an interval
+/// that is too long.
 const FIRST: f64 = 4.0;
-/// After a proven interval, the next interval is longer by this factor. The value is tuned. Fast growth saves
+/// Factor by which the next interval of r is longer after a proven interval. The value is tuned. Fast growth saves
 /// intervals, but a failed interval is lost work.
 const LONGER: f64 = 1.15;
-/// Shortest trial after an open interval, as a fraction of the length that stays open if the trial fails. The value is
-/// tuned. It limits the trials to four halvings of that length.
+/// Shortest interval that the prover tries after an open interval, as a fraction of the length that stays open if the
+/// trial fails. The value is tuned. It limits the trials to four halvings of that length.
 const FINER: f64 = 1.0 / 16.0;
-/// An interval covers the whole rest of a piece if the rest is at most this multiple of the interval. The value is
+/// An interval covers the whole rest of a piece if the rest is at most this factor times the interval. The value is
 /// tuned. A short last interval would take as much work as a long one.
 const NO_STUB: f64 = 1.2;
-/// A κ at a zero of β_lim counts as zero if it is at most this value. It is tens of rounding units of a cosine.
+/// Largest |κ| that counts as zero at a zero of β_lim, where κ is a product of cosines. It is tens of rounding units
+/// of a cosine.
 const VANISHES: f64 = 1e-14;
 
-/// State of the proof of one piece.
+/// State of the proof of one piece of a table.
 pub(crate) struct Prover<'a, 'm> {
     exact: &'a mut Exact<'m>,
     chain: &'a IntervalChain,
     request: Request,
     budget: Budget,
     found: PieceProof,
-    /// Largest relative error of |V|. `None` if the proof does not include the motion.
+    /// Largest relative error of |V|. `None` if the proof does not include amplitude and phase.
     excitation: Option<f64>,
-    /// True if a witness near the start of the half period proved the last interval.
+    /// True if a witness near the start of the half period has proven the last interval of r.
     early: bool,
 }
 
@@ -71,8 +75,8 @@ impl<'a, 'm> Prover<'a, 'm> {
         }
     }
 
-    /// Proves a piece from one r to another. `kinks` are the kinks of β_lim within the piece. `zero` is the zero of
-    /// β_lim that is the origin of the piece's polynomials.
+    /// Proves a piece from one r to another. `kinks` has the kinks of β_lim within the piece. `zero` is the zero of
+    /// β_lim that is the origin of the piece's polynomials, if the piece has one.
     pub fn piece<S: Float>(
         mut self,
         piece: &Fitted<S>,
@@ -86,7 +90,7 @@ impl<'a, 'm> Prover<'a, 'm> {
             }
             return self.found;
         }
-        // A kink at an end of the piece, up to rounding, does not divide the piece.
+        // A kink that is an end of the piece, up to rounding, does not divide the piece.
         let apart = ROUNDING * to;
         let within = |kink: &f64| from + apart < *kink && *kink < to - apart;
         let mut ends = vec![from];
@@ -95,7 +99,7 @@ impl<'a, 'm> Prover<'a, 'm> {
         let beside = zero.map(|zero| if zero.at <= from { from } else { to });
         for pair in ends.windows(2) {
             let [low, high] = pair else { continue };
-            // The walk over the intervals starts at the zero.
+            // The proof begins at the zero.
             if beside == Some(*high) {
                 self.walk(piece, *high, *low, zero);
             } else {
@@ -107,7 +111,7 @@ impl<'a, 'm> Prover<'a, 'm> {
         self.found
     }
 
-    /// Proves the range between two r, interval by interval.
+    /// Proves the part of a piece between two r, one interval after another.
     fn walk<S: Float>(&mut self, piece: &Fitted<S>, start: f64, end: f64, zero: Option<LimitZero>) {
         let forwards = start < end;
         let mut place = start;
@@ -115,8 +119,8 @@ impl<'a, 'm> Prover<'a, 'm> {
         let mut length = (end - start).abs() / FIRST;
         let shortest = SHORTEST * start.max(end);
         let mut skip = shortest;
-        // `skip_motion` is the length over which the motion stays open after a failure. An interval must prove the
-        // motion only if its distance from `start` is at least `again`.
+        // After a failure, amplitude and phase stay open over the length `skip_motion`. An interval must prove them
+        // only if its distance from `start` is at least `again`.
         let (mut skip_motion, mut again) = (0.0_f64, 0.0_f64);
         let from_zero = zero.is_some();
         while place != end {
@@ -167,8 +171,8 @@ impl<'a, 'm> Prover<'a, 'm> {
                     length = LONGER * step;
                     skip = shortest.max(0.5 * skip);
                 }
-                // The prover does not halve a failed interval down to the rounding of r. Instead, each failure doubles
-                // the length that it leaves open.
+                // The prover does not halve a failed interval down to the rounding of r. It leaves the interval open.
+                // Each failure doubles the length that stays open.
                 None if step <= shortest.max(FINER * skip) => {
                     let far = skip.max(step).min(rest);
                     let next = if forwards { place + far } else { place - far };
@@ -184,7 +188,7 @@ impl<'a, 'm> Prover<'a, 'm> {
         }
     }
 
-    /// Returns the proven results over an interval of r, or `None` if the proof fails.
+    /// Returns what the proof shows over an interval of r, or `None` if the proof fails.
     fn part<S: Float>(
         &mut self,
         piece: &Fitted<S>,
@@ -206,8 +210,8 @@ impl<'a, 'm> Prover<'a, 'm> {
         let mut witnesses =
             candidates(self.exact, self.chain, (from, to), centre, &over, &singular);
         if !self.early {
-            // The next interval first tries the kind of witness that proved the last interval, because it will probably
-            // succeed again.
+            // The prover first tries the kind of witness that has proven the last interval, because it will probably
+            // succeed.
             witnesses.reverse();
         }
         for witness in witnesses {
@@ -220,8 +224,8 @@ impl<'a, 'm> Prover<'a, 'm> {
             let mut seen_over = WitnessInstant::of(&witness, &over, all, rest);
             seen_over.refine(&seen_at, all);
             self.budget.spend(OF_STAGE * self.chain.modes.len());
-            // A negative constraint is not a valid witness. In an undamped chain its magnitude is valid, because both
-            // signs of F occur.
+            // A witness with a negative constraint is not valid. In an undamped chain it is valid with the modulus of
+            // the constraint, because F occurs with both signs.
             let is_one = self.chain.all_undamped || 0.0 <= seen_over.constraint.value().low;
             if !is_one {
                 continue;
@@ -270,8 +274,8 @@ impl<'a, 'm> Prover<'a, 'm> {
         None
     }
 
-    /// Returns the chain at the centre and over the interval, with κ made positive. In a wholly undamped chain both
-    /// signs are valid, because F(π − τ) = −F(τ).
+    /// Returns the chain at the centre and over the interval of r, with the sign of κ changed to positive. In a chain
+    /// without damping both signs are valid, because F(π − τ) = −F(τ).
     fn oriented(
         &self,
         at: ChainStage<ORDER>,

@@ -1,5 +1,5 @@
-//! Finds other instants whose velocity constraint is close to the constraint of the witness. Near a kink of β_lim there
-//! are two such instants.
+//! Finds other instants whose velocity constraint is close to the constraint of the witness. Near a kink of β_lim two
+//! such instants exist.
 
 use crate::cells::{BENT, Flank, HalfPeriodCells, ROUNDING};
 use crate::force;
@@ -11,19 +11,21 @@ use frictiongen_kernel::Scalar;
 use frictiongen_model::interval::Interval;
 use std::f64::consts::PI;
 
-/// Number of Newton steps towards another instant. The value is tuned. It limits the work if Newton's method does not
-/// converge.
+/// Largest number of Newton steps towards a minimum of D of [`HalfPeriodCells`]. The value is tuned. It limits the
+/// work if Newton's method does not converge.
 const STEPS: usize = 8;
 /// Newton's method has converged if a step is shorter than this value, in half-turns. The value is tuned. Convergence
 /// is quadratic, so that the next step would be far below a rounding unit.
 const FOUND: f64 = 1e-9;
-/// An instant belongs to another minimum if it shifts by more than this value over an interval of r, in half-turns.
+/// Shift of an instant over an interval of r, in half-turns. If the instant shifts by more, it belongs to another
+/// minimum of D.
 const JUMP: f64 = 0.1;
-/// Number of subintervals of r in which the code bounds D. The value is tuned. More subintervals give narrower bounds,
-/// but need more work.
+/// Number of subintervals of r in which the code bounds D of [`HalfPeriodCells`]. The value is tuned. More
+/// subintervals give narrower bounds, but take more work.
 const PARTS: usize = 6;
 
-/// A range of instants about a local minimum of D. D is positive in it for all r of an interval.
+/// A range of instants about a local minimum of D of [`HalfPeriodCells`], in half-turns. D is proven positive in this
+/// range for all r of an interval.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct PositiveRegion {
     from: f64,
@@ -31,7 +33,8 @@ pub(crate) struct PositiveRegion {
 }
 
 impl PositiveRegion {
-    /// Returns the share of a side at which the region ends, if the region contains the position of the given share.
+    /// Returns the share of a side at which the region ends, if the region contains the instant at the given share of
+    /// the side.
     pub fn reach(&self, side: Flank, share: f64, path: Interval) -> Option<f64> {
         let (begins, end) = match side {
             Flank::Before => (
@@ -49,14 +52,14 @@ impl PositiveRegion {
 }
 
 impl HalfPeriodCells<'_> {
-    /// Returns the region about the local minimum of D near an instant. Returns `None` if no minimum exists, or if the
-    /// bounds do not prove that D is positive.
+    /// Returns the region about the local minimum of D near the instant t, with D of [`HalfPeriodCells`]. Returns
+    /// `None` if no minimum is found, or if the bounds do not prove that D is positive.
     pub fn region(&self, t: f64, budget: &mut Budget) -> Option<PositiveRegion> {
         let part = self.part;
         let (low, high) = (part.away.low, part.away.high);
         let places = [0.0, if high > -low { high } else { low }];
         let places = [places[0], 0.5 * places[1], places[1]];
-        // The minimum is found at three r, beginning at the centre of the interval.
+        // The code finds the minimum at three r, beginning at the centre of the interval.
         let mut own = t;
         let mut instants = [0.0; 3];
         for (place, instant) in places.iter().zip(&mut instants) {
@@ -113,12 +116,13 @@ impl HalfPeriodCells<'_> {
         (from < to).then_some(PositiveRegion { from, to })
     }
 
-    /// Returns an approximate value of N (the level above the witness) at an r in the interval.
+    /// Returns an approximate value of N, the level above the velocity constraint of the witness, at the distance
+    /// `away` from the centre of the interval of r.
     fn level_at_away(&self, away: f64) -> f64 {
         value_at(&self.full_at, away)
     }
 
-    /// Returns the chain at an r in the interval, approximated by its series.
+    /// Returns the chain at the distance `away` from the centre of the interval of r, approximated by its series.
     fn shifted(&self, away: f64) -> ChainStage<1> {
         let mut stage = self.part.at.truncated::<1>();
         for (mode, full) in stage.modes.iter_mut().zip(&self.part.at.modes) {
@@ -132,7 +136,7 @@ impl HalfPeriodCells<'_> {
     }
 }
 
-/// Returns D and its slope in τ at an instant t. The instant is given as a series in r.
+/// Returns D = N sin τ − F and its slope in τ at an instant t = τ/π, which is a series in r. N is `level`.
 fn seen(
     stage: &ChainStage<ORDER>,
     level: &IntervalSeries<ORDER>,
@@ -146,13 +150,13 @@ fn seen(
     )
 }
 
-/// Returns the value of a series at a distance from its centre, approximately.
+/// Returns the approximate value of a series at the distance `away` from its centre.
 fn value_at<const N: usize>(series: &IntervalSeries<N>, away: f64) -> f64 {
     let terms = series.terms.iter().rev();
     terms.fold(0.0, |sum, term| sum * away + term.middle())
 }
 
-/// Returns the local minimum of D near an instant, by Newton's method.
+/// Returns the instant of the local minimum of D = N sin τ − F near the instant t, by Newton's method. N is `level`.
 fn least(stage: &ChainStage<1>, level: f64, mut t: f64) -> Option<f64> {
     for _ in 0..STEPS {
         let at = IntervalSeries::<1>::fixed(Interval::point(t));

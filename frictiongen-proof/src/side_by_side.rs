@@ -1,7 +1,8 @@
-//! Computes the answers to a list of questions in parallel, in as many threads as the machine can run at once.
+//! Computes the answers to a list of questions in parallel, with as many threads as the machine can run
+//! simultaneously.
 //!
 //! The result does not depend on the number of threads. It contains the answers in the order of the questions, until
-//! their work reaches the permitted work.
+//! their work exceeds the permitted work.
 
 use std::num::NonZero;
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -9,18 +10,18 @@ use std::thread::{self, Builder};
 
 /// Data that the threads share.
 struct Shared<A> {
-    /// Index of the next question that no thread has taken.
+    /// Index of the next question that no thread has taken yet.
     next: usize,
-    /// The answers, each with its work. `None` for a question without an answer yet.
+    /// The answers, each with the work that it took. `None` for a question that has no answer yet.
     answers: Vec<Option<(usize, A)>>,
-    /// Number of answers before the first missing answer. `spent` is the work of these answers.
+    /// Number of answers before the first missing answer (`known`), and the work that they took (`spent`).
     known: usize,
     spent: usize,
 }
 
 impl<A> Shared<A> {
-    /// Returns the next question for a thread. Returns `None` if no question is left, or if the permitted work is
-    /// spent.
+    /// Returns the index of the next question for a thread. Returns `None` if no question is left, or if the
+    /// permitted work `most` is spent.
     fn question(&mut self, count: usize, most: usize) -> Option<usize> {
         if self.next == count || most <= self.spent {
             return None;
@@ -30,7 +31,7 @@ impl<A> Shared<A> {
         Some(self.next - 1)
     }
 
-    /// Stores an answer.
+    /// Stores the answer to the question with the index `place`, and the work that it took.
     fn take(&mut self, place: usize, answer: Option<(usize, A)>) {
         if let Some(own) = self.answers.get_mut(place) {
             *own = answer;
@@ -41,7 +42,7 @@ impl<A> Shared<A> {
         }
     }
 
-    /// Returns the answers before the first missing one, until their work exceeds `most`.
+    /// Returns the answers before the first missing one, until their work exceeds the permitted work `most`.
     fn counted(self, most: usize) -> Vec<A> {
         let mut spent = 0;
         let known = self.answers.into_iter().map_while(|answer| answer);
@@ -54,16 +55,16 @@ impl<A> Shared<A> {
     }
 }
 
-/// Locks the shared data, even if another thread has panicked. Such a panic ends the whole call, so that nobody uses
-/// the data afterwards.
+/// Locks the data that the threads share, even if another thread has panicked. Such a panic ends the whole call, so
+/// nobody uses the data afterwards.
 fn locked<T>(shared: &Mutex<T>) -> MutexGuard<'_, T> {
     shared.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Returns the answers in the order of the questions. The list ends when the work of the earlier answers exceeds
-/// `most`.
+/// Computes the answers to `questions` in parallel, and returns them in the order of the questions. The list ends
+/// when the work of the earlier answers exceeds `most`.
 ///
-/// `begin` creates the data of a thread. `one` returns an answer with its work.
+/// `begin` creates the data that a thread needs. `one` returns the answer to a question, with the work that it took.
 pub(crate) fn answered<State, A: Send>(
     questions: &[usize],
     most: usize,

@@ -1,7 +1,7 @@
-//! All functions of the limits as Taylor series in r, with intervals as coefficients (section 3 of
+//! All functions from which the limits follow, as Taylor series in r with intervals as coefficients (section 3 of
 //! `docs/derivation.md`).
 //!
-//! All functions contain the factor r². Near a pole of U at an undamped mode, they also contain the factor κ, the
+//! All functions are multiplied by r². Near a pole of U at an undamped mode, they are also multiplied by κ, the
 //! product of cos(πx/2) over such modes, with x = √λ/r. The limits are quotients, in which κ cancels.
 
 use crate::series::IntervalSeries;
@@ -10,8 +10,8 @@ use frictiongen_model::interval::Interval;
 use frictiongen_model::modal::Modal;
 use frictiongen_model::table::building::contact_modes;
 
-/// Number of terms of the Taylor series in r. The value is tuned. More terms allow longer intervals, but the work of a
-/// product grows with their square.
+/// Number of terms of the Taylor series in r. The value is tuned. More terms allow longer intervals of r, but the
+/// work of a product grows with the square of their number.
 pub(crate) const ORDER: usize = 8;
 
 /// Kind of damping of a mode.
@@ -23,7 +23,7 @@ pub(crate) enum ModeDecay {
     Over,
 }
 
-/// The constants of a mode, as intervals.
+/// The constants of a mode, each as an interval that contains the exact number.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct IntervalMode {
     pub kind: ModeDecay,
@@ -33,15 +33,15 @@ pub(crate) struct IntervalMode {
     pub q: Interval,
     /// ζ/q, with q = √|1 − ζ²|.
     pub zeta_over_q: Interval,
-    /// ζ + q, with q = √|1 − ζ²|.
+    /// ζ + q, the larger decay rate of an overdamped mode, with q = √|1 − ζ²|.
     pub fast: Interval,
-    /// c = (φᵀw)², the square of the mode's component in the contact.
+    /// c = (φᵀw)², the inverse effective mass of the mode in the contact.
     pub inverse_mass: Interval,
-    /// (φᵀw)(φᵀp), the residue from the load to the contact.
+    /// (φᵀw)(φᵀp), the residue of the mode in the contact's response to the load.
     pub residue: Interval,
 }
 
-/// The constants of a chain as intervals. Each interval contains the number that the modal analysis gives in
+/// The constants of a chain, as intervals. Each interval contains the number that the modal analysis gives in
 /// double-double.
 #[derive(Clone, Debug)]
 pub(crate) struct IntervalChain {
@@ -97,11 +97,11 @@ impl IntervalChain {
     }
 }
 
-/// A mode at the frequency ratios of an interval.
+/// The functions of a mode, as series in r at a point or over an interval.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ModeStage<const N: usize> {
     pub oscillator: IntervalMode,
-    /// x = √λ/r, the natural frequency divided by the excitation frequency.
+    /// x = √λ/r, the natural frequency of the mode divided by the excitation frequency.
     pub x: IntervalSeries<N>,
     /// r/√λ, the inverse of `x`.
     pub slow: IntervalSeries<N>,
@@ -111,34 +111,36 @@ pub(crate) struct ModeStage<const N: usize> {
     pub forced_slope: IntervalSeries<N>,
 }
 
-/// The chain at the frequency ratios of an interval.
+/// The functions of the contact and of the modes, as series in r at a point or over an interval.
 #[derive(Clone, Debug)]
 pub(crate) struct ChainStage<const N: usize> {
     pub modes: Vec<ModeStage<N>>,
     /// 1/r.
     pub inverse: IntervalSeries<N>,
-    /// κ, the product of cosines that is a factor of the functions. `None` if it is 1.
+    /// κ, the product of cosines by which the functions are multiplied. `None` if no cosine is small, so that κ is 1.
     pub kappa: Option<IntervalSeries<N>>,
-    /// κV, real and imaginary part. V is the response of the contact to the load.
+    /// κr²V, real and imaginary part. V is the response of the contact to the load.
     pub excitation: [IntervalSeries<N>; 2],
-    /// κU, with U the velocity of the contact that friction causes at a reversal.
+    /// κr²U, where U is the velocity of the contact, from friction, at a reversal.
     pub quadrature: IntervalSeries<N>,
-    /// κG, with G the displacement of the contact that friction causes at a reversal.
+    /// κr²G, where G is the displacement of the contact, from friction, at a reversal.
     pub displacement: IntervalSeries<N>,
-    /// κ(m* + H_c), where m* + H_c is the velocity constraint for τ → 0.
+    /// κ(m* + r²H_c), r² times the velocity constraint for τ → 0. m* is the inverse effective mass of the contact.
     pub start: IntervalSeries<N>,
-    /// κ(μm* + H_c), where μm* + H_c is the break-away term.
+    /// κ(μm* + r²H_c), r² times the break-away term, which limits β_lim as a velocity constraint does.
     pub break_away: IntervalSeries<N>,
 }
 
-/// κ contains the cosine of an undamped mode if its absolute value is below this bound. The value is tuned. A quotient
-/// by a smaller cosine is wide over an interval of r, but each factor of κ costs products.
+/// Absolute value of cos(πx/2) for an undamped mode, with x = √λ/r. If the cosine is smaller, it becomes a factor of
+/// κ. The value is tuned. A quotient by a smaller cosine is wide over an interval of r, but each factor of κ takes
+/// more products.
 const SINGULAR: f64 = 0.2;
-/// If |x − 1| is below this bound, the code uses a form in which the pole of V and the zero of the cosine cancel. At
-/// larger |x − 1| the code can divide by x² − 1.
+/// Distance |x − 1| from a resonance, with x = √λ/r. At a smaller distance the code uses a form in which the pole of
+/// V and the zero of cos(πx/2) cancel. At a larger distance it can divide by x² − 1.
 const RESONANT: f64 = 0.5;
 
-/// Returns one flag for each mode. The flag is true if κ contains the cosine of the mode near r.
+/// Returns one flag for each mode. It is true if κ, the product of cosines of `ChainStage`, contains the cosine of
+/// the mode near r.
 pub(crate) fn singular(chain: &IntervalChain, r: f64) -> Vec<bool> {
     let modes = chain.modes.iter();
     let cosine = |mode: &IntervalMode| {
@@ -151,7 +153,7 @@ pub(crate) fn singular(chain: &IntervalChain, r: f64) -> Vec<bool> {
 }
 
 impl<const N: usize> ChainStage<N> {
-    /// Returns the chain at the frequency ratios of an interval.
+    /// Returns the functions of the chain as series in r over an interval, or at a point.
     pub fn over(chain: &IntervalChain, r: Interval, singular: &[bool]) -> Self {
         let one = IntervalSeries::fixed(Interval::ONE);
         let (ratio, inverse) = (
@@ -229,7 +231,8 @@ impl<const N: usize> ChainStage<N> {
                     *im = *im - term * loss;
                 }
                 if mode.kind != ModeDecay::Undamped {
-                    // The terms are c(g + 2ζx·u/x²) for the velocity constraint, and c·g/x² for the displacement.
+                    // The terms are c(g + 2ζx·u/x²) for H_c in the velocity constraint, and c·g/x² for the
+                    // displacement G.
                     let own = free - scaled(IntervalSeries::fixed(c));
                     let carried = x.times(mode.zeta.doubled()) * forced_slope;
                     reversal = reversal + own + carried;
@@ -259,7 +262,8 @@ impl<const N: usize> ChainStage<N> {
         }
     }
 
-    /// Makes the series over an interval narrower, by means of the series `at` a point in the interval.
+    /// Makes the coefficients over an interval of r narrower, by means of the series `at` a point in the interval.
+    /// `away` is the interval minus that point.
     pub fn refine(&mut self, at: &Self, away: Interval) {
         for (over, at) in self.excitation.iter_mut().zip(&at.excitation) {
             *over = over.refined(at, away);
@@ -272,7 +276,8 @@ impl<const N: usize> ChainStage<N> {
         }
     }
 
-    /// Returns the chain with −κ in place of κ.
+    /// Returns the functions of the chain with −κ in place of κ. κ is the product of cosines by which they are
+    /// multiplied.
     pub fn turned(mut self) -> Self {
         for mode in &mut self.modes {
             (mode.free, mode.forced_slope) = (-mode.free, -mode.forced_slope);
@@ -285,7 +290,7 @@ impl<const N: usize> ChainStage<N> {
         self
     }
 
-    /// Returns the chain with the first `M` terms of each series.
+    /// Returns the functions of the chain with the first `M` terms of each series.
     pub fn truncated<const M: usize>(&self) -> ChainStage<M> {
         let modes = self.modes.iter().map(|mode| ModeStage {
             oscillator: mode.oscillator,

@@ -15,13 +15,13 @@ use frictiongen_model::scene::Side;
 use frictiongen_model::table::building::Exact;
 use frictiongen_model::table::{Evidence, Proof, ProofWork, Tables};
 
-/// Proves the β_lim of tables.
+/// Proves the β_lim of tables, and returns its proof.
 fn limit_of<S: Float>(tables: &Tables<S>, modal: &Modal, work: ProofWork) -> Proof {
     let [limit, _] = of_pieces(tables, modal, 0..tables.pieces.len(), work);
     limit
 }
 
-/// Checks that the table agrees with the exact search within the proven bound, at random r outside the open intervals.
+/// Checks that a table agrees with the exact search within the proven bound, at random r outside the open intervals.
 #[test]
 fn the_bound_holds() {
     let mut points = 0;
@@ -74,7 +74,8 @@ fn the_bound_holds() {
     assert!(points > 7 * 3 * 1800, "{points}");
 }
 
-/// Checks that a piece with one coefficient wrong by ten times the accuracy is not proven where the error matters.
+/// Checks that a piece is not proven if one coefficient is wrong by ten times the accuracy. It must be open where the
+/// error matters.
 #[test]
 fn a_wrong_coefficient_is_not_proven() {
     let mut found = 0;
@@ -119,7 +120,7 @@ fn a_wrong_coefficient_is_not_proven() {
     assert_eq!(found, 3 * (4 + 6 + 6 + 6));
 }
 
-/// Checks that with `side: safe` a table above β_lim is not proven, even if it is above by less than its accuracy.
+/// Checks that with `side: safe` a table above β_lim is not proven, even if it is above by less than the accuracy.
 #[test]
 fn above_the_limit_is_not_safe() {
     let accuracy = 1e-3;
@@ -142,7 +143,7 @@ fn above_the_limit_is_not_safe() {
     }
 }
 
-/// Checks that a proof in single precision includes the rounding errors of the evaluation.
+/// Checks that a proof in single precision includes the rounding errors of the polynomial's evaluation.
 #[test]
 fn single_precision() {
     let modal = scene("Wall", 1, 0.02, 1.2);
@@ -160,8 +161,8 @@ fn single_precision() {
     }
 }
 
-/// Checks that a table reports that it is only checked in two cases: without work for a proof, and at an accuracy below
-/// 1e-6.
+/// Checks that a table reports that it is only checked, not proven, in two cases: if no work is permitted for a
+/// proof, and at an accuracy below 1e-6.
 #[test]
 fn what_is_not_proven_says_so() {
     let modal = scene("Wall", 1, 0.02, 1.2);
@@ -185,8 +186,8 @@ fn what_is_not_proven_says_so() {
     assert!(fine.proof.told().starts_with("Checked, not proven"));
 }
 
-/// Checks that the proof rejects a witness that is not near the largest constraint, at any r, and accepts most
-/// witnesses at the largest constraint.
+/// Checks that the proof rejects a witness that is not near the largest velocity constraint, at any r. It must accept
+/// most witnesses at the largest constraint.
 #[test]
 fn witnesses_that_are_none() {
     let (mut refused, mut accepted, mut largest) = (0, 0, 0);
@@ -257,7 +258,7 @@ fn witnesses_that_are_none() {
     );
 }
 
-/// Checks that the Taylor series in τ near the start of the half period agrees with F/sin τ from the sum over the
+/// Checks that near the start of the half period the Taylor series in τ agrees with F/sin τ from the sum over the
 /// modes. The test has modes of every kind of damping, and includes slopes in r.
 #[test]
 fn early_as_anywhere() {

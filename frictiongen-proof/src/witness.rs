@@ -1,26 +1,27 @@
-//! A witness: an instant, as a polynomial in r, at which the velocity constraint is nearly largest. The module also
-//! computes β_lim from the constraint of the witness.
+//! Defines the witness, an instant near the largest velocity constraint, as a polynomial in r. Also evaluates the
+//! functions at the witness.
 
 use crate::series::IntervalSeries;
 use crate::stage::ChainStage;
 use crate::{early, force};
 use frictiongen_model::interval::Interval;
 
-/// Assumed position of the largest velocity constraint, for all r of an interval.
+/// An instant that the proof takes for the position of the largest velocity constraint, for all r of an interval.
 #[derive(Clone, Debug)]
 pub(crate) enum Witness {
-    /// The break-away term. For μ = 1 it equals the constraint at the start of the half period.
+    /// The break-away term takes the place of a constraint. For μ = 1 it equals the velocity constraint at the start
+    /// of the half period.
     BreakAway,
-    /// The witness is the instant τ = πt, where t is a polynomial in r − r₀ with these coefficients. Its velocity
-    /// constraint is F/sin τ.
+    /// The instant τ = πt, where t is a polynomial in r − r₀ with these coefficients. Its velocity constraint is
+    /// F/sin τ, where F is the sum over the modes.
     Instant(Vec<f64>),
-    /// The witness is the instant τ = πt near the start of the half period, where t is a polynomial in r − r₀ with
-    /// these coefficients. A Taylor series in τ gives its velocity constraint.
+    /// The instant τ = πt near the start of the half period, where t is a polynomial in r − r₀ with these
+    /// coefficients. A Taylor series in τ gives its velocity constraint.
     Early(Vec<f64>),
 }
 
 impl Witness {
-    /// Returns the instant t of the witness at r₀ + `away`.
+    /// Returns the instant t = τ/π of the witness at r₀ + `away`, as a series in r.
     pub fn path<const N: usize>(&self, away: Interval) -> IntervalSeries<N> {
         let coefficients: &[f64] = match self {
             Self::BreakAway => &[0.5],
@@ -41,29 +42,31 @@ pub(crate) fn polynomial<const N: usize>(
     })
 }
 
-/// The values of a witness at the frequency ratios of an interval.
+/// The functions at a witness, as series in r at a point or over an interval.
 ///
-/// N is slightly above the constraint of the witness. The proof must show that D = N sin τ − F is positive at all other
-/// instants. For a witness near the start, D/τ takes the place of D.
+/// N is a level slightly above the velocity constraint of the witness. The proof must show that D = N sin τ − F is
+/// positive at all instants. For a witness near the start of the half period, D/τ takes the place of D.
 #[derive(Clone, Debug)]
 pub(crate) struct WitnessInstant<const N: usize> {
-    /// The instant t = τ/π, in half-turns.
+    /// The instant t = τ/π of the witness, in half-turns.
     pub t: IntervalSeries<N>,
-    /// sin τ, or sin τ/τ for a witness near the start.
+    /// sin τ at the witness, or sin τ/τ for a witness near the start of the half period.
     pub weight: IntervalSeries<N>,
     /// The slope in τ of `weight`.
     pub turn: IntervalSeries<N>,
-    /// κ times the velocity constraint of the witness. The largest constraint is at least as large.
+    /// κ times the velocity constraint Q of the witness. The largest constraint is at least Q.
     pub constraint: IntervalSeries<N>,
-    /// (κU)² + (κQ)². U is the velocity of the contact that friction causes, and Q the constraint of the witness.
+    /// (κr²U)² + (κQ)². Q is the velocity constraint F/sin τ of the witness, and U the velocity of the contact, from
+    /// friction, at a reversal.
     pub size: IntervalSeries<N>,
-    /// The slope in τ of D, or of D/τ for a witness near the start. In this D, the witness's constraint takes the place
-    /// of N.
+    /// The slope in τ of D = N sin τ − F, with the witness's constraint in place of N. For a witness near the start,
+    /// the slope of D/τ.
     pub rise: IntervalSeries<N>,
 }
 
 impl<const N: usize> WitnessInstant<N> {
-    /// Evaluates a witness. `rest` is the result of [`early::rest`] for a witness near the start.
+    /// Evaluates the functions at a witness. For a witness near the start, `rest` is the result of [`early::rest`],
+    /// otherwise 0.
     pub fn of(
         witness: &Witness,
         stage: &ChainStage<N>,
@@ -103,7 +106,8 @@ impl<const N: usize> WitnessInstant<N> {
         }
     }
 
-    /// Makes the series over an interval narrower, by means of the series `at` a point in the interval.
+    /// Makes the coefficients over an interval of r narrower, by means of the series `at` a point in the interval.
+    /// `away` is the interval minus that point.
     pub fn refine(&mut self, at: &Self, away: Interval) {
         self.constraint = self.constraint.refined(&at.constraint, away);
         self.size = self.size.refined(&at.size, away);

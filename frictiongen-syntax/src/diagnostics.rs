@@ -1,4 +1,4 @@
-//! Errors of a description. The parser collects all errors and returns them together.
+//! Errors of a scene description. The parser collects all errors and returns them together.
 
 use core::fmt;
 
@@ -40,18 +40,18 @@ impl fmt::Display for Diagnostics {
 
 impl core::error::Error for Diagnostics {}
 
-/// Position of a token.
+/// Position of a token in a description.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TokenPosition {
     /// The line, counted from 1.
     pub line: usize,
     /// The column, counted in characters from 1.
     pub column: usize,
-    /// Index of the token in the caller's list, or `None` for a text.
+    /// Index of the token in the list that the caller passed, or `None` if the description is a text.
     pub token: Option<usize>,
 }
 
-/// An error at a position.
+/// An error of a description, at the position of a token.
 #[derive(Clone, Debug)]
 pub struct Problem {
     /// The position of the token that caused the error.
@@ -60,11 +60,12 @@ pub struct Problem {
     pub message: String,
 }
 
-/// Mark that a function has already reported its error. The caller must not report the error again.
+/// Value that tells the caller of a function that the function has already reported its error. The caller must not
+/// report the error again.
 #[derive(Clone, Copy, Debug)]
 pub struct Reported;
 
-/// The errors found so far.
+/// The errors of a description that the parser has found so far.
 #[derive(Debug, Default)]
 pub struct Problems {
     list: Vec<Problem>,
@@ -80,18 +81,18 @@ impl Problems {
         Reported
     }
 
-    /// Returns true if no error was reported.
+    /// Returns true if no error was reported so far.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.list.is_empty()
     }
 
-    /// Returns true if the list has more than 100 errors. The code then adds no advice to further errors.
+    /// Returns true if more than 100 errors were reported. Messages of further errors then have no advice.
     pub(crate) fn are_many(&self) -> bool {
         self.list.len() > 100
     }
 
-    /// Returns the errors in the order of the source.
+    /// Returns the errors in the order of the description.
     #[must_use]
     pub fn into_sorted(mut self) -> Vec<Problem> {
         self.list
@@ -99,7 +100,7 @@ impl Problems {
         self.list
     }
 
-    /// Returns the errors with lines and columns, in the order of the text.
+    /// Returns the errors in the order of the text, each with line and column.
     #[must_use]
     pub fn into_diagnostics(self) -> Diagnostics {
         let list = self.into_sorted().into_iter();

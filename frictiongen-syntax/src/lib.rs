@@ -52,7 +52,8 @@ pub fn read_scene(text: &str) -> Result<Scene, Diagnostics> {
     }
 }
 
-/// Parses a text. If a bracket or a comment is not closed, the function reports only this error and returns `None`.
+/// Parses a text into a syntax tree. If a bracket or a comment is not closed, reports only this error and returns
+/// `None`.
 pub fn parse_text(text: &str, problems: &mut Problems) -> Option<Syntax> {
     let (tokens, end) = parse::lex(text, problems).ok()?;
     Some(parse_tokens(&tokens, end, problems))

@@ -11,8 +11,8 @@ use crate::parse_text;
 
 /// Returns the warnings about a valid description, or `None` if there are none.
 ///
-/// A warning marks a mode at or beyond critical damping. The author of such a damping ratio has probably written a
-/// percentage.
+/// A warning marks a mode whose damping is critical or above. The author of such a damping ratio has probably written
+/// a percentage.
 ///
 /// ```
 /// let text = "struct Block {
@@ -39,7 +39,7 @@ pub fn warnings(text: &str) -> Option<Diagnostics> {
     (!warnings.is_empty()).then(|| warnings.into_diagnostics())
 }
 
-/// Reports every mode with a damping ratio of 1 or more.
+/// Reports every mode whose damping ratio is 1 or more.
 fn overdamped(located: &Located<'_>, warnings: &mut Problems) {
     let mut report = |index: Option<usize>, message: String| {
         warnings.report(located.place(Path::Damping(index)), message);

@@ -10,8 +10,8 @@ use std::fmt::{self, Display, Formatter, Write as _};
 mod tests;
 
 /// Returns the description of a scene, with one line for each field. Fields with their default value are left out.
-/// Every number has the fewest digits that [`read_scene`](crate::read_scene) reads as the same number, so that reading
-/// the text returns an equal scene.
+/// Every number has the fewest digits that [`read_scene`](crate::read_scene) reads back as the same number. Reading
+/// the text therefore returns an equal scene.
 ///
 /// ```
 /// use frictiongen_syntax::{Diagnostics, read_scene, written};
@@ -36,7 +36,8 @@ pub fn written(scene: &Scene) -> String {
     text
 }
 
-/// Returns the fields of a scene that differ from their defaults, in the order in which descriptions have them.
+/// Returns the fields of a scene that differ from their defaults, as names and values, in the usual order of a
+/// description.
 fn fields(scene: &Scene) -> Vec<(&'static str, String)> {
     let node = |node: Node| scene.node_name(node);
     let pair = |from, to| format!("{} - {}", node(from), node(to));
@@ -88,7 +89,7 @@ fn fields(scene: &Scene) -> Vec<(&'static str, String)> {
     fields
 }
 
-/// Adds the fields of damping and friction.
+/// Adds the fields of damping and friction as a description has them.
 fn law(scene: &Scene, fields: &mut Vec<(&'static str, String)>) {
     match &scene.damping {
         Damping::None => {}
@@ -101,7 +102,7 @@ fn law(scene: &Scene, fields: &mut Vec<(&'static str, String)>) {
     if scene.damping_from == DampingFrom::Base {
         fields.push(("damping_from", "base".to_owned()));
     }
-    // Each of several contacts has a stiffness and a μ of its own.
+    // With the field `contacts`, each contact has its own stiffness and μ.
     if scene.joints.contacts.is_empty() {
         if scene.stiction != 1.0 {
             fields.push(("stiction", format!("{:?}", scene.stiction)));
@@ -118,7 +119,7 @@ fn law(scene: &Scene, fields: &mut Vec<(&'static str, String)>) {
     }
 }
 
-/// Adds the fields of a declared accuracy.
+/// Adds the fields of a declared accuracy, as a description has them.
 fn declared(declared: &Declared, fields: &mut Vec<(&'static str, String)>) {
     if let Accuracy::Relative(error) = declared.accuracy {
         fields.push(("accuracy", format!("{error:?}")));
@@ -142,7 +143,7 @@ fn declared(declared: &Declared, fields: &mut Vec<(&'static str, String)>) {
     fields.extend(written.map(|(name, word, _)| (name, word.to_owned())));
 }
 
-/// Adds the fields that concern emitted code and the stepper.
+/// Adds the fields about emitted code and about the stepper, as a description has them.
 fn emitted(scene: &Scene, fields: &mut Vec<(&'static str, String)>) {
     let name = |mass: &usize| scene.node_name(Node::Mass(*mass)).to_owned();
     if scene.precision == Precision::F32 {
@@ -173,7 +174,8 @@ fn emitted(scene: &Scene, fields: &mut Vec<(&'static str, String)>) {
     }
 }
 
-/// The properties of one of several contacts. `Display` writes them as the text between the braces of the contact.
+/// The properties of one contact of the field `contacts`. `Display` writes them as the text between the contact's
+/// braces.
 struct LawText(JointLaw);
 
 impl Display for LawText {

@@ -1,8 +1,9 @@
-//! Numbers of any bit pattern, with a preference for those that break formulas.
+//! Random floating-point numbers, among which special values and rounding cases are frequent.
 
 use crate::Random;
 
-/// A double-precision number near one of `landmarks`, of any size, or of any bits.
+/// Returns a random double-precision number. It may be a special value, a number near one of `landmarks`, a number of
+/// any size, or any bit pattern.
 pub fn double(random: &mut Random, landmarks: &[f64]) -> f64 {
     match random.below(8) {
         0 => f64::from_bits(random.bits()),
@@ -25,7 +26,7 @@ pub fn double(random: &mut Random, landmarks: &[f64]) -> f64 {
         2 => 10_f64.powf(random.unit() * 616.0 - 308.0),
         3 | 4 => 10_f64.powf(random.unit() * 8.0 - 4.0),
         5 => {
-            // The number is a landmark or one of its fractions (sub-harmonics), a few roundings off.
+            // The number is a landmark, or a landmark divided by a small whole number, a few roundings off.
             let landmark = random.pick(landmarks).copied().unwrap_or(1.0);
             let fraction = landmark / (1 + random.below(9)) as f64;
             let away = random.below(9) as i64 - 4;
@@ -39,7 +40,8 @@ pub fn double(random: &mut Random, landmarks: &[f64]) -> f64 {
     }
 }
 
-/// A single-precision number near one of `landmarks`, of any size, or of any bits.
+/// Returns a random single-precision number. It may be a number near one of `landmarks`, a number of any size, or any
+/// bit pattern.
 pub fn single(random: &mut Random, landmarks: &[f64]) -> f32 {
     match random.below(8) {
         0 | 1 => f32::from_bits(random.bits() as u32),

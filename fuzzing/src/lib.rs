@@ -1,5 +1,5 @@
-//! Mutated inputs, the same in every run.  Bytes, characters and tokens of a corpus are changed, repeated and spliced.
-//! A check receives each input, and must not panic, take long, or report a problem.
+//! Tests code with inputs that are changed at random, but are the same in every run. The changes affect bytes,
+//! characters and tokens of a corpus. A check gets each input. It must not panic, take long, or report a problem.
 
 pub mod bits;
 mod mutate;
@@ -12,9 +12,10 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-/// Upper bound on the time of one input, for a slow machine, without optimisation, while other tests run.
+/// Largest allowed time for the check of one input. It is long enough for a slow machine without optimisation, while
+/// other tests run.
 const LONGEST: Duration = Duration::from_secs(20);
-/// Number of findings after which a run ends.
+/// Number of problems after which a run ends.
 const ENOUGH: usize = 5;
 
 /// Returns the files of a folder of the corpus, in the order of their names.
@@ -32,7 +33,7 @@ pub fn corpus(folder: &str) -> std::io::Result<Vec<Vec<u8>>> {
     paths.into_iter().map(std::fs::read).collect()
 }
 
-/// Result of a run.
+/// The result of [`run`]: how many inputs were checked, and which problems were found.
 #[derive(Clone, Debug)]
 pub struct Outcome {
     /// Number of inputs that were checked.
@@ -41,9 +42,9 @@ pub struct Outcome {
     pub findings: Vec<String>,
 }
 
-/// Gives `count` inputs to a check.  The run ends earlier after the number of seconds in the environment variable
-/// SECONDS_EACH.  If SHOW is set, every input is printed before its check, so that the last one printed is the one that
-/// hangs.
+/// Gives `count` inputs to a check and collects the problems. If the environment variable SECONDS_EACH is set, the
+/// run ends after this number of seconds. If SHOW is set, every input is printed before its check. If a check hangs,
+/// the last printed input is its cause.
 pub fn run<I: std::fmt::Debug>(
     count: u64,
     mut next: impl FnMut() -> I,
@@ -84,8 +85,8 @@ pub fn run<I: std::fmt::Debug>(
     }
 }
 
-/// Largest memory that this process has used so far, in bytes, or `None` where the system does not report it (Linux
-/// does).
+/// Returns the largest memory that this process has used so far, in bytes. Returns `None` if the system does not
+/// report it. Linux reports it.
 #[must_use]
 pub fn most_memory() -> Option<u64> {
     let status = std::fs::read_to_string("/proc/self/status").ok()?;

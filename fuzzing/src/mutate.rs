@@ -1,4 +1,4 @@
-//! Inputs that are made from other inputs.
+//! Makes new inputs by random changes of the inputs in a corpus.
 
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -6,13 +6,13 @@ use proptest::sample::{Index, select};
 use proptest::strategy::ValueTree;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 
-/// Upper bound on the length of an input, in bytes.
+/// Largest length of an input in bytes. Longer inputs are cut off.
 const LONGEST: usize = 16 << 10;
 
-/// An input's words, numbers, white space and single signs, in order and complete.
+/// The parts of an input, in order: words, numbers, white space and single signs. Together they are the whole input.
 type Tokens = Vec<Vec<u8>>;
 
-/// Source of inputs from a corpus and from words that the tested code knows.
+/// Source of inputs, made from a corpus and from words that are meaningful to the tested code.
 #[derive(Debug)]
 pub struct Mutator {
     inputs: BoxedStrategy<Vec<u8>>,
@@ -20,7 +20,8 @@ pub struct Mutator {
 }
 
 impl Mutator {
-    /// Creates a mutator.  `words` are tokens to insert.  The tokens of the corpus are inserted as well.
+    /// Creates a source of inputs. It inserts the tokens `words` and the tokens of the corpus. The same seed gives
+    /// the same inputs.
     #[must_use]
     pub fn new(corpus: Vec<Vec<u8>>, words: &[&str], seed: u64) -> Self {
         let corpus: Vec<Tokens> = corpus.iter().map(|input| tokens(input)).collect();
@@ -42,14 +43,15 @@ impl Mutator {
         }
     }
 
-    /// Returns the next input: one of the corpus with a few changes.
+    /// Returns the next input: an input of the corpus with a few random changes.
     pub fn input(&mut self) -> Vec<u8> {
         let tree = self.inputs.new_tree(&mut self.runner);
         tree.map(|tree| tree.current()).unwrap_or_default()
     }
 }
 
-/// Inputs of the corpus in which a few runs of tokens, often empty ones, are replaced by others.
+/// Returns a strategy for inputs of the corpus with changes. A change replaces a run of tokens, which is often empty,
+/// by other tokens.
 fn mutated(corpus: Vec<Tokens>, words: Tokens) -> impl Strategy<Value = Vec<u8>> {
     let number = prop_oneof![
         any::<f64>().prop_map(|number| format!("{number:e}")),

@@ -12,7 +12,7 @@ fn emitted_source() {
     for (name, text) in SCENES {
         let description = parse_text(text, &SizeLimits::MACRO).expect("a valid scene");
         let source = pretty(&description).expect("emitted Rust");
-        // The snapshots are Rust files, so that a review page highlights them.
+        // The snapshots are Rust files, so that a page for reviewers highlights them as Rust.
         insta::with_settings!({ description => *text, omit_expression => true }, {
             insta::assert_binary_snapshot!(&format!("{name}.rs"), source.into_bytes());
         });
@@ -107,7 +107,7 @@ fn emitted_source_of_several_contacts() {
     });
 }
 
-/// Checks that the layout of a description changes only its copy in the documentation.
+/// Checks that a change of a description's layout changes only the copy of the description in the documentation.
 #[test]
 fn emission_is_deterministic() {
     for (_, text) in SCENES {
@@ -125,7 +125,7 @@ fn emission_is_deterministic() {
     }
 }
 
-/// Code that a specialisation leaves out is not in the source.
+/// Checks that the emitted source contains no code that a specialisation leaves out.
 #[test]
 fn specialised_away() {
     let source = |wanted: &str| {
@@ -144,7 +144,7 @@ fn specialised_away() {
         "Single",
     ] {
         let source = source(undamped);
-        // Comments and reasons of lints may have words with these letters.
+        // Comments and reasons of lints may contain words with the searched letters.
         let is_code = |line: &&str| {
             let line = line.trim_start();
             !["///", "reason", "clippy::"]
@@ -169,8 +169,8 @@ fn specialised_away() {
     assert!(symmetric.contains("RESONANCES: [f64; 3]"));
 }
 
-/// Every local variable of emitted code is protected from constants of the same name in the user's code. Those of a
-/// single mode, `mode_1_…`, are not in the list.
+/// Checks that a function protects every local variable of emitted code from a constant of the same name in the
+/// user's code. Variables of a single mode, such as `mode_1_…`, need no protection.
 #[test]
 fn local_names_are_shielded() {
     let shielded = include_str!("../../frictiongen-kernel/src/emitted/locals.rs");

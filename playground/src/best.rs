@@ -1,11 +1,11 @@
-//! The friction for which the largest amplitude over the range of frequencies is smallest.
+//! Finds the friction ratio for which the largest amplitude over a range of frequencies is smallest.
 
 use crate::question::Question;
 use frictiongen::study::optimum::{FrequencyBand, OptimumEnd, OptimumKind, OptimumRequest};
 use frictiongen::study::response::MotionQuantity;
 use serde_json::{Value, json};
 
-/// Returns the best friction and the largest amplitude with it.
+/// Returns the best friction ratio, and the largest amplitude over the range of frequencies with it.
 pub fn answer(question: &Question) -> Result<Value, String> {
     let system = question.system()?;
     let request = OptimumRequest {

@@ -1,6 +1,7 @@
-//! The calls of the browser: memory for a question, and its answer.
+//! The functions that the browser calls: they give memory for a question, and its answer.
 //!
-//! This file alone may contain unsafe code, which here is the names of the functions.  The page has one thread for each instance, so that the calls never overlap.
+//! This file alone may contain unsafe code, which here is only the names of the functions. The page has one thread
+//! for each instance, so that the calls never overlap.
 #![allow(
     unsafe_code,
     reason = "the browser finds a function by its unmangled name"
@@ -9,11 +10,11 @@
 use std::cell::RefCell;
 
 thread_local! {
-    /// The text of the question, then the text of its answer.
+    /// The text of the question. After a call of [`ask`] it is the text of the answer.
     static TEXT: RefCell<Vec<u8>> = const { RefCell::new(Vec::new()) };
 }
 
-/// Makes room for a question of `length` bytes and returns its address.  The page writes the question there.
+/// Provides memory for a question of `length` bytes and returns its address. The page writes the question there.
 #[unsafe(no_mangle)]
 pub extern "C" fn room(length: usize) -> *mut u8 {
     TEXT.with_borrow_mut(|text| {

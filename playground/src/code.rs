@@ -4,9 +4,9 @@ use crate::question::Question;
 use frictiongen_codegen::{SizeLimits, parse_text, pretty};
 use serde_json::{Value, json};
 
-/// Returns the emitted code.
+/// Returns the Rust code that the macro emits for the description of the question.
 pub fn answer(question: &Question) -> Result<Value, String> {
-    // The page refuses long chains and long texts here too.
+    // As for all other questions, the page refuses long chains and long texts.
     question.system()?;
     let description = parse_text(&question.text, &SizeLimits::MACRO).map_err(|faults| {
         let lines = faults.list.into_iter();

@@ -1,4 +1,4 @@
-//! Amplitudes over frequency of a scene with one contact.
+//! Answers questions about the amplitude over frequency of a scene with one contact.
 
 use crate::question::{Question, picture};
 use frictiongen::study::curve::{Curve, CurveRequest, CurveStart};
@@ -7,12 +7,12 @@ use frictiongen_plot::Colour;
 use frictiongen_plot::desk::{Drawn, Reading, Scales, lines, panel};
 use serde_json::{Value, json};
 
-/// Height of the picture's frame in pixels.
+/// Height of the frame of a curve's picture, in pixels.
 pub const HEIGHT: f64 = 230.0;
-/// Largest deviation of the drawn lines, relative to the value of the curve.
+/// Largest deviation of the drawn lines from the curve, relative to the value of the curve.
 const ACCURACY: f64 = 5e-3;
 
-/// Returns the picture of the curves, one for each start, and their points.
+/// Returns the picture of the amplitude curves, one for each start in the question, and the points of the curves.
 pub fn answer(question: &Question) -> Result<Value, String> {
     let system = question.system()?;
     let of = question.motion();
@@ -20,7 +20,7 @@ pub fn answer(question: &Question) -> Result<Value, String> {
     for start in &question.starts {
         curves.push(asked(&system, question, question.beta, start)?);
     }
-    // The response without friction shows what friction changes.
+    // The picture also shows the curve without friction, for comparison.
     let free = asked(&system, question, 0.0, "rest")?;
     let refined = curves.iter().all(|curve| curve.refined);
     let points: Vec<Value> = curves.iter().map(points).collect();
@@ -76,7 +76,7 @@ fn asked(system: &System, question: &Question, beta: f64, start: &str) -> Result
         .map_err(|error| error.to_string())
 }
 
-/// Returns r, amplitude and regime of each point.
+/// Returns frequency ratio, amplitude and regime of each point of a curve.
 fn points(curve: &Curve) -> Value {
     let points = curve.pieces.iter().flat_map(|piece| &piece.points);
     let told = points.map(|point| {

@@ -1,5 +1,5 @@
-//! Answers point by point, so that the page can stop between two points: quick curves of every scene, and all answers for
-//! scenes with several contacts or dashpots.
+//! Answers questions in small parts, so that the page can stop after each part. These are quick curves of every
+//! scene, and all answers for scenes with several contacts or dashpots.
 
 use crate::map::{REGIMES, class, top};
 use crate::orbit::{code, drawn, loop_picture};
@@ -9,16 +9,16 @@ use frictiongen::{Regime, System};
 use frictiongen_plot::{Axis, Cells, Colour, Fill, Label, Line, Panel, Point, Raster, Stroke};
 use serde_json::{Value, json};
 
-/// Number of samples in a cycle.
+/// Largest number of samples in a cycle of the shown motion.
 const SAMPLES: usize = 240;
-/// Largest number of cycles of which the page shows the motion.
+/// Largest number of cycles of the motion that the page shows.
 const MOST_CYCLES: usize = 16;
 
 fn text(error: impl std::fmt::Display) -> String {
     error.to_string()
 }
 
-/// Returns the amplitude of the requested mass, or that of the first contact.
+/// Returns the amplitude of the mass with the index `of`, or that of the first contact for `None`.
 fn size(orbit: &JoinedOrbit<'_>, of: Option<usize>) -> Option<f64> {
     match of {
         Some(mass) => orbit.largest_displacements().get(mass).copied(),
@@ -29,7 +29,7 @@ fn size(orbit: &JoinedOrbit<'_>, of: Option<usize>) -> Option<f64> {
     }
 }
 
-/// Returns amplitude and regime at some frequency ratios.
+/// Returns amplitude and regime of the steady state at each frequency ratio of the question.
 pub fn points(question: &Question) -> Result<Value, String> {
     let system = question.system()?;
     let joined = match system.scene().is_joined() {
@@ -52,7 +52,7 @@ pub fn points(question: &Question) -> Result<Value, String> {
     Ok(json!({ "points": points.collect::<Vec<_>>() }))
 }
 
-/// Returns the picture of a curve from points that were computed before.
+/// Returns the picture of a curve. Its points are in the question, because they were computed before.
 pub fn line(question: &Question) -> Result<Value, String> {
     let label = if matches!(
         question.system()?.scene().excitation,
@@ -72,7 +72,7 @@ pub fn line(question: &Question) -> Result<Value, String> {
     );
     let strokes = [Stroke::Solid, Stroke::DashDot, Stroke::Dotted];
     for (regime, (name, stroke)) in REGIMES.into_iter().zip(strokes).enumerate() {
-        // A line includes the first point of the next regime, so that the curve has no gaps.
+        // A line continues to the first point of the next regime, so that the curve has no gaps.
         let mut pieces: Vec<Vec<Point>> = vec![Vec::new()];
         let mut before: Option<usize> = None;
         for (r, size, found) in &question.points {
@@ -91,14 +91,16 @@ pub fn line(question: &Question) -> Result<Value, String> {
     Ok(picture(panel, crate::curve::HEIGHT))
 }
 
-/// Returns the regimes at one frequency ratio for some friction ratios, and the limit of the stuck state.
+/// Returns the regime at one frequency ratio for each friction ratio of the question. Also returns the friction ratio
+/// above which all contacts can stay stuck.
 pub fn cells(question: &Question) -> Result<Value, String> {
     let system = question.system()?;
     let joined = system.joined().map_err(text)?;
     let at = joined.at_any(question.r).map_err(text)?;
     let limit = at.stuck().map(|stuck| stuck.limit()).ok();
     let cell = |beta: &f64| match limit {
-        // A motion from rest may differ, but a search for it takes long and rarely finds another state.
+        // Above the limit, motion from rest may reach another state than the stuck one. A search for it takes long
+        // and rarely finds one.
         Some(limit) if limit <= *beta => Some(class(Regime::Stuck)),
         _ => at.orbit(*beta).ok().map(|orbit| class(orbit.regime())),
     };
@@ -106,7 +108,8 @@ pub fn cells(question: &Question) -> Result<Value, String> {
     Ok(json!({ "cells": cells, "limit": limit }))
 }
 
-/// Returns the picture of a map from cells that were computed before, and from the stuck limit.
+/// Returns the picture of a map, with a line for the limit of the stuck state. The regimes of the cells are in the
+/// question, because they were computed before.
 pub fn raster(question: &Question) -> Result<Value, String> {
     let system = question.system()?;
     let joined = system.joined().map_err(text)?;
@@ -153,7 +156,7 @@ pub fn raster(question: &Question) -> Result<Value, String> {
     Ok(drawing)
 }
 
-/// Returns the steady state that motion from rest reaches.
+/// Returns the numbers of the steady state that motion from rest reaches.
 pub fn orbit(question: &Question, system: &System) -> Result<Value, String> {
     let joined = system.joined().map_err(text)?;
     let names = joined.contact_names();
@@ -190,7 +193,7 @@ pub fn orbit(question: &Question, system: &System) -> Result<Value, String> {
     Ok(told)
 }
 
-/// Returns one period of the motion, and the picture of the loops.
+/// Returns one period of the motion in a steady state, and the picture of the contacts' hysteresis loops.
 fn motion(
     system: &System,
     orbit: &JoinedOrbit<'_>,

@@ -17,7 +17,8 @@ mod scene;
 use question::Question;
 use serde_json::{Value, json};
 
-/// Answers a question.  Both are JSON.  The answer to a faulty question has the field `error` with a message.
+/// Answers a question. Question and answer are JSON. If the question is faulty, the answer has the field `error` with
+/// a message.
 ///
 /// ```
 /// let question = r#"{"ask": "scene", "text": "struct Block { masses: { block: 1 } }"}"#;

@@ -1,4 +1,4 @@
-//! Regimes over frequency and friction of a scene with one contact.
+//! Answers questions about the regimes over frequency and friction of a scene with one contact.
 
 use crate::question::{Question, picture};
 use frictiongen::Regime;
@@ -6,12 +6,12 @@ use frictiongen_plot::Colour;
 use frictiongen_plot::desk::{Scales, limit_lines, regimes};
 use serde_json::{Value, json};
 
-/// Height of the picture's frame in pixels.
+/// Height of the frame of a map's picture, in pixels.
 pub const HEIGHT: f64 = 260.0;
-/// Largest deviation of the drawn limits, in β/(1 + β).
+/// Largest deviation of the drawn limits from the exact ones, measured in β/(1 + β) with the friction ratio β.
 const ACCURACY: f64 = 2e-3;
 
-/// Returns the picture of both limits and of the regimes between them.
+/// Returns the picture of the limits β_lim and β*_lim over frequency, and of the regimes between them.
 pub fn answer(question: &Question) -> Result<Value, String> {
     let system = question.system()?;
     let lines = system
@@ -31,7 +31,8 @@ pub fn answer(question: &Question) -> Result<Value, String> {
     Ok(drawing)
 }
 
-/// Returns a friction ratio above most of the limits.  Resonances, where a limit may be infinite, do not set it.
+/// Returns a friction ratio above most of the limits, for the upper end of a map. Limits near resonances, which may
+/// be infinite, do not affect it.
 pub fn top(limits: &mut [f64]) -> f64 {
     limits.sort_by(f64::total_cmp);
     let most = limits.get(limits.len() * 17 / 20).copied().unwrap_or(1.0);
@@ -43,7 +44,7 @@ pub fn top(limits: &mut [f64]) -> f64 {
     }
 }
 
-/// Names of the regimes by their codes.
+/// Names of the regimes. The page refers to a regime by its index in this list.
 pub const REGIMES: [&str; 3] = ["continuous", "stick-slip", "stuck"];
 
 /// Returns the index of a regime in [`REGIMES`].

@@ -1,4 +1,5 @@
-//! The numbers of a description with their positions in the text, so that a slider can rewrite them.
+//! Finds the numbers of a description with their positions in the text. A slider of the page uses them to rewrite a
+//! number.
 
 use frictiongen::study::scene::{Damping, Scene};
 use serde_json::{Value, json};
@@ -21,8 +22,8 @@ impl Token<'_> {
     }
 }
 
-/// Returns the numbers of a valid description: kind, name, unit, value, and the range of the text that has the number.
-/// Positions count the units of UTF-16, as the browser does.
+/// Returns the numbers of a valid description, each with its kind, name, value, and range in the text. The range
+/// counts the units of UTF-16, as the browser does.
 pub fn numbers(text: &str, scene: &Scene) -> Vec<Value> {
     let tokens = tokens(text);
     let mut found = Vec::new();
@@ -55,19 +56,19 @@ pub fn numbers(text: &str, scene: &Scene) -> Vec<Value> {
     values.collect()
 }
 
-/// A number in the text.
+/// A number in the text of a description.
 struct Number {
-    /// The field of the description, or the field of one of several contacts.
+    /// The field of the description that has the number, or the field of a contact if there are several contacts.
     kind: &'static str,
     /// The name of the mass, spring, dashpot or contact.
     name: String,
-    /// Index of the number among those of its kind, or of its contact.
+    /// Index of the number among those of its kind, or the index of its contact.
     index: usize,
-    /// First byte, and the byte after the last.
+    /// Range of the number in the text: its first byte, and the byte after its last.
     range: (usize, usize),
 }
 
-/// Finds the numbers of one field.
+/// Finds the numbers of one field of the description, and adds them to `found`.
 fn field(name: &str, value: &[Token<'_>], found: &mut Vec<Number>) {
     let single = |kind| Number {
         kind,
@@ -96,7 +97,7 @@ fn field(name: &str, value: &[Token<'_>], found: &mut Vec<Number>) {
     }
 }
 
-/// Finds the numbers of a list of entries with a name and a number.
+/// Finds the numbers of a list whose entries have a name and a number, such as the masses. Adds them to `found`.
 fn entries(kind: &'static str, list: &[Token<'_>], found: &mut Vec<Number>) {
     for (index, part) in parts(list).into_iter().enumerate() {
         if let Some(colon) = part.iter().position(|token| token.text == ":") {
@@ -111,7 +112,7 @@ fn entries(kind: &'static str, list: &[Token<'_>], found: &mut Vec<Number>) {
     }
 }
 
-/// Finds the numbers of several contacts.
+/// Finds the numbers of the field `contacts`, and adds them to `found`.
 fn contacts(list: &[Token<'_>], found: &mut Vec<Number>) {
     for (index, part) in parts(list).into_iter().enumerate() {
         let Some(open) = part.iter().position(|token| token.text == "{") else {
@@ -167,12 +168,13 @@ fn range(tokens: &[Token<'_>]) -> (usize, usize) {
     }
 }
 
-/// Returns the tokens between the outermost brackets.
+/// Returns the tokens between the outer brackets of a value.
 fn inside<'t, 'a>(tokens: &'t [Token<'a>]) -> &'t [Token<'a>] {
     tokens.get(1..tokens.len().max(2) - 1).unwrap_or(&[])
 }
 
-/// Returns the number of tokens up to a comma outside of brackets, or up to the bracket that closes the list.
+/// Returns the number of tokens of a value. The value ends at a comma outside of brackets, or at the bracket that
+/// closes the list.
 fn length_of_value(tokens: &[Token<'_>]) -> usize {
     let mut depth = 0_i32;
     for (index, token) in tokens.iter().enumerate() {
@@ -187,7 +189,7 @@ fn length_of_value(tokens: &[Token<'_>]) -> usize {
     tokens.len()
 }
 
-/// Splits a list at its commas.
+/// Splits the tokens of a list at its commas.
 fn parts<'t, 'a>(mut list: &'t [Token<'a>]) -> Vec<&'t [Token<'a>]> {
     let mut parts = Vec::new();
     while !list.is_empty() {
@@ -200,7 +202,7 @@ fn parts<'t, 'a>(mut list: &'t [Token<'a>]) -> Vec<&'t [Token<'a>]> {
     parts
 }
 
-/// Splits a text into names, numbers and signs.  Comments are no tokens.
+/// Splits a description into names, numbers and signs, and leaves out comments.
 fn tokens(text: &str) -> Vec<Token<'_>> {
     let mut tokens = Vec::new();
     let mut start = 0;
@@ -221,7 +223,7 @@ fn tokens(text: &str) -> Vec<Token<'_>> {
     tokens
 }
 
-/// Returns the length of a comment, in which other comments may be.
+/// Returns the length in bytes of the comment at the start of the text. A comment may contain other comments.
 fn comment(rest: &str) -> usize {
     let (mut depth, mut place) = (0, 0);
     while let Some(tail) = rest.get(place..).filter(|tail| !tail.is_empty()) {
@@ -239,7 +241,7 @@ fn comment(rest: &str) -> usize {
     rest.len()
 }
 
-/// Returns the length of a name, of a number or of a sign.
+/// Returns the length in bytes of the name, number or sign at the start of the text.
 fn word(rest: &str) -> usize {
     let is_word = |char: char| char.is_alphanumeric() || char == '_' || char == '.';
     let mut before = ' ';

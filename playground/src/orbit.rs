@@ -1,4 +1,5 @@
-//! The steady state at one frequency and one friction: its numbers, one period of its motion, and its loop.
+//! Answers questions about the steady state at one frequency and one friction: its numbers, one period of its motion,
+//! and its hysteresis loop.
 
 use crate::map::{REGIMES, class};
 use crate::question::{Question, picture};
@@ -9,12 +10,13 @@ use frictiongen::{Of, Regime, System};
 use frictiongen_plot::{Axis, Colour, Line, Panel, Point, Stroke};
 use serde_json::{Value, json};
 
-/// Height of the picture's frame in pixels.
+/// Height of the frame of a hysteresis loop's picture, in pixels.
 const HEIGHT: f64 = 200.0;
-/// Number of samples of one period of the motion.
+/// Number of samples of one period of the shown motion.
 const SAMPLES: u32 = 480;
 
-/// Returns the steady state that motion from rest reaches.
+/// Returns the numbers of the steady state that motion from rest reaches, one period of its motion and its hysteresis
+/// loop.
 pub fn answer(question: &Question) -> Result<Value, String> {
     let system = question.system()?;
     if system.scene().is_joined() {
@@ -43,7 +45,7 @@ pub fn answer(question: &Question) -> Result<Value, String> {
     Ok(told)
 }
 
-/// Returns the regime as the page knows it.
+/// Returns the name of a regime that the page uses, one of [`REGIMES`].
 pub fn code(regime: Regime) -> &'static str {
     REGIMES.get(class(regime)).copied().unwrap_or_default()
 }
@@ -85,8 +87,8 @@ fn numbers(system: &System, response: &SystemResponse<'_>) -> Value {
     })
 }
 
-/// Returns the amplitude that a curve shows.  For a stuck contact it is the centred amplitude, because the contact may
-/// have stopped at many positions.
+/// Returns the amplitude of a motion that a curve shows. If the contact is stuck, it is the amplitude about the
+/// centred position, because the contact may have stopped at many positions.
 pub fn drawn(response: &SystemResponse<'_>, of: Of) -> Option<f64> {
     match response.regime() {
         Regime::Stuck => response.centred_amplitude(of),
@@ -94,11 +96,11 @@ pub fn drawn(response: &SystemResponse<'_>, of: Of) -> Option<f64> {
     }
 }
 
-/// Returns one period of the motion, and the picture of its loop.
+/// Returns one period of the motion in a steady state, and the picture of the contact's hysteresis loop.
 fn period(system: &System, response: &SystemResponse<'_>) -> Result<(Value, Value), String> {
     let count = system.scene().masses.len();
     let of: Vec<Of> = (0..count).map(Of::Mass).chain([Of::Contact]).collect();
-    // A long period has fewer samples in each cycle, and an even number of them.
+    // Each cycle of a long period has fewer samples. Their number is even.
     let samples = (SAMPLES / response.period().max(1)).max(16) & !1;
     let history = response
         .history(&of, samples)
@@ -123,10 +125,10 @@ fn sticks(history: &History) -> Vec<u8> {
     contact.map(|contact| u8::from(*contact == stuck)).collect()
 }
 
-/// Name of a contact, its displacements and its forces.
+/// A hysteresis loop: the name of the contact, its displacements and its forces.
 pub type Loop = (String, Vec<f64>, Vec<f64>);
 
-/// Returns the picture of the contact force over the relative displacement of the contact.
+/// Returns the picture of hysteresis loops: the force of each contact over its relative displacement.
 pub fn loop_picture(system: &System, loops: &[Loop]) -> Value {
     let (over_x, over_y) = match system.scene().excitation {
         Excitation::Base => ("*Y*", "*k*_1*Y*"),

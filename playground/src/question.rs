@@ -1,4 +1,4 @@
-//! Questions of the page.
+//! The questions that the page asks, and the pictures of their answers.
 
 use frictiongen::{Of, System};
 use frictiongen_plot::{Figure, Panel, PanelFrame};
@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 use std::cell::RefCell;
 use std::rc::Rc;
 
-/// Largest number of masses of a scene in the page.  More masses take too long for an answer within a second.
+/// Largest number of masses of a scene in the page. With more masses an answer takes longer than a second.
 pub const MOST_MASSES: usize = 12;
 /// Largest length of a description in bytes.
 pub const LONGEST: usize = 20_000;
@@ -17,31 +17,31 @@ pub const LONGEST: usize = 20_000;
 #[derive(Debug, Default, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Question {
-    /// The kind of the question.
+    /// The kind of the question, such as `scene`.
     pub ask: String,
     /// The description of the scene.
     pub text: String,
-    /// Frequency ratio r.
+    /// The frequency ratio r at which the page wants a steady state.
     pub r: f64,
-    /// Frequency ratios r.
+    /// The frequency ratios r of a curve or a map.
     pub rs: Vec<f64>,
-    /// Friction ratio β.
+    /// The friction ratio β of a steady state or a curve.
     pub beta: f64,
-    /// Friction ratios β.
+    /// The friction ratios β of a map.
     pub betas: Vec<f64>,
-    /// The lowest frequency ratio of the range.
+    /// The lowest frequency ratio of the range that the answer covers.
     pub from: f64,
-    /// The highest frequency ratio of the range.
+    /// The highest frequency ratio of the range that the answer covers.
     pub to: f64,
-    /// The highest friction ratio of the map.
+    /// The highest friction ratio of a map. With `None` the answer chooses it.
     pub top: Option<f64>,
-    /// Index of the mass of which the answer tells the motion.  Without an index it is the contact.
+    /// Index of the mass whose motion the answer describes. `None` stands for the motion of the contact.
     pub of: Option<usize>,
-    /// Starts of the curves: `rest`, `up`, `down`.
+    /// The starts of the curves: `rest`, `up` for a sweep to higher frequencies, `down` to lower ones.
     pub starts: Vec<String>,
-    /// Bound on the work, in units of about 10 µs.
+    /// Largest amount of work for the answer, in units of about 10 µs.
     pub work: usize,
-    /// Points of a curve or rows of a map that were computed before: numbers r and amplitude, and the regime.
+    /// Points of a curve that were computed before, each with frequency ratio, amplitude, and index of the regime.
     pub points: Vec<(f64, Option<f64>, Option<usize>)>,
     /// Cells of a map that were computed before, as indices of regimes, row after row.
     pub cells: Vec<Option<usize>>,
@@ -50,12 +50,12 @@ pub struct Question {
 }
 
 thread_local! {
-    /// The last scene, because most questions are about the same scene as the question before.
+    /// The scene of the last question, because most questions are about the same scene as the question before.
     static LAST: RefCell<Option<(String, Rc<System>)>> = const { RefCell::new(None) };
 }
 
 impl Question {
-    /// Returns the system of the description.
+    /// Returns the system that the description of the question gives.
     pub fn system(&self) -> Result<Rc<System>, String> {
         let last = LAST.with_borrow(|last| {
             let known = last.as_ref().filter(|(text, _)| *text == self.text);
@@ -72,13 +72,13 @@ impl Question {
         Ok(system)
     }
 
-    /// Returns the motion of which the answer tells the amplitude.
+    /// Returns the motion whose amplitude the answer gives: that of a mass, or that of the contact.
     pub fn motion(&self) -> Of {
         self.of.map_or(Of::Contact, Of::Mass)
     }
 }
 
-/// A message at a position of the description.  A message without a position has line 0.
+/// A message about a description, with its position in the text. A message without a position has line 0.
 #[derive(Debug)]
 pub struct Fault {
     /// The line, counted from 1.
@@ -99,7 +99,7 @@ impl Fault {
     }
 }
 
-/// Reads a description.
+/// Parses a description. Returns its system, or the messages about its faults.
 pub fn read(text: &str) -> Result<System, Vec<Fault>> {
     if text.len() > LONGEST {
         return Err(Fault::whole(format!(
@@ -125,7 +125,7 @@ pub fn read(text: &str) -> Result<System, Vec<Fault>> {
     System::try_from(scene).map_err(|error| Fault::whole(error.to_string()))
 }
 
-/// Returns a picture of one panel, laid out for a narrow page, and the position of its frame.
+/// Returns the picture of one panel for a narrow page, and the position of the panel's frame.
 pub fn picture(panel: Panel, height: f64) -> Value {
     let panel = Panel {
         height: Some(height),

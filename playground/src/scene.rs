@@ -1,4 +1,4 @@
-//! The description: its messages, or the chain that it describes.
+//! Answers questions about the description: its system, or messages about its faults.
 
 use crate::numbers::numbers;
 use crate::question::{Question, read};
@@ -8,7 +8,7 @@ use frictiongen_plot::{Label, Sketch, Spring, desk};
 use serde_json::{Value, json};
 use std::f64::consts::TAU;
 
-/// Returns the chain of the description, or its messages.
+/// Returns the numbers and the sketch of the described system, or the messages about faults of the description.
 pub fn answer(question: &Question) -> Value {
     match read(&question.text) {
         Ok(system) => chain(&system, &question.text),
@@ -45,7 +45,7 @@ fn chain(system: &System, text: &str) -> Value {
             Excitation::Force(mass) => node(Node::Mass(mass)),
         },
         "resonances": resonances,
-        // Hz for r = 1.
+        // Frequency in Hz at the frequency ratio r = 1.
         "hertz": system.modal().reference.to_f64() / TAU,
         "from": from,
         "to": to,
@@ -66,7 +66,7 @@ fn band(resonances: &[f64]) -> (f64, f64) {
     }
 }
 
-/// Returns the sketch with the values of masses and springs.
+/// Returns the sketch of a scene with the values of its masses and springs.
 fn sketch(scene: &Scene) -> Sketch {
     let plain = desk::sketch(scene, true);
     let values = scene.masses.iter();

@@ -1,4 +1,4 @@
-//! Builds the answers for Python: arrays by name, in the order of the command's columns.
+//! Builds the answers for Python: arrays by name, in the order of the columns of the command's tables.
 
 use frictiongen::study::columns::{Cell, Column, ColumnAxis, ColumnKind};
 use numpy::{Complex64, PyArray1};
@@ -6,7 +6,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 use std::borrow::Cow;
 
-/// Text column. It stores each distinct word once.
+/// A column of words. It stores each distinct word only once.
 #[derive(Default)]
 pub struct Words {
     known: Vec<String>,
@@ -34,20 +34,20 @@ impl<'w, W: Into<Cow<'w, str>>> FromIterator<W> for Words {
     }
 }
 
-/// Returns a number as it appears in a column. −0 becomes 0, as in the output of the command. A missing number becomes
-/// NaN.
+/// Returns the number that a Python array contains for a value. −0 becomes 0, as in the output of the command. A
+/// missing number becomes NaN.
 pub fn cell(value: Option<f64>) -> f64 {
     value.map_or(f64::NAN, |value| value + 0.0)
 }
 
-/// Returns a count as it appears in a column. A missing count becomes −1.
+/// Returns the whole number that a Python array contains for a count. A missing count becomes −1.
 pub fn count(value: Option<usize>) -> i64 {
     value
         .and_then(|value| i64::try_from(value).ok())
         .unwrap_or(-1)
 }
 
-/// Arrays by name, which become the Python answer.
+/// Arrays by name. Together they become the Python answer.
 pub struct NamedArrays<'py> {
     dict: Bound<'py, PyDict>,
     shape: Vec<usize>,
@@ -62,12 +62,12 @@ impl<'py> NamedArrays<'py> {
         }
     }
 
-    /// Sets the shape of all arrays that are added later.
+    /// Sets the shape of all arrays that later calls add.
     pub fn reshape(&mut self, shape: &[usize]) {
         self.shape = shape.to_vec();
     }
 
-    /// Adds the columns of a table.
+    /// Adds one array for each column of a table of the library.
     pub fn table<R>(&mut self, columns: &[Column<'_, R>], rows: &[R]) -> PyResult<()> {
         let shown = columns.iter().filter(|column| column.is_in_python());
         for column in shown {
@@ -76,7 +76,8 @@ impl<'py> NamedArrays<'py> {
         Ok(())
     }
 
-    /// Adds the columns of a table that depend on the frequency alone, on the friction alone, or on the whole row.
+    /// Adds one array for each column of a table that depends on `axis`: on frequency alone, on friction alone, or on
+    /// the whole row.
     pub fn along<R>(
         &mut self,
         axis: ColumnAxis,
@@ -121,7 +122,7 @@ impl<'py> NamedArrays<'py> {
         }
     }
 
-    /// Adds a list for each row. The list is the last dimension of the array, and NaN extends the shorter lists.
+    /// Adds an array in which each row is a list. The list is the last dimension, and NaN fills up the shorter lists.
     fn lists<'c, R>(
         &mut self,
         column: &Column<'_, R>,
@@ -195,7 +196,7 @@ impl<'py> NamedArrays<'py> {
     fn put(&mut self, name: &str, array: Bound<'py, PyAny>) -> PyResult<()> {
         let py = self.dict.py();
         let array = match self.shape.as_slice() {
-            // With an empty shape the result is a number instead of an array with one element.
+            // With an empty shape the answer contains a number instead of an array with one element.
             [] => array
                 .call_method1("reshape", (PyTuple::empty(py),))?
                 .get_item(PyTuple::empty(py))?,

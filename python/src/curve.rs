@@ -17,7 +17,8 @@ use frictiongen::study::{
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// Python arguments of a curve: accuracy, largest step, highest harmonic, a flag for velocities, and initial states.
+/// Python arguments of a curve: accuracy, largest step, highest order of harmonics, a flag for velocities, initial
+/// states.
 type Fineness<'py> = (
     Optional<'py>,
     Optional<'py>,
@@ -26,7 +27,7 @@ type Fineness<'py> = (
     Vec<String>,
 );
 
-/// Reads the initial states of the motions on each curve.
+/// Reads from Python where the motions on each curve start: from rest, or from a neighbouring frequency.
 fn starts(names: &[String]) -> PyResult<Vec<CurveStart>> {
     let all = [CurveStart::Rest, CurveStart::Up, CurveStart::Down];
     let start = |name: &String| {
@@ -93,7 +94,7 @@ pub fn curve<'py>(
             if !stop.goes_on() || MOST_POINTS < found.len() {
                 break;
             }
-            // Each sweep computes one point after the other, so the sweeps run in parallel.
+            // A sweep computes one point after the other, so several sweeps run in parallel.
             let asked = starts.iter().map(|start| (friction.beta, *start));
             for curve in system.curves(&request, &asked.collect::<Vec<_>>())? {
                 found.extend(table.rows(*friction, &curve));

@@ -30,10 +30,12 @@ pyo3::create_exception!(
      counted from 1.  It is None if no line is at fault."
 );
 
-/// Returns the exception for a failed measurement. If the recording has a name, the message begins with it.
+/// Returns the Python exception for a failed measurement. If the recording has a name, the message begins with the
+/// name.
 pub fn measurement(py: Python<'_>, source: Option<&str>, error: &Untold) -> PyErr {
     let text = match error {
-        // The library's message for these errors names options of the command. Python needs messages of its own.
+        // The library's message for these errors names options of the command. Python therefore has messages of its
+        // own.
         Untold::NoUnit(channel) => format!(
             "the channel `{channel}` has no unit: give one, as in {{{channel:?}: (samples, \"mm\")}}, or of a column of a \
              file {{{channel:?}: (\"COLUMN\", \"mm\")}}"
@@ -60,23 +62,23 @@ pub fn measurement(py: Python<'_>, source: Option<&str>, error: &Untold) -> PyEr
     }
 }
 
-/// Returns the exception for an argument outside its domain.
+/// Returns the Python exception for an argument outside its domain.
 pub fn domain(message: impl Display) -> PyErr {
     DomainError::new_err(message.to_string())
 }
 
-/// Returns the exception for an argument of the wrong type.
+/// Returns the Python exception for an argument of the wrong type.
 pub fn wrong_type(message: impl Display) -> PyErr {
     PyTypeError::new_err(message.to_string())
 }
 
-/// Returns the exception for a defect of this program.
+/// Returns the Python exception for a defect of this program.
 pub fn defect(message: impl Display) -> PyErr {
     PyRuntimeError::new_err(message.to_string())
 }
 
-/// Returns the exception for a scene description with errors. The attribute `errors` of the exception contains `(line,
-/// column, message)` for each error.
+/// Returns the Python exception for a scene description with errors. Its attribute `errors` has `(line, column,
+/// message)` for each error.
 pub fn scene(py: Python<'_>, diagnostics: &Diagnostics) -> PyErr {
     let error = SceneError::new_err(diagnostics.to_string());
     let list: Vec<(usize, usize, &str)> = diagnostics

@@ -1,4 +1,4 @@
-//! Computes features of a response without a sweep: thresholds, invariant points, ranges and peaks.
+//! Computes features of a scene's responses without a sweep: thresholds, invariant points, ranges and peaks.
 
 use crate::asked::{
     FrequencyKeywords, FrequencyRange, FrictionKeywords, FrictionValues, LoadKeywords, Optional,
@@ -16,7 +16,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 use std::sync::Arc;
 
-/// Largest number of frictions in one call. The command has the same limit.
+/// Largest number of frictions in one call of `features`. The command has the same limit.
 const MOST_FRICTIONS: usize = 16;
 
 /// Returns every list of features by name. Each list has its columns, and the derivatives of its numbers with respect
@@ -63,7 +63,7 @@ pub fn features<'py>(
     Ok(lists.all)
 }
 
-/// Lists of features by name. Each has its columns, and the derivatives of its numbers.
+/// Python's lists of features, by name. Each list has its columns, and the derivatives of its numbers.
 struct Lists<'a, 'py> {
     table: FeatureTable<'a>,
     all: Bound<'py, PyDict>,
@@ -89,8 +89,8 @@ impl FeatureVisitor for Lists<'_, '_> {
 }
 
 impl<'py> Lists<'_, 'py> {
-    /// Returns the parameters on which a column depends. Each parameter has two arrays: the derivatives, and the
-    /// relative changes in % for a 1 % increase of the parameter.
+    /// Returns the parameters on which the numbers of a column depend. For each parameter two arrays follow: the
+    /// derivatives, and the changes in % if the parameter increases by 1 %.
     fn derivatives<R>(&self, column: &Column<'_, R>, rows: &[R]) -> PyResult<Bound<'py, PyList>> {
         let py = self.all.py();
         let sensed: Vec<Option<&Sensed>> = rows.iter().map(|row| column.derivatives(row)).collect();

@@ -1,4 +1,4 @@
-//! Integrates the motion under any load, from rest, from a state, or from the end of an earlier run.
+//! Computes the motion under any load over time: from rest, from a given state, or from the end of an earlier run.
 
 use crate::asked::{MovingPart, check_size, numbers};
 use crate::columns::NamedArrays;
@@ -14,10 +14,10 @@ use frictiongen::{Stepping, System};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// Number of steps between two checks for an interrupt.
+/// Number of steps between two checks whether the user has pressed Ctrl-C.
 const PORTION: usize = 4096;
 
-/// End of a run. It contains all data that the next run needs.
+/// End of a run. It contains all data from which another run can continue.
 #[pyclass(frozen, module = "frictiongen._native", name = "StepState")]
 pub struct NativeStepState {
     saved: SystemStepSaved,
@@ -25,7 +25,7 @@ pub struct NativeStepState {
     system: Py<NativeSystem>,
 }
 
-/// Initial state of a run.
+/// State from which a run starts.
 pub enum RunStart {
     /// Every mass starts at rest.
     Rest,
@@ -36,7 +36,7 @@ pub enum RunStart {
 }
 
 impl RunStart {
-    /// Reads the initial state. The argument is absent, the end of a run, or two rows of numbers.
+    /// Reads the initial state from Python. The argument is missing, the end of a run, or two rows of numbers.
     pub fn of(given: Option<&Bound<'_, PyAny>>) -> PyResult<Self> {
         let Some(given) = given else {
             return Ok(Self::Rest);
@@ -55,7 +55,7 @@ impl RunStart {
     }
 }
 
-/// Options of a run.
+/// Options of a run over time.
 pub struct Course {
     /// Time between two samples, s.
     pub dt: f64,
@@ -63,14 +63,14 @@ pub struct Course {
     pub samples: usize,
     /// The contact and masses whose motion the run returns.
     pub parts: Vec<MovingPart>,
-    /// State from which the run starts.
+    /// State from which the run starts: rest, a given state, or the end of another run.
     pub start: RunStart,
     /// Ratio μ of static to kinetic friction. `None` means the ratio in the scene description.
     pub stiction: Option<f64>,
 }
 
-/// Returns a stepper in the initial state. The flag is true if the first sample lies at the end of a step, and false if
-/// the sample lies at the start of a step.
+/// Returns a stepper in the initial state of a run. The flag is true if the first sample is at the end of the first
+/// step, as in a continued run. It is false if the first sample is at the start of the first step.
 fn ready<'s>(
     py: Python<'_>,
     system: &'s Bound<'_, NativeSystem>,
@@ -119,7 +119,7 @@ fn ready<'s>(
     Ok((stepper, goes_on))
 }
 
-/// Returns the motion at every sample, the work of the forces, and the end of the run.
+/// Runs the stepper. Returns the motion at every sample, the work of the forces, and the end of the run.
 pub fn follow<'py, 'r>(
     system: &Bound<'py, NativeSystem>,
     course: Course,

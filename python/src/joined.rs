@@ -15,7 +15,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use rayon::prelude::*;
 
-/// Returns the indices of the named masses. Without names the function returns all masses.
+/// Returns the indices of the masses with the given names. Without names, returns the indices of all masses.
 fn masses(system: &System, given: Option<&Bound<'_, PyAny>>) -> PyResult<Vec<usize>> {
     let asked = names("of", given)?;
     if asked.is_empty() {
@@ -31,7 +31,8 @@ fn masses(system: &System, given: Option<&Bound<'_, PyAny>>) -> PyResult<Vec<usi
     indices.collect()
 }
 
-/// Computes the steady state that motion from rest approaches, over frequency and friction.
+/// Computes the steady state that motion from rest approaches, for a scene with several contacts, over frequency and
+/// friction.
 #[pyfunction]
 pub fn by_contact<'py>(
     py: Python<'py>,

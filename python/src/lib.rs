@@ -1,9 +1,9 @@
 //! `frictiongen._native`: the functions that the Python package calls, with one file for each group of functions.
 //!
 //! This crate contains no mechanics. `asked` converts Python arguments to numbers. `frictiongen::System` computes the
-//! answers, and `work` releases Python's global lock meanwhile. `columns` returns the answers as arrays by name. Their
-//! names, units and words are those of the library's tables (`frictiongen::study::columns`). The Python classes in
-//! `frictiongen/` use these functions.
+//! answers, and `work` releases Python's global lock during the computation. `columns` returns the answers as arrays
+//! by name. Names, units and words of the answers are those of the library's tables (`frictiongen::study::columns`).
+//! The Python classes in `frictiongen/` call these functions.
 #![forbid(unsafe_code)]
 
 mod asked;

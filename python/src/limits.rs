@@ -13,7 +13,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use rayon::prelude::*;
 
-/// Number of limits that the code computes between two checks for an interrupt.
+/// Number of limits that are computed between two checks whether the user has pressed Ctrl-C.
 const PORTION: usize = 4096;
 
 fn all(
@@ -31,8 +31,8 @@ fn all(
     Ok(portions.into_iter().flatten().collect())
 }
 
-/// Computes β_lim and β*_lim over frequency. With `estimates` the answer also contains the two bounds on β_lim. Without
-/// `search` it contains no limit that needs a search.
+/// Computes β_lim (limit of continuous motion) and β*_lim (limit of sliding) over frequency. With `estimates` the
+/// answer also has the two bounds on β_lim. Without `search` the answer has no limit that needs a search.
 #[pyfunction]
 pub fn limits<'py>(
     py: Python<'py>,

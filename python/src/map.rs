@@ -1,4 +1,4 @@
-//! Computes maps over frequency and friction.
+//! Computes maps of the contact's regime over frequency and friction.
 
 use crate::asked::{
     FrequencyKeywords, FrequencyValues, FrictionKeywords, FrictionValues, LoadKeywords, Optional,

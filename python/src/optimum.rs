@@ -1,4 +1,5 @@
-//! Finds the friction that minimises the largest amplitude over a frequency range, or the largest of several quotients.
+//! Finds the friction that minimises the largest amplitude over a frequency range. For several quantities, finds the
+//! friction that minimises the largest quotient of a quantity and its value.
 
 use crate::asked::{
     FrequencyKeywords, FrequencyRange, LoadKeywords, Measure, MovingPart, measure, one, quantity,
@@ -15,23 +16,23 @@ use frictiongen::study::response::MotionQuantity;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyString};
 
-/// Name of the library's list with the lines about several quantities.
+/// Name of the list of several quantities in the library's lines about an optimum.
 const WEIGHTED: &str = "weighted";
 
-/// A quantity, and the value that divides it, in the unit in which an optimum gives amplitudes.
+/// A quantity, and the value by which it is divided. The value has the unit in which an optimum gives amplitudes.
 struct Valued {
     part: MovingPart,
     value: f64,
 }
 
-/// The columns of the answer, its peaks, tolerances and sensitivities, and the name, the unit and the numbers of each of
-/// several quantities.
+/// The answer: columns of the optimum, of its peaks, of its tolerances and of its sensitivities, and an entry for
+/// each of several quantities.
 type OptimumAnswer<'py> = ([Bound<'py, PyDict>; 4], Vec<QuotientAnswer<'py>>);
 
-/// Name, unit and numbers of one of several quantities. The numbers have the keys of the library.
+/// Answer about one of several quantities: its name, its unit, and its numbers by the keys of the library.
 type QuotientAnswer<'py> = (String, &'static str, Bound<'py, PyDict>);
 
-/// Finds the optimal friction for a quantity, or for several quantities with values.
+/// Finds the best friction for a quantity, or for several quantities that are each divided by a value.
 #[pyfunction]
 pub fn optimum<'py>(
     py: Python<'py>,
@@ -99,14 +100,14 @@ fn request(part: &MovingPart, band: &FrequencyRange, measure: &Measure) -> Optim
     }
 }
 
-/// Reads the quantities with their values, in SI units.
+/// Reads quantities from Python, each with the value that divides it, in SI units.
 fn valued(system: &System, measure: &Measure, given: &Bound<'_, PyDict>) -> PyResult<Vec<Valued>> {
     if given.is_empty() {
         return Err(domain(
             "of: the dict is empty; give at least one quantity with the value that divides it",
         ));
     }
-    // The groups of an optimum refer to the load at r = 1.
+    // The non-dimensional groups of an optimum refer to the load at r = 1.
     let reference = system.angular_frequency(1.0);
     let read = |(name, value): (Bound<'_, PyAny>, Bound<'_, PyAny>)| {
         let name: String = name.extract().map_err(|_| {
@@ -136,7 +137,7 @@ fn valued(system: &System, measure: &Measure, given: &Bound<'_, PyDict>) -> PyRe
     given.iter().map(read).collect()
 }
 
-/// Finds the friction for which the largest quotient of a quantity and its value is smallest.
+/// Finds the friction that minimises the largest quotient of a quantity and its value.
 fn weighted<'py>(
     py: Python<'py>,
     system: &System,
@@ -174,7 +175,7 @@ fn weighted<'py>(
     Ok((answer, quotients(py, &values, &lines)?))
 }
 
-/// Returns the lines about each quantity.
+/// Returns the answer about each of several quantities: its name, its unit and its numbers.
 fn quotients<'py>(
     py: Python<'py>,
     values: &[(MovingPart, f64, f64)],
@@ -187,7 +188,7 @@ fn quotients<'py>(
             if let Cell::Number(value) = line.value {
                 numbers.set_item(&line.key, value)?;
             }
-            // The quotient has no unit.
+            // The quotient has no unit, so the unit is that of the first number that has one.
             if unit.is_empty() {
                 unit = line.unit;
             }
@@ -197,7 +198,7 @@ fn quotients<'py>(
     each.collect()
 }
 
-/// Returns the answer about the best friction of one quantity.
+/// Returns the columns of an optimum, of its peaks, of its tolerances and of its sensitivities.
 fn answer<'py>(
     py: Python<'py>,
     table: &OptimumTable<'_>,
@@ -217,7 +218,7 @@ fn answer<'py>(
     ])
 }
 
-/// Returns a list of the answer as columns.
+/// Returns the rows of a list, such as the peaks of an optimum, as columns.
 fn list<'py, R>(
     py: Python<'py>,
     columns: &[Column<'_, R>],

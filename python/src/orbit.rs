@@ -15,7 +15,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::sync::Arc;
 
-/// Arguments of `orbit` and `states`.
+/// Arguments of the Python functions `orbit` and `states`.
 #[derive(Clone)]
 struct OrbitKeywords {
     system: Arc<System>,
@@ -26,7 +26,7 @@ struct OrbitKeywords {
     orders: Vec<u32>,
 }
 
-/// Function that computes the rows of the tables at a point.
+/// Function that computes the rows of the answer at one frequency and one friction, one row for each steady state.
 type Rows = fn(
     &OrbitTable<'_>,
     &SystemAt<'_>,
@@ -43,7 +43,7 @@ impl OrbitKeywords {
         }
     }
 
-    /// Returns the columns of each steady state.
+    /// Returns the columns of each steady state, as `rows` computes them.
     fn answer<'py>(&self, py: Python<'py>, rows: Rows) -> PyResult<Vec<Bound<'py, PyDict>>> {
         let frequency = self.frequencies.only(&self.system)?;
         let (table, friction) = (self.table(), self.frictions.only()?);
@@ -63,7 +63,7 @@ impl OrbitKeywords {
     }
 }
 
-/// Reads the arguments. The harmonics begin with the mean value, order 0.
+/// Reads the arguments of `orbit` and `states`. The harmonics of the answer begin with the mean value, order 0.
 fn question<'py>(
     system: &NativeSystem,
     (frequency, friction): (&FrequencyKeywords<'py>, &FrictionKeywords<'py>),

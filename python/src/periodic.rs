@@ -1,4 +1,4 @@
-//! Computes steady states under any periodic load.
+//! Computes steady states under a periodic load of any form.
 
 use crate::asked::{self, FrictionValues, Measure, Optional, check_size, names, parts};
 use crate::columns::NamedArrays;
@@ -16,10 +16,10 @@ use std::sync::Arc;
 /// The Python arguments `load`, `period` and `hold`.
 type PeriodArguments<'py> = (Bound<'py, PyAny>, Bound<'py, PyAny>, bool);
 
-/// The answer: the columns of the steady states, and the columns of each motion over a period.
+/// The answer: columns of the steady states, and columns of each motion over one period.
 type PeriodicAnswer<'py> = (Bound<'py, PyDict>, Vec<Bound<'py, PyDict>>);
 
-/// Finds the steady state at one friction force.
+/// Finds the steady state under a periodic load at one friction force.
 fn row(
     system: &System,
     request: &PeriodicRequest,
@@ -92,7 +92,7 @@ pub fn periodic<'py>(
     Ok((arrays.done(), motions(py, &table, shown)?))
 }
 
-/// Returns the columns of each motion over a period.
+/// Returns the columns of each state's motion over one of its periods.
 fn motions<'py>(
     py: Python<'py>,
     table: &PeriodicTable<'_>,

@@ -14,7 +14,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use rayon::prelude::*;
 
-/// Computes the response over frequency and friction.
+/// Computes the response in every regime, over frequency and friction.
 #[pyfunction]
 pub fn response<'py>(
     py: Python<'py>,

@@ -14,7 +14,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::sync::Arc;
 
-/// Returns the derivatives at one point as columns, with one row for each parameter.
+/// Returns the derivatives of a response and of the limits at one point as columns, with one row for each parameter.
 #[pyfunction]
 pub fn sensitivities<'py>(
     py: Python<'py>,

@@ -1,4 +1,4 @@
-//! Computes the motion over time: samples and events.
+//! Computes the motion under a harmonic load over time: samples and events.
 
 use crate::asked::{
     FrequencyKeywords, FrequencyValues, FrictionKeywords, FrictionValues, LoadKeywords, Measure,
@@ -15,11 +15,11 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::sync::Arc;
 
-/// Largest number of cycles, of skipped cycles, and of samples in a cycle.
+/// Largest number of cycles, of skipped cycles, and of samples in one cycle.
 const MOST: u32 = MOST_SAMPLES as u32;
 
-/// Python arguments of a run: number of cycles, number of skipped cycles, samples in a cycle, initial state, and a flag
-/// for one period of the steady state.
+/// Python arguments of a run: number of cycles, number of skipped cycles, samples in a cycle, initial state, and a
+/// flag that asks for one period of the steady state.
 type RunKeywords<'py> = (
     Optional<'py>,
     Optional<'py>,
@@ -28,7 +28,7 @@ type RunKeywords<'py> = (
     bool,
 );
 
-/// Reads displacements and velocities of all masses, and returns them as non-dimensional groups.
+/// Reads displacements and velocities of all masses from Python, and returns them as non-dimensional groups.
 fn start(
     (displacements, velocities): &(Bound<'_, PyAny>, Bound<'_, PyAny>),
     system: &System,
@@ -62,7 +62,7 @@ fn start(
     ))
 }
 
-/// Computes samples and events of a run, or of one period of the steady state.
+/// Computes samples and events of a motion over time, or of one period of the steady state.
 #[pyfunction]
 pub fn simulate<'py>(
     py: Python<'py>,

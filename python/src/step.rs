@@ -1,4 +1,4 @@
-//! Computes the motion under any load, sample by sample.
+//! Computes the motion under a load that is given at every sample.
 
 use crate::asked::{Optional, numbers, one, parts};
 use crate::errors::domain;
@@ -16,7 +16,7 @@ type Acting<'py> = (Optional<'py>, Optional<'py>, Optional<'py>);
 /// The initial state, and the ratio μ of static to kinetic friction.
 pub type Beginning<'py> = (Optional<'py>, Optional<'py>);
 
-/// The load over time.
+/// A load over time, with one number for each sample.
 struct LoadRecord {
     /// The excitation: forces in N, or displacements and velocities of the base.
     excitation: Excited,
@@ -30,7 +30,7 @@ enum Excited {
     Base(Vec<f64>, Vec<f64>),
 }
 
-/// Reads one number for each sample, or one number for all samples.
+/// Reads a load or friction over time: one number for each sample, or one number for all samples.
 fn course(argument: &str, given: &Bound<'_, PyAny>, samples: Option<usize>) -> PyResult<Vec<f64>> {
     let given = numbers(argument, given)?;
     if let Some(place) = given.values.iter().position(|value| !value.is_finite()) {

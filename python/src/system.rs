@@ -34,7 +34,7 @@ impl NativeSystem {
         }
     }
 
-    /// Returns a description of the system.
+    /// Returns the scene of the system as a description.
     fn description(&self) -> String {
         self.system.description()
     }
@@ -44,7 +44,8 @@ impl NativeSystem {
         self.system.scene() == other.system.scene()
     }
 
-    /// Returns the system with other values of some numbers. Each number has its symbol, as in lists of derivatives.
+    /// Returns the system with other values of some numbers. A symbol selects each number, as in the lists of
+    /// derivatives.
     fn with_values(&self, py: Python<'_>, values: Vec<(String, f64)>) -> PyResult<Self> {
         py.detach(|| {
             let mut system = System::clone(&self.system);
@@ -67,14 +68,14 @@ impl NativeSystem {
         )
     }
 
-    /// Returns the masses, kg.
+    /// Returns the values of the masses, kg.
     #[getter]
     fn mass_values<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
         let masses = self.system.scene().masses.iter();
         PyArray1::from_vec(py, masses.map(|mass| mass.value).collect())
     }
 
-    /// Returns the springs. Each has the names of both ends, and its stiffness in N/m.
+    /// Returns the springs, each as the names of both ends and the stiffness in N/m.
     #[getter]
     fn springs(&self) -> Vec<(String, String, f64)> {
         let scene = self.system.scene();
@@ -85,7 +86,7 @@ impl NativeSystem {
             .collect()
     }
 
-    /// Returns the contacts. Each has its name and the names of its two nodes.
+    /// Returns the contacts, each as its name and the names of the two nodes between which it acts.
     #[getter]
     fn contacts(&self) -> Vec<(String, String, String)> {
         let scene = self.system.scene();
@@ -124,7 +125,7 @@ impl NativeSystem {
         }
     }
 
-    /// Returns the natural frequencies, rad/s.
+    /// Returns the undamped natural frequencies, rad/s.
     #[getter]
     fn natural_frequencies<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
         PyArray1::from_vec(py, self.system.natural_frequencies())

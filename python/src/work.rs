@@ -1,4 +1,4 @@
-//! Runs computations without Python's global lock, and stops or leaves them at Ctrl-C.
+//! Runs computations without Python's global lock, and stops or leaves them if the user presses Ctrl-C.
 
 use crate::errors::{defect, domain};
 use pyo3::prelude::*;
@@ -8,10 +8,10 @@ use std::sync::{Arc, Mutex};
 use std::thread::{self, Thread};
 use std::time::Duration;
 
-/// Longest delay between Ctrl-C and the reaction of the program.
+/// Longest delay between Ctrl-C and the check for it.
 const PATIENCE: Duration = Duration::from_millis(50);
 
-/// Notifies the waiting thread when the work ends, even by a panic.
+/// Wakes the waiting thread when the work ends. This also happens if the work panics.
 struct Bell<'a> {
     done: &'a AtomicBool,
     waiting: Thread,
@@ -24,18 +24,18 @@ impl Drop for Bell<'_> {
     }
 }
 
-/// Request to stop the work.
+/// Flag by which one thread asks the work on another thread to stop.
 pub struct Stop(AtomicBool);
 
 impl Stop {
-    /// Returns true if no stop was requested.
+    /// Returns true as long as no stop was requested.
     pub fn goes_on(&self) -> bool {
         !self.0.load(Ordering::Relaxed)
     }
 }
 
-/// Runs `work` on a thread of its own without Python's global lock, and returns the result. Ctrl-C requests a stop, and
-/// the function raises the interrupt when `work` has ended. So `work` must check for the request a few times a second.
+/// Runs `work` on a thread of its own, without Python's global lock, and returns the result. Ctrl-C requests a stop. The
+/// function raises the interrupt when `work` has ended, so `work` must check for the request a few times a second.
 /// [`left_at_interrupt`] is for computations that cannot check.
 pub fn without_lock<T: Send>(py: Python<'_>, work: impl FnOnce(&Stop) -> T + Send) -> PyResult<T> {
     let stop = Stop(AtomicBool::new(false));

@@ -1,4 +1,4 @@
-//! Measuring tools of both programs.
+//! Measures the instructions and the stack of a call on the emulated processor.
 #![no_std]
 
 pub mod stack;

@@ -1,4 +1,4 @@
-//! Every call on the emulated processor: its values, its instructions and its stack.
+//! Makes every call on the emulated processor. Prints its values, its instructions and its stack.
 #![no_std]
 #![no_main]
 
@@ -29,10 +29,10 @@ fn ticks<S: Copy>(timer: &mut SYST, call: &Call<S>, input: &Input<S>, times: u64
     })
 }
 
-/// Ticks of a call beyond which a single measurement is exact enough.
+/// A call that takes more ticks of the timer than this number is measured once. Shorter calls are repeated.
 const LONG: u64 = 10_000_000;
 
-/// Returns the instructions of a call, including those of the loop around it.
+/// Returns the number of instructions of a call, including those of the loop around it.
 fn instructions<S: Copy>(timer: &mut SYST, call: &Call<S>, input: &Input<S>) -> u64 {
     let once = ticks(timer, call, input, 1);
     if LONG < once {
@@ -84,7 +84,7 @@ fn main() -> ! {
     }
 }
 
-/// Prints the largest instruction count and stack over all inputs.
+/// Prints the largest number of instructions and the largest stack of a call over all inputs.
 fn cost<S: Copy>(timer: &mut SYST, call: &Call<S>, inputs: &[Input<S>]) {
     let (mut slowest, mut deepest) = (0, 0);
     for input in inputs {
@@ -102,7 +102,7 @@ fn cost<S: Copy>(timer: &mut SYST, call: &Call<S>, inputs: &[Input<S>]) {
     );
 }
 
-/// A call that does nothing, for the overhead of the measurement.
+/// A call that does nothing. Its measurement is the overhead of all measurements.
 const NOTHING: Call<f32> = Call {
     scene: "none",
     question: "a call that returns what it is given",
@@ -114,15 +114,17 @@ fn nothing(input: &Input<f32>) -> [f32; 2] {
     [input.r, input.beta]
 }
 
-/// Number of frequencies in a sweep.
+/// Number of frequency ratios in a sweep.
 const FREQUENCIES: u32 = 1000;
-/// Sweep of exact limits, from r = 0.05 to 5: the first r, and the ratio of each r to the previous one.
+/// Sweep of exact limits over the frequency ratio r, from 0.05 to 5: the first r, and the ratio of each r to the one
+/// before it.
 const EXACT: (f32, f32) = (0.05, 1.004_615_8);
-/// Sweep of tables, from r = 0.2 to 2.5, just inside their range: the first r, and the ratio of each r to the previous
-/// one.
+/// Sweep of tables over the frequency ratio r, from 0.2 to 2.5 and just inside their range: the first r, and the
+/// ratio of each r to the one before it.
 const TABLED: (f32, f32) = (0.2001, 1.002_53);
 
-/// Returns the smallest and the largest instruction count and stack over a sweep. `beta` gives β at each r.
+/// Measures a call over a sweep of frequency ratios. Returns the smallest and the largest number of instructions and
+/// stack in bytes. `beta` gives the friction ratio at each frequency ratio.
 fn swept(
     timer: &mut SYST,
     call: &Call<f32>,
@@ -160,14 +162,15 @@ fn print_swept(call: &Call<f32>, which: &str, (count, depth): (u64, usize)) {
     );
 }
 
-/// Sweeps exact limits, because a search takes longer next to resonances and their subharmonics than elsewhere.
+/// Measures a call for exact limits over a sweep. Next to resonances and their subharmonics, its search takes longer
+/// than elsewhere.
 fn sweep(timer: &mut SYST, call: &Call<f32>) {
     let [_, most] = swept(timer, call, EXACT, |_| 0.0);
     print_swept(call, "worst", most);
 }
 
-/// Sweeps tables, which take equally long everywhere. β is half the smaller limit of the five masses, whose motion is
-/// called.
+/// Measures a call that reads tables over a sweep. Such a call takes equally long everywhere. The friction ratio is
+/// half the smaller limit of the five masses, so that their motion is continuous.
 fn sweep_tabled(timer: &mut SYST, call: &Call<f32>) {
     let [least, most] = swept(timer, call, TABLED, |input| {
         let [continuous, sliding] = tabled_five_limits(input);

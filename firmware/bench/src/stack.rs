@@ -1,8 +1,9 @@
-//! Stack of a call: the memory below the stack pointer is painted, and read back afterwards.
+//! Measures the stack of a call: fills the memory below the stack pointer with a pattern, and reads it back after the
+//! call.
 
 use core::arch::asm;
 
-/// Number of bytes that are painted, more than any call needs.
+/// Number of bytes below the stack pointer that are filled with the pattern. No call needs as many.
 const PAINTED: usize = 64 * 1024;
 const PAINT: u32 = 0xa5a5_5a5a;
 
@@ -13,12 +14,12 @@ fn pointer() -> usize {
     pointer
 }
 
-/// Returns the number of bytes below this function's own frame that the call has written.
+/// Runs a call and returns the number of bytes that it has written below the frame of this function.
 pub fn depth(call: impl FnOnce()) -> usize {
     depth_within(PAINTED, call)
 }
 
-/// Does the same as [`depth`], for a call that is known to need less than `painted` bytes.
+/// Measures a call as [`depth`] does, but fills only `painted` bytes. The call must need fewer bytes of stack.
 #[inline(never)]
 pub fn depth_within(painted: usize, call: impl FnOnce()) -> usize {
     let top = pointer() & !3;

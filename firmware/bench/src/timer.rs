@@ -1,19 +1,19 @@
-//! Number of instructions, from a timer that counts emulated time.
+//! Counts the instructions of a call, with a timer that counts emulated time.
 
 use core::sync::atomic::{AtomicU32, Ordering};
 use cortex_m::peripheral::SYST;
 use cortex_m::peripheral::syst::SystClkSource;
 use cortex_m_rt::exception;
 
-/// Ticks in [`INSTRUCTIONS`] instructions. The timer counts at 25 MHz and the emulator takes 64 ns for an instruction,
-/// so eight ticks are five instructions.
+/// Number of timer ticks that [`INSTRUCTIONS`] instructions take. The timer counts at 25 MHz, and the emulator takes
+/// 64 ns for an instruction. Eight ticks are therefore five instructions.
 pub const TICKS: u64 = 8;
-/// Instructions in [`TICKS`] ticks.
+/// Number of instructions that take [`TICKS`] ticks of the timer.
 pub const INSTRUCTIONS: u64 = 5;
-/// Number of values of the 24-bit timer.
+/// Number of different values of the 24-bit timer.
 const RANGE: u64 = 1 << 24;
 
-/// Number of overflows of the timer.
+/// Number of overflows of the timer since the start of the measurement.
 static TURNS: AtomicU32 = AtomicU32::new(0);
 
 #[exception]
@@ -21,7 +21,7 @@ fn SysTick() {
     TURNS.store(TURNS.load(Ordering::Relaxed) + 1, Ordering::Relaxed);
 }
 
-/// Starts the timer.
+/// Starts the timer and its interrupt, which counts overflows.
 pub fn set_up(timer: &mut SYST) {
     timer.set_clock_source(SystClkSource::Core);
     timer.set_reload(0x00ff_ffff);
@@ -29,7 +29,7 @@ pub fn set_up(timer: &mut SYST) {
     timer.enable_counter();
 }
 
-/// Returns the ticks that a call takes.
+/// Returns the number of timer ticks that a call takes.
 #[inline(always)]
 pub fn ticks(timer: &mut SYST, run: impl FnOnce()) -> u64 {
     // Writing to the counter reloads it without an interrupt.

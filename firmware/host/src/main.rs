@@ -1,4 +1,4 @@
-//! Every call on the host. The values of the targets are compared with these values bit for bit.
+//! Makes every call on the host and prints its values. The values of the targets must equal them bit for bit.
 #![forbid(unsafe_code)]
 
 use scenes::calls::{DOUBLE, INPUTS, INPUTS_SINGLE, SINGLE};
@@ -7,7 +7,7 @@ use scenes::steps::images::report;
 use scenes::steps::machines::{Visitor, visit};
 use scenes::steps::script::{Tone, Weather, played};
 
-/// Prints the final states of the steppers.
+/// Prints the final state of each stepper that it visits.
 struct Ends;
 
 impl Visitor for Ends {

@@ -1,8 +1,8 @@
-//! Images that contain only a few calls, to measure their size and what they link.
+//! Defines small programs with a few calls each. They show the size of an image, and which code it contains.
 #![no_std]
 
-/// A program that runs the given calls. Its panic handler calls a function that does not exist. The image therefore
-/// links only if no panic can be reached.
+/// Defines a program that makes the given calls. Its panic handler calls a function that does not exist. If any call
+/// could panic, the linker would therefore fail.
 #[macro_export]
 macro_rules! image {
     ($($call:ident $inputs:ident),*) => {
@@ -26,8 +26,8 @@ macro_rules! image {
     };
 }
 
-/// A program that steps a machine from rest under the given input. It links only if no panic can be reached, as
-/// `image!` does.
+/// Defines a program that advances a machine from rest under the given input. As in `image!`, the linker fails if any
+/// step could panic.
 #[macro_export]
 macro_rules! stepping {
     ($machine:ident) => {

@@ -1,5 +1,6 @@
-//! An observer. It gets what a sensor recorded of the base, and returns the position of the upper floor and the force
-//! in the damper. Both are compared with the recordings of other sensors.
+//! An observer: a program that computes quantities which no sensor measures. From the recorded motion of the base it
+//! computes the position of the upper floor and the force in the damper. It compares both with the recordings of
+//! other sensors.
 #![no_std]
 #![no_main]
 
@@ -35,10 +36,10 @@ fn panic(_: &PanicInfo) -> ! {
 /// Recording at 1 kHz with four 16-bit counts a sample: displacement and velocity of the base, displacement of the
 /// upper floor, force in the damper.
 static RECORDING: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/recording.bin"));
-/// Values of one count: m, m/s, m, N.
+/// The value of one count, for each quantity of the recording: in m, m/s, m and N.
 const COUNTS: [f32; 4] = [1e-6, 1e-5, 1e-6, 1e-3];
-/// Standard deviations of the sensors at the upper floor and in the damper. The check allows a tenth more, for the
-/// noise of the input.
+/// Standard deviations of the sensors at the upper floor, in m, and in the damper, in N. The check allows a tenth
+/// more, because the input also has noise.
 const NOISE: [f32; 2] = [1e-5, 0.02];
 /// Friction force of the damper, N.
 const FRICTION: f32 = 3.5;
@@ -56,13 +57,14 @@ fn samples() -> impl Iterator<Item = [f32; 4]> {
     })
 }
 
-/// Results of a run.
+/// Results of the observer over the whole recording.
 #[derive(Default)]
 struct Found {
     steps: u32,
     sticking: u32,
     events: u32,
-    /// Deviation of the displacement, and below it of the force: the largest one, and the sum of squares.
+    /// Deviations of the computed displacement from the recorded one: the largest, and the sum of their squares.
+    /// `force` has the same for the force.
     place: [f32; 2],
     force: [f32; 2],
     /// Number of samples in which the force deviates by more than a tenth of F.
@@ -127,7 +129,7 @@ fn main() -> ! {
     }
 }
 
-/// Prints the results, and returns `true` if the deviations are within the noise of the sensors.
+/// Prints the results. Returns true if the deviations are within the noise of the sensors.
 fn print(found: &Found) -> bool {
     let steps = found.steps as f32;
     let [place, force] = [found.place[1], found.force[1]].map(|sum| root_of(sum / steps));

@@ -7,7 +7,7 @@ use scenes::steps::machines::{Visitor, visit};
 use scenes::steps::script::Tone;
 use std::hint::black_box;
 
-/// Starts and steps every machine.
+/// Creates and advances the stepper of each machine that it visits.
 struct Steps(usize);
 
 impl Visitor for Steps {

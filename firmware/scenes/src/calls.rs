@@ -5,14 +5,14 @@ use frictiongen::kernel::Scalar;
 use frictiongen::watch::{Watch, friction_ratio, transmissibility};
 use frictiongen::{Complex, Error};
 
-/// Arguments of a call: frequency ratio, friction ratio, τ.
+/// Arguments of a call: the frequency ratio r, the friction ratio β and the phase τ.
 #[derive(Clone, Copy, Debug)]
 pub struct Input<S> {
     /// Frequency ratio r.
     pub r: S,
     /// Friction ratio β.
     pub beta: S,
-    /// Phase τ.
+    /// Phase τ = ωt of the excitation.
     pub tau: S,
 }
 
@@ -27,13 +27,13 @@ pub struct Call<S> {
 }
 
 impl<S> Call<S> {
-    /// Returns `true` if the scene answers from tables.
+    /// Returns true if the scene computes its quantities from tables.
     pub fn is_tabled(&self) -> bool {
         self.scene.ends_with("to 1e-4")
     }
 }
 
-/// Inputs of every call: continuous motion below, between and above the resonances.
+/// The inputs with which every call is made. They give continuous motion below, between and above the resonances.
 pub const INPUTS: [Input<f64>; 4] = [
     Input {
         r: 0.9,
@@ -77,7 +77,7 @@ pub const INPUTS_SINGLE: [Input<f32>; 4] = {
     inputs
 };
 
-/// Defines each call as a function of its own, so that each can be proved and linked alone.
+/// Defines each call as a function of its own. Each can then be linked alone and be proved free of panics.
 macro_rules! calls {
     ($scalar:ident $list:ident $count:literal: $($name:ident $scene:literal $question:literal
         |$input:ident| $body:expr;)*) => {
@@ -98,10 +98,10 @@ macro_rules! calls {
     };
 }
 
-/// Zero amplitude.
+/// A complex amplitude of zero.
 const NOTHING: Complex<f32> = Complex { re: 0.0, im: 0.0 };
 
-/// Factor on the friction of the continuous motions that makes the contact stop.
+/// Factor by which the friction of [`INPUTS`] grows so that the contact stops in each cycle.
 const STOPPING: f32 = 10.0;
 
 calls! { f32 SINGLE 40:

@@ -18,7 +18,7 @@ frictiongen::friction_system! {
     }
 }
 
-/// Creates a stepper at rest.
+/// Creates a stepper of the scene at rest.
 #[inline(never)]
 #[cfg_attr(feature = "prove", no_panic::no_panic)]
 pub fn start() -> Option<StoreysStepper> {
@@ -38,7 +38,7 @@ pub fn advance(
     Some((events, run.pads().force()))
 }
 
-/// Follows the motion from rest over a part of a cycle.
+/// Computes the motion from rest over a part of a cycle.
 #[inline(never)]
 #[cfg_attr(feature = "prove", no_panic::no_panic)]
 pub fn simulate(r: f32, beta: f32, tau: f32) -> Option<f32> {
@@ -47,7 +47,7 @@ pub fn simulate(r: f32, beta: f32, tau: f32) -> Option<f32> {
     Some(run.upper().displacement())
 }
 
-/// Computes the friction from which no contact slides.
+/// Computes the friction ratio from which no contact slides.
 #[inline(never)]
 #[cfg_attr(feature = "prove", no_panic::no_panic)]
 pub fn stuck_from(r: f32) -> Option<(f32, &'static str)> {
@@ -55,7 +55,8 @@ pub fn stuck_from(r: f32) -> Option<(f32, &'static str)> {
     Some((stuck.limit(), stuck.first()))
 }
 
-/// Computes a steady state. Returns the amplitude of the upper mass and the energy that the brace takes in a cycle.
+/// Computes the steady state of the scene. Returns the amplitude of the upper mass and the energy that the brace
+/// dissipates in a cycle.
 #[inline(never)]
 #[cfg_attr(feature = "prove", no_panic::no_panic)]
 pub fn settle(r: f32, beta: f32) -> Option<(f32, f32)> {

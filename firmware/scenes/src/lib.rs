@@ -8,7 +8,8 @@ pub mod joined;
 pub mod steps;
 pub mod tabled;
 
-/// Scenes that each provide only what one call needs. An item that is not provided is not in the image.
+/// Scenes that each provide the functions of one kind of call. A function that a scene does not provide is not in the
+/// image.
 pub mod least {
     /// A scene with limits only.
     pub mod limits {
@@ -40,7 +41,7 @@ pub mod least {
     }
 }
 
-/// Scenes with the steady state including its stops.
+/// Scenes that provide steady states with stops of the contact.
 pub mod stopping {
     frictiongen::friction_system! {
         /// One mass that rubs on a wall.

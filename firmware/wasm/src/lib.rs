@@ -1,4 +1,4 @@
-//! Calls for a wasm host, by index. Each returns the 32 or 64 bits of one of the call's two values.
+//! Makes the calls by their index for a wasm host. Each function returns the bits of one of the two values of a call.
 #![no_std]
 
 use scenes::calls::{DOUBLE, INPUTS, INPUTS_SINGLE, SINGLE};
@@ -26,7 +26,8 @@ pub extern "C" fn input_count() -> usize {
     INPUTS.len()
 }
 
-/// Returns the bits of value `which` of a call in single precision.
+/// Returns the bits of one value of a call in single precision. `call` and `input` are indices, and `which` is 0 or
+/// 1.
 #[unsafe(no_mangle)]
 pub extern "C" fn single(call: usize, input: usize, which: usize) -> u32 {
     let (Some(call), Some(input)) = (SINGLE.get(call), INPUTS_SINGLE.get(input)) else {
@@ -36,7 +37,8 @@ pub extern "C" fn single(call: usize, input: usize, which: usize) -> u32 {
     values.get(which).map_or(0, |value| value.to_bits())
 }
 
-/// Returns the bits of value `which` of a call in double precision.
+/// Returns the bits of one value of a call in double precision. `call` and `input` are indices, and `which` is 0 or
+/// 1.
 #[unsafe(no_mangle)]
 pub extern "C" fn double(call: usize, input: usize, which: usize) -> u64 {
     let (Some(call), Some(input)) = (DOUBLE.get(call), INPUTS.get(input)) else {

@@ -1,10 +1,11 @@
-//! Arithmetic for functions of frequency. The values are numbers, intervals, or intervals with a slope.
+//! Arithmetic for functions of frequency, over numbers, over intervals, or over intervals with a slope.
 
 use super::Interval;
 use frictiongen_kernel::Scalar;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// Trait of an arithmetic for functions of frequency: numbers, intervals, or intervals with slopes.
+/// Trait of numbers with which functions of frequency can be evaluated: numbers, intervals, or intervals with a
+/// slope.
 pub trait Arithmetic:
     Copy
     + Add<Output = Self>
@@ -13,7 +14,7 @@ pub trait Arithmetic:
     + Div<Output = Self>
     + Neg<Output = Self>
 {
-    /// Returns the given number in this arithmetic.
+    /// Returns the number `value` in this arithmetic.
     fn number(value: f64) -> Self;
     /// Returns π in this arithmetic.
     fn pi() -> Self;
@@ -53,7 +54,7 @@ impl Arithmetic for Interval {
     }
 }
 
-/// Bounds of a function and of its slope over an interval of the variable.
+/// Bounds on a function and on its slope, over an interval of the variable.
 #[derive(Clone, Copy, Debug)]
 pub struct Jet {
     /// Bounds of the function.
@@ -63,14 +64,14 @@ pub struct Jet {
 }
 
 impl Jet {
-    /// Returns the jet of a constant.
+    /// Returns the bounds on a constant function, whose slope is 0.
     #[must_use]
     pub fn fixed(value: Interval) -> Self {
         let slope = Interval::point(0.0);
         Self { value, slope }
     }
 
-    /// Returns the jet of the variable itself.
+    /// Returns the bounds on the variable itself, whose slope is 1.
     #[must_use]
     pub fn variable(value: Interval) -> Self {
         let slope = Interval::point(1.0);
@@ -164,8 +165,8 @@ mod tests {
         (sine * h - cosine.squared()) / (h.squared() + T::number(0.5)) + -h
     }
 
-    /// Checks that the interval result contains the values at points, and that its slope contains the difference
-    /// quotients.
+    /// Checks that a result over an interval contains the values at points of the interval, and that its slope
+    /// contains the difference quotients.
     #[test]
     fn hold_what_they_should() {
         let mut state = 7_u64;

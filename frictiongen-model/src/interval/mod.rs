@@ -1,5 +1,5 @@
-//! Interval arithmetic with outward rounding. The resulting interval contains every value that the function takes.
-//! Intervals can also bound the slope of the function.
+//! Interval arithmetic with outward rounding. A result contains every value that the function takes over the
+//! interval. A result may also contain the slope of the function.
 
 mod jet;
 
@@ -18,17 +18,17 @@ pub struct Interval {
     pub high: f64,
 }
 
-/// Absolute error bound of the kernel's sine and cosine. Their error is at most 1.1 units in the last place.
+/// Bound on the absolute error of the kernel's sine and cosine, which is at most 1.1 units in the last place.
 const SINE: f64 = 1e-15;
 /// 1 minus one unit in the last place of 1.
 const BELOW: f64 = 1.0 - f64::EPSILON;
 /// 1 plus one unit in the last place of 1.
 const ABOVE: f64 = 1.0 + f64::EPSILON;
-/// Allowance for underflow in a product. A subnormal number would be large enough, but processors compute much more
-/// slowly with subnormal numbers. Products with this number are still normal.
+/// Allowance for underflow in a product. A subnormal number would suffice, but processors compute much more slowly
+/// with subnormal numbers. Products with this number are normal.
 pub const TINY: f64 = 1e-290;
-/// Relative error bound of libm's exponential. The exponential is correct to one unit in the last place, and the bound
-/// is more than two units.
+/// Bound on the relative error of libm's exponential, which is correct to one unit in the last place. The bound is
+/// more than two units.
 const EXPONENTIAL: f64 = 5e-16;
 
 impl Interval {
@@ -68,7 +68,7 @@ impl Interval {
         Self::outward(value, value)
     }
 
-    /// Returns an interval for a double-double number.
+    /// Returns an interval that contains a double-double number.
     #[must_use]
     pub fn of(value: Dd) -> Self {
         if value.lo == 0.0 && value.hi.is_finite() {
@@ -99,7 +99,7 @@ impl Interval {
         })
     }
 
-    /// Returns an interval for π.
+    /// Returns an interval that contains π.
     #[must_use]
     pub fn pi() -> Self {
         // The nearest double is below π.
@@ -122,11 +122,11 @@ impl Interval {
 
     /// Returns the interval with its bounds rounded outward. Returns `ALL` if a bound is NaN.
     ///
-    /// The code computes a product and a difference instead of the next representable number. In a macro, which runs
-    /// without optimisation, a function call for the next number would take longer.
+    /// The code computes a product and a difference, not the next representable number. In a macro, which runs
+    /// without optimisation, a call for the next representable number would take longer.
     #[inline(always)]
     fn outward(low: f64, high: f64) -> Self {
-        // The product shifts a bound by at least one and at most two units in the last place. `TINY` covers underflow.
+        // The product shifts a bound outward by one or two units in the last place. `TINY` covers underflow.
         let low = if low > 0.0 { low * BELOW } else { low * ABOVE } - TINY;
         let high = if high > 0.0 {
             high * ABOVE
@@ -143,7 +143,8 @@ impl Interval {
         Self { low, high }
     }
 
-    /// Returns the bounds of a product, rounded to nearest. The product of 0 and an infinite bound is NaN.
+    /// Returns the bounds of the product of two intervals, rounded to nearest. If 0 meets an infinite bound, a bound
+    /// is NaN.
     #[inline(always)]
     #[must_use]
     pub fn ends_times(self, other: Self) -> (f64, f64) {
@@ -202,7 +203,7 @@ impl Interval {
         0.5 * self.low + 0.5 * self.high
     }
 
-    /// Returns the largest magnitude of a number in the interval.
+    /// Returns the largest modulus of a number in the interval.
     #[inline(always)]
     #[must_use]
     pub fn size(&self) -> f64 {
@@ -221,7 +222,7 @@ impl Interval {
         Self::new(self.low.min(other.low), self.high.max(other.high))
     }
 
-    /// Returns z cot z for |z| < 1. The value lies between 1 − 0.36z² and 1.
+    /// Returns z cot z for all z in the interval, for |z| < 1. The values are between 1 − 0.36z² and 1.
     #[must_use]
     pub fn cotangent_times(self) -> Self {
         let most = self.size();
@@ -270,19 +271,19 @@ impl Interval {
             let all = Self::new(-1.0, 1.0);
             return (all, all);
         }
-        // sin πh = cos π(h − ½), so the extremes of the sine are the extremes of the cosine, shifted by ½ in h.
+        // sin πh = cos π(h − ½), so the extremes of the sine are those of the cosine, shifted by ½ in h.
         let sine = Self::wave([low.0, high.0], [self.low - 0.5, self.high - 0.5]);
         let cosine = Self::wave([low.1, high.1], [self.low, self.high]);
         (sine, cosine)
     }
 
-    /// Returns the bounds of cos πh for h between two bounds, from the values of the cosine at both bounds.
+    /// Returns the bounds of cos πh for h from `from` to `to`. `first` and `last` are the values at these ends.
     #[inline]
     fn wave([first, last]: [f64; 2], [from, to]: [f64; 2]) -> Self {
         let mut low = first.min(last) - SINE;
         let mut high = first.max(last) + SINE;
-        // A whole number h within rounding of a bound counts as inside, because cos πh has its extremes at whole
-        // numbers.
+        // An integer h that is within rounding of an end counts as inside, because cos πh has its extremes at
+        // integers.
         let slack = 2.0 * f64::EPSILON * (1.0 + from.abs() + to.abs());
         let (least, most) = ((from - slack).ceil(), (to + slack).floor());
         if least <= most {
@@ -300,7 +301,7 @@ impl Interval {
 }
 
 impl Interval {
-    /// Returns the product of two intervals, for intervals that both contain 0 or that have an infinite bound.
+    /// Returns the product of two intervals that both contain 0, or of which one has an infinite bound.
     fn straddling(self, other: Self) -> Self {
         let Self { low: a, high: b } = self;
         let Self { low: c, high: d } = other;
@@ -337,7 +338,7 @@ impl Neg for Interval {
     }
 }
 
-/// Returns the product of two bounds. The product of 0 and an infinite bound is 0.
+/// Returns the product of two bounds. The product of 0 and infinity is 0.
 #[inline]
 fn product(a: f64, b: f64) -> f64 {
     let product = a * b;

@@ -8,21 +8,21 @@ use super::split::Landmarks;
 use super::worst::Worst;
 use frictiongen_kernel::Float;
 
-/// Number of comparison points in each piece. The distance between neighbouring points is at most 1/46 of the length of
-/// the piece. For a macro without a proof, this check is the only evidence.
+/// Number of comparison points in each polynomial piece. Neighbouring points are at most 1/46 of the piece's length
+/// apart. For a macro without a proof, this comparison is the only evidence of the accuracy.
 const POINTS: usize = 64;
-/// Closest distance of a comparison point from a zero, in decades. It is 10^−13 of the length of the piece.
+/// Number of decades down to which comparison points approach a zero: to 10^−13 of the piece's length.
 const DECADES: f64 = 13.0;
 /// Number of frequency ratios, spread over the range, at which the check compares a product over zeros and poles with
-/// the exact values. Further points are near zeros, resonances and sub-harmonics.
+/// exact values. Additional points are near zeros, resonances and subharmonics.
 const PRODUCT_POINTS: usize = 256;
-/// Allowed error of r in the comparison, in rounding units. It covers the rounding of r in the computation of an exact
-/// value.
+/// Change of r, in rounding units, whose effect is allowed in the comparison. It covers the rounding of r in the
+/// computation of an exact value.
 pub(super) const ROUNDINGS: f64 = 8.0;
-/// The golden section. The fractional parts of its multiples are evenly spread over an interval.
+/// The golden section. The fractional parts of its multiples are evenly spread between 0 and 1.
 pub(super) const GOLDEN: f64 = 0.618_033_988_749_894_8;
 
-/// Compares a polynomial piece with the exact values. Returns the largest error divided by the allowed error, the r of
+/// Compares a polynomial piece with exact values. Returns the largest error divided by the allowed error, the r of
 /// this error, and the number of compared points.
 pub(super) fn piece<S: Float>(
     comparison: &mut Comparison<'_, '_, S>,
@@ -37,14 +37,14 @@ pub(super) fn piece<S: Float>(
     let spread = (0..POINTS).map(|k| from + (GOLDEN * (k + 1) as f64).fract() * (to - from));
     let mut places: Vec<f64> = spread.collect();
     if let Some(zero) = zero {
-        // Close to a zero the relative error must stay small. Every decade of the distance to the zero therefore gets
-        // the same number of points.
+        // Close to a zero the relative error must stay small. Every decade of the distance from the zero therefore
+        // has the same number of points.
         let length = if zero.at > from { from - to } else { to - from };
         let towards = (0..POINTS).map(|k| (GOLDEN * (k + 1) as f64).fract() * DECADES);
         places.extend(towards.map(|decades| zero.at + length * 10_f64.powf(-decades)));
     }
-    // A kink of β_lim lies between two neighbouring points at which different maxima of the velocity constraint are the
-    // largest.
+    // If the largest velocity constraint belongs to different maxima at two neighbouring points, β_lim has a kink
+    // between these points.
     places.sort_by(f64::total_cmp);
     let mut kinks = Vec::new();
     for neighbours in places.windows(2) {
@@ -68,7 +68,7 @@ pub(super) fn piece<S: Float>(
     (worst, points)
 }
 
-/// Compares a product over zeros and poles with the exact values. Returns the largest relative error, the r of this
+/// Compares a product over zeros and poles with exact values. Returns the largest relative error, the r of this
 /// error, and the number of compared points.
 pub(super) fn product<S: Float>(
     product: &Product<S>,

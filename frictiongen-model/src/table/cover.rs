@@ -8,42 +8,44 @@ use super::split::LimitZero;
 use super::worst::Worst;
 use frictiongen_kernel::Float;
 
-/// The search for the longest piece ends if the shortest length that is too long is at most this multiple of the
-/// longest acceptable length. More fits would reduce the number of pieces by at most a tenth.
+/// Ratio of the shortest length that is too long to the longest acceptable length of a piece. The search for the
+/// longest piece ends at this ratio. More fits would reduce the number of pieces by at most a tenth.
 const LONGEST: f64 = 1.1;
-/// Step to which the code rounds the end of a polynomial piece for human readers, as a fraction of the length of the
-/// piece. The code does not round the end at a kink of β_lim or at a bound of the range.
+/// Step to which the code rounds the end of a polynomial piece for readers, as a fraction of the piece's length. An
+/// end at a kink of β_lim or at a bound of the range is not rounded.
 const END: f64 = 0.02;
-/// A piece probably contains a kink if its error exceeds the allowed error by this factor. The search then locates the
-/// kink. The error of a piece with a kink is proportional to its length. The error of a smooth piece falls with a high
-/// power of the length.
+/// Error of a piece, divided by the allowed error, from which the piece probably contains a kink. The search then
+/// locates the kink. The error of a piece with a kink is proportional to its length. The error of a smooth piece
+/// falls with a high power of its length.
 const KINK: f64 = 30.0;
-/// The search for a kink ends if the shortest length that is too long is at most this multiple of the longest
-/// acceptable length.
+/// Ratio of the shortest length that is too long to the longest acceptable length of a piece. The search for a kink
+/// ends at this ratio.
 const KINK_FOUND: f64 = 1.0 + 1e-3;
-/// Largest number of polynomial pieces that the code fits again after the check. Each repetition adds a point at which
-/// later fits are compared. After this number of repetitions the construction fails, because it would probably never
-/// end.
+/// Largest number of polynomial pieces that the code fits a second time, after the check found too large an error.
+/// Each repetition adds a point at which later fits are compared. With more repetitions the construction would
+/// probably never end, so it fails.
 const MOST_AGAIN: usize = 1000;
-/// Length of the shortest polynomial piece, as a fraction of r. This length is a few hundred rounding units of double
+/// Length of the shortest polynomial piece, as a fraction of r. It is a few hundred rounding units of double
 /// precision.
 const SHORTEST: f64 = 1e-13;
-/// First trial length of a polynomial piece, as a multiple of the length of the previous piece. The factor is large so
-/// that the first trial is often too long, which immediately gives an upper bound on the length.
+/// First length that the search tries for a piece, as a multiple of the length of the previous piece. The factor is
+/// large, so that the first length is often too long. This gives an upper bound on the length immediately.
 const LONGER: f64 = 1.5;
 /// Largest number of fits in the search for the longest polynomial piece from one start.
 const MOST_FITS: usize = 200;
-/// Target error of the next trial, divided by the allowed error, if the last trial was within the allowed error.
+/// Target error of the next length that the search tries, divided by the allowed error, after a length with an
+/// acceptable error.
 const AIM: f64 = 0.8;
-/// Target error of the next trial, divided by the allowed error, if the last trial was too long.
+/// Target error of the next length that the search tries, divided by the allowed error, after a length that was too
+/// long.
 const AIM_AGAIN: f64 = 0.7;
-/// The code extrapolates the next trial length only if the error of a fit exceeds this fraction of the allowed error. A
-/// smaller error gives no information about the best length.
+/// Error of a fit, divided by the allowed error, from which the code extrapolates the next length. A smaller error
+/// gives no information about the best length.
 const TINY: f64 = 1e-6;
-/// Bounds on the factor by which the trial length of a piece grows after a fit within the allowed error. The factor
-/// comes from a power law, which is only approximate.
+/// Bounds on the factor by which the tried length grows after a fit with an acceptable error. The factor comes from a
+/// power law, which is only approximate.
 const LONGER_BY: [f64; 2] = [1.05, 2.0];
-/// Bounds on the factor by which the trial length of a piece shrinks after a piece that was too long.
+/// Bounds on the factor by which the tried length shrinks after a piece that was too long.
 const SHORTER_BY: [f64; 2] = [0.2, 0.95];
 
 /// Returns a value, limited to the interval [least, most].
@@ -51,33 +53,32 @@ fn clamped(value: f64, [least, most]: [f64; 2]) -> f64 {
     value.clamp(least, most)
 }
 
-/// Approximation of the tabulated functions by polynomial pieces in a range of r: settings and state of the
-/// construction.
+/// State of the construction that covers a range of r with polynomial pieces, and its settings.
 pub(super) struct Cover<'a, 'm, S> {
-    /// Exact values with which each polynomial piece is compared, and the allowed errors of the fit.
+    /// Exact values with which each polynomial piece is compared, and the errors that a fit may have.
     pub comparison: Comparison<'a, 'm, S>,
     /// Kinks of β_lim, as frequency ratios in ascending order.
     pub kinks: Vec<f64>,
-    /// Allowed errors of the check: the first for β_lim, the second for the amplitude and the phase of the contact.
+    /// Allowed errors of the check: of β_lim, and of the amplitude and the phase of the contact.
     pub whole: (f64, f64),
     /// Largest number of pieces that the construction may make.
     pub most_pieces: usize,
-    /// Length of the last polynomial piece. The first trial length of the next piece follows from it.
+    /// Length of the last polynomial piece, from which the first length for the next piece follows.
     pub last: f64,
 }
 
-/// Failure to cover a range: no piece that contains the frequency ratio `at` meets the accuracy.
+/// Failure to cover a range of r: no piece that contains the frequency ratio `at` meets the accuracy.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct NotCovered {
     pub at: f64,
 }
 
 impl<S: Float> Cover<'_, '_, S> {
-    /// Returns polynomial pieces that cover the range. The function checks them at points that the fits did not use.
-    /// The result also contains the largest error divided by the allowed error, and the number of compared points.
+    /// Returns polynomial pieces that cover a range of r, after a check at points that the fits did not use. Also
+    /// returns the largest error divided by the allowed error, and the number of compared points.
     ///
-    /// If the check finds a larger error than allowed, later fits are also compared at the r of this error. The
-    /// function then covers the interval of the piece again.
+    /// If the check finds an error that is too large, the function covers the interval of this piece once more. All
+    /// later fits are also compared at the r of this error.
     pub fn checked(
         &mut self,
         low: f64,
@@ -130,7 +131,7 @@ impl<S: Float> Cover<'_, '_, S> {
         Ok((pieces, worst, points))
     }
 
-    /// Returns polynomial pieces that cover the range, before the check.
+    /// Returns polynomial pieces that cover a range of r. They are not yet checked.
     fn range(&mut self, low: f64, high: f64) -> Result<Vec<Fitted<S>>, NotCovered> {
         let mut pieces = Vec::new();
         let zeros = self.comparison.landmarks.zeros.clone();
@@ -150,7 +151,7 @@ impl<S: Float> Cover<'_, '_, S> {
         Ok(pieces)
     }
 
-    /// Appends the pieces between two zeros of β_lim, or between a zero and a bound of the range.
+    /// Appends the pieces between two neighbouring zeros of β_lim, or between a zero and a bound of the range.
     fn between(
         &mut self,
         (low, high): (f64, f64),
@@ -184,8 +185,8 @@ impl<S: Float> Cover<'_, '_, S> {
         Ok(())
     }
 
-    /// Returns the longest polynomial piece that meets the accuracy, from `start` towards `limit`, and the r at which
-    /// the piece ends.
+    /// Returns the longest polynomial piece from `start` towards `limit` that meets the accuracy, and the r at which
+    /// it ends.
     fn longest(
         &mut self,
         start: f64,
@@ -194,7 +195,7 @@ impl<S: Float> Cover<'_, '_, S> {
     ) -> Result<(Fitted<S>, f64), NotCovered> {
         let most = (limit - start).abs();
         let forwards = start < limit;
-        // If a kink lies ahead, the piece should end there, because a polynomial cannot follow a kink.
+        // If a kink of β_lim is ahead, the piece should end at the kink, because a polynomial cannot follow it.
         let ahead = self
             .kinks
             .iter()
@@ -227,8 +228,8 @@ impl<S: Float> Cover<'_, '_, S> {
         for _ in 0..MOST_FITS {
             let end = end_of(length);
             let between = if forwards { (start, end) } else { (end, start) };
-            // The zero is used only if its distance is at most the length of the piece. At a larger distance, the
-            // powers of the distance to the zero would be nearly equal.
+            // The fit uses the zero only if its distance is at most the length of the piece. At a larger distance,
+            // the powers of the distance from the zero would be nearly equal.
             let zero = zero.filter(|zero| zero.distance(start).abs() <= length);
             let piece = fit(self.comparison.exact, between, zero, self.comparison.form)
                 .ok_or(NotCovered { at: start })?;
@@ -239,7 +240,7 @@ impl<S: Float> Cover<'_, '_, S> {
                     break;
                 }
                 if length >= stop {
-                    // The kink is weak, so the piece may extend beyond it without harm.
+                    // The kink is weak, so the piece may extend past it without harm.
                     stop = next.next().unwrap_or(most);
                 }
                 let guess = length * clamped((AIM / error.max(TINY)).powf(order), LONGER_BY);

@@ -3,7 +3,7 @@
 
 use frictiongen_kernel::Float;
 
-/// Largest number of decimals. A frequency ratio in double precision has no digits beyond this decimal.
+/// Largest number of decimals. A frequency ratio in double precision has no more digits than that.
 const MOST_DECIMALS: f64 = 40.0;
 
 /// Returns the smallest number of the type `S` that is larger than a value in double precision.
@@ -12,7 +12,7 @@ pub(super) fn above<S: Float>(value: f64) -> S {
     if next.to_f64() > value {
         return next;
     }
-    // The distance to the next number of the type is one rounding, or half a rounding, of the value.
+    // The distance to the next number of the type is one rounding unit of the value, or half a unit.
     let further = |roundings: f64| S::constant(value + value.abs() * roundings * S::EPSILON);
     let next = further(0.5);
     if next.to_f64() > value {
@@ -22,7 +22,7 @@ pub(super) fn above<S: Float>(value: f64) -> S {
     }
 }
 
-/// Rounds a value to decimals. One unit of the last decimal is at most `least`.
+/// Rounds a value to a number of decimals. A unit of the last decimal is at most `least`.
 pub(super) fn to_decimals(value: f64, least: f64) -> f64 {
     let decimals = -least.log10().floor();
     if decimals < 0.0 {

@@ -15,16 +15,16 @@ pub const MOST_SHARE: f64 = {
     let [.., largest] = FRICTION_SHARES;
     largest
 };
-/// Allowed error of r near a zero of β_lim, in rounding units. The allowance covers the rounding of r in the
+/// Change of r, in rounding units, whose effect is allowed near a zero of β_lim. It covers the rounding of r in the
 /// computation of an exact value.
 const ROUNDINGS: f64 = 4.0;
 
-/// Exact values with which polynomial pieces are compared, and the errors that a polynomial piece may have.
+/// Exact values with which the polynomial pieces of a table are compared, and the errors that a piece may have.
 pub(super) struct Comparison<'a, 'm, S> {
     pub exact: &'a mut Exact<'m>,
     pub landmarks: Landmarks,
     pub form: FitSettings,
-    /// Largest allowed deviation of the polynomial from `side_factor`·β_lim, divided by β_lim.
+    /// Largest allowed deviation of the polynomial from `side_factor`·β_lim, as a fraction of β_lim.
     pub limit: f64,
     /// Largest allowed error of the contact's amplitude (relative) and phase (rad).
     pub motion: f64,
@@ -76,9 +76,8 @@ impl<S: Float> Comparison<'_, '_, S> {
         worst
     }
 
-    /// Returns the error of a polynomial piece near r, divided by the allowed error. The function computes the error at
-    /// the number of the type `S` that is nearest to r and within the piece. Returns 0 if the piece contains no such
-    /// number.
+    /// Returns the error of a polynomial piece at the number of the type `S` that is nearest to r and within the
+    /// piece, divided by the allowed error. Returns 0 if the piece contains no such number.
     fn error_within(
         &mut self,
         piece: &Fitted<S>,
@@ -104,8 +103,8 @@ impl<S: Float> Comparison<'_, '_, S> {
         }
     }
 
-    /// Returns the error of a polynomial piece at r, divided by the allowed error. A change of r by a few rounding
-    /// units changes the exact value, and this change does not count as an error.
+    /// Returns the error of a polynomial piece at r, divided by the allowed error. The change of the exact value if r
+    /// changes by a few rounding units does not count as an error.
     pub fn error_at(&mut self, piece: &Fitted<S>, r: f64) -> f64 {
         let own = S::constant(r);
         let r = own.to_f64();
@@ -117,7 +116,7 @@ impl<S: Float> Comparison<'_, '_, S> {
         of_limit.max(or_infinite(of_motion))
     }
 
-    /// Returns two frequency ratios: r increased by `ROUNDINGS` rounding units, and r decreased by the same amount.
+    /// Returns r increased by `ROUNDINGS` rounding units, and r decreased by as many units.
     fn beside(r: f64) -> [f64; 2] {
         [1.0, -1.0].map(|side| r * (1.0 + side * ROUNDINGS * f64::EPSILON))
     }
@@ -133,7 +132,7 @@ impl<S: Float> Comparison<'_, '_, S> {
         if plain <= 1.0 {
             return plain;
         }
-        // At a zero of β_lim, the allowed error is only the effect of a few roundings of r.
+        // At a zero of β_lim, the allowed error is only the effect of a change of r by a few rounding units.
         let allowed = self.limit * limit + self.limit_noise(limit, r);
         if off <= allowed { 0.0 } else { off / allowed }
     }
@@ -168,7 +167,7 @@ impl<S: Float> Comparison<'_, '_, S> {
         if plain <= 1.0 {
             return plain;
         }
-        // If a few roundings of r change β_lim, the ratio β/β_lim changes by the same relative amount.
+        // A change of r by a few rounding units changes β_lim and, by the same relative amount, the ratio β/β_lim.
         let mut noise = [self.limit_noise(exact.limit, r) / exact.limit; APART];
         for r in Self::beside(r) {
             let Some(moved) = self.exact.at(r) else {
@@ -182,8 +181,8 @@ impl<S: Float> Comparison<'_, '_, S> {
         over(&off, &noise)
     }
 
-    /// Returns the values of the contact that a polynomial piece and the product for |V| give at r: β_lim, a, g, arg V
-    /// and |V|.
+    /// Returns the values of the contact at r that a polynomial piece and the product for |V| give: β_lim, a =
+    /// β_lim·U/|V|, g = β_lim·G/|V|, arg V and |V|.
     fn answer(&self, piece: &Fitted<S>, r: S) -> ContactTable<S> {
         let [limit, quadrature, displacement, direction] =
             [0, 1, 2, ANGLE].map(|function| piece.value(function, r));
@@ -205,10 +204,11 @@ pub(super) fn or_infinite(error: f64) -> f64 {
     if error.is_nan() { f64::INFINITY } else { error }
 }
 
-/// Number of compared values: the amplitude and the phase of the contact at each friction ratio in `FRICTION_SHARES`.
+/// Number of compared values: an amplitude and a phase of the contact for each ratio β/β_lim in `FRICTION_SHARES`.
 const APART: usize = 2 * FRICTION_SHARES.len();
 
-/// Returns the errors of the contact's amplitudes (relative) and phases (rad), first all amplitudes, then all phases.
+/// Returns the errors of the contact's amplitudes (relative), then those of its phases (rad), at all ratios in
+/// `FRICTION_SHARES`.
 fn apart<T: Float>(answer: &ContactTable<T>, exact: &ContactTable<f64>) -> [f64; APART] {
     let mut apart = [0.0; APART];
     let (amplitudes, phases) = apart.split_at_mut(FRICTION_SHARES.len());

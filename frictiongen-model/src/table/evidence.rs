@@ -6,11 +6,11 @@ use super::worst::Worst;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Evidence {
-    /// The error is below a bound at every r.
+    /// The error of the table is below a bound at every r.
     Proven,
-    /// The error is below a bound at every r except in some intervals, in which the table is checked.
+    /// The error of the table is below a bound at every r except in some intervals, where the table is only checked.
     Partly,
-    /// The table was compared with exact values at many points. Between these points the error may be larger.
+    /// The table was compared with exact values at many points. Between them its error may be larger.
     Checked,
 }
 
@@ -26,16 +26,16 @@ impl Evidence {
     }
 }
 
-/// Bound on the work of a proof, in evaluations of one mode. An evaluation takes about 0.25 µs, or 1.5 µs in code
+/// Permitted work of a proof, in evaluations of one mode. An evaluation takes about 0.25 µs, or 1.5 µs in code
 /// without optimisation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ProofWork(pub usize);
 
 impl ProofWork {
-    /// Bound on the work of a proof within a macro. The size of a table determines the work in advance. If the proof of
-    /// a table needs more work, the macro only checks the table.
+    /// Permitted work of a proof within a macro. The size of a table determines the work in advance. If a proof needs
+    /// more work, the macro only checks the table.
     pub const AT_EXPANSION: Self = Self(1_700_000);
-    /// Bound on the work of a proof within a command: at most about four seconds of processor time.
+    /// Permitted work of a proof within a command: at most about four seconds of processor time.
     pub const WHOLE: Self = Self(16_000_000);
 }
 

@@ -10,12 +10,11 @@ use frictiongen_kernel::response::At;
 use frictiongen_kernel::table::ContactTable;
 use std::collections::HashMap;
 
-/// Index of arg V among the tabulated functions. Lower indices belong to β_lim, and to two functions that contain the
-/// factor β_lim/|V|.
+/// Index of arg V among the functions of a table. The lower indices are those of β_lim, β_lim·U/|V| and β_lim·G/|V|.
 pub const ANGLE: usize = 3;
-/// Index of |V|, if it is one of the functions.
+/// Index of |V| among the functions of a table, if the table has this function.
 pub const SIZE: usize = 4;
-/// A sum has lost significant digits if it is below this fraction of its terms.
+/// Fraction of a sum's terms. A sum that is smaller has lost significant digits by cancellation.
 const CANCELS: f64 = 1e-2;
 
 /// Exact functions at one frequency ratio: β_lim, a = β_lim·U/|V|, g = β_lim·G/|V| and arg V. V is the response of the
@@ -33,7 +32,7 @@ pub struct ExactValues {
     pub tau: Option<f64>,
 }
 
-/// A scene that computes exact values and stores them.
+/// A scene that computes the exact values of a table's functions, and stores them for later calls.
 pub struct Exact<'a> {
     /// The modal analysis of the scene.
     pub modal: &'a Modal,
@@ -162,7 +161,7 @@ impl<'a> Exact<'a> {
         [excitation, receptance]
     }
 
-    /// Returns one of the tabulated functions at r, computed exactly. `place` is the index of the function in a table.
+    /// Returns the exact value of one of a table's functions at r. `place` is the index of the function in the table.
     pub fn function(&mut self, place: usize, r: f64) -> Option<f64> {
         let sample = self.at(r)?;
         let functions = [

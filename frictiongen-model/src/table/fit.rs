@@ -1,4 +1,5 @@
-//! Fits polynomials in one interval of r, through Chebyshev points, and rounds them to the number type of the table.
+//! Fits polynomials to the functions of a table in an interval of r, through Chebyshev points, and rounds their
+//! coefficients.
 
 use super::digits::{above, to_decimals};
 use super::exact::{ANGLE, Exact, SIZE};
@@ -9,15 +10,14 @@ use std::f64::consts::PI;
 
 /// Step to which the code rounds the origin of a polynomial piece, as a fraction of half the length of the piece.
 const ORIGIN: f64 = 0.1;
-/// Polynomials with four coefficients give the smallest table if the allowed relative error is at least this value.
+/// Smallest allowed relative error for which polynomials with four coefficients give the smallest table.
 const FOUR_TERMS: f64 = 3e-3;
-/// Polynomials with six coefficients give the smallest table if the allowed relative error is at least this value.
+/// Smallest allowed relative error for which polynomials with six coefficients give the smallest table.
 const SIX_TERMS: f64 = 1e-7;
-/// Polynomials with eight coefficients give the smallest table if the allowed relative error is at least this value.
+/// Smallest allowed relative error for which polynomials with eight coefficients give the smallest table.
 const EIGHT_TERMS: f64 = 1e-10;
 
-/// Polynomial piece of a table. On its interval of r, each function is a polynomial, whose coefficients are in a
-/// vector.
+/// A piece of a table. On its interval of r, a polynomial approximates each function of the table.
 #[derive(Clone, Debug)]
 pub struct Fitted<S> {
     /// Smallest r of the polynomial piece.
@@ -34,8 +34,8 @@ impl<S: Float> Fitted<S> {
         2 + self.coefficients.iter().map(Vec::len).sum::<usize>()
     }
 
-    /// Returns the value of one polynomial at r, in the arithmetic of the table. `function` is the index of the
-    /// function. The value is NaN if the piece has no such function.
+    /// Returns the value of a function's polynomial at r, in the arithmetic of the table. `function` is the index of
+    /// the function. The value is NaN if the piece does not have the function.
     pub fn value(&self, function: usize, r: S) -> S {
         let coefficients = self.coefficients.get(function);
         coefficients.map_or(S::constant(f64::NAN), |of| polynomial(of, r - self.origin))
@@ -45,7 +45,8 @@ impl<S: Float> Fitted<S> {
 /// Numbers of coefficients that a polynomial of a table may have.
 pub(super) const TERMS: [usize; 4] = [4, 6, 8, 10];
 
-/// Returns the number of coefficients per polynomial with which a table of this accuracy stores the fewest numbers.
+/// Returns the number of coefficients of each polynomial with which a table of this accuracy stores the fewest
+/// numbers.
 pub(super) fn terms(accuracy: f64) -> usize {
     let [four, six, eight, ten] = TERMS;
     if accuracy >= FOUR_TERMS {
@@ -66,10 +67,10 @@ pub(super) struct FitSettings {
     pub functions: usize,
     /// Number of coefficients of each function's polynomial.
     pub terms: usize,
-    /// Factor by which the fitted β_lim differs from the exact β_lim. The factor also multiplies a and g, which are
-    /// proportional to β_lim.
+    /// Factor by which the fitted β_lim differs from the exact β_lim. The fitted functions a = β_lim·U/|V| and g =
+    /// β_lim·G/|V| contain the same factor.
     pub side_factor: f64,
-    /// Largest change of a function, relative to β_lim, that the rounding of one coefficient to decimals may cause.
+    /// Largest change of a function, relative to β_lim, that may result if one coefficient is rounded to decimals.
     pub rounding: f64,
 }
 
@@ -141,7 +142,7 @@ pub(super) fn fit<S: Float>(
     })
 }
 
-/// Returns the coefficients of a polynomial in t after multiplication by t − `rest`.
+/// Returns the coefficients of a polynomial in t, multiplied by t − `rest`.
 fn times_distance(coefficients: &[f64], rest: f64) -> Vec<f64> {
     let lower = coefficients.iter().copied().chain([0.0]);
     let higher = [0.0].into_iter().chain(coefficients.iter().copied());

@@ -32,7 +32,7 @@ pub struct Held<S> {
     /// V/H, the force that keeps the contact stuck. V and H are the responses of the contact to the load and to a
     /// contact force.
     pub force: HeldForm<S>,
-    /// Frequency ratios within the range that equal an undamped resonance of the stuck chain exactly.
+    /// Undamped resonances of the stuck chain within the range that are exactly numbers of the type `S`.
     pub resonances: Vec<S>,
     /// Largest error that the check has found, relative to the modulus of the response.
     pub worst: Worst,
@@ -59,8 +59,8 @@ impl<S: Float> HeldForm<S> {
         }
     }
 
-    /// Returns the operations of one evaluation: the number of additions and multiplications, and the number of
-    /// divisions.
+    /// Returns the operations of one evaluation of the response: the number of additions and multiplications, and the
+    /// number of divisions.
     #[must_use]
     pub fn operations(&self) -> (usize, usize) {
         match self {
@@ -83,7 +83,7 @@ impl<S: Float> HeldForm<S> {
                     .sum();
                 let products = [numerator, denominator];
                 let joined = products.map(|factors| factors.len().saturating_sub(1));
-                // A complex product takes six operations, and the product with the gain takes two. The reciprocal of
+                // A complex product takes six operations, and a product with the gain takes two. The reciprocal of
                 // the product of all poles takes eight operations and two divisions.
                 let joined: usize = 6 * joined.iter().sum::<usize>() + 2;
                 if denominator.is_empty() {
@@ -95,7 +95,7 @@ impl<S: Float> HeldForm<S> {
         }
     }
 
-    /// Returns two counts: of the numbers in the gain and the zeros, and of the numbers in the poles.
+    /// Returns the number of numbers in the gain and the zeros, and the number of numbers in the poles.
     fn numbers(&self) -> (usize, usize) {
         let of_roots = |roots: &[Root<S>]| -> usize {
             let numbers = roots.iter().map(|root| match root {

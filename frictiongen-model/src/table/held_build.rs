@@ -16,20 +16,20 @@ use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::table::Root;
 use frictiongen_kernel::{Complex, Float};
 
-/// Number of frequency ratios, spread over the range, at which the code compares each response with its exact value.
-/// Further points are close to the zeros and poles of the response.
+/// Number of frequency ratios, spread over the range, at which the check compares each response with its exact value.
+/// Additional points are close to the zeros and poles of the response.
 const POINTS: usize = 64;
 /// Relative distances from a zero or a pole at which the code compares a response with its exact value.
 const BESIDE: [f64; 7] = [0.0, 1e-15, -1e-13, 1e-10, -1e-7, 1e-4, -1e-2];
-/// A pole and a number of the table's type count as equal if their relative difference is at most this value. The
-/// iteration leaves an uncertainty in the last of the 30 digits of a pole.
+/// Largest relative difference up to which a pole counts as equal to a number of the table's type. The iteration
+/// leaves an uncertainty in the last of a pole's 30 digits.
 const SAME: f64 = 1e-26;
-/// Number of candidates in the search for a frequency ratio far from all zeros and poles. The code computes the gain at
-/// this frequency ratio.
+/// Number of candidates among which the code chooses a frequency ratio far from all zeros and poles. The gain follows
+/// from the response at this frequency ratio.
 const PLACES: usize = 33;
 
 impl Zero {
-    /// Returns the factor of this zero in the variable s = ir.
+    /// Returns the factor that this zero contributes to a function of s = ir.
     fn root<S: Float>(&self, to: &impl Fn(Dd) -> S) -> Root<S> {
         if self.y.is_zero() {
             return Root::Real { rate: to(-self.x) };
@@ -80,9 +80,9 @@ impl<S: Float> Held<S> {
         })
     }
 
-    /// Compares these responses with the exact values, as [`of`](Self::of) does, and returns the largest error. The
-    /// result differs from [`worst`](Self::worst) if the responses have changed since `of` built them. Returns `None`
-    /// if the zeros cannot be separated.
+    /// Compares these responses with the exact values, as [`of`](Self::of) does, and returns the largest error. If
+    /// the responses have changed since `of` built them, the result differs from [`worst`](Self::worst). Returns
+    /// `None` if the zeros cannot be separated.
     #[must_use]
     pub fn verify(&self, modal: &Modal, range: (f64, f64)) -> Option<Worst> {
         let (masses, force) = responses(modal)?;
@@ -100,8 +100,8 @@ impl<S: Float> Held<S> {
 struct ComparedPoint {
     r: f64,
     at: HeldAt,
-    /// Exact responses at a frequency ratio that is `ROUNDINGS` rounding units above r. Their difference from the
-    /// responses at r shows how uncertain the responses at r are.
+    /// Exact responses at a frequency ratio that is `ROUNDINGS` rounding units larger than r. Their difference from
+    /// the responses at r shows the uncertainty of the responses at r.
     moved: HeldAt,
 }
 
@@ -115,7 +115,7 @@ impl ComparedPoint {
     }
 }
 
-/// Chain and points of comparison from which responses are built, and the largest error so far.
+/// The chain and the points of comparison from which responses are built and checked, and the largest error so far.
 struct Build<'a> {
     modal: &'a Modal,
     damped: bool,
@@ -203,8 +203,8 @@ impl<'a> Build<'a> {
         })
     }
 
-    /// Compares a response with its exact values over the range, and close to the zeros and poles. Updates the largest
-    /// error.
+    /// Compares a response with its exact values over the range of r, and close to its zeros and poles. Updates the
+    /// largest error.
     fn compare<S: Float>(
         &mut self,
         response: &Response,

@@ -39,8 +39,8 @@ fn of_single_precision() {
     of_chains::<f32>(1e-5);
 }
 
-/// Checks a case that is solved by hand. The base drives two masses that rub on each other. Stuck together, they are a
-/// mass of 2 on a spring of 1, under any damping that treats both modes alike. The undamped chain keeps the exact
+/// Checks two masses that rub on each other and that the base drives. Stuck together, they are a mass of 2 on a
+/// spring of 1, under any damping that treats both modes alike. For the undamped chain the table must keep the exact
 /// formulas.
 #[test]
 fn driven_by_the_base() {
@@ -66,8 +66,8 @@ fn driven_by_the_base() {
     }
 }
 
-/// Checks a case that is solved by hand. The second of two masses is stuck to the wall, so the first mass is on two
-/// springs. Its response is 1/(2 − r²), and the contact force has the same value.
+/// Checks two masses by hand. The second mass is stuck to the wall, so the first mass is on two springs. Its response
+/// is 1/(2 − r²), and the contact force has the same value.
 #[test]
 fn two_masses_by_hand() {
     let held = Held::<f64>::of(&scene("Wall", 2, 0.0, 1.0), RANGE).unwrap();
@@ -92,8 +92,8 @@ fn two_masses_by_hand() {
     assert_eq!(on.resonances, [1.0]);
 }
 
-/// Returns the change of a zero's imaginary part y that changes the zero's factor by about 100 % somewhere in the
-/// range.
+/// Returns a change of a zero's imaginary part y by which the zero's factor changes by about 100 % somewhere in the
+/// range of r.
 fn reach(y: f64) -> f64 {
     let r = y.clamp(RANGE.0, RANGE.1);
     if r == y {
@@ -103,7 +103,7 @@ fn reach(y: f64) -> f64 {
     }
 }
 
-/// Returns the numbers that a factor stores. Each number comes with a change that changes the factor by about 100 %.
+/// Returns the numbers that a factor stores, each with a change by which the factor changes by about 100 %.
 fn of_root(root: &mut Root<f64>) -> Vec<(&mut f64, f64)> {
     let before = *root;
     let size = |r: f64| {
@@ -120,8 +120,7 @@ fn of_root(root: &mut Root<f64>) -> Vec<(&mut f64, f64)> {
     }
 }
 
-/// Returns every number that a response stores. Each number comes with a change that changes the response by about 100
-/// %.
+/// Returns all numbers that a response stores, each with a change by which the response changes by about 100 %.
 fn numbers(form: &mut HeldForm<f64>) -> Vec<(&mut f64, f64)> {
     let of_factor = |factor| match factor {
         &mut Factor::Zero { ref mut at, .. } => {

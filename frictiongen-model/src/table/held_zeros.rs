@@ -9,16 +9,17 @@ use frictiongen_kernel::number::complex;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::{Complex, Float};
 
-/// If |s² + 2ζσs + σ²|/σ² of a mode is below this value, s is close to the resonance σ. The sums over the modes lose half
-/// of their 30 digits there.
+/// Bound on |s² + 2ζσs + σ²|/σ² of a mode. Below it, s is so close to the resonance σ that the sums over the modes
+/// lose half of their 30 digits.
 const ON_RESONANCE: f64 = 1e-12;
 
-/// Upper bound on the number of corrections of a zero, and the relative correction at which the iteration ends. These
-/// values are for the first part of the iteration, in double precision. `LAST_STEPS` are for the second part, in
-/// double-double. Near convergence each correction is about the cube of the previous one. After a correction of 10⁻²³
-/// only rounding errors remain.
+/// Upper bound on the number of corrections of a zero, and the relative correction at which the iteration ends, for
+/// the first part of the iteration in double precision. `LAST_STEPS` has these values for the second part, in
+/// double-double.
 const FIRST_STEPS: (usize, f64) = (100, 1e-11);
-/// Upper bound on the number of corrections in double-double, and the relative correction at which the iteration ends.
+/// Upper bound on the number of corrections of a zero in double-double, and the relative correction at which the
+/// iteration ends. Each correction is about the cube of the previous one, so after a correction of 10⁻²³ only
+/// rounding errors remain.
 const LAST_STEPS: (usize, f64) = (60, 1e-23);
 
 /// Response of a mass, or the contact force, while the contact is stuck.
@@ -40,12 +41,12 @@ fn denominator(modal: &Modal, mode: usize, s: Complex<Dd>) -> Option<Complex<Dd>
     ))
 }
 
-/// Contact force and modal amplitudes with the contact stuck, at one frequency ratio, computed in double-double.
+/// The contact force and the modal amplitudes at one frequency ratio while the contact is stuck, in double-double.
 pub(super) struct HeldAt {
     /// V/H, the force that keeps the contact stuck.
     pub force: Complex<Dd>,
-    /// False if the frequency is at an undamped resonance of the sliding chain. A modal amplitude is then a quotient of
-    /// rounding errors, although the responses are finite.
+    /// False at an undamped resonance of the sliding chain. A modal amplitude is then a quotient of rounding errors,
+    /// although the responses are finite.
     pub known: bool,
     /// Complex amplitude of each mode of the sliding chain.
     modes: Vec<Complex<Dd>>,
@@ -61,7 +62,7 @@ impl HeldAt {
         let drives = || modal.loads.iter().zip(&modal.contacts);
         let modes = modal.resonances.iter().zip(&modal.damping_ratios);
         for ((sigma, zeta), (load, contact)) in modes.zip(drives()) {
-            // In this form both factors keep their digits near the resonance.
+            // With this form of the denominator, both of its parts keep their digits near the resonance.
             let re = (*sigma - r) * (*sigma + r);
             let im = two * *zeta * *sigma * r;
             let size = re.abs() + im.abs();
@@ -103,14 +104,14 @@ fn carried(modal: &Modal) -> Dd {
     Dd::from(if modal.on_moving_base { 1.0 } else { 0.0 })
 }
 
-/// A pole of the responses while the contact is stuck, with a residue for each mass. Of a conjugate pair, the list
-/// contains only the pole with y > 0.
+/// A pole of the responses while the contact is stuck, with its residue for each mass. For a conjugate pair, only the
+/// pole with y > 0 is stored.
 struct Pole {
     zero: Zero,
     residues: Vec<Complex<Dd>>,
 }
 
-/// A sum of terms. If the sum is only the rounding error of its terms, its value is exactly 0.
+/// A sum of terms. If the sum is not larger than the rounding of its terms, its value is exactly 0.
 struct CancellingSum {
     value: Complex<Dd>,
     size: Dd,
@@ -139,8 +140,8 @@ impl CancellingSum {
     }
 }
 
-/// Returns a pole of the stuck chain, with a residue for each mass k. The pole is a zero of the contact's receptance H.
-/// The residue belongs to −H_kV/H, the response that the force in the stuck contact causes.
+/// Returns a pole of the stuck chain, with its residue for each mass k. The pole is a zero of H, the response of the
+/// contact to a contact force. The residue belongs to −H_kV/H, the response to the force in the stuck contact.
 fn held_pole(modal: &Modal, zero: Zero) -> Option<Pole> {
     let s = Complex::new(zero.x, zero.y);
     let two = Dd::from(2.0);
@@ -177,7 +178,7 @@ fn held_pole(modal: &Modal, zero: Zero) -> Option<Pole> {
     })
 }
 
-/// Returns the poles of modes in which the contact does not move, including those combinations of equal modes in which
+/// Returns the poles of modes in which the contact does not move. They include combinations of equal modes in which
 /// the contact does not move.
 fn untouched_poles(modal: &Modal) -> Vec<Pole> {
     let equal = |a: usize, b: usize| {
@@ -263,8 +264,8 @@ pub(super) fn responses(modal: &Modal) -> Option<(Vec<Response>, Response)> {
         damping_ratios: vec![Dd::ZERO; modal.damping_ratios.len()],
         ..modal.clone()
     };
-    // The undamped chain may have a double zero at s = 0. The double zero may not be separable, although the zeros of
-    // the damped chain are.
+    // The undamped chain may have a double zero at s = 0 that cannot be separated, although the zeros of the damped
+    // chain can.
     let Some((masses, force)) = found(&undamped) else {
         return found(modal);
     };
@@ -280,8 +281,7 @@ pub(super) fn responses(modal: &Modal) -> Option<(Vec<Response>, Response)> {
     Some((masses?, moved(force, 0)?))
 }
 
-/// Returns the same results as `responses`. The function computes them from the poles of the chain with its contact
-/// stuck.
+/// Returns the results of `responses`, computed from the poles of the chain with its contact stuck.
 fn found(modal: &Modal) -> Option<(Vec<Response>, Response)> {
     let zeros = Zeros::of(modal)?;
     let held = zeros.receptance.iter();
@@ -305,7 +305,7 @@ fn found(modal: &Modal) -> Option<(Vec<Response>, Response)> {
     Some((masses?, Response::Rational(force)))
 }
 
-/// Returns the response of a mass while the contact is stuck, as zeros and poles. The response has those of `poles`
+/// Returns the response of a mass while the contact is stuck, by its zeros and poles. Its poles are those of `poles`
 /// whose residue for the mass is not zero.
 fn of_mass(poles: &[Pole], mass: usize, damped: bool) -> Option<Response> {
     let own = poles.iter().filter_map(|pole| {
@@ -337,7 +337,7 @@ fn of_mass(poles: &[Pole], mass: usize, damped: bool) -> Option<Response> {
     let mut roots = guesses(sizes(), degree);
     correct::<f64>(&simple, &mut roots, FIRST_STEPS);
     correct::<Dd>(&simple, &mut roots, LAST_STEPS);
-    // A mass that only dampers drive does not move at r = 0, so its response has one zero at s = 0.
+    // A mass that only dampers drive does not move at r = 0, so its response has a zero at s = 0.
     let least = sizes().fold(f64::INFINITY, f64::min);
     let rests =
         |root: &Complex<Dd>| complex::modulus(*root, true) <= Dd::from(least) * Dd::from(NONE);
@@ -351,8 +351,8 @@ fn of_mass(poles: &[Pole], mass: usize, damped: bool) -> Option<Response> {
     }))
 }
 
-/// Returns the number of zeros of Σ R/(s − z) over the poles z with residues R. The number follows from the first power
-/// of 1/s at infinity whose coefficient exceeds rounding.
+/// Returns the number of zeros of Σ R/(s − z), where z are poles and R their residues. It follows from the first
+/// power of 1/s at infinity whose coefficient is more than rounding.
 fn degree(simple: &[[Complex<Dd>; 2]]) -> Option<usize> {
     let mut powers: Vec<Complex<Dd>> = simple.iter().map(|[_, residue]| *residue).collect();
     for lost in 1..=simple.len() {
@@ -369,8 +369,8 @@ fn degree(simple: &[[Complex<Dd>; 2]]) -> Option<usize> {
     None
 }
 
-/// Improves `roots`, the estimates of the zeros of Σ R/(s − z), in the arithmetic of `S`. `simple` lists the pairs (z,
-/// R). `most` contains the largest number of steps, and the relative step at which the iteration ends.
+/// Improves the estimates `roots` of the zeros of Σ R/(s − z), in the arithmetic of `S`. `simple` has the pairs (z,
+/// R). `most` has the largest number of steps, and the relative step at which the iteration ends.
 fn correct<S: Float>(simple: &[[Complex<Dd>; 2]], roots: &mut [Complex<Dd>], most: (usize, f64)) {
     let wide = |value: &Complex<Dd>| Complex::new(to::<S>(value.re), to::<S>(value.im));
     let simple = simple.iter();

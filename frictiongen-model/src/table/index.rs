@@ -3,16 +3,16 @@
 use super::fit::Fitted;
 use frictiongen_kernel::Float;
 
-/// Smallest number of buckets. Even a small table has this number.
+/// Smallest number of buckets of r, by which a lookup finds a piece. Even a small table has so many.
 const FEWEST: usize = 8;
-/// Numbers of buckets that `Index::of` tries, in this order. With a power of two, a lookup finds its bucket without a
-/// comparison.
+/// Numbers of buckets of r that `Index::of` tries, in this order. With a power of two, a lookup computes its bucket
+/// without a comparison.
 const BUCKETS: [usize; 8] = [FEWEST, 16, 32, 64, 128, 256, 512, 1024];
-/// Largest number of buckets, as a multiple of the count of numbers in the polynomial pieces. More buckets would save
-/// too few comparisons for their memory.
+/// Largest number of buckets of r, as a multiple of the count of numbers in the polynomial pieces. More buckets would
+/// save too few comparisons for their memory.
 const CROWDED: usize = 1;
-/// Number of comparisons per lookup that counts as small enough. More buckets would reduce the number further, but
-/// would need too much memory.
+/// Number of comparisons in a lookup that is small enough. More buckets would reduce it further, but would need too
+/// much memory.
 const FEW: u32 = 2;
 
 /// Buckets that divide a range of r into equal parts, by which a lookup finds the polynomial piece that contains r.
@@ -29,8 +29,8 @@ pub struct Index<S> {
 }
 
 impl<S: Float> Index<S> {
-    /// Returns the smallest number of buckets that needs at most `FEW` comparisons. If no number of buckets needs so
-    /// few, returns the buckets that need the fewest comparisons.
+    /// Returns the smallest number of buckets with which a lookup needs at most `FEW` comparisons. If no tried number
+    /// suffices, returns the one that needs the fewest comparisons.
     pub(super) fn of(pieces: &[Fitted<S>], (low, high): (S, S)) -> Self {
         let mut best: Option<Self> = None;
         let numbers: usize = pieces.iter().map(Fitted::numbers).sum();
@@ -54,8 +54,8 @@ impl<S: Float> Index<S> {
 
     fn with(pieces: &[Fitted<S>], (low, high): (S, S), count: usize) -> Self {
         let mut density = S::constant(count as f64 / (high - low).to_f64());
-        // The bucket is computed as in a lookup. Despite rounding, the bucket number does not fall as r rises. The
-        // upper bound of the range must fall into the last bucket.
+        // The code computes the bucket as a lookup does. Despite rounding, the bucket number does not fall as r
+        // rises. The upper bound of the range must be in the last bucket.
         while ((high - low) * density).to_index() >= count {
             density = S::constant(density.to_f64() * (1.0 - S::EPSILON));
         }

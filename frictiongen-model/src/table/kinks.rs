@@ -3,10 +3,10 @@
 
 use super::exact::Exact;
 
-/// Step of the search for kinks of β_lim, in units of √λ/r. √λ/r is the natural frequency of the fastest mode divided
-/// by the excitation frequency.
+/// Step of the search for kinks of β_lim, in units of √λ/r: the natural frequency of the fastest mode divided by the
+/// excitation frequency.
 const STEP: f64 = 0.005;
-/// Distance in τ, in rad, above which two maxima of the velocity constraint count as different.
+/// Distance in τ, in rad. Two maxima of the velocity constraint that are farther apart count as different.
 const JUMP: f64 = 0.1;
 /// Smallest number of steps in the search for kinks of β_lim in the range of r.
 const FEWEST: usize = 64;
@@ -37,8 +37,8 @@ pub(super) fn kinks(exact: &mut Exact<'_>, (low, high): (f64, f64)) -> Vec<f64> 
     kinks
 }
 
-/// Returns true if `a` and `b` are the phases τ of two different maxima of the velocity constraint. Returns false if
-/// both belong to one maximum that has shifted.
+/// Returns true if `a` and `b` are the instants τ of two different maxima of the velocity constraint, not of one
+/// maximum that has shifted.
 fn differ(a: Option<f64>, b: Option<f64>) -> bool {
     match (a, b) {
         (Some(a), Some(b)) => (a - b).abs() > JUMP,

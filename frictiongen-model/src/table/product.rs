@@ -1,4 +1,4 @@
-//! Rational function as a product over its zeros and poles, as a table stores it.
+//! A rational function of r as a product over its zeros and poles, as a table stores it.
 
 use frictiongen_kernel::Float;
 use frictiongen_kernel::table::{Factor, Quotient};
@@ -9,8 +9,7 @@ use frictiongen_kernel::table::{Factor, Quotient};
 pub struct Product<S> {
     /// Constant factor of the function.
     pub gain: S,
-    /// True if the factors belong to the square of the function, so that the function is the square root of the
-    /// product.
+    /// True if the factors belong to the square of the function. The function is then the square root of the product.
     pub squared: bool,
     /// Factors of the numerator, one for each zero or pair of zeros.
     pub numerator: Vec<Factor<S>>,
@@ -30,8 +29,8 @@ impl<S: Float> Product<S> {
         }
     }
 
-    /// Returns the operations of one evaluation: the number of additions and multiplications, of divisions, and of
-    /// square roots.
+    /// Returns the operations of one evaluation of the product: the number of additions and multiplications, of
+    /// divisions, and of square roots.
     #[must_use]
     pub fn operations(&self) -> (usize, usize, usize) {
         let factors = self.numerator.iter().chain(&self.denominator);

@@ -70,8 +70,8 @@ impl Proportional {
         Some(Rational { zeros, poles })
     }
 
-    /// Appends the zeros of the damped chain that follow from one zero of the undamped chain. Returns how many
-    /// different values of q = s² belong to the undamped zero.
+    /// Appends the zeros of the damped chain that follow from one zero of the undamped chain. Returns the number of
+    /// different values of q = s² that belong to this undamped zero.
     fn moved(&self, zero: &Zero, into: &mut Vec<Zero>) -> isize {
         let half = Dd::from(0.5);
         if zero.x.is_zero() || zero.y.is_zero() {
@@ -96,7 +96,7 @@ impl Proportional {
             }
             return 1;
         }
-        // The four zeros ±x ± iy of the undamped chain have two values −s² = y² − x² ∓ 2ixy. One value suffices,
+        // The four zeros ±x ± iy of the undamped chain have two values −s² = y² − x² ∓ 2ixy. One of them suffices,
         // because the other gives the complex conjugates.
         let square = (
             (zero.y - zero.x) * (zero.y + zero.x),

@@ -1,4 +1,5 @@
-//! β*_lim and |V| as products over their zeros and poles, with a comparison with the exact sums over the modes.
+//! β*_lim and |V| as products over their zeros and poles, and the comparison of these products with the exact sums
+//! over the modes.
 
 use super::bounds::Receptances;
 use super::check;
@@ -14,16 +15,16 @@ use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::table::Factor;
 
-/// Fraction of the declared accuracy that the errors of β*_lim, |V| and the responses with the contact stuck may use.
+/// Fraction of the declared accuracy that the errors of β*_lim, of |V| and of the stuck responses may take.
 pub(super) const EXACT_SHARE: f64 = 0.5;
-/// Amounts, in rounding units, by which the code may enlarge β*_lim to make it safe. The enlargement must exceed the
-/// errors of the product's factors and zeros. The code chooses the amount with the best proof. If several proofs are
-/// equally good, it chooses the smallest of their amounts.
+/// Amounts, in rounding units, by which the code may enlarge β*_lim for `side: safe`. The amount must exceed the
+/// errors of the product's factors and zeros. The code chooses the amount with the best proof, and among equally good
+/// proofs the smallest amount.
 const SAFE_ROUNDINGS: [f64; 5] = [64.0, 512.0, 4096.0, 65_536.0, 1_048_576.0];
 
-/// Returns a rational function as a product over its zeros and poles. The gain makes the product equal to `value` at
-/// one frequency ratio, which is farthest from all zeros and poles in the range. The function computes the gain in
-/// double-double.
+/// Returns a rational function as a product over its zeros and poles. The gain is such that the product equals
+/// `value` at the frequency ratio that is farthest from all zeros and poles in the range. The function computes the
+/// gain in double-double.
 fn product<S: Float>(
     squared: bool,
     numerator: [&[Zero]; 2],
@@ -129,7 +130,7 @@ pub(super) struct Products<S> {
     pub worst: Worst,
     /// Number of frequency ratios at which the code compared the products with exact values.
     pub points: usize,
-    /// Proofs of accuracy, first for the product from which β*_lim follows, then for |V|.
+    /// Proofs of the accuracy of the products, first for β*_lim, then for |V|.
     pub proofs: [Proof; 2],
 }
 

@@ -9,16 +9,16 @@ use crate::scene::{Beyond, Scene};
 use frictiongen_kernel::Float;
 use frictiongen_kernel::table::Factor;
 
-/// Largest number of halvings of an interval of r in the proof that a limit exceeds a friction ratio. The proof fails
-/// if it needs more halvings.
+/// Largest number of times that an interval of r is halved in the proof that a limit exceeds a friction ratio. If
+/// more are needed, the proof fails.
 const HALVINGS: u32 = 12;
 /// Number of equal intervals of r at the start of the proof that a limit exceeds a friction ratio.
 const PARTS: usize = 64;
 
-/// Regimes that cannot occur at any friction ratio up to a given largest one, at any r in the range of the tables.
+/// Regimes that cannot occur at any r in the range of a table, and at any friction ratio up to a given largest one.
 ///
-/// A flag is true only if a proof covers every number of the type in the range, in the emitted arithmetic. If a flag is
-/// false, the regime may occur.
+/// A flag is true only if a proof covers every number of the scalar type in the range of r, in the emitted
+/// arithmetic. If a flag is false, the regime may occur.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Reach {
     /// True if β_lim exceeds every friction ratio up to the given largest one. The closed form of the continuous motion
@@ -29,8 +29,8 @@ pub struct Reach {
 }
 
 impl<S: Float> Tables<S> {
-    /// Returns the regimes that cannot occur at any declared friction ratio. Both flags are false if the scene uses the
-    /// exact formulas beyond the declared range.
+    /// Returns the regimes that cannot occur at any declared friction ratio. If the scene uses the exact formulas
+    /// outside the declared range, both flags are false.
     #[must_use]
     pub fn declared_reach(&self, scene: &Scene) -> Reach {
         let declared = &scene.declared;
@@ -40,7 +40,8 @@ impl<S: Float> Tables<S> {
         }
     }
 
-    /// Returns the regimes that cannot occur at any friction ratio from 0 up to and including `most`. `stiction` is μ.
+    /// Returns the regimes that cannot occur at any friction ratio from 0 to `most`, including `most`. `stiction` is
+    /// μ.
     #[must_use]
     pub fn reach(&self, stiction: f64, most: f64) -> Reach {
         let most = S::constant(most).to_f64();
@@ -49,7 +50,7 @@ impl<S: Float> Tables<S> {
         }
         let always_continuous = self.limit_is_above(most);
         let sliding = self.sliding.as_ref();
-        // As in the kernel, no stuck state exists at a β smaller than β_lim if μ ≤ 1.
+        // As in the kernel, for μ ≤ 1 no stuck state exists at a β below β_lim.
         let decides = always_continuous && stiction <= 1.0;
         Reach {
             always_continuous,
@@ -57,13 +58,13 @@ impl<S: Float> Tables<S> {
         }
     }
 
-    /// Returns both bounds of the range of r, rounded to the number type as a lookup rounds them.
+    /// Returns the bounds of the range of r, rounded to the scalar type as in a lookup.
     fn ends(&self) -> (f64, f64) {
         let (low, high) = self.request.r;
         (S::constant(low).to_f64(), S::constant(high).to_f64())
     }
 
-    /// Returns true if a proof shows that the emitted β_lim exceeds `most` in the whole range.
+    /// Returns true if a proof shows that the emitted β_lim exceeds `most` in the whole range of r.
     fn limit_is_above(&self, most: f64) -> bool {
         let (low, high) = self.ends();
         let mut above = !self.pieces.is_empty();
@@ -88,7 +89,8 @@ impl<S: Float> Tables<S> {
         above
     }
 
-    /// Returns true if a proof shows that an emitted product over zeros and poles exceeds `most` in the whole range.
+    /// Returns true if a proof shows that an emitted product over zeros and poles exceeds `most` in the whole range
+    /// of r.
     fn is_above(&self, product: &Product<S>, most: f64) -> bool {
         let (low, high) = self.ends();
         let least = |r: Interval| size::<S>(product, r).low;
@@ -106,8 +108,8 @@ fn polynomial<T: Arithmetic>(coefficients: &[f64], t: T) -> T {
         .fold(zero, |sum, coefficient| sum * t + T::number(*coefficient))
 }
 
-/// Returns true if a function exceeds the number `most` in a whole interval. `least` returns a lower bound on the
-/// function in an interval.
+/// Returns true if a function of r is proven to exceed the number `most` in the interval `r`. `least` returns a lower
+/// bound on the function in an interval.
 fn exceeds(r: Interval, halvings: u32, least: &impl Fn(Interval) -> f64, most: f64) -> bool {
     if most < least(r) {
         return true;
@@ -122,14 +124,14 @@ fn exceeds(r: Interval, halvings: u32, least: &impl Fn(Interval) -> f64, most: f
     halves.all(|half| exceeds(half, halvings - 1, least, most))
 }
 
-/// Widens the interval of the exact results of an operation by the rounding error of the number type `S`.
+/// Widens an interval that contains the exact result of an operation by the rounding error of the scalar type `S`.
 fn rounded<S: Float>(exact: Interval) -> Interval {
     let (unit, smallest) = unit::<S>();
     exact * (Interval::ONE + Interval::within(2.0 * unit)) + Interval::within(smallest)
 }
 
-/// Returns an interval that contains the modulus of a product for every r in an interval, with the rounding errors of
-/// every operation.
+/// Returns an interval that contains the modulus of an emitted product for every r of an interval, including all
+/// rounding errors.
 fn size<S: Float>(product: &Product<S>, r: Interval) -> Interval {
     let of = |factors: &[Factor<S>]| {
         factors.iter().fold(Interval::ONE, |all, factor| {
@@ -147,7 +149,8 @@ fn size<S: Float>(product: &Product<S>, r: Interval) -> Interval {
     if value.high < 0.0 { -value } else { value }
 }
 
-/// Returns an interval that contains the values of `factor` for every r of the interval `r`, rounding errors included.
+/// Returns an interval that contains the value of an emitted factor for every r of an interval, including all
+/// rounding errors.
 fn value<S: Float>(factor: &Factor<S>, r: Interval) -> Interval {
     let point = |value: S| Interval::point(value.to_f64());
     let beside = |at: S, rest: S| {

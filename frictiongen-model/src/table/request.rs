@@ -134,7 +134,7 @@ impl Request {
     }
 }
 
-/// Bound that separates the relative rounding errors of single and of double precision.
+/// Number between the relative rounding errors of single and of double precision. It separates the two.
 const BETWEEN_PRECISIONS: f64 = 1e-10;
 
 /// Returns true if a number type has single precision.

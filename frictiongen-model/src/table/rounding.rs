@@ -4,30 +4,29 @@ use super::request::is_single;
 use crate::interval::Interval;
 use frictiongen_kernel::Float;
 
-/// Allowance for products that underflow in a polynomial in single precision: about 70 times the smallest positive
-/// number.
+/// Allowance for products that underflow in the evaluation of a polynomial in single precision. It is about 70 times
+/// the smallest positive number.
 const UNDERFLOW_SINGLE: f64 = 1e-43;
-/// Allowance for products that underflow in a polynomial in double precision: about 200 times the smallest positive
-/// number.
+/// Allowance for products that underflow in the evaluation of a polynomial in double precision. It is about 200 times
+/// the smallest positive number.
 const UNDERFLOW: f64 = 1e-321;
-/// Factor on a sum of rounding errors. The factor covers the products of these errors and the roundings of the sum
-/// itself.
+/// Factor on a sum of rounding errors. It covers the products of these errors, and the rounding of the sum itself.
 const UP: f64 = 1.001;
 
 /// Returns an upper bound on the rounding error of the term c_k tᵏ in the emitted evaluation, in rounding units.
 ///
-/// The sum c_2j + c_2j+1·t has one rounding, and its second term has one more. Adding the higher terms causes one
-/// rounding. Each of the j products with t² adds three roundings: the product, t² itself, and a sum. The difference r −
-/// origin is exact if both numbers are within a factor of two. Otherwise the difference adds one rounding for each
+/// The sum c_2j + c_2j+1·t has one rounding, and its second term has one more. The addition of the higher terms has
+/// one rounding. Each of the j products with t² has three roundings: of the product, of t² and of a sum. The
+/// difference r − origin is exact if both numbers are within a factor of two. Otherwise it adds one rounding for each
 /// power.
 fn counts(power: usize, exact_difference: bool) -> f64 {
     let of_difference = if exact_difference { 0 } else { power };
     (power % 2 + 2 + 3 * (power / 2) + of_difference) as f64
 }
 
-/// Returns an upper bound on the rounding error of the evaluation in the table's scalar. `away` is the range of
-/// distances of r from a zero of the function, if the piece is near one. The result is then the error divided by this
-/// distance.
+/// Returns an upper bound on the rounding error of a polynomial's evaluation in the scalar type of the table. If the
+/// piece is near a zero of the function, `away` is the range of the distances of r from the zero. The result is then
+/// the error divided by this distance.
 pub fn rounding<S: Float>(
     coefficients: &[f64],
     origin: f64,

@@ -1,4 +1,4 @@
-//! Fractions of the requested accuracy that the fit, the check and the rounding may use.
+//! Fractions of the requested accuracy that the fit, the check and the rounding of a table may take.
 
 use super::cover::Cover;
 use super::errors::Comparison;
@@ -11,22 +11,22 @@ use crate::scene::Side;
 use frictiongen_kernel::Float;
 use frictiongen_kernel::table::Quotient;
 
-/// Fraction of the accuracy that the error of a fitted polynomial may use at the points of the fit. The rest is for
+/// Fraction of the accuracy that the error of a fitted polynomial may take at the points of the fit. The rest is for
 /// frequency ratios between these points.
 const SHARE: f64 = 0.75;
-/// Fraction of the accuracy that the error may use at the points of the check. The rest is for larger errors between
-/// these points.
+/// Fraction of the accuracy that the error of a table may take at the points of the check. The rest is for larger
+/// errors between these points.
 const CHECKED: f64 = 0.9;
-/// Fraction of the accuracy that the fit may use with `side: safe`. The table then lies half the accuracy away from the
-/// exact limit.
+/// Fraction of the accuracy that the fit may take with `side: safe`. The table then aims half the accuracy away from
+/// the exact limit.
 const SAFE_SHARE: f64 = 0.4;
-/// Fraction of the accuracy that the rounding of a coefficient to decimals may use.
+/// Fraction of the accuracy that may be lost if a coefficient is rounded to decimals.
 const ROUNDING: f64 = 1e-3;
 /// Largest number of polynomial pieces in a table.
 const MOST_PIECES: usize = 20_000;
 
-/// Returns the settings for polynomial pieces that meet a request: the allowed errors, and the number of functions and
-/// terms. The result contains no pieces yet.
+/// Returns the settings for polynomial pieces that meet a request: the allowed errors, the number of functions and
+/// the number of coefficients. It contains no pieces yet.
 pub(super) fn cover<'a, 'm, S: Float>(
     exact: &'a mut Exact<'m>,
     landmarks: Landmarks,
@@ -61,7 +61,7 @@ pub(super) fn cover<'a, 'm, S: Float>(
     }
 }
 
-/// Converts an error, divided by the error that the check allows, into a relative error.
+/// Converts an error that is divided by the error that the check allows to a relative error.
 pub(super) fn relative(worst: Worst, request: &Request) -> Worst {
     let error = match request.side {
         Side::Near => worst.error * CHECKED * request.accuracy,

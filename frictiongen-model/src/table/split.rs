@@ -1,16 +1,16 @@
-//! Frequency ratios at which a table must be divided, and frequency ratios near zeros and resonances at which the code
-//! must compute the error of the table.
+//! Frequency ratios at which a table must be divided, and frequency ratios near zeros and resonances at which its
+//! error must be checked.
 
 use super::zeros::{Zeros, contact_modes};
 use crate::modal::Modal;
 use frictiongen_kernel::number::dd::Dd;
 
-/// A zero r₀ of β_lim, as a double and a remainder.
+/// A zero r₀ of β_lim, as the sum of a double and a remainder.
 #[derive(Clone, Copy, Debug)]
 pub struct LimitZero {
     /// The zero as a double.
     pub at: f64,
-    /// The exact zero minus its rounded value `at`.
+    /// The remainder: the exact zero minus the double `at`.
     pub rest: f64,
 }
 
@@ -27,16 +27,15 @@ impl LimitZero {
     }
 }
 
-/// Relative distances from a zero of β_lim, a resonance or a sub-harmonic at which the code computes the error of a
-/// table.
+/// Relative distances from a zero of β_lim, a resonance or a subharmonic at which the error of a table is checked.
 const BESIDE: [f64; 13] = [
     0.0, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-6, 1e-5, 1e-4, 1e-3, 3e-3, 1e-2,
 ];
-/// A zero of β_lim outside the range of r still influences the table if its relative distance from the range is at most
-/// this value.
+/// Largest relative distance from the range of r at which a zero of β_lim outside the range still influences the
+/// table.
 const OUTSIDE: f64 = 1e-2;
-/// A resonance, a sub-harmonic or a zero causes a narrow feature of β_lim if its damping is at most this value. For a
-/// sub-harmonic of a mode the damping is ζ times the order. For a complex zero x + iy of V the damping is |x|/y.
+/// Largest damping at which a resonance, a subharmonic or a zero causes a narrow feature of β_lim. For the
+/// subharmonic of order n of a mode the damping is nζ. For a complex zero x + iy of V it is |x|/y.
 const BROAD: f64 = 0.5;
 /// Largest number of sub-harmonics that the code considers for each mode.
 const MOST: usize = 10_000;
@@ -49,27 +48,26 @@ pub struct Landmarks {
     pub zeros: Vec<LimitZero>,
     /// Resonances of undamped modes within the range of r. The phase of the contact's response jumps there.
     pub jumps: Vec<f64>,
-    /// Frequency ratios, in ascending order, at which the code computes the error of a table, in addition to the points
-    /// that the fit and the check choose in each piece. They lie at and near zeros of β_lim, resonances and
-    /// sub-harmonics.
+    /// Frequency ratios, in ascending order, at which the error of a table is checked, in addition to the points of
+    /// the fit and of the check. They are at and near zeros of β_lim, resonances and subharmonics.
     pub closely: Vec<f64>,
 }
 
 impl Landmarks {
-    /// Returns the zero of β_lim at the origin of a polynomial piece. `to` rounds a zero to the number type of the
-    /// table. Returns `None` if the origin is not a zero.
+    /// Returns the zero of β_lim that is the origin of a polynomial piece, or `None` if the origin is not a zero.
+    /// `to` rounds a zero to the scalar type of the table.
     pub fn zero_at(&self, origin: f64, to: impl Fn(f64) -> f64) -> Option<LimitZero> {
         let mut zeros = self.zeros.iter().copied();
         zeros.find(|zero| to(zero.at) == origin)
     }
 
-    /// Adds a frequency ratio to the list `closely`.
+    /// Adds a frequency ratio at which the error of the table must be checked.
     pub fn look_at(&mut self, r: f64) {
         let place = self.closely.partition_point(|known| *known < r);
         self.closely.insert(place, r);
     }
 
-    /// Returns the landmarks of a range of r. `zeros` is `None` if the zeros could not be separated.
+    /// Returns the landmarks in a range of r. `zeros` is `None` if the zeros of V and H could not be separated.
     #[must_use]
     pub fn of(modal: &Modal, zeros: Option<&Zeros>, (low, high): (f64, f64)) -> Self {
         let within = |r: f64| low <= r && r <= high;

@@ -19,11 +19,11 @@ use crate::rounded;
 use crate::scene::{Accuracy, Provide, Proving, Scene};
 use frictiongen_kernel::Float;
 
-/// The responses with the contact stuck may use the allowed bytes divided by this number.
+/// Divisor of the allowed bytes. The quotient is the largest size of the tables of the stuck responses.
 const STUCK_PART: usize = 4;
-/// First trial length of a piece: the length of the range of r, divided by this number.
+/// Divisor of the length of the range of r. The quotient is the first length that the construction tries for a piece.
 const FIRST: f64 = 16.0;
-/// Largest number of pieces for which one byte can store an index.
+/// Largest number of pieces whose indices fit into one byte.
 const IN_A_BYTE: usize = 1 << u8::BITS;
 
 /// Size of the tables of a scene, and the errors that the check has found.
@@ -48,8 +48,9 @@ pub struct TableReport {
 pub struct Tables<S> {
     /// The request for which the tables were built.
     pub request: Request,
-    /// Number of functions that each piece approximates by polynomials: 1 for β_lim alone, and up to 5 with the motion
-    /// of the contact. The order is β_lim, a, g, arg V and |V|, with V the response of the contact without friction.
+    /// Number of functions that each piece approximates by polynomials, from 1 (β_lim alone) to 5. The functions are
+    /// β_lim, a = β_lim·U/|V|, g = β_lim·G/|V|, arg V and |V|, where V is the response of the contact without
+    /// friction.
     pub functions: usize,
     /// Number of coefficients of each polynomial.
     pub terms: usize,
@@ -76,7 +77,8 @@ pub struct Tables<S> {
     /// Proof that the table of β*_lim has the requested accuracy. This proof takes so little work that the builder
     /// always makes it.
     pub sliding_proof: Proof,
-    /// Proof that |V|, the amplitude of the contact without friction, has the requested accuracy, if it is a product.
+    /// Proof that |V|, the amplitude of the contact without friction, has the requested accuracy, if a product
+    /// represents |V|.
     pub excitation_proof: Proof,
     /// Undamped resonances within the range that the load drives, rounded to the number type. At these frequency ratios
     /// the amplitude of a continuous motion is infinite.
@@ -132,11 +134,11 @@ impl<S: Float> Tables<S> {
         self.functions > 1
     }
 
-    /// Returns the number of additions and multiplications in a lookup and the evaluation of one polynomial together.
+    /// Returns the number of additions and multiplications in a lookup and in the evaluation of one polynomial.
     #[must_use]
     pub fn additions_and_multiplications(&self) -> usize {
         // The count includes r − low and its product with the density, and r − origin and its square. Each pair of
-        // terms takes two operations, and joining two pairs takes two more.
+        // terms takes two operations. The combination of two pairs takes two more.
         let pairs = self.terms.div_ceil(2);
         2 + 2 + 2 * pairs + 2 * (pairs - 1)
     }
@@ -245,7 +247,7 @@ impl<S: Float> Tables<S> {
         request.stuck.then(|| Held::of(modal, request.r)).flatten()
     }
 
-    /// Adds the responses while the contact is stuck to the tables, if they are accurate enough.
+    /// Adds the stuck responses to the tables, if they are accurate enough.
     fn with(mut self, held: Option<&Held<S>>) -> Self {
         let accuracy = self.request.accuracy;
         self.held = held.filter(|held| held.keeps(accuracy)).cloned();
@@ -254,8 +256,7 @@ impl<S: Float> Tables<S> {
     }
 
     /// Returns the finest accuracy that a table can meet. The method tries accuracies that are 10, 100, … times as
-    /// coarse as the request. Returns `None` if the table
-    /// meets none of them.
+    /// coarse as the request. Returns `None` if no table meets any of them.
     fn reached(exact: &mut Exact<'_>, request: Request) -> Option<f64> {
         let mut accuracy = request.accuracy;
         while accuracy < COARSEST {
@@ -275,9 +276,9 @@ impl<S: Float> Tables<S> {
         Self::built_within(exact, request, usize::MAX)
     }
 
-    /// Builds the tables of the limits and of the contact's motion. If polynomials of the usual degree do not suffice,
-    /// the method tries higher degrees. They are necessary if a mode changes a function within a few hundred rounding
-    /// units of r.
+    /// Builds the tables of the limits and of the contact's motion. If polynomials of the usual degree do not
+    /// suffice, the method tries higher degrees. Higher degrees are needed if a mode changes a function within a few
+    /// hundred rounding units of r.
     fn built_within(
         exact: &mut Exact<'_>,
         request: Request,
@@ -293,10 +294,10 @@ impl<S: Float> Tables<S> {
         found.ok_or(not_met)
     }
 
-    /// Builds the tables with polynomials of `terms` coefficients. If every mode is damped and the tables fit, |V| is
-    /// one of the polynomials. Otherwise |V| is a product over zeros and poles. |V| is the amplitude of the contact
-    /// without friction. A product needs fewer bytes, but costs a square root and some operations for every zero and
-    /// pole.
+    /// Builds the tables with polynomials of `terms` coefficients. |V|, the amplitude of the contact without
+    /// friction, is one of the polynomials if every mode is damped and the tables fit into the allowed bytes.
+    /// Otherwise |V| is a product over zeros and poles. A product needs fewer bytes, but takes a square root and some
+    /// operations for every zero and pole.
     fn of_terms(
         exact: &mut Exact<'_>,
         request: Request,
@@ -341,8 +342,8 @@ impl<S: Float> Tables<S> {
             (low, high),
         );
         let functions = match (&excitation, exact.damped()) {
-            // If the zeros could not be separated, |V| may have a zero at a real r. |V| then has a kink there, so the
-            // pieces do not contain it.
+            // If the zeros could not be separated, |V| may have a zero at a real r, and so a kink. The pieces then do
+            // not contain |V|.
             _ if with_size && zeros.is_some() => 5,
             (None, _) => 1,
             (Some(_), false) => 2,

@@ -7,32 +7,31 @@ use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::table::Factor;
 use frictiongen_kernel::{Complex, Float};
 
-/// The real or imaginary part of a zero or pole, or a coefficient, counts as zero below this relative size. The number
-/// is far larger than the rounding error of a double-double sum, 10⁻³², and far smaller than the precision of a scene
-/// in doubles.
+/// Relative size up to which the real or imaginary part of a zero or pole, or a coefficient, counts as zero. It is
+/// far larger than the rounding error of a double-double sum, 10⁻³², and far smaller than the precision of a scene in
+/// doubles.
 pub(super) const NONE: f64 = 1e-20;
-/// The constants of two modes (resonance or damping ratio) count as equal if their relative difference is at most this
-/// value. They then differ only by rounding in double-double.
+/// Largest relative difference of two constants (resonance or damping ratio) of modes that count as equal. Rounding
+/// in double-double causes such differences.
 pub(super) const EQUAL: f64 = 1e-24;
-/// Two zeros count as one common zero of V and H if their relative distance is at most this value. V and H are the
-/// responses of the contact to the load and to a contact force. A scene in doubles cannot separate zeros as close as
-/// this.
+/// Largest relative distance of two zeros that count as one common zero of V and H, the responses of the contact to
+/// the load and to a contact force. A scene in doubles cannot separate zeros that are so close.
 const COMMON: f64 = 1e-13;
-/// The search for a zero starts from moduli of at least this multiple of the lowest resonance.
+/// Smallest modulus from which the search for zeros starts, as a multiple of the lowest resonance.
 const BELOW: f64 = 0.6;
-/// The search for a zero starts from moduli of at most this multiple of the highest resonance. Zeros lie between
-/// resonances or slightly beyond.
+/// Largest modulus from which the search for zeros starts, as a multiple of the highest resonance. Zeros are between
+/// the resonances or slightly outside.
 const ABOVE: f64 = 1.4;
-/// Smallest angle between the imaginary axis and a starting point of the search for a zero, in rad. From a point on an
-/// axis, the iteration would stay on that axis.
+/// Smallest angle, in rad, between the imaginary axis and a point from which the search for zeros starts. From a
+/// point on an axis, the iteration would stay on that axis.
 const LEAST_ANGLE: f64 = 0.1;
-/// Range of the angles of the starting points, in rad, from `LEAST_ANGLE` on. The code divides the range into
-/// elevenths. Each angle is seven elevenths beyond the previous one, so that neighbouring starting points have very
-/// different angles.
+/// Range of the angles, in rad, of the points from which the search for zeros starts. It begins at `LEAST_ANGLE` and
+/// is divided into elevenths. Each angle is seven elevenths beyond the previous one, so that neighbouring points have
+/// very different angles.
 const ANGLES: f64 = 0.7;
 
-/// A zero or pole s = x + iy of a function of s = ir, in double-double. Of a conjugate pair, the number is the one with
-/// y > 0.
+/// A zero or pole s = x + iy of a function of s = ir, in double-double. A conjugate pair is represented by the number
+/// with y > 0.
 #[derive(Clone, Copy, Debug)]
 pub struct Zero {
     /// Real part x of the zero or pole.
@@ -96,11 +95,12 @@ pub struct Zeros {
     pub unloaded: Vec<Zero>,
 }
 
-/// A mode in double-double, with its contributions to V and to H.
+/// A mode of the chain in double-double, with its contributions to V and H, the contact's responses to the load and
+/// to a contact force.
 pub struct ContactMode {
     /// Resonance and damping ratio of the mode, and its contribution to H.
     pub driven: DrivenMode,
-    /// Contribution of the mode to V.
+    /// Contribution of the mode to V, the response of the contact to the load.
     pub residue: Dd,
 }
 
@@ -169,8 +169,8 @@ impl Zeros {
                 ..mode.driven
             })
             .collect();
-        // At r = 0 a base may carry the contact along without relative motion. V then has a zero at s = 0. Without
-        // damping this zero is double.
+        // At r = 0 a moving base may carry the contact along without relative motion. V then has a zero at s = 0,
+        // which is double without damping.
         let at_rest = modal.on_moving_base && modal.static_motion.is_zero();
         let known = match (at_rest, damped) {
             (false, _) => 0,
@@ -291,8 +291,8 @@ fn degree(modes: &[DrivenMode], direct: Dd) -> Option<usize> {
     None
 }
 
-/// Returns `count` starting points for the search of zeros, unevenly spread near the imaginary axis. Their moduli span
-/// the range of the resonances, and a little more on both sides.
+/// Returns `count` points from which the search for zeros starts, unevenly spread near the imaginary axis. Their
+/// moduli span the range of the resonances, and a little more on both sides.
 pub(super) fn guesses(sigmas: impl Iterator<Item = f64>, count: usize) -> Vec<Complex<Dd>> {
     let ends = (f64::INFINITY, 0.0_f64);
     let (low, high) = sigmas.fold(ends, |(low, high), sigma| (low.min(sigma), high.max(sigma)));

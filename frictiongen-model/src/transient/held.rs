@@ -14,8 +14,8 @@ use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::number::dual::Dual;
 use frictiongen_kernel::{Float, Scalar};
 
-/// Two squared frequencies count as equal if their relative difference is at most this value. This value is a thousand
-/// rounding units of double-double.
+/// Largest relative difference of two squared frequencies that count as equal. It is a thousand rounding units of
+/// double-double.
 const ROUNDING: f64 = 1e-29;
 
 /// Returns the held modes, which are the modes of the chain with its contact stuck. The second result has the
@@ -33,7 +33,7 @@ pub(super) fn held<T: Float, S: Scalar>(
     let (mut held, mut participations) = (Vec::new(), Vec::new());
     for (omega, zeta) in pairs.iter().copied() {
         let (own, largest) = participations_of(modes, compliance, (omega, zeta));
-        // Two modes a and b of different pairs are orthogonal in the bilinear form B(a, b) = Σ 2ζσ a b + ȧ b + a ḃ.
+        // Modes a and b of different pairs are orthogonal in the bilinear form B(a, b) = Σ 2ζσ a b + ȧ b + a ḃ.
         let (mut first, mut mixed, mut second) = (zero, zero, zero);
         let mut force = zero;
         for (mode, [g, h]) in modes.iter().zip(&own) {

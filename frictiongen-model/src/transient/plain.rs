@@ -5,12 +5,12 @@ use crate::roots::DrivenMode;
 use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
 
-/// The constants of two modes (resonance or damping ratio) count as equal if their relative difference is at most this
-/// value. Rounding can cause a difference of this size.
+/// Largest relative difference of two constants (resonance or damping ratio) of modes that count as equal. Rounding
+/// can cause a difference of this size.
 pub(super) const EQUAL: f64 = 1e-24;
 
-/// A component of a mode counts as rounding noise if it is at most this fraction of the largest value that the
-/// component can have.
+/// Fraction of the largest value that a component of a mode can have. A component of at most this fraction is
+/// rounding noise.
 const NOISE: f64 = 1e-26;
 
 /// Constants of one mode of the sliding chain in double-double, with or without derivatives.
@@ -25,8 +25,8 @@ pub(super) struct SlidingMode<T> {
     pub shape: Vec<T>,
 }
 
-/// Moves the modes that the contact drives to the front. The sort is stable, so that both groups stay in ascending
-/// order.
+/// Moves the modes that the contact drives to the front of the list. Both groups stay in ascending order, because the
+/// sort is stable.
 pub(super) fn sorted<T: Float>(mut modes: Vec<SlidingMode<T>>) -> Vec<SlidingMode<T>> {
     modes.sort_by_key(|mode| mode.contact.is_zero());
     modes

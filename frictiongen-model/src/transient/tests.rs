@@ -34,9 +34,9 @@ fn chain(masses: &[f64], springs: &[f64], contact: usize, damping: Damping) -> S
     }
 }
 
-/// Returns the largest relative displacement of the contact in a held mode (contact stuck), divided by the
-/// participations of the modes. The exact value is 0. Rounding in double-double and close frequencies cause other
-/// values.
+/// Returns the largest relative displacement of the contact in a held mode (a mode of the chain with its contact
+/// stuck), divided by the participations of the modes. The exact value is 0. Rounding in double-double and close
+/// frequencies cause other values.
 fn worst_slip(scene: &Scene) -> f64 {
     let transient: Transient<Dd> = Transient::of(scene, &Modal::of(scene), |value| value);
     let driven = transient.held.len() + 1;

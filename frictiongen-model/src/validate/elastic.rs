@@ -7,9 +7,9 @@ use super::settings::item_name;
 use crate::modal::Modal;
 use crate::scene::{FrictionLaw, Precision, Provide, Scene};
 
-/// Largest angle, in rad, by which the fastest mode of the stuck chain may advance in a cycle at the lowest resonance.
-/// The rounding of that angle changes the contact force.  10⁶ rad keep an accuracy of 10⁻¹⁰ in `f64`, and 10⁴ rad keep
-/// 10⁻³ in `f32`.
+/// Largest angle, in rad, by which the fastest mode of the stuck chain may turn in a cycle at the lowest resonance.
+/// The rounding of this angle changes the contact force.  10⁶ rad keep an accuracy of 10⁻¹⁰ in `f64`, and 10⁴ rad
+/// keep 10⁻³ in `f32`.
 fn most_turned(precision: Precision) -> f64 {
     match precision {
         Precision::F64 => 1e6,
@@ -17,7 +17,7 @@ fn most_turned(precision: Precision) -> f64 {
     }
 }
 
-/// Returns the number of digits of the contact force at the angle of [`most_turned`].
+/// Returns the number of digits that the contact force keeps at the angle of [`most_turned`].
 fn kept(precision: Precision) -> u32 {
     match precision {
         Precision::F64 => 10,

@@ -109,7 +109,8 @@ fn check_sides(
     errors.len() == before
 }
 
-/// Returns `words` followed by the sum as text. Returns an empty text if a term of the sum could not be read.
+/// Returns `words` followed by the sum as text. Returns an empty text if a term of the sum is unreadable in the
+/// description.
 fn told(sum: f64, words: &str) -> String {
     if sum.is_finite() {
         format!("{words} {sum:?}")

@@ -1,8 +1,8 @@
 //! Checks on the graph of springs: each mass needs a support, and a chain of springs must connect the load to the
 //! contact.
 //!
-//! A support transmits no motion. The graph therefore divides at the supports into components. A component is a set of
-//! masses that springs connect without a support between them.
+//! A support transmits no motion, so the supports divide the graph of springs into components. A component is a set
+//! of masses that springs connect without a support between them.
 
 use std::collections::{BTreeMap, HashSet};
 
@@ -24,8 +24,8 @@ pub(super) fn check(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>
     }
 }
 
-/// Component of the spring graph to which each mass belongs. The number of a component is the smallest index of its
-/// masses.
+/// The component of the spring graph to which each mass belongs. A component has the smallest index of its masses as
+/// its number.
 struct Parts(Vec<usize>);
 
 impl Parts {

@@ -10,10 +10,10 @@ use crate::scene::{Precision, Scene};
 /// Largest number of masses for which the code checks the modes. Larger scenes exist only at run time, in double
 /// precision.
 const MOST_ANALYSED: usize = 64;
-/// Single precision can separate two frequencies if their relative difference is at least this value. This value is a
-/// few rounding units of single precision.
+/// Smallest relative difference of two frequencies that single precision can separate. It is a few rounding units of
+/// single precision.
 const SINGLE_GAP: f64 = 1e-6;
-/// Double-double cannot separate two frequencies if their relative difference is below this value.
+/// Relative difference of two frequencies below which double-double cannot separate them.
 const SAME: f64 = 1e-28;
 
 /// Returns the largest ratio between two masses, or between two stiffnesses, that a scene may have.
@@ -38,7 +38,7 @@ pub(super) fn check(scene: &Scene, checks: &Checks, errors: &mut Vec<SceneError>
                 most = (value, index);
             }
         }
-        // A number that is too large or too small by itself has already been reported by another check.
+        // Another check has already reported a number that is too large or too small by itself.
         let told = most.0 > LARGEST || least.0 < SMALLEST;
         (if told { 1.0 } else { most.0 / least.0 }, most.1)
     };

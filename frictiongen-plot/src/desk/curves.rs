@@ -1,4 +1,5 @@
-//! Figures of responses over frequency. The stroke of a line shows the regime, and its colour the friction.
+//! Figures of response curves: amplitude and phase over frequency. The stroke of a line shows the regime, and its
+//! colour the friction.
 
 use super::phases::{folded, phase_ends};
 use super::scales::Scales;
@@ -10,42 +11,43 @@ use frictiongen::study::response::MotionQuantity;
 use frictiongen::study::units::polar;
 use frictiongen::{Of, Regime};
 
-/// Quantity of a motion that a curve shows: amplitude, phase, rate, or one harmonic.
+/// The quantity of a motion that a curve shows over frequency: amplitude, phase, rate, or one harmonic.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reading {
-    /// The amplitude of the motion. For a stuck contact it is the centred amplitude, because the contact may have
-    /// stopped at many positions.
+    /// The amplitude of the motion. If the contact is stuck, it is the amplitude of the motion about the centred
+    /// position. The contact may have stopped at many positions, so other amplitudes are possible.
     Amplitude,
     /// The phase of the motion in degrees.
     Phase,
-    /// The largest velocity or acceleration of the motion. The curve must contain it.
+    /// The value of a [`MotionQuantity`], such as the largest velocity or acceleration of the motion. The curve must have been
+    /// computed with it.
     Rate(MotionQuantity),
-    /// The amplitude of a harmonic, by its index among the requested harmonics.
+    /// The amplitude of one harmonic of the motion. The number is the harmonic's index among the requested harmonics.
     Harmonic(usize),
-    /// The phase of a harmonic in degrees, by its index among the requested harmonics.
+    /// The phase of one harmonic of the motion, in degrees. The number is the harmonic's index among the requested
+    /// harmonics.
     HarmonicPhase(usize),
 }
 
-/// A response curve with its name in the legend and its colour.
+/// A response curve, with the name that it has in the legend, and its colour.
 #[derive(Clone, Debug)]
 pub struct Drawn<'a> {
     /// The response over frequency at one friction.
     pub curve: &'a Curve,
-    /// Name in the legend.
+    /// Name of the curve in the legend, such as the friction ratio.
     pub name: Label,
     /// Colour of the curve.
     pub colour: Colour,
 }
 
-/// Neighbouring points of a phase curve are joined by a line if their difference of phase is at most this value, in
-/// rad.
+/// Largest difference of phase between two neighbouring points of a phase curve that a line joins, in rad.
 const TURN: f64 = 0.6;
-/// The figure shows a phase only if the amplitude is at least this fraction of the median amplitude over the range of
-/// the piece. At a smaller amplitude the phase is mostly rounding error. The amplitude itself has an error of about
-/// 1e-13 of the largest term of its sum.
+/// A figure shows a phase only if the amplitude is at least this fraction of the median amplitude of the piece. At a
+/// smaller amplitude the phase is mostly rounding error, because an amplitude has an error of about 1e-13 of the
+/// largest term of its sum.
 const VANISHING: f64 = 1e-10;
 
-/// Returns the stroke in which a regime is drawn.
+/// Returns the stroke of a line, such as dotted, in which curves show a regime.
 pub(super) fn stroke(regime: Regime) -> Stroke {
     match regime {
         Regime::Stuck => Stroke::Dotted,
@@ -54,7 +56,7 @@ pub(super) fn stroke(regime: Regime) -> Stroke {
     }
 }
 
-/// Returns the legend entries that explain the stroke of each regime.
+/// Returns three legend entries that explain the strokes of the regimes continuous, stick-slip and stuck.
 #[must_use]
 pub fn keys() -> Vec<Key> {
     vec![
@@ -81,7 +83,8 @@ impl Reading {
         matches!(self, Self::Phase | Self::HarmonicPhase(_))
     }
 
-    /// Returns the amplitude to draw at a point of a piece, in the unit of the axis.
+    /// Returns the amplitude of the motion `part` at a point of the curve, in the unit of the amplitude axis. `part`
+    /// is an index among the requested motions.
     fn size(
         self,
         piece: &CurvePiece,
@@ -100,8 +103,8 @@ impl Reading {
         })
     }
 
-    /// Returns the requested amplitude and phase at a point of the curve. `part` is the index of the motion among the
-    /// requested motions.
+    /// Returns the amplitude or rate of a motion at a point of the curve, and its phase in rad. `part` is the index
+    /// of the motion among the requested motions. The phase is `None` for a rate and for an amplitude of zero.
     fn polar(self, point: &CurvePoint, part: usize) -> Option<(f64, Option<f64>)> {
         let movement = point.movements.get(part)?;
         Some(match self {
@@ -126,7 +129,8 @@ impl Reading {
     }
 }
 
-/// Returns the curve of one motion as a list of pieces, each with its regime. The points are in the units of the axes.
+/// Returns the curve of the motion `part` as a list of pieces. Each piece has its regime, and its points in the units
+/// of the axes.
 fn traced(
     curve: &Curve,
     part: usize,
@@ -149,7 +153,8 @@ fn traced(
     pieces.collect()
 }
 
-/// Returns the phases of a piece in degrees, in (−180, 180], as runs of neighbouring points.
+/// Returns the phase curve of a piece as lists of points. Each list is one line. The phases are in degrees, in (−180,
+/// 180].
 fn phases(piece: &CurvePiece, part: usize, reading: Reading, scales: &Scales) -> Vec<Vec<Point>> {
     let sizes = piece.points.iter();
     let sizes: Vec<Point> = sizes
@@ -188,8 +193,9 @@ fn phases(piece: &CurvePiece, part: usize, reading: Reading, scales: &Scales) ->
 
 const FULL: f64 = std::f64::consts::TAU;
 
-/// Returns the lines of one motion of a curve, one for each regime. All lines have the same legend name. If their
-/// strokes differ, the legend shows the colour alone.
+/// Returns the layers that draw the motion `part` of a curve: one line for each regime, and dots for motions that do
+/// not settle. All lines have the same name in the legend. If their strokes differ, the legend shows the colour
+/// alone.
 #[must_use]
 pub fn lines(
     drawn: &Drawn<'_>,
@@ -208,8 +214,8 @@ pub fn lines(
         layers.push(Line::new(drawn.name.clone(), drawn.colour, stroke(regime), runs).into());
     }
     if !reading.is_phase() {
-        // The amplitudes of a motion that does not settle scatter. Each of them is a piece with a single point, which
-        // is drawn as a dot.
+        // The amplitudes of a motion that does not settle lie irregularly. Each of them is a piece with a single
+        // point, which is drawn as a dot.
         let lone = drawn
             .curve
             .pieces
@@ -230,7 +236,8 @@ pub fn lines(
     layers
 }
 
-/// Returns a panel with one motion of several curves. The ranges of its axes are fitted to the curves.
+/// Returns a panel that shows the motion `part` of several curves over frequency. The ranges of the axes are fitted
+/// to the curves.
 #[must_use]
 pub fn panel(
     title: impl Into<Label>,
@@ -288,8 +295,9 @@ fn phase_axis(drawn: &[Drawn<'_>], part: usize, reading: Reading, scales: &Scale
     Axis::new("phase *φ* (degrees)", low, high).degrees()
 }
 
-/// Returns the upper end of an amplitude axis, which shows all amplitudes. If one amplitude is unbounded, the axis
-/// shows the amplitudes over nine tenths of the range.
+/// Returns the upper end of the amplitude axis of several curves. The axis shows all amplitudes of a curve without a
+/// pole. For a curve with a pole, at which the amplitude is unbounded, it shows the amplitudes over nine tenths of
+/// the frequency range.
 fn top(drawn: &[Drawn<'_>], part: usize, reading: Reading, scales: &Scales) -> f64 {
     let mut largest = 0.0_f64;
     for drawn in drawn {
@@ -306,7 +314,7 @@ fn top(drawn: &[Drawn<'_>], part: usize, reading: Reading, scales: &Scales) -> f
         };
         let most = points().fold(0.0, |most, (_, size)| size.max(most));
         let shown = if pole {
-            // The upper end is somewhat above the amplitude that only a tenth of the range exceeds.
+            // A curve exceeds this amplitude over less than a tenth of its frequency range.
             (1.3 * exceeded(&points().collect::<Vec<_>>(), 0.1)).min(most)
         } else {
             most
@@ -316,7 +324,8 @@ fn top(drawn: &[Drawn<'_>], part: usize, reading: Reading, scales: &Scales) -> f
     if largest > 0.0 { 1.06 * largest } else { 1.0 }
 }
 
-/// Returns the amplitude that the curve exceeds over the fraction `share` of its frequency range.
+/// Returns the amplitude that a curve exceeds over the fraction `share` of its frequency range. Each point is a
+/// frequency ratio with an amplitude.
 fn exceeded(points: &[Point], share: f64) -> f64 {
     let mut parts: Vec<Point> = points
         .windows(2)
@@ -337,8 +346,8 @@ fn exceeded(points: &[Point], share: f64) -> f64 {
     0.0
 }
 
-/// Returns a figure with one row for each requested motion: amplitude on the left, phase on the right. A row of a
-/// velocity or an acceleration has no phase.
+/// Returns a figure of response curves, with one row of panels for each requested motion: the amplitude on the left,
+/// the phase on the right. A velocity, an acceleration and other values of [`Size`] have a panel without a phase.
 #[must_use]
 pub fn curve_figure(
     title: impl Into<Label>,

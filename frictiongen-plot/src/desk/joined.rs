@@ -11,15 +11,15 @@ use frictiongen::Regime;
 pub struct ContactTrack {
     /// Name of the contact.
     pub name: String,
-    /// Relative displacement at each sample.
+    /// Relative displacement of the two sides of the contact, at each sample.
     pub displacement: Vec<f64>,
-    /// Force at each sample.
+    /// Force of the contact, at each sample.
     pub force: Vec<f64>,
     /// True at each sample at which the contact sticks.
     pub sticks: Vec<bool>,
 }
 
-/// A motion over time, in the units of the axes.
+/// A motion over time in a scene with several contacts, in the units of the axes.
 #[derive(Clone, Debug)]
 pub struct JoinedMotion {
     /// Time of each sample.
@@ -54,7 +54,8 @@ impl JoinedMotion {
         times.zip(values.iter().copied()).collect()
     }
 
-    /// Returns a panel with one line for each named quantity, or `None` without quantities.
+    /// Returns a panel with one line over time for each named quantity. Returns `None` if `tracks` is empty. `first`
+    /// is the index of the first line's colour.
     fn panel(
         &self,
         (title, label): (&str, &Label),
@@ -74,7 +75,8 @@ impl JoinedMotion {
         Some(lines.fold(panel, |panel, line| panel.with(line)))
     }
 
-    /// Returns the panel with the forces of all contacts over time.
+    /// Returns the panel with the forces of all contacts over time. `first` is the index of the first contact's
+    /// colour.
     fn forces(&self, first: usize) -> Panel {
         let values = self.contacts.iter().flat_map(|contact| &contact.force);
         let axis = Axis::fitted(self.force_label.clone(), values.copied());
@@ -89,7 +91,7 @@ impl JoinedMotion {
         panel
     }
 
-    /// Returns the panel with the hysteresis loop of a contact.
+    /// Returns the panel with the hysteresis loop of a contact: its force against its relative displacement.
     fn hysteresis(&self, contact: &ContactTrack, colour: Colour) -> Panel {
         let x = contact.displacement.iter().copied();
         let f = contact.force.iter().copied();
@@ -103,7 +105,8 @@ impl JoinedMotion {
 }
 
 impl ContactTrack {
-    /// Returns the path of the contact as a solid line where it slides, and as a dotted line where it sticks.
+    /// Returns the lines that draw a curve of the contact: solid where the contact slides, and dotted where it
+    /// sticks.
     fn lines(&self, path: &[Point], colour: Colour) -> Vec<Line> {
         let name = || Label::verbatim(&self.name);
         let lines = [(false, Stroke::Solid), (true, Stroke::Dotted)];
@@ -116,8 +119,9 @@ impl ContactTrack {
     }
 }
 
-/// Returns the pieces of a path between samples at which the contact sticks, or the other pieces. An interval with an
-/// event belongs to the pieces in which the contact slides.
+/// Returns the pieces of a path in which the contact sticks if `wanted` is true, and the other pieces otherwise. The
+/// contact sticks in an interval if it sticks at both samples. An interval in which sticking begins or ends therefore
+/// counts as sliding.
 fn pieces(path: &[Point], sticks: &[bool], wanted: bool) -> Vec<Vec<Point>> {
     let mut pieces: Vec<Vec<Point>> = Vec::new();
     let mut open = false;
@@ -170,18 +174,20 @@ pub fn joined_motion_figure(title: impl Into<Label>, motion: &JoinedMotion) -> F
     Figure::new("", title, 2, panels).with_keys(keys)
 }
 
-/// Steady states over frequency at one friction, in the units of the axes.
+/// Steady states over frequency of a scene with several contacts, at one friction, in the units of the axes.
 #[derive(Clone, Debug)]
 pub struct JoinedCurve {
-    /// Name in the legend.
+    /// Name of the curve in the legend, such as the friction.
     pub name: Label,
-    /// For each frequency: its value on the axis, and the regime. The regime is `None` without a steady state.
+    /// For each frequency, its value on the axis and the regime of the steady state. Without a steady state the
+    /// regime is `None`.
     pub points: Vec<(f64, Option<Regime>)>,
-    /// For each panel, the value at each frequency. A value without a steady state is NaN.
+    /// For each panel, a list with the value at each frequency. Without a steady state the value is NaN.
     pub values: Vec<Vec<f64>>,
 }
 
-/// Returns a figure with one panel for each title. The stroke of a line shows how many contacts slide.
+/// Returns a figure of responses over frequency, with one panel for each pair of title and axis label. The stroke of
+/// a line shows whether all contacts slide, some stick, or all are stuck.
 #[must_use]
 pub fn joined_curve_figure(
     title: impl Into<Label>,
@@ -224,7 +230,8 @@ pub fn joined_curve_figure(
 }
 
 impl JoinedCurve {
-    /// Returns one line for each regime. A line reaches to the first point of the next regime.
+    /// Returns the lines that draw this curve in the panel `index`, one for each regime. A line continues to the
+    /// first point of the next regime, so that no gap remains.
     fn lines(&self, index: usize, colour: Colour) -> Vec<Line> {
         let values = self.values.get(index).map_or(&[][..], Vec::as_slice);
         let points = self.points.iter().zip(values);

@@ -4,17 +4,17 @@ use super::map::{AxisCells, upper};
 use super::scales::Scales;
 use crate::{Axis, Cells, Colour, Figure, Fill, Label, Line, Panel, Point, Raster, Stroke};
 
-/// Largest number of classes of a map that differ in the contacts that never slide.
+/// If a map has more classes than this number, all further sets of contacts that never slide share one class.
 const CLASSES: usize = 6;
 
-/// The regime of one cell.
+/// The class of one cell of a map: which contacts slide in the steady state at its frequency and friction.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum JoinedClasses {
     /// All contacts slide all the time.
     Slide,
     /// Some contacts stick for a part of the period, and every contact slides for a part of it.
     Stick,
-    /// These contacts never slide, and the others do.
+    /// The named contacts never slide, and the other contacts do.
     Held(String),
     /// No contact slides.
     Stuck,
@@ -22,12 +22,13 @@ pub enum JoinedClasses {
     Unsettled,
 }
 
-/// The values of the cells of a map, first those of the lowest friction, in the order of the frequencies.
+/// The cells of a map over frequency and friction. The list begins with the cells of the lowest friction, in the
+/// order of the frequencies.
 #[derive(Clone, Debug)]
 pub enum JoinedCells {
-    /// Regimes.
+    /// The class of each cell.
     Regimes(Vec<JoinedClasses>),
-    /// Numbers, with the label of the colour bar.
+    /// The value of each cell, after the label of the colour bar.
     Values(Label, Vec<f64>),
 }
 
@@ -43,8 +44,8 @@ impl JoinedClasses {
     }
 }
 
-/// Returns a figure of a map over frequencies and frictions, which are in the units of the axes. `limit` is the friction
-/// above which no contact slides, over the frequency.
+/// Returns a figure of a map over frequencies and frictions. All numbers are in the units of the axes. The points of
+/// `limit` give, for each frequency, the friction above which no contact slides.
 #[must_use]
 pub fn joined_map_figure(
     title: impl Into<Label>,
@@ -90,7 +91,7 @@ pub fn joined_map_figure(
     Figure::new("", title, 1, vec![panel.with(raster).with(line)])
 }
 
-/// Returns cells in the colours of their regimes.
+/// Returns the cells of a map with a colour for each class. A cell that is `None` stays empty.
 fn classes<'c>(cells: impl Iterator<Item = Option<&'c JoinedClasses>>) -> Cells {
     let first = [
         JoinedClasses::Slide,

@@ -11,7 +11,7 @@ use frictiongen::{Error, Regime};
 pub enum Shade {
     /// The regime of the contact.
     Regime,
-    /// Number of stops of the contact in a period. Each number has its own colour, the same in every map.
+    /// Number of stops of the contact in a period. In every map, equal numbers have the same colour.
     Stops,
     /// Fraction of the period during which the contact sticks.
     Stuck,
@@ -19,10 +19,12 @@ pub enum Shade {
     Amplitude(usize),
 }
 
-/// Number of cells of a map along an axis whose sampled values are not evenly spaced.
+/// Number of cells along an axis of a map whose sampled values are not evenly spaced. An axis with evenly spaced
+/// values has one cell for each value.
 const CELLS: usize = 400;
 
-/// Returns a figure of a map. Lines over the map show β_lim, β*_lim and the boundaries between motions.
+/// Returns a figure of a map over frequency and friction. Lines over the map show the limits of [`LimitLines`] and
+/// the traced boundaries between different stick-slip motions.
 #[must_use]
 pub fn map_figure(
     title: impl Into<Label>,
@@ -40,7 +42,8 @@ pub fn map_figure(
     )
 }
 
-/// Returns a panel of a map. Lines over the map show β_lim, β*_lim and the boundaries between motions.
+/// Returns a panel of a map over frequency and friction. Lines over the map show the limits of [`LimitLines`] and the
+/// traced boundaries between different stick-slip motions.
 #[must_use]
 pub fn map_panel(
     title: impl Into<Label>,
@@ -113,7 +116,7 @@ pub fn map_panel(
     panel.with(continuous).with(sliding)
 }
 
-/// Assigns the sampled values of an axis to cells of equal width.
+/// The cells of a map along one axis: cells of equal width, each with the sampled value that it shows.
 pub(super) struct AxisCells {
     /// Lower and upper end of the range that the cells cover.
     pub ends: (f64, f64),
@@ -138,7 +141,7 @@ impl AxisCells {
         });
         if even {
             let half = 0.5 * step;
-            // The cells reach half a cell beyond both ends, but not below 0.
+            // The outer cells reach half a cell beyond the first and the last value, but not below 0.
             return Self {
                 ends: ((low - half).max(0.0), high + half),
                 places: (0..values.len()).collect(),
@@ -167,9 +170,9 @@ fn values(places: &SampledPlaces<'_>, read: impl Fn(&MapPoint) -> f64) -> Vec<f6
     places.iter().map(value).collect()
 }
 
-/// Returns the upper end of the colour scale, and the largest value. The end is at most twice the value that nine
-/// tenths of the cells do not exceed. Without this bound, the cells near a pole would leave all other cells in one
-/// colour.
+/// Returns the upper end of a map's colour scale, and the largest value of its cells. The end is at most twice the
+/// value that nine tenths of the cells do not exceed. Without this bound, large values near a pole would give all
+/// other cells the same colour.
 pub(super) fn upper(cells: &[f64]) -> (f64, f64) {
     let mut finite: Vec<f64> = cells
         .iter()
@@ -179,7 +182,7 @@ pub(super) fn upper(cells: &[f64]) -> (f64, f64) {
     finite.sort_by(f64::total_cmp);
     let most = finite.last().copied().unwrap_or(1.0);
     let usual = finite.get(finite.len() * 9 / 10).copied().unwrap_or(1.0);
-    // If nine tenths of the cells are at rest, the values of the other cells alone set the scale.
+    // If nine tenths of the values are zero, the largest value is the end of the scale.
     let end = if 0.0 < usual {
         most.min(2.0 * usual)
     } else {
@@ -218,8 +221,8 @@ fn classes(places: &SampledPlaces<'_>) -> Cells {
     }
 }
 
-/// Classes of a map by the number of stops, each with its colour. The classes for continuous motion, two stops and
-/// stuck have the colours of these regimes.
+/// Classes of a map that shows numbers of stops. Each class has its name and the index of its colour. The classes for
+/// continuous motion, two stops and stuck have the same colours as in a map of regimes.
 const STOPS: [(&str, usize); 8] = [
     ("continuous", 0),
     ("reversals only", 7),
@@ -254,7 +257,8 @@ fn stops(places: &SampledPlaces<'_>) -> Cells {
     }
 }
 
-/// Returns the legend name for the class of a motion. Motions with rare numbers of stops share one class.
+/// Returns the name in the legend of a map for the class of a motion. Motions with rare numbers of stops share a
+/// class.
 fn class(pattern: Pattern) -> String {
     match (pattern.regime, pattern.period, pattern.stops) {
         (Regime::Continuous, ..) => "continuous".to_owned(),
@@ -268,7 +272,8 @@ fn class(pattern: Pattern) -> String {
     }
 }
 
-/// Connects the boundaries between different stick-slip motions by lines, from one column of the map to the next.
+/// Returns lines along the boundaries between different stick-slip motions in a map. A line joins boundaries in
+/// neighbouring columns that separate the same two motions.
 fn trace(map: &Map, boundaries: &[Boundary], scales: &Scales) -> Vec<Vec<Point>> {
     let inner = |of: &&Boundary| {
         let slips = |side: &Result<Pattern, Error>| {

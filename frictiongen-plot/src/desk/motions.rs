@@ -5,13 +5,13 @@ use crate::{Across, Axis, Colour, Figure, Guide, Label, Line, Panel, Point, Stro
 use frictiongen::study::history::{History, Spectrum, Track};
 use std::f64::consts::PI;
 
-/// The figure shows a spectral line if it is at least this fraction of the largest line.
+/// A figure of a spectrum shows the lines with at least this fraction of the amplitude of the largest line.
 const FLOOR: f64 = 1e-5;
 
-/// Returns a figure of displacements and friction force against time, with phase portraits. If the contact is among the
-/// motions, the figure also shows its hysteresis loop, the friction force against the slip. The area of the loop of one
-/// period is the energy that the contact dissipates in that period. If `turned` is true, the figure shows the contact's
-/// motion with the opposite sign.
+/// Returns a figure of a motion: the displacements and the friction force against time, and the phase portraits. If
+/// the contact is among the motions, the figure also shows its hysteresis loop, the friction force against the slip.
+/// The area of the loop of one period is the energy that the contact dissipates in that period. If `turned` is true,
+/// the figure shows the contact's displacement and force with the opposite sign.
 #[must_use]
 pub fn history_figure(
     title: impl Into<Label>,
@@ -126,7 +126,7 @@ pub fn history_figure(
     Figure::new("", title, 2, panels)
 }
 
-/// Returns the panel with the friction force against the slip of the contact.
+/// Returns the panel with the hysteresis loop: the friction force against the slip of the contact.
 fn loop_panel(slip: &[f64], force: &[f64], scales: &Scales) -> Panel {
     let across = Axis::fitted(scales.displacement_label(), slip.iter().copied());
     let up = Axis::fitted(scales.friction_label(), force.iter().copied());
@@ -135,7 +135,7 @@ fn loop_panel(slip: &[f64], force: &[f64], scales: &Scales) -> Panel {
     Panel::new(title, across, up).with(Line::unnamed(Colour::Black, Stroke::Solid, vec![path]))
 }
 
-/// Adds lines to a panel.
+/// Returns the panel with the lines added as its top layers.
 fn with_lines(panel: Panel, lines: Vec<Line>) -> Panel {
     lines
         .into_iter()
@@ -176,7 +176,8 @@ pub fn spectrum_figure(
     Figure::new("", title, 2, panels.collect())
 }
 
-/// Returns the largest line of a spectrum, and a vertical line for each line that is not too small to be drawn.
+/// Returns the amplitude of the largest line of a spectrum, and a vertical line for each spectral line of at least
+/// [`FLOOR`] of this amplitude.
 fn stems(spectrum: &Spectrum, scales: &Scales) -> (f64, Vec<Vec<Point>>) {
     let lines = spectrum.lines.iter();
     let lines: Vec<Point> = lines

@@ -1,18 +1,19 @@
-//! Phases in degrees, in (−180, 180] as in every table.
+//! Converts phases to (−180, 180] degrees, as in the tables of the program.
 
 use crate::Point;
 
-/// Largest rounding error of a phase of 180 degrees, in degrees.
+/// Differences of phase up to this angle, in degrees, count as rounding errors.
 const SEAM: f64 = 1e-6;
 
-/// Returns a phase in degrees, converted to (−180, 180], as every command prints it.
+/// Adds whole turns to a phase in degrees, so that it lies in (−180, 180]. The tables of the program show this value.
 #[must_use]
 pub fn principal(phase: f64) -> f64 {
     phase - 360.0 * ((phase - 180.0 - SEAM) / 360.0).ceil()
 }
 
-/// Folds runs of phases in degrees into (−180, 180]. A run that leaves the range at one end continues as another run at
-/// the other end. The function leaves out runs of a single point, because no line can show them.
+/// Folds phase curves in degrees into (−180, 180]. Each run is a list of points that a line joins. A line that leaves
+/// the range at one end continues as a new run at the other end. The function leaves out runs of a single point,
+/// because no line can show them.
 #[must_use]
 pub fn folded(runs: &[Vec<Point>]) -> Vec<Vec<Point>> {
     let mut folded: Vec<Vec<Point>> = Vec::new();
@@ -24,7 +25,7 @@ pub fn folded(runs: &[Vec<Point>]) -> Vec<Vec<Point>> {
             if let Some(((last_x, last_phase), last_turn)) = last
                 && last_turn != turn
             {
-                // The border that the run crosses, on the side that it leaves.
+                // The end of the range that the line crosses before it continues at the other end.
                 let border = if last_phase < phase { 180.0 } else { -180.0 };
                 let share = (border - last_turn - last_phase) / (phase - last_phase);
                 let middle = last_x + share.clamp(0.0, 1.0) * (x - last_x);
@@ -41,7 +42,8 @@ pub fn folded(runs: &[Vec<Point>]) -> Vec<Vec<Point>> {
     folded
 }
 
-/// Returns the range of an axis of phases in degrees: a whole turn, or half a turn if no phase is negative.
+/// Returns the range of an axis for these phases in degrees: 0 to 180 if no phase is negative, and otherwise −180 to
+/// 180.
 #[must_use]
 pub fn phase_ends(phases: impl Iterator<Item = f64>) -> (f64, f64) {
     // A phase may differ from 0 by rounding.

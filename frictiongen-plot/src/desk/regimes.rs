@@ -4,12 +4,14 @@ use super::scales::Scales;
 use crate::{Axis, Colour, Fill, Label, Line, Panel, Point, Region, Stroke};
 use frictiongen::study::map::LimitLines;
 
-/// Name of the regime above β*_lim and below β_lim, in which the motion depends on the initial state.
+/// Name of the area above β*_lim and below β_lim. There the motion depends on the initial state.
 const BISTABLE: &str = "sliding or stuck, by the start";
-/// The figure shows an area if its height is at least this fraction of the height of the axis.
+/// A figure shows the area whose motion depends on the initial state only if its height is at least this fraction of
+/// the height of the axis.
 const SEEN: f64 = 1e-3;
 
-/// Returns β_lim and β*_lim as lines, up to a friction ratio somewhat above `top`.
+/// Returns the limits β_lim and β*_lim as lines over frequency. The lines are cut off at four times the friction
+/// ratio `top`.
 #[must_use]
 pub fn limit_lines(lines: &LimitLines, top: f64, scales: &Scales, colour: Colour) -> [Line; 2] {
     let line = |name: Label, stroke, read: fn(f64, f64) -> f64| {
@@ -34,7 +36,8 @@ pub fn limit_lines(lines: &LimitLines, top: f64, scales: &Scales, colour: Colour
     ]
 }
 
-/// Returns a panel of the regimes up to the friction ratio `top`: named areas, β_lim and β*_lim.
+/// Returns a panel of the regimes over frequency, up to the friction ratio `top`. It shows named areas and the lines
+/// of the limits β_lim and β*_lim.
 #[must_use]
 pub fn regimes(title: impl Into<Label>, lines: &LimitLines, top: f64, scales: &Scales) -> Panel {
     let low = lines.points.first().map_or(0.0, |point| point.0);
@@ -68,12 +71,12 @@ pub fn regimes(title: impl Into<Label>, lines: &LimitLines, top: f64, scales: &S
                 )
             })
             .collect();
-        // With μ = 1 the limits can cross only by rounding.
+        // If static and kinetic friction are equal (μ = 1), the limits can cross only by rounding.
         if name == BISTABLE && places.iter().all(|(_, low, high)| high - low < SEEN * top) {
             continue;
         }
         let mut region = Region::between(name, Fill::Class(fill), &drawn);
-        // A bistable area is a narrow wedge. It has no space for its long name.
+        // The area whose motion depends on the initial state is a narrow wedge, without space for its long name.
         let room = (name != BISTABLE).then(|| roomiest(&places, top)).flatten();
         if let Some((r, beta)) = room {
             region = region.named_at((scales.frequency(r), scales.friction(beta)));
@@ -84,7 +87,7 @@ pub fn regimes(title: impl Into<Label>, lines: &LimitLines, top: f64, scales: &S
     panel.with(continuous).with(sliding)
 }
 
-/// The lower or the upper boundary curve of an area.
+/// A boundary curve of an area between the limits, over frequency.
 #[derive(Clone, Copy)]
 enum AreaEdge {
     Zero,
@@ -107,9 +110,9 @@ impl AreaEdge {
     }
 }
 
-/// Returns the position with the most space for an area's name, or `None` if no position has enough space. `places` has
-/// the abscissa, the lower edge and the upper edge of the area. The position is in the middle of the abscissae around
-/// which the area, cut off at `top`, is tallest.
+/// Returns the position in an area that has the most space for its name, or `None` if no position has enough. Each
+/// item of `places` is a frequency ratio with the lower and the upper edge of the area. The area is cut off at the
+/// friction ratio `top`.
 fn roomiest(places: &[(f64, f64, f64)], top: f64) -> Option<(f64, f64)> {
     let first = places.first()?.0;
     let width = places.last()?.0 - first;
@@ -121,7 +124,8 @@ fn roomiest(places: &[(f64, f64, f64)], top: f64) -> Option<(f64, f64)> {
             (low.max(place.1), high.min(place.2))
         });
         let height = high - low;
-        // Several positions may have nearly the same space. The one nearest to the middle of the area is preferred.
+        // Several positions may have nearly the same space. The code prefers the position nearest to the middle of
+        // the area.
         let aside = (2.0 * (at - first) / width - 1.0).abs();
         let room = height * (1.0 - 0.7 * aside);
         if 0.06 * top < height && best.is_none_or(|best| best.2 < room) {

@@ -4,27 +4,29 @@ use crate::{Axis, Label};
 use frictiongen::study::{response::MotionQuantity, scene::Excitation, units::LoadScale};
 use frictiongen::{Of, System};
 
-/// Smallest value on a logarithmic axis, as a fraction of the largest value.
+/// Smallest value at the lower end of a logarithmic amplitude axis, as a fraction of the value at the upper end.
 const DECADES: f64 = 1e-6;
 /// Margin of a logarithmic amplitude axis, as a factor. The upper end is the largest value times this factor, and the
 /// lower end is the smallest value divided by it.
 const LOG_ROOM: f64 = 1.2;
 
-/// Units in which a figure shows frequencies, frictions, displacements and times.
+/// Units in which a figure shows frequencies, frictions, displacements and times: the non-dimensional groups, or
+/// physical units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scales {
-    /// Frequency in Hz that belongs to r = 1. `None` if the figure shows r.
+    /// Frequency in Hz at the frequency ratio r = 1. `None` if the figure shows r.
     hertz: Option<f64>,
     /// Units of force and displacement for a given load. `None` if the figure shows non-dimensional groups.
     load: Option<LoadScale>,
     base_motion: bool,
-    /// Angular frequency that belongs to r = 1, rad/s.
+    /// Angular frequency at the frequency ratio r = 1, in rad/s.
     reference: f64,
-    /// Exponent n of the load, whose amplitude is proportional to r⁻ⁿ.
+    /// Exponent n of the load, whose amplitude is proportional to r⁻ⁿ, with the frequency ratio r.
     fall: i32,
-    /// True if amplitudes are forces.
+    /// True if the amplitudes of the figure are forces, such as those of a spring.
     force: bool,
-    /// Angular frequency ω in rad/s. `None` if the figure shows τ = ωt instead of seconds.
+    /// Angular frequency ω of the motion in rad/s, with which the figure shows seconds. `None` if the figure shows τ
+    /// = ωt.
     omega: Option<f64>,
     /// True for a logarithmic frequency axis.
     log_frequency: bool,
@@ -33,7 +35,8 @@ pub struct Scales {
 }
 
 impl Scales {
-    /// Creates the units of a figure in the non-dimensional groups r, β and x̄.
+    /// Creates the units of a figure in non-dimensional groups: frequency ratio r, friction ratio β and displacement
+    /// x̄.
     #[must_use]
     pub fn groups(system: &System) -> Self {
         Self {
@@ -49,7 +52,7 @@ impl Scales {
         }
     }
 
-    /// Returns the same units, with frequencies in Hz.
+    /// Returns the same units, but with frequencies in Hz.
     #[must_use]
     pub fn in_hertz(self, system: &System) -> Self {
         Self {
@@ -58,7 +61,7 @@ impl Scales {
         }
     }
 
-    /// Returns the same units, with forces in N and displacements in mm.
+    /// Returns the same units, but with forces in N and displacements in mm, under the given load.
     #[must_use]
     pub fn under(self, load: LoadScale) -> Self {
         Self {
@@ -67,20 +70,21 @@ impl Scales {
         }
     }
 
-    /// Returns the same units for a load whose amplitude is proportional to r⁻ⁿ. [`under`](Self::under) sets the load
-    /// at r = 1.
+    /// Returns the same units for a load whose amplitude is proportional to r⁻ⁿ, where r is the frequency ratio and n
+    /// is `fall`. [`under`](Self::under) sets the load at r = 1.
     #[must_use]
     pub fn falling(self, fall: i32) -> Self {
         Self { fall, ..self }
     }
 
-    /// Converts a non-dimensional amplitude at the frequency ratio r to the unit of its axis.
+    /// Converts the non-dimensional amplitude `ratio` at the frequency ratio r to the unit of the amplitude axis.
     #[must_use]
     pub fn length_at(&self, r: f64, ratio: f64) -> f64 {
         self.length(ratio * self.unit_at(r))
     }
 
-    /// Returns the amplitude of the load at r, divided by the amplitude at r = 1.
+    /// Returns the amplitude of the load at the frequency ratio r, divided by its amplitude at r = 1. Returns 1 in
+    /// non-dimensional groups.
     fn unit_at(&self, r: f64) -> f64 {
         match self.load {
             Some(_) => r.powi(-self.fall),
@@ -88,7 +92,7 @@ impl Scales {
         }
     }
 
-    /// Returns the same units, with times in seconds. `omega` is the angular frequency of the motion in rad/s.
+    /// Returns the same units, but with times in seconds. `omega` is the angular frequency of the motion in rad/s.
     #[must_use]
     pub fn at(self, omega: f64) -> Self {
         Self {
@@ -97,7 +101,8 @@ impl Scales {
         }
     }
 
-    /// Returns the units for the amplitudes of a motion. For a spring and for the base shear they are those of a force.
+    /// Returns the same units, but for the amplitudes of the motion `of`. The amplitudes of a spring and of the base
+    /// shear are forces.
     #[must_use]
     pub fn showing(self, of: Of) -> Self {
         Self {
@@ -106,8 +111,8 @@ impl Scales {
         }
     }
 
-    /// Returns the same units. `frequency` selects a logarithmic frequency axis, `amplitude` logarithmic axes of
-    /// amplitudes.
+    /// Returns the same units with the given scales of the axes. A true `frequency` makes the frequency axis
+    /// logarithmic, and a true `amplitude` the amplitude axes.
     #[must_use]
     pub fn with_log(self, frequency: bool, amplitude: bool) -> Self {
         Self {
@@ -117,19 +122,19 @@ impl Scales {
         }
     }
 
-    /// Returns the frequency axis between two values in its unit.
+    /// Returns the frequency axis from `low` to `high`, which are in the unit of the axis.
     #[must_use]
     pub fn frequency_axis(&self, low: f64, high: f64) -> Axis {
         let label = self.frequency_label();
         match self.log_frequency {
             true => Axis::log(label, low, high),
-            // An axis whose least value is just above 0 begins at 0.
+            // A linear axis begins at 0 if its least value is less than a fourth of its largest.
             false => Axis::new(label, if low < 0.25 * high { 0.0 } else { low }, high),
         }
     }
 
-    /// Returns an axis of amplitudes up to `high`. A logarithmic axis begins at the smallest positive value, or six
-    /// decades below `high` if that is more.
+    /// Returns an axis of amplitudes up to `high`. A linear axis begins at 0. A logarithmic axis begins somewhat
+    /// below the smallest positive value, or about six decades below `high` if that is higher.
     #[must_use]
     pub fn amplitude_axis(
         &self,
@@ -157,7 +162,7 @@ impl Scales {
         self.omega.is_some()
     }
 
-    /// Converts the phase τ = ωt to the unit of the time axis.
+    /// Converts the phase τ = ωt of the excitation to the unit of the time axis.
     #[must_use]
     pub fn time(&self, tau: f64) -> f64 {
         self.omega.map_or(tau, |omega| tau / omega)
@@ -172,13 +177,13 @@ impl Scales {
         }
     }
 
-    /// Converts a derivative with respect to τ to the unit of its axis.
+    /// Converts a velocity, the derivative of x̄ with respect to τ, to the unit of the velocity axis.
     #[must_use]
     pub fn rate(&self, slope: f64) -> f64 {
         self.omega.map_or(slope, |omega| slope * omega)
     }
 
-    /// Returns the label of an axis of derivatives with respect to τ, or of velocities.
+    /// Returns the label of a velocity axis: mm/s, or the derivative of x̄ with respect to τ.
     #[must_use]
     pub fn rate_label(&self) -> Label {
         match (self.load, self.omega) {
@@ -187,14 +192,15 @@ impl Scales {
         }
     }
 
-    /// Converts an order to the unit of its axis. An order is a frequency divided by the frequency of the excitation.
+    /// Converts an order to the unit of the axis of a spectrum: Hz, or the order itself. An order is a frequency
+    /// divided by the frequency of the excitation.
     #[must_use]
     pub fn order(&self, order: f64) -> f64 {
         self.omega
             .map_or(order, |omega| order * omega / std::f64::consts::TAU)
     }
 
-    /// Returns the label of the axis of orders, on which a spectrum is drawn.
+    /// Returns the label of the frequency axis of a spectrum.
     #[must_use]
     pub fn order_label(&self) -> Label {
         match self.omega {
@@ -223,7 +229,7 @@ impl Scales {
         }
     }
 
-    /// Converts the frequency ratio r to the unit of the frequency axis.
+    /// Converts the frequency ratio r to the unit of the frequency axis: Hz, or the ratio itself.
     #[must_use]
     pub fn frequency(&self, r: f64) -> f64 {
         self.hertz.map_or(r, |hertz| r * hertz)
@@ -238,7 +244,7 @@ impl Scales {
         }
     }
 
-    /// Converts the friction ratio β to the unit of the friction axis.
+    /// Converts the friction ratio β to the unit of the friction axis: N, or the ratio itself.
     #[must_use]
     pub fn friction(&self, beta: f64) -> f64 {
         self.load.map_or(beta, |load| load.friction(beta))
@@ -253,13 +259,13 @@ impl Scales {
         }
     }
 
-    /// Returns the legend entry of one friction, for example `β = 0.3`.
+    /// Returns the name of a friction ratio in the legend, for example `β = 0.3`, or the force in N.
     #[must_use]
     pub fn friction_name(&self, beta: f64) -> Label {
         self.swept_name(beta, "")
     }
 
-    /// Returns the legend name of a friction, followed by the text `what`, such as `, swept up`.
+    /// Returns the name of a friction ratio in the legend, followed by the text `what`, such as `, swept up`.
     #[must_use]
     pub fn swept_name(&self, beta: f64, what: &str) -> Label {
         let value = short(self.friction(beta));
@@ -269,14 +275,16 @@ impl Scales {
         }
     }
 
-    /// Returns the legend name of a limit: F_lim in newtons, or β_lim as a ratio.
+    /// Returns the name of a limit in the legend: F_lim in newtons, or β_lim as a ratio. `mark` follows the symbol,
+    /// and `what` explains the limit.
     #[must_use]
     pub(super) fn limit_name(&self, mark: &str, what: &str) -> Label {
         let symbol = if self.load.is_some() { "F" } else { "β" };
         format!("*{symbol}*_lim{mark}, {what}").into()
     }
 
-    /// Converts a non-dimensional displacement x̄ to the unit of its axis, mm or none. A force is converted to N.
+    /// Converts the non-dimensional displacement or force `ratio` to the unit of its axis. With a load this is mm or
+    /// N. Without a load the number stays.
     #[must_use]
     pub fn length(&self, ratio: f64) -> f64 {
         if self.force {
@@ -286,7 +294,8 @@ impl Scales {
             .map_or(ratio, |load| load.displacement(ratio) * 1e3)
     }
 
-    /// Converts the largest velocity or acceleration at the frequency ratio r to the unit of its axis.
+    /// Converts the value `ratio` of a [`Size`] at the frequency ratio r to the unit of its axis. In non-dimensional
+    /// groups the number stays.
     #[must_use]
     pub fn rate_at(&self, size: MotionQuantity, r: f64, ratio: f64) -> f64 {
         let Some(load) = self.load else {
@@ -305,7 +314,7 @@ impl Scales {
         }
     }
 
-    /// Returns the label of an axis of largest displacements, velocities or accelerations.
+    /// Returns the label of an axis for the values of a [`Size`], such as largest velocities.
     #[must_use]
     pub fn size_label(&self, size: MotionQuantity) -> Label {
         match (size, self.load) {
@@ -334,7 +343,7 @@ impl Scales {
         self.length_text().into()
     }
 
-    /// Returns the label of an amplitude axis, as text with markup.
+    /// Returns the label of an amplitude axis as text in the markup of [`Label`].
     pub(super) fn length_text(&self) -> &'static str {
         match (self.load, self.base_motion, self.force) {
             (Some(_), _, false) => "amplitude (mm)",

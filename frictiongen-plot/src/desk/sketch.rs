@@ -16,8 +16,8 @@ pub fn sketch_under_record(scene: &Scene) -> Sketch {
     sketch
 }
 
-/// Returns the sketch of a scene. The masses have the names of the scene if `own_names` is true, and otherwise the
-/// symbols of the theory. Springs are numbered in the order of the description.
+/// Returns the sketch of a scene. If `own_names` is true, the masses have the names of the scene, and otherwise the
+/// symbols of the theory, such as *m*₁. Springs are numbered in the order of the description.
 #[must_use]
 pub fn sketch(scene: &Scene, own_names: bool) -> Sketch {
     let end = |node: Node| match node {

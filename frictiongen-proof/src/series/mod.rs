@@ -9,22 +9,22 @@ use frictiongen_model::interval::{Interval, TINY};
 /// The first `N` Taylor coefficients f⁽ᵏ⁾/k! of a function of one variable, at a point or over an interval.
 ///
 /// Taylor's formula gives the function at r₀ + t as its first N − 1 terms at r₀ plus a remainder. The remainder is
-/// t^{N−1} times a number. This number lies within the last coefficient over any interval that contains both r₀ and
-/// r₀ + t. [`joined`](Self::joined) uses this property.
+/// t^{N−1} times a number. The last coefficient of the series over an interval contains this number, if the interval
+/// contains r₀ and r₀ + t. [`joined`](Self::joined) uses this property.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct IntervalSeries<const N: usize> {
     /// The Taylor coefficients f⁽ᵏ⁾/k!. The first is the value of f.
     pub terms: [Interval; N],
 }
 
-/// Number of summed terms of the series of sin(πz)/(πz). The next term is below 10⁻²⁹ for |z| ≤ 1.
+/// Number of terms of the power series of sin(πz)/(πz) that are added up. The next term is below 10⁻²⁹ for |z| ≤ 1.
 const SINC_TERMS: usize = 21;
-/// Bound on the neglected terms of the kth derivative of the series of sin(πz)/(πz), divided by k!. It is valid for
-/// each k below the number of terms of an [`IntervalSeries`].
+/// Bound on the neglected terms of the power series of sin(πz)/(πz), and of its kth derivative divided by k!. It is
+/// valid for each k below the number of terms of an [`IntervalSeries`].
 const SINC_REST: f64 = 1e-17;
 
 impl<const N: usize> IntervalSeries<N> {
-    /// Returns the series of a constant.
+    /// Returns the series of a constant function.
     #[inline]
     #[must_use]
     pub fn fixed(value: Interval) -> Self {
@@ -35,7 +35,7 @@ impl<const N: usize> IntervalSeries<N> {
         Self { terms }
     }
 
-    /// Returns the series of the variable itself, at a point or over an interval.
+    /// Returns the series of the variable itself, at a point or over an interval `value`.
     #[must_use]
     pub fn variable(value: Interval) -> Self {
         let mut series = Self::fixed(value);
@@ -58,14 +58,14 @@ impl<const N: usize> IntervalSeries<N> {
         Self { terms }
     }
 
-    /// Returns a coefficient, or 0 beyond the last.
+    /// Returns the coefficient with this index, or 0 if the index is too large.
     #[inline]
     #[must_use]
     pub fn term(&self, place: usize) -> Interval {
         self.terms.get(place).copied().unwrap_or(Interval::ZERO)
     }
 
-    /// Returns the value, which is the first coefficient.
+    /// Returns the value of the function, which is the first coefficient.
     #[inline]
     #[must_use]
     pub fn value(&self) -> Interval {
@@ -98,7 +98,7 @@ impl<const N: usize> IntervalSeries<N> {
         series
     }
 
-    /// Adds a number times another series.
+    /// Adds `factor` times another series to this series.
     pub fn add_times(&mut self, other: &Self, factor: Interval) {
         if factor.is_nothing() {
             return;
@@ -110,7 +110,7 @@ impl<const N: usize> IntervalSeries<N> {
         }
     }
 
-    /// Returns all coefficients up to the last one that is not 0.
+    /// Returns the coefficients without the zeros at the end of the list.
     #[inline(always)]
     fn trimmed(terms: &[Interval]) -> &[Interval] {
         let mut terms = terms;
@@ -124,9 +124,9 @@ impl<const N: usize> IntervalSeries<N> {
 
     /// Returns the sum of a_j b_{k−j} over j from `first` to k.
     ///
-    /// The function sums the bounds of the products with rounding to nearest, and widens the sum once for all
-    /// roundings. With n products whose magnitudes sum to s, the rounding error is less than (n + 1)εs. The code uses
-    /// slices, because without optimisation iterators would become function calls.
+    /// The function adds up the bounds of the products with rounding to nearest, and then widens the sum once for all
+    /// roundings. With n products whose moduli add up to s, the rounding error is less than (n + 1)εs. The code uses
+    /// slices, because without optimisation iterators would be function calls.
     #[inline(always)]
     fn convolved(a: &[Interval], b: &[Interval], k: usize, first: usize) -> Interval {
         let from = if k < first + b.len() {
@@ -161,8 +161,8 @@ impl<const N: usize> IntervalSeries<N> {
         Interval::new(low - room, high + room)
     }
 
-    /// Returns Σ a_j b_{k−j}, rounded outward after each term. `convolved` uses this function if bounds are infinite or
-    /// every product is 0.
+    /// Returns Σ a_j b_{k−j}, rounded outward after each term. `convolved` calls this function if bounds are infinite
+    /// or every product is 0.
     fn convolved_term_by_term(a: &[Interval], b: &[Interval]) -> Interval {
         let pairs = a.iter().zip(b.iter().rev());
         let pairs = pairs.filter(|(a, b)| !a.is_nothing() && !b.is_nothing());
@@ -172,7 +172,7 @@ impl<const N: usize> IntervalSeries<N> {
             .unwrap_or(Interval::ZERO)
     }
 
-    /// Returns the series with the coefficients j·a_j.
+    /// Returns the series with the coefficients j·a_j, where a_j are the coefficients of this series.
     fn counted(&self) -> Self {
         let mut counted = *self;
         let (mut terms, mut j) = (counted.terms.as_mut_slice(), 0.0);
@@ -295,8 +295,8 @@ impl<const N: usize> IntervalSeries<N> {
         sum
     }
 
-    /// Returns a polynomial in t whose values contain the function at r₀ + t. Its last coefficient comes from `over`,
-    /// the series over the interval. All other coefficients come from `at`, the series at r₀.
+    /// Returns a polynomial in t whose values contain the function at r₀ + t. Its last coefficient is that of `over`,
+    /// the series over the interval. Its other coefficients are those of `at`, the series at r₀.
     #[must_use]
     pub fn joined(at: &Self, over: &Self) -> Self {
         let mut joined = *at;
@@ -306,8 +306,8 @@ impl<const N: usize> IntervalSeries<N> {
         joined
     }
 
-    /// Returns the coefficients over an interval, made narrower by Taylor's formula with the coefficients `at` a point
-    /// of the interval. `away` is the interval minus that point.
+    /// Returns the series over an interval with narrower coefficients. Taylor's formula computes them from the series
+    /// `at` a point of the interval. `away` is the interval minus that point.
     #[must_use]
     pub fn refined(&self, at: &Self, away: Interval) -> Self {
         let mut refined = *self;
@@ -327,8 +327,8 @@ impl<const N: usize> IntervalSeries<N> {
         refined
     }
 
-    /// Returns bounds on the polynomial's values for all t in an interval. Two methods give bounds: the mean value form
-    /// at the middle, and plain interval evaluation. The result is their intersection.
+    /// Returns bounds on the polynomial's values for all t in an interval: the intersection of two bounds, by the
+    /// mean value form at the middle and by plain interval evaluation.
     #[must_use]
     pub fn range(&self, t: Interval) -> Interval {
         let middle = Interval::point(t.middle());

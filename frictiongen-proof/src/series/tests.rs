@@ -1,4 +1,4 @@
-//! Tests interval series against double-double.
+//! Compares interval series with double-double numbers.
 
 use super::IntervalSeries;
 use frictiongen_kernel::Scalar;
@@ -23,7 +23,7 @@ fn formula_at(h: Dd) -> Dd {
         - turned / angle
 }
 
-/// Checks that a joined series contains the function everywhere in its interval. Taylor's formula predicts this.
+/// Checks that a joined series contains the function everywhere in its interval, as Taylor's formula predicts.
 #[test]
 fn series_hold_what_they_should() {
     let mut numbers = RandomNumbers(7);
@@ -50,8 +50,8 @@ fn series_hold_what_they_should() {
     assert!(widest < 1e-2, "{widest:e}");
 }
 
-/// Checks the coefficients of a series over an interval, which are intervals. Each must contain the divided differences
-/// of the same order between points of the interval.
+/// Checks the coefficients of a series over an interval. Each coefficient, which is an interval, must contain the
+/// divided differences of its order between points of the interval.
 #[test]
 fn coefficients() {
     let mut numbers = RandomNumbers(9);
@@ -82,8 +82,8 @@ fn coefficients() {
     }
 }
 
-/// Checks products of series whose terms are 0, narrow, wide or unbounded. They must contain the products of numbers in
-/// the terms.
+/// Checks products of series whose coefficients are 0, narrow, wide or unbounded. The products must contain those of
+/// numbers in the coefficients.
 #[test]
 fn products() {
     let mut numbers = RandomNumbers(11);
@@ -128,7 +128,8 @@ fn products() {
     assert!(100_000 < bounded, "{bounded}");
 }
 
-/// Checks that a term that is exactly 0 stays exactly 0, because sums leave out such terms.
+/// Checks that a coefficient that is exactly 0 stays exactly 0 in a product, because sums leave out such
+/// coefficients.
 #[test]
 fn products_with_nothing() {
     let nothing = IntervalSeries::<6>::fixed(Interval::ZERO);
@@ -143,8 +144,8 @@ fn products_with_nothing() {
     assert!(!square.term(2).is_nothing());
 }
 
-/// Checks coefficients that `refined` has made narrower. They must contain the values at any point, and lie within the
-/// original coefficients.
+/// Checks the coefficients that `refined` has made narrower. They must contain the exact coefficients at any point,
+/// and be within the original coefficients.
 #[test]
 fn refined() {
     let mut numbers = RandomNumbers(13);

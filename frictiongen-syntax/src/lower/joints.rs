@@ -6,7 +6,7 @@ use frictiongen_model::validate::Path;
 use super::resolve::Lowering;
 use crate::parse::syntax::{Fields, JointEntry, SpringEntry};
 
-/// Contacts and dashpots of a scene, each with its entry in the description.
+/// Contacts and dashpots of a scene. Each has a reference to its entry in the description.
 pub(super) struct LoweredJoints<'s> {
     pub(super) joints: Joints,
     pub(super) contacts: Vec<&'s JointEntry>,
@@ -14,7 +14,7 @@ pub(super) struct LoweredJoints<'s> {
 }
 
 impl<'s> Lowering<'s, '_> {
-    /// Returns the contacts and dashpots whose nodes exist.
+    /// Returns those contacts and dashpots of the description whose nodes exist.
     pub(super) fn joints(&mut self, fields: &'s Fields) -> LoweredJoints<'s> {
         let mut lowered = LoweredJoints {
             joints: Joints::default(),

@@ -16,7 +16,7 @@ use crate::parse::syntax::Syntax;
 
 pub use readable::Readable;
 
-/// A scene with the positions of its items in the description.
+/// A scene, with the positions of its springs, masses and fields in the description.
 pub struct Located<'s> {
     /// The scene that the description defines. It is valid if no error was reported.
     pub scene: Scene,
@@ -24,20 +24,22 @@ pub struct Located<'s> {
 }
 
 impl Located<'_> {
-    /// Returns the position of an item. If the description does not contain the item, returns the position of the
-    /// scene's name.
+    /// Returns the position of an item of the scene in the description. If the description does not contain the item,
+    /// returns the position of the scene's name.
     #[must_use]
     pub fn place(&self, path: Path) -> TokenPosition {
         self.places.of(path)
     }
 
-    /// Returns the position of the field `contacts`, or of the field `dampers`.
+    /// Returns the position of the field `contacts`. If the description does not have it, returns that of the field
+    /// `dampers`.
     #[must_use]
     pub fn joints(&self) -> TokenPosition {
         self.places.joints()
     }
 
-    /// Returns the position of an item, or `None` if the description does not contain the item.
+    /// Returns the position of an item of the scene in the description, or `None` if the description does not contain
+    /// the item.
     #[must_use]
     pub fn written(&self, path: Path) -> Option<TokenPosition> {
         self.places.find(path)
@@ -45,7 +47,7 @@ impl Located<'_> {
 }
 
 impl Syntax {
-    /// Returns the scene and reports all errors. Returns `None` for a description without fields.
+    /// Converts the syntax tree to a scene, and reports all errors. Returns `None` for a description without fields.
     pub fn lower(&self, most_masses: usize, problems: &mut Problems) -> Option<Located<'_>> {
         self.has_body
             .then(|| resolve::resolve(self, most_masses, problems))

@@ -1,4 +1,4 @@
-//! Positions of a scene's items in the description.
+//! Positions of a scene's items (masses, springs, fields, …) in the description.
 
 use frictiongen_model::validate::Path;
 
@@ -8,30 +8,30 @@ use crate::parse::syntax::{
     AccuracyEntry, DampingKind, JointEntry, LawEntry, ProvideEntry, SpringEntry, Syntax,
 };
 
-/// Links from the items of a scene to the description.
+/// Links from the items of a scene to their entries in the description.
 pub(super) struct Places<'s> {
     pub(super) syntax: &'s Syntax,
-    /// Entry in the description of each spring of the scene. Faulty springs are not in this list, because the scene
-    /// does not contain them.
+    /// Entry in the description for each spring of the scene. Faulty springs are missing here, as in the scene.
     pub(super) springs: Vec<&'s SpringEntry>,
-    /// Entry in the description of each of several contacts.
+    /// Entry in the description for each contact of the field `contacts`.
     pub(super) contacts: Vec<&'s JointEntry>,
-    /// Entry in the description of each dashpot.
+    /// Entry in the description for each dashpot.
     pub(super) dampers: Vec<&'s SpringEntry>,
-    /// Entry in the description of each provided item.
+    /// Entry in the description for each item of the field `provide`.
     pub(super) provide: Vec<&'s ProvideEntry>,
-    /// Name, as written, of each mass on which the stepper may apply a force.
+    /// Name, as written, of each mass in the field `force`: the masses on which the stepper may apply a force.
     pub(super) force: Vec<&'s Name>,
 }
 
 impl Places<'_> {
-    /// Returns the position of an item. If the description does not contain the item, returns the position of the
-    /// scene's name.
+    /// Returns the position of an item of the scene in the description. If the description does not contain the item,
+    /// returns the position of the scene's name.
     pub(super) fn of(&self, path: Path) -> TokenPosition {
         self.find(path).unwrap_or(self.syntax.place)
     }
 
-    /// Returns the position of an item, or `None` if the description does not contain the item.
+    /// Returns the position of an item of the scene in the description, or `None` if the description does not contain
+    /// the item.
     pub(super) fn find(&self, path: Path) -> Option<TokenPosition> {
         let fields = &self.syntax.fields;
         let mass = |index: usize| {
@@ -97,7 +97,8 @@ impl Places<'_> {
         }
     }
 
-    /// Returns the position of the field `contacts`, or of the field `dampers`.
+    /// Returns the position of the field `contacts`. If the description does not have it, returns that of the field
+    /// `dampers`.
     pub(super) fn joints(&self) -> TokenPosition {
         let fields = &self.syntax.fields;
         let contacts = fields.contacts.given().map(|placed| placed.place);

@@ -1,4 +1,4 @@
-//! Reads a faulty description as far as possible, to determine the methods of the type that it describes.
+//! Reads as much of a faulty description as is needed to determine the methods of the type that it describes.
 
 use std::collections::HashSet;
 
@@ -16,14 +16,14 @@ pub struct Readable<'s> {
     pub precision: Precision,
     /// True if the base is excited.
     pub on_base: bool,
-    /// Masses on which the stepper may apply a force, as indices into `mass_names`.
+    /// Masses on which the stepper may apply a force. The entries are indices into `mass_names`.
     pub forces: Vec<usize>,
     /// True if the description declares a step.
     pub has_step: bool,
 }
 
 impl Syntax {
-    /// Returns the fields that the parser could read in spite of errors.
+    /// Returns the fields that the parser could read in spite of errors in the description.
     #[must_use]
     pub fn readable(&self) -> Readable<'_> {
         let fields = &self.fields;

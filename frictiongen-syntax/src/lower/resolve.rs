@@ -1,4 +1,4 @@
-//! Resolves names to masses, and checks those items of the scene that the parser could read.
+//! Resolves names to masses, and checks those parts of the scene that the parser could read.
 
 use std::collections::{HashMap, HashSet};
 
@@ -87,7 +87,8 @@ pub(super) fn resolve<'s>(
     };
     if let Err(errors) = validate_known(&scene, &checks) {
         for error in errors {
-            // A number that could not be read is NaN in the scene. Its error is already reported.
+            // The scene has NaN in place of a number that the parser could not read. The parser has already reported
+            // this error.
             if !unread.contains(&error.path()) {
                 problems.report(places.of(error.path()), error.to_string());
             }
@@ -102,7 +103,7 @@ fn report_missing(syntax: &Syntax, problems: &mut Problems) {
         .name
         .as_ref()
         .map_or("the scene".to_owned(), |name| format!("`{}`", name.text));
-    // The advice should name a mass of the scene.
+    // The advice names a mass of the scene, if one exists.
     let entries = fields
         .masses
         .given()
@@ -143,7 +144,7 @@ fn report_missing(syntax: &Syntax, problems: &mut Problems) {
     }
 }
 
-/// Masses by name. If two masses have the same name, the name refers to the first one.
+/// The masses of a scene by name. If two masses have the same name, the name refers to the first one.
 struct Names<'s> {
     index: HashMap<&'s str, usize>,
     order: Vec<&'s str>,
@@ -168,7 +169,7 @@ impl<'s> Names<'s> {
                 place
             });
         }
-        // A description without any mass gets one error in total, not one error for each name.
+        // A description without any mass gets one error in total, not one for each name that it uses.
         let complete = masses.list.complete && !order.is_empty();
         Self {
             index,
@@ -178,18 +179,18 @@ impl<'s> Names<'s> {
     }
 }
 
-/// A scene during its conversion from the syntax tree.
+/// The conversion of a syntax tree to a scene, while it is under way.
 pub(super) struct Lowering<'s, 'p> {
     names: Names<'s>,
     pub(super) problems: &'p mut Problems,
     pub(super) checks: Checks,
-    /// Paths of the numbers that the parser could not read.
+    /// Paths of the numbers in the scene that the parser could not read.
     unread: HashSet<Path>,
 }
 
 impl<'s> Lowering<'s, '_> {
-    /// Returns a number. If the parser could not read it, returns NaN and stores its path. The parser has then already
-    /// reported the error.
+    /// Returns the value of a number. If the parser could not read the number, returns NaN and stores the path of the
+    /// number. The parser has then already reported the error.
     pub(super) fn number(&mut self, number: Number, path: Path) -> f64 {
         number.value.unwrap_or_else(|| {
             self.unread.insert(path);
@@ -197,13 +198,13 @@ impl<'s> Lowering<'s, '_> {
         })
     }
 
-    /// Finds the mass with this name. `supports` lists the other words that are valid in this place.
+    /// Returns the index of the mass with this name. `supports` lists the other words that are valid in its place.
     pub(super) fn mass(&mut self, name: &Name, supports: &[&str]) -> Result<usize, Reported> {
         let text = name.text.as_str();
         if let Some(&index) = self.names.index.get(text) {
             return Ok(index);
         }
-        // The name may belong to a mass that could not be read, so no error is reported.
+        // The name may belong to a mass that the parser could not read, so the function reports no error.
         if !self.names.complete {
             return Err(Reported);
         }
@@ -263,7 +264,7 @@ impl<'s> Lowering<'s, '_> {
             .collect()
     }
 
-    /// Returns the springs whose two nodes exist, with the written entry of each spring.
+    /// Returns the springs whose two nodes exist. With each spring comes its entry in the description.
     fn springs(&mut self, fields: &'s Fields) -> (Vec<Spring>, Vec<&'s SpringEntry>) {
         let (mut springs, mut entries) = (Vec::new(), Vec::new());
         let Some(written) = fields.springs.given() else {

@@ -44,7 +44,7 @@ impl<'s> Lowering<'s, '_> {
             || matches!(fields.beyond, Slot::Broken)
             || matches!(fields.proof, Slot::Broken);
         if broken {
-            // The error is already reported. Without this field the other declarations cannot be checked.
+            // The parser has already reported the error. Without this field the other declarations cannot be checked.
             return Declared::default();
         }
         let accuracy = match fields.accuracy.given() {
@@ -90,7 +90,7 @@ impl<'s> Lowering<'s, '_> {
         }
     }
 
-    /// Returns the provided items that the parser could read, each with its entry in the description.
+    /// Returns the items of the field `provide` that the parser could read, each with its entry in the description.
     pub(super) fn provide(&mut self, fields: &'s Fields) -> (Vec<Provide>, Vec<&'s ProvideEntry>) {
         let default = || (vec![Provide::Limits, Provide::Motion(None)], Vec::new());
         self.checks.provide = match &fields.provide {
@@ -101,8 +101,8 @@ impl<'s> Lowering<'s, '_> {
         let Slot::Given(Placed { list, .. }) = &fields.provide else {
             return default();
         };
-        // A list whose entries are all faulty counts as missing. Only a list without any written entry is an error of
-        // its own.
+        // A list whose entries are all faulty counts as missing. Only a list without any written entry is a separate
+        // error.
         if list.entries.is_empty() && !list.complete {
             return default();
         }
@@ -145,7 +145,7 @@ impl<'s> Lowering<'s, '_> {
                 Err(Reported) => sound = false,
             }
         }
-        // A faulty list may become empty, which is not a separate error.
+        // If all entries of a list are faulty, the list becomes empty. This is not a separate error.
         Provide::Motion((sound || !masses.is_empty()).then_some(masses))
     }
 }

@@ -1,4 +1,4 @@
-//! Converts the friction law and the stepper fields from the syntax tree to fields of the scene.
+//! Converts the friction law and the fields of the stepper from the syntax tree to fields of the scene.
 
 use frictiongen_model::scene::{FrictionLaw, StepperOptions};
 use frictiongen_model::validate::Path;
@@ -25,8 +25,8 @@ impl<'s> Lowering<'s, '_> {
         FrictionLaw::Stribeck(points.collect())
     }
 
-    /// Returns the settings of the stepper. The list has the written name of each mass on which the stepper may apply a
-    /// force.
+    /// Returns the settings of the stepper. The list has the name, as written, of each mass in the field `force`: the
+    /// masses on which the stepper may apply a force.
     pub(super) fn stepping(&mut self, fields: &'s Fields) -> (StepperOptions, Vec<&'s Name>) {
         let (mut forces, mut entries) = (Vec::new(), Vec::new());
         let written = fields.force.given();

@@ -1,4 +1,4 @@
-//! Parses the fields that define the chain: masses, springs, contact, excitation.
+//! Parses the fields of a description that define the chain: masses, springs, contact, excitation.
 
 use super::number::number;
 use super::reader::{List, Name, Read, TokenReader};
@@ -6,7 +6,7 @@ use super::syntax::{ContactEntry, MassEntry, Placed, SpringEntry};
 use super::token::{Delimiter, Token, TokenKind};
 use crate::diagnostics::{Problems, Reported};
 
-/// Parses `{ name: number, … }`.
+/// Parses the masses: `{ name: number, … }`.
 pub(crate) fn masses(
     reader: &mut TokenReader<'_>,
     problems: &mut Problems,
@@ -54,7 +54,7 @@ fn mass(
     })
 }
 
-/// Parses `{ node - node: number, … }`.
+/// Parses the springs: `{ node - node: number, … }`.
 pub(crate) fn springs(
     reader: &mut TokenReader<'_>,
     problems: &mut Problems,
@@ -87,8 +87,7 @@ fn spring(
     )
 }
 
-/// Parses `node - node: number`. `what` names the entry in messages, and `parts` names the parts on both sides of the
-/// colon.
+/// Parses `node - node: number`. Messages name the entry by `what`, and the two sides of its colon by `parts`.
 pub(crate) fn link(
     reader: &mut TokenReader<'_>,
     problems: &mut Problems,
@@ -109,7 +108,7 @@ pub(crate) fn link(
     })
 }
 
-/// Parses `mass - wall`, `mass - mass` or `mass - base`, in either order.
+/// Parses the contact: `mass - wall`, `mass - mass` or `mass - base`, in either order.
 pub(crate) fn contact(reader: &mut TokenReader<'_>, problems: &mut Problems) -> Read<ContactEntry> {
     if let Some(Token {
         kind: TokenKind::Group { .. },
@@ -124,7 +123,7 @@ pub(crate) fn contact(reader: &mut TokenReader<'_>, problems: &mut Problems) -> 
         .into()
 }
 
-/// Parses `node - node`.
+/// Parses the two nodes of a spring, dashpot or contact: `node - node`.
 pub(crate) fn ends(
     reader: &mut TokenReader<'_>,
     problems: &mut Problems,
@@ -168,7 +167,7 @@ fn node(
     })
 }
 
-/// Parses a mass or `base`.
+/// Parses the excitation: the name of a mass, or `base`.
 pub(crate) fn excitation(reader: &mut TokenReader<'_>, problems: &mut Problems) -> Read<Name> {
     let place = reader.place();
     reader
@@ -183,7 +182,7 @@ pub(crate) fn excitation(reader: &mut TokenReader<'_>, problems: &mut Problems) 
         .into()
 }
 
-/// Parses a list in braces.
+/// Parses a list in braces, `{ …, … }`. `read` parses the entries of the list.
 pub(crate) fn braces<T>(
     reader: &mut TokenReader<'_>,
     problems: &mut Problems,

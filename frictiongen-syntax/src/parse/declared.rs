@@ -1,4 +1,4 @@
-//! Parses the fields that declare the accuracy of the emitted code and its range.
+//! Parses the fields of a description that declare the accuracy of the emitted code and its range.
 
 use frictiongen_model::scene::{Beyond, Proving, Side};
 
@@ -9,7 +9,7 @@ use super::syntax::{AccuracyEntry, Choice, RangeEntry, RangeSyntax};
 use super::token::Delimiter;
 use crate::diagnostics::{Problems, Reported};
 
-/// Parses `exact` or a number.
+/// Parses the declared accuracy: `exact` or a number.
 pub(crate) fn accuracy(
     reader: &mut TokenReader<'_>,
     problems: &mut Problems,
@@ -35,7 +35,7 @@ pub(crate) fn accuracy(
     }
 }
 
-/// Parses `{ r: a..b, beta: a..b }`.
+/// Parses the declared range of the emitted tables: `{ r: a..b, beta: a..b }`.
 pub(crate) fn range(reader: &mut TokenReader<'_>, problems: &mut Problems) -> Read<RangeEntry> {
     let place = reader.place();
     let Some(mut inside) = reader.take_group(Delimiter::Brace) else {
@@ -72,7 +72,7 @@ pub(crate) fn range(reader: &mut TokenReader<'_>, problems: &mut Problems) -> Re
     }
 }
 
-/// Parses `r: a..b` or `beta: a..b`.
+/// Parses one range of the declaration: `r: a..b` or `beta: a..b`.
 fn part(
     reader: &mut TokenReader<'_>,
     problems: &mut Problems,
@@ -123,7 +123,7 @@ fn part(
     Ok(())
 }
 
-/// Parses `near` or `safe`.
+/// Parses the side of the declared accuracy: `near` or `safe`.
 pub(crate) fn side(reader: &mut TokenReader<'_>, problems: &mut Problems) -> Read<Choice<Side>> {
     choice(
         reader,
@@ -133,7 +133,7 @@ pub(crate) fn side(reader: &mut TokenReader<'_>, problems: &mut Problems) -> Rea
     )
 }
 
-/// Parses `error` or `exact`.
+/// Parses what the emitted code does outside the declared range: `error` or `exact`.
 pub(crate) fn beyond(
     reader: &mut TokenReader<'_>,
     problems: &mut Problems,
@@ -142,7 +142,7 @@ pub(crate) fn beyond(
     choice(reader, problems, "beyond", choices)
 }
 
-/// Parses `quick` or `whole`.
+/// Parses the extent of the requested proof: `quick` or `whole`.
 pub(crate) fn proof(
     reader: &mut TokenReader<'_>,
     problems: &mut Problems,

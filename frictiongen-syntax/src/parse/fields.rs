@@ -1,4 +1,4 @@
-//! Parses the fields between the braces, in any order.
+//! Parses the fields between the braces of a description, in any order.
 
 use frictiongen_model::scene::Precision;
 use frictiongen_model::validate::is_keyword;
@@ -14,7 +14,7 @@ use super::syntax::{Fields, RustPath, Slot};
 use super::token::{Token, TokenKind};
 use crate::diagnostics::{Problems, Reported, TokenPosition};
 
-/// A field of the description.
+/// The fields that a description may have.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Field {
     Masses,
@@ -75,20 +75,20 @@ fn known(word: &str) -> Option<Field> {
         .map(|&(_, field)| field)
 }
 
-/// Returns the names of all fields.
+/// Returns the names of all fields that a description may have.
 fn names() -> impl Iterator<Item = &'static str> {
     FIELDS.iter().map(|&(name, _)| name)
 }
 
-/// Returns true if the next tokens begin a known field. `crate:` and `crate: ::path` begin one, but `crate::path` does
-/// not.
+/// Returns true if the next tokens begin a known field. `crate: …` begins a field, even before a path as in `crate:
+/// ::path`. `crate::path` does not begin a field.
 pub(crate) fn begins(reader: &TokenReader<'_>) -> bool {
     matches!(reader.peek(0), Some(Token { kind: TokenKind::Word(text), .. }) if known(text).is_some())
         && reader.is_punct(1, ':')
         && (!reader.is_punct(2, ':') || reader.is_punct(3, ':'))
 }
 
-/// Parses all fields.
+/// Parses all fields of a description.
 pub(crate) fn fields(reader: &mut TokenReader<'_>, problems: &mut Problems) -> Fields {
     let mut fields = Fields::default();
     reader.list(
@@ -121,7 +121,7 @@ fn field(
         let message = "`contact` takes one contact; write both as `contacts: { pads: m1 - wall, brace: base - m1 }`, or delete this one";
         return Err(problems.report(place, message));
     }
-    // An unknown field gets no second error for a missing colon.
+    // An unknown field without a colon gets only the error for its name.
     let field = recognise(&word, reader, problems).ok_or(Reported)?;
     reader.take_colon(problems, "the name of a field and its value")?;
     match field {
@@ -217,11 +217,11 @@ fn field(
     }
 }
 
-/// Words for a friction force or friction ratio. A description must not contain them, because the user gives the
-/// friction later, for each computation.
+/// Words for a friction force or friction ratio. A description must not contain such a field, because the user gives
+/// the friction with each computation.
 const AMOUNTS: [&str; 4] = ["friction_force", "friction_ratio", "beta", "coulomb"];
 
-/// Words that users write by mistake as the name of a field. Each group of words has its own message.
+/// Words that users write by mistake in place of a field's name. Each group of words has its own message.
 const ASKED: [(&[&str], &str); 2] = [
     (
         &["frequency", "frequency_ratio", "omega", "r"],
@@ -230,8 +230,8 @@ const ASKED: [(&[&str], &str); 2] = [
     (&["mu", "static_friction"], "did you mean `stiction`?"),
 ];
 
-/// Returns the field that a word names. If a word is misspelt, the function reports it and returns the intended field.
-/// The parser then does not report this field as missing.
+/// Returns the field that a word names. For a misspelt word, reports the error and returns the intended field, so
+/// that the parser does not also report this field as missing.
 fn recognise(word: &Name, reader: &TokenReader<'_>, problems: &mut Problems) -> Option<Field> {
     let text = word.text.as_str();
     if AMOUNTS.contains(&text) {
@@ -258,7 +258,7 @@ fn recognise(word: &Name, reader: &TokenReader<'_>, problems: &mut Problems) -> 
     })
 }
 
-/// Parses the value of a field and stores it. If the description contains the field twice, the first value counts.
+/// Parses the value of a field and stores it. If the description has the field twice, the first value is kept.
 fn store<'t, T>(
     slot: &mut Slot<T>,
     word: &Name,
@@ -303,7 +303,7 @@ fn scalar(reader: &mut TokenReader<'_>, problems: &mut Problems) -> Read<Precisi
     }
 }
 
-/// Parses the path under which the user's crate imports the facade.
+/// Parses the path by which the user's crate refers to the crate `frictiongen`.
 fn facade(reader: &mut TokenReader<'_>, problems: &mut Problems) -> Read<RustPath> {
     let place = reader.place();
     path(reader).map_or_else(
@@ -319,7 +319,7 @@ fn facade(reader: &mut TokenReader<'_>, problems: &mut Problems) -> Read<RustPat
     )
 }
 
-/// Parses words joined by `::`. Returns `None` where Rust accepts no path.
+/// Parses words joined by `::`. Returns `None` if Rust does not accept a path here.
 pub(crate) fn path(reader: &mut TokenReader<'_>) -> Option<RustPath> {
     let mut path = RustPath {
         segments: Vec::new(),
@@ -337,7 +337,7 @@ pub(crate) fn path(reader: &mut TokenReader<'_>) -> Option<RustPath> {
     }
 }
 
-/// Returns true if the token is a keyword that no path of Rust may contain.
+/// Returns true if the token is a keyword that a path of Rust may not contain.
 fn in_no_path(token: &Token) -> bool {
     let TokenKind::Word(text) = &token.kind else {
         return false;

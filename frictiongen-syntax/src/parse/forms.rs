@@ -1,4 +1,4 @@
-//! Parses the fields for damping and for the items to provide.
+//! Parses the fields of a description for damping and for the items to provide.
 
 use super::declared::choice;
 use super::number::{Number, hundredth, number};
@@ -21,7 +21,7 @@ const PROVIDE: [&str; 7] = [
     "self_check",
 ];
 
-/// Parses `rest` or `base`.
+/// Parses what the velocities of damping are relative to: `rest` or `base`.
 pub(crate) fn damping_from(
     reader: &mut TokenReader<'_>,
     problems: &mut Problems,
@@ -30,7 +30,7 @@ pub(crate) fn damping_from(
     choice(reader, problems, "damping_from", choices)
 }
 
-/// Parses `none`, `modal(ζ)`, `modal[ζ₁, …]` or `rayleigh(a, b)`.
+/// Parses the damping: `none`, `modal(ζ)`, `modal[ζ₁, …]` or `rayleigh(a, b)`.
 pub(crate) fn damping(reader: &mut TokenReader<'_>, problems: &mut Problems) -> Read<DampingEntry> {
     let place = reader.place();
     let Some(word) = reader.take_word() else {
@@ -52,7 +52,7 @@ pub(crate) fn damping(reader: &mut TokenReader<'_>, problems: &mut Problems) -> 
                     .to_owned()
             });
             problems.report(place, format!("there is no damping `{text}`{hint}"));
-            // The numbers after an unknown kind of damping are skipped too.
+            // After an unknown kind of damping, the parser also skips the numbers in parentheses.
             let _ = reader.take_group(Delimiter::Parenthesis);
             let _ = reader.take_group(Delimiter::Bracket);
             return Read {
@@ -61,15 +61,15 @@ pub(crate) fn damping(reader: &mut TokenReader<'_>, problems: &mut Problems) -> 
             };
         }
     };
-    // The bracket is consumed even if its numbers are faulty, so the reader is at the end of the entry.
+    // The parser consumes the bracket even if its numbers are faulty, so that the reader is at the end of the entry.
     Read {
         value: kind.ok().map(|kind| DampingEntry { place, kind }),
         clean: true,
     }
 }
 
-/// Returns the damping ratio that the author of a bare number probably means. A number below 1 is the ratio itself. A
-/// number of 1 or more, or a number before `%`, is a percentage.
+/// Returns the damping ratio that the author of `damping: number` probably means. A number below 1 is the ratio
+/// itself. A number of 1 or more, or a number before `%`, is a percentage.
 fn ratio_for(reader: &TokenReader<'_>) -> Option<f64> {
     let Some(Token {
         kind: TokenKind::Number(text),
@@ -139,7 +139,7 @@ fn rayleigh(
     }
 }
 
-/// Parses the numbers in parentheses. Fails if an error makes the index of a number in the list unknown.
+/// Parses the numbers in parentheses. Fails if, after an error, the index of a number in the list is uncertain.
 fn arguments(mut inside: Inside<'_>, problems: &mut Problems) -> Result<Vec<Number>, Reported> {
     let list = numbers(&mut inside.reader, problems);
     if list.complete {
@@ -153,7 +153,7 @@ fn numbers(reader: &mut TokenReader<'_>, problems: &mut Problems) -> List<Number
     reader.list(problems, |_| false, |_| false, number)
 }
 
-/// Parses the list of items to provide.
+/// Parses the list of items that the scene provides.
 pub(crate) fn provide(
     reader: &mut TokenReader<'_>,
     problems: &mut Problems,
@@ -210,7 +210,7 @@ fn provide_item(
     Ok(ProvideEntry { place, kind })
 }
 
-/// Parses the names of masses. `example` is a list of names for the error message.
+/// Parses a list of mass names. Error messages show `example`, a valid list.
 pub(crate) fn mass_names(
     reader: &mut TokenReader<'_>,
     problems: &mut Problems,

@@ -1,4 +1,4 @@
-//! Parses the text before the braces: doc comments, visibility, `struct` and the name.
+//! Parses the text before the braces of a description: doc comments, attributes, visibility, `struct` and the name.
 
 use frictiongen_model::validate::is_keyword;
 
@@ -8,7 +8,7 @@ use super::syntax::RustPath;
 use super::token::{Delimiter, Token, TokenKind};
 use crate::diagnostics::{Problems, TokenPosition};
 
-/// A doc comment or an attribute before the struct.
+/// A doc comment or an attribute before the struct of a description.
 #[derive(Clone, Debug)]
 pub enum Attribute {
     /// A doc comment in a text.
@@ -27,7 +27,7 @@ pub enum Attribute {
     },
 }
 
-/// The visibility of the struct.
+/// The visibility of the struct of a description.
 #[derive(Clone, Debug)]
 pub enum Visibility {
     /// No visibility is written.
@@ -50,8 +50,8 @@ pub enum Visibility {
 const FORM: &str =
     "write `struct Name { masses: { … }, springs: { … }, contact: …, excitation: … }`";
 
-/// Attributes that may precede a scene: documentation, lint levels and deprecation. The macro replaces the struct by
-/// several items, and any other attribute would apply to only one of them.
+/// Attributes that may precede a description: documentation, lint levels and deprecation. The macro replaces the
+/// struct by several items, and any other attribute would apply to only one of them.
 const ATTRIBUTES: [&str; 7] = [
     "doc",
     "allow",
@@ -62,7 +62,7 @@ const ATTRIBUTES: [&str; 7] = [
     "deprecated",
 ];
 
-/// Parses doc comments and attributes.
+/// Parses the doc comments and attributes before the struct of a description.
 pub(crate) fn attributes(reader: &mut TokenReader<'_>, problems: &mut Problems) -> Vec<Attribute> {
     let mut attributes = Vec::new();
     loop {
@@ -136,8 +136,8 @@ fn attribute(
     }
 }
 
-/// Returns the reason why an attribute has a wrong form, in the words of `syn`. The function ignores numbers and
-/// comments. It does not check the expression after `=`, because only emitted code contains this expression.
+/// Returns, in the words of `syn`, the reason why the form of an attribute is wrong. Ignores numbers and comments.
+/// Does not check the expression after `=`, because only emitted code contains it.
 fn fault(mut reader: TokenReader<'_>) -> Option<&'static str> {
     reader.next();
     let ignored = |token: &&Token| {
@@ -158,7 +158,7 @@ fn fault(mut reader: TokenReader<'_>) -> Option<&'static str> {
     }
 }
 
-/// Returns true if Rust accepts the path in a visibility without `in`.
+/// Returns true if Rust accepts this path in `pub(path)`, without `in`.
 fn is_short(path: &RustPath) -> bool {
     match path.segments.as_slice() {
         [(None, word)] => ["crate", "self", "super"].contains(&word.text.as_str()),
@@ -166,7 +166,7 @@ fn is_short(path: &RustPath) -> bool {
     }
 }
 
-/// Parses `pub`, `pub(crate)`, `pub(in path)` or nothing.
+/// Parses the visibility of the struct: `pub`, `pub(crate)`, `pub(in path)` or nothing.
 pub(crate) fn visibility(reader: &mut TokenReader<'_>, problems: &mut Problems) -> Visibility {
     let place = reader.place();
     if !is_word(reader, 0, "pub") {
@@ -199,7 +199,7 @@ pub(crate) fn visibility(reader: &mut TokenReader<'_>, problems: &mut Problems) 
     }
 }
 
-/// Parses `struct Name`. Returns `None` if the following text cannot be a scene.
+/// Parses `struct Name`. Returns `None` if the text that follows cannot be a description.
 pub(crate) fn name(reader: &mut TokenReader<'_>, problems: &mut Problems) -> Option<Option<Name>> {
     let place = reader.place();
     if is_word(reader, 0, "struct") {
@@ -227,7 +227,7 @@ pub(crate) fn name(reader: &mut TokenReader<'_>, problems: &mut Problems) -> Opt
                 format!("a scene begins with `struct`, but here is {found}; {FORM}")
             },
         );
-        // `enum Name {` and `Name {` resemble a scene enough for the parser to continue.
+        // `enum Name {` and `Name {` resemble a description enough for the parser to continue.
         if is_kind {
             reader.next();
         } else if !is_name {

@@ -1,4 +1,4 @@
-//! Parses several contacts, and dashpots.
+//! Parses the fields `contacts` (several contacts) and `dampers` (dashpots) of a description.
 
 use super::chain::{braces, ends, link};
 use super::number::{Number, number};
@@ -8,10 +8,10 @@ use super::syntax::{JointEntry, Placed, SpringEntry};
 use super::token::Delimiter;
 use crate::diagnostics::{Problems, Reported};
 
-/// Names of the properties of one of several contacts.
+/// Names of the properties that a contact of the field `contacts` may have.
 const PROPERTIES: [&str; 3] = ["stiffness", "stiction", "share"];
 
-/// Parses `{ name: node - node { stiffness: number, stiction: number, share: number }, … }`.
+/// Parses the field `contacts`: `{ name: node - node { stiffness: number, stiction: number, share: number }, … }`.
 pub(crate) fn contacts(
     reader: &mut TokenReader<'_>,
     problems: &mut Problems,
@@ -35,7 +35,7 @@ pub(crate) fn contacts(
     )
 }
 
-/// Parses `{ node - node: number, … }`.
+/// Parses the field `dampers`: `{ node - node: number, … }`.
 pub(crate) fn dampers(
     reader: &mut TokenReader<'_>,
     problems: &mut Problems,
@@ -62,7 +62,7 @@ pub(crate) fn dampers(
     )
 }
 
-/// Reports an empty list.
+/// Reports the error `message` if a list is empty, and returns the list.
 fn filled<T>(read: Read<Placed<T>>, problems: &mut Problems, message: &str) -> Read<Placed<T>> {
     match &read.value {
         Some(placed) if placed.list.entries.is_empty() && placed.list.complete => {
@@ -118,7 +118,7 @@ fn contact(
     Ok(Read::clean(entry))
 }
 
-/// Parses `stiffness: number`, `stiction: number` or `share: number`.
+/// Parses one property of a contact: `stiffness: number`, `stiction: number` or `share: number`.
 fn property(
     reader: &mut TokenReader<'_>,
     problems: &mut Problems,

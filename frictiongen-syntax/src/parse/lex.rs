@@ -1,7 +1,7 @@
-//! Splits a text into tokens.
+//! Splits the text of a description into tokens.
 //!
-//! The compiler's lexer does not serve here. Inside a macro it gives every token of a text the position of the call.
-//! Outside a macro it keeps every text in memory, and its errors have no messages.
+//! The compiler's lexer is not used here. Within a macro it gives every token of a text the position of the macro
+//! call. Outside a macro it keeps every text in memory, and its errors have no messages.
 
 use core::str::Chars;
 
@@ -10,8 +10,8 @@ use unicode_ident::{is_xid_continue, is_xid_start};
 use super::token::{DEEPEST, Delimiter, TOO_DEEP, Token, TokenKind};
 use crate::diagnostics::{Problems, Reported, TokenPosition};
 
-/// Returns the tokens of a text and the position of its end. Fails only if a bracket or a comment is not closed. The
-/// function reports and skips a stray character.
+/// Returns the tokens of a text, and the position of its end. Fails only if a bracket or a comment is not closed.
+/// Reports and skips stray characters.
 pub(crate) fn lex(
     text: &str,
     problems: &mut Problems,
@@ -38,7 +38,7 @@ struct Lexer<'t, 'p> {
 struct Open {
     bracket: Delimiter,
     place: TokenPosition,
-    /// Tokens before the bracket.
+    /// The tokens before the bracket, on the same level.
     before: Vec<Token>,
 }
 
@@ -46,7 +46,8 @@ impl Lexer<'_, '_> {
     fn run(&mut self) -> Result<Vec<Token>, Reported> {
         let mut open: Vec<Open> = Vec::new();
         let mut tokens = Vec::new();
-        // A scene nests braces at most two deep. At a third level, the second one was probably never closed.
+        // The braces of a description are nested at most two deep. If a third level occurs, the second brace was
+        // probably never closed.
         let mut suspect = None;
         while let Some(next) = self.peek(0) {
             let place = self.place();
@@ -125,8 +126,8 @@ impl Lexer<'_, '_> {
         self.problems.report(place, message)
     }
 
-    /// Reads one token other than a bracket: a word, a number, a string or a punctuation character. Reports and skips a
-    /// stray character.
+    /// Reads one token that is not a bracket: a word, a number, a string or a punctuation character. Reports and
+    /// skips a stray character.
     fn leaf(
         &mut self,
         next: char,
@@ -206,7 +207,7 @@ impl Lexer<'_, '_> {
         }))
     }
 
-    /// Reads a number as Rust does: `0..2` contains two numbers, and `1.5.x` contains a number and a point.
+    /// Reads a number as Rust does: `0..2` contains two numbers, and `1.5.x` begins with the number `1.5`.
     fn number(&mut self) -> String {
         let mut text = self.take_while(|next| next.is_ascii_digit() || next == '_');
         if self.peek(0) == Some('.')

@@ -1,7 +1,7 @@
 //! Parses a description into a syntax tree with positions. The parser does not resolve names.
 //!
-//! The parser reports every error and continues. Inside a list it continues with the next entry, otherwise with the
-//! next field.
+//! The parser reports every error and then continues: within a list with the next entry, otherwise with the next
+//! field.
 
 mod chain;
 mod declared;
@@ -25,7 +25,7 @@ use self::syntax::{Fields, Syntax};
 use self::token::{Delimiter, Token};
 use crate::diagnostics::{Problems, TokenPosition};
 
-/// Parses the tokens of a description. `end` is the position for errors at the end of the tokens.
+/// Parses the tokens of a description. Errors at the end of the tokens have the position `end`.
 pub fn parse_tokens(tokens: &[Token], end: TokenPosition, problems: &mut Problems) -> Syntax {
     let mut reader = TokenReader::new(tokens, end);
     let mut reader = call(&mut reader, problems).unwrap_or(reader);
@@ -65,8 +65,8 @@ pub fn parse_tokens(tokens: &[Token], end: TokenPosition, problems: &mut Problem
     syntax
 }
 
-/// Parses only the names of a description. The caller has reported an error that makes all further errors meaningless.
-/// The result has no scene.
+/// Parses a description of which only the names count, because the caller has already reported an error that makes
+/// all further errors meaningless. The result counts as a description without fields.
 #[must_use]
 pub fn parse_faulty(tokens: &[Token], end: TokenPosition) -> Syntax {
     let mut syntax = parse_tokens(tokens, end, &mut Problems::default());
@@ -74,7 +74,7 @@ pub fn parse_faulty(tokens: &[Token], end: TokenPosition) -> Syntax {
     syntax
 }
 
-/// Returns the tokens inside a macro call, if the text is a macro call around the description.
+/// Returns the tokens within the brackets of a macro call, if the whole text is a macro call around a description.
 fn call<'t>(reader: &mut TokenReader<'t>, problems: &mut Problems) -> Option<TokenReader<'t>> {
     const NAME: &str = "friction_system";
     let mut ahead = *reader;
@@ -95,7 +95,7 @@ fn call<'t>(reader: &mut TokenReader<'t>, problems: &mut Problems) -> Option<Tok
     Some(inside.reader)
 }
 
-/// Returns the tokens inside the braces, which are the fields.
+/// Returns the tokens between the braces of a description, which are its fields.
 fn body<'t>(reader: &mut TokenReader<'t>, problems: &mut Problems) -> Option<TokenReader<'t>> {
     let place = reader.place();
     if let Some(inside) = reader.take_group(Delimiter::Brace) {

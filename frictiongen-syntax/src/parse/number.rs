@@ -1,17 +1,17 @@
-//! Parses numbers: literals joined by `+ - * / ( )`, evaluated in double precision.
+//! Parses the numbers of a description: literals joined by `+ - * / ( )`, which are evaluated in double precision.
 
 use super::reader::{Read, TokenReader};
 use super::token::{Delimiter, Token, TokenKind};
 use crate::diagnostics::{Problems, Reported, TokenPosition};
 
-/// A number and the position at which it begins. The value is missing if the parser could not read the number.
+/// A number, and the position at which it begins. The value is `None` if the parser could not read the number.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Number {
     pub(crate) value: Option<f64>,
     pub(crate) place: TokenPosition,
 }
 
-/// Parses a number. A faulty number has a position but no value.
+/// Parses a number. The result for a faulty number has a position but no value.
 pub(crate) fn number(reader: &mut TokenReader<'_>, problems: &mut Problems) -> Read<Number> {
     let place = reader.place();
     let result = sum(reader, problems).and_then(|value| {
@@ -133,7 +133,7 @@ fn single(reader: &mut TokenReader<'_>, problems: &mut Problems) -> Result<f64, 
 const NO_POWERS: &str =
     "there are no powers in a number; multiply instead, for example `2.0 * 2.0`";
 
-/// Reports frequent errors after the number `value`, with advice.
+/// Reports frequent errors directly after the number `value`, each with advice.
 fn check_after(
     reader: &mut TokenReader<'_>,
     value: f64,
@@ -148,8 +148,8 @@ fn check_after(
             "a percentage is written as a fraction; write `{}` for {value} %",
             hundredth(value)
         ),
-        // The name before a colon or a hyphen begins the next entry. Only the comma before this name is missing, so the
-        // name is not a unit.
+        // A name before a colon or a hyphen begins the next entry. It is not a unit of the number. Only the comma
+        // before it is missing.
         TokenKind::Word(text) if !reader.is_punct(1, ':') && !reader.is_punct(1, '-') => {
             no_unit(text)
         }
@@ -158,14 +158,14 @@ fn check_after(
     Err(problems.report(*place, message))
 }
 
-/// Returns the message for a unit after a number.
+/// Returns the message for a unit that follows a number.
 fn no_unit(unit: &str) -> String {
     format!(
         "`{unit}` does not belong after a number; delete it, because a description has no units (use a consistent set, for example kg and N/m)"
     )
 }
 
-/// Returns a hundredth of a number. The function moves the decimal point, so that 7 gives 0.07 without rounding.
+/// Returns a hundredth of a number. The function shifts the decimal point of the text, so that 7 gives exactly 0.07.
 pub(crate) fn hundredth(value: f64) -> f64 {
     format!("{value}e-2").parse().unwrap_or(value / 100.0)
 }
@@ -175,7 +175,7 @@ fn unit_of(digits: &str) -> Option<&str> {
     let end = digits.find(|sign: char| sign.is_ascii_alphabetic())?;
     let (number, unit) = digits.split_at_checked(end)?;
     let (number, unit) = match unit.strip_prefix(['e', 'E']) {
-        // In `2e6N` the first letter that is not part of the number comes after the exponent.
+        // In `2e6N` the unit begins only after the exponent.
         Some(rest) => {
             let power = rest.find(|sign: char| sign.is_ascii_alphabetic())?;
             digits.split_at_checked(number.len() + 1 + power)?
@@ -209,7 +209,7 @@ fn literal(text: &str, place: TokenPosition, problems: &mut Problems) -> Result<
     nonzero(value, !is_zero, place, problems)
 }
 
-/// Reports a result that overflows, and a result that underflows to zero.
+/// Reports an error if the result of a computation overflows, or underflows to zero.
 fn nonzero(
     value: f64,
     expected: bool,

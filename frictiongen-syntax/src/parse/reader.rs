@@ -1,9 +1,9 @@
-//! Reads the tokens of one bracket in order, and finds the next entry after an error.
+//! Reads the tokens of a bracket in order, and finds the next entry after an error.
 
 use super::token::{Delimiter, Token, TokenKind};
 use crate::diagnostics::{Problems, Reported, TokenPosition};
 
-/// A word with its position.
+/// A word of a description, with its position.
 #[derive(Clone, Debug)]
 pub struct Name {
     /// The word, with the `r#` of a raw identifier.
@@ -12,7 +12,7 @@ pub struct Name {
     pub place: TokenPosition,
 }
 
-/// The unread tokens of one bracket or of the whole description.
+/// The tokens of a bracket, or of the whole description, that are not yet read.
 #[derive(Clone, Copy)]
 pub(crate) struct TokenReader<'t> {
     rest: &'t [Token],
@@ -25,7 +25,7 @@ pub(crate) struct Inside<'t> {
     pub(crate) place: TokenPosition,
 }
 
-/// A parsed item. `clean` is false if an error left the reader at an unknown position.
+/// A parsed item. `clean` is false if, after an error, the position of the reader is uncertain.
 pub(crate) struct Read<T> {
     pub(crate) value: Option<T>,
     pub(crate) clean: bool,
@@ -53,7 +53,7 @@ impl<T> From<Result<T, Reported>> for Read<T> {
     }
 }
 
-/// A list. `complete` is true if the parser could read every entry.
+/// A parsed list. `complete` is true if the parser could read every entry.
 pub(crate) struct List<T> {
     pub(crate) entries: Vec<T>,
     pub(crate) complete: bool,
@@ -82,7 +82,7 @@ impl<'t> TokenReader<'t> {
         self.rest.is_empty()
     }
 
-    /// Returns the number of unread tokens. If this number has not changed, nothing was read.
+    /// Returns the number of unread tokens. A function that leaves this number unchanged has read nothing.
     pub(crate) fn left(&self) -> usize {
         self.rest.len()
     }
@@ -98,8 +98,8 @@ impl<'t> TokenReader<'t> {
             .map_or_else(|| "the end".to_owned(), Token::describe)
     }
 
-    /// Returns the advice for a number in the place of a name. The usual cause is a decimal comma, because the parser
-    /// reads `1,2` as two entries.
+    /// Returns the advice for a number where a name is expected. The usual cause is a decimal comma, because the
+    /// parser reads `1,2` as two entries.
     pub(crate) fn comma_hint(&self) -> &'static str {
         match self.peek(0).map(|token| &token.kind) {
             Some(TokenKind::Number(_)) => {
@@ -143,7 +143,7 @@ impl<'t> TokenReader<'t> {
         })
     }
 
-    /// Returns the inside of a bracket of the kind `wanted`, if it is the next token.
+    /// If the next token is a bracket of the kind `wanted`, returns its inside.
     pub(crate) fn take_group(&mut self, wanted: Delimiter) -> Option<Inside<'t>> {
         let token = self.peek(0)?;
         match &token.kind {
@@ -162,8 +162,7 @@ impl<'t> TokenReader<'t> {
         }
     }
 
-    /// Reads the colon between a name and its value. If `=` takes its place, the function reports the `=` and
-    /// continues.
+    /// Reads the colon between a name and its value. If there is `=` instead, reports it as an error and continues.
     pub(crate) fn take_colon(
         &mut self,
         problems: &mut Problems,
@@ -189,14 +188,14 @@ impl<'t> TokenReader<'t> {
         ))
     }
 
-    /// Skips to the next comma, or to the token at which `begins` finds an entry.
+    /// Skips tokens up to the next comma, or up to a token at which `begins` finds the start of an entry.
     fn recover(&mut self, begins: impl Fn(&Self) -> bool) {
         while !self.is_empty() && !self.is_punct(0, ',') && !begins(self) {
             self.next();
         }
     }
 
-    /// Reports and skips doc comments and attributes in a place where they have no meaning.
+    /// Reports and skips doc comments and attributes where they have no meaning.
     fn skip_attributes(&mut self, problems: &mut Problems) {
         loop {
             let place = self.place();
@@ -223,9 +222,9 @@ impl<'t> TokenReader<'t> {
         }
     }
 
-    /// Parses entries separated by commas. After a faulty entry the function continues with the next entry. `begins`
-    /// returns true if an entry begins at the next token although the comma before it is missing. `begins_after_error`
-    /// answers the same question after an error that left the reader at an unknown position.
+    /// Parses entries that are separated by commas. After a faulty entry the function continues with the next one.
+    /// `begins` returns true if an entry begins at the next token although the comma before it is missing. After an
+    /// error that leaves the position of the reader uncertain, `begins_after_error` answers this question.
     pub(crate) fn list<T>(
         &mut self,
         problems: &mut Problems,

@@ -1,4 +1,4 @@
-//! Parses the friction law and the fields of the stepper.
+//! Parses the fields of a description for the friction law and for the stepper.
 
 use frictiongen_model::scene::StepInput;
 
@@ -12,7 +12,7 @@ use super::syntax::{Choice, FrictionEntry, LawEntry, Placed};
 use super::token::{Delimiter, Token, TokenKind};
 use crate::diagnostics::{Problems, Reported, TokenPosition};
 
-/// Returns the advice for a friction force in a description, which must not contain one. `amount` is the token of the
+/// Returns the advice for a friction force in a description, which must not have one. `amount` is the token of its
 /// number.
 pub(crate) fn how_much(amount: Option<&Token>) -> String {
     let force = match amount.map(|token| &token.kind) {
@@ -24,7 +24,7 @@ pub(crate) fn how_much(amount: Option<&Token>) -> String {
     )
 }
 
-/// Parses `coulomb` or `stribeck(v₁: f₁, …)`.
+/// Parses the friction law: `coulomb` or `stribeck(v₁: f₁, …)`.
 pub(crate) fn friction(
     reader: &mut TokenReader<'_>,
     problems: &mut Problems,
@@ -47,19 +47,19 @@ pub(crate) fn friction(
         text => {
             let hint = suggest::hint(text, ["coulomb", "stribeck"], || LAWS.to_owned());
             let reported = problems.report(place, format!("there is no friction `{text}`{hint}"));
-            // The points after an unknown friction law are skipped too.
+            // After an unknown friction law, the parser also skips the points in parentheses.
             let _ = reader.take_group(Delimiter::Parenthesis);
             Err(reported)
         }
     };
-    // The bracket is consumed even if its points are faulty, so the reader is at the end of the entry.
+    // The parser consumes the bracket even if its points are faulty, so that the reader is at the end of the entry.
     Read {
         value: law.ok().map(|law| FrictionEntry { place, law }),
         clean: true,
     }
 }
 
-/// Parses the points in parentheses. Fails if an error makes the index of a point unknown.
+/// Parses the points of a friction law, in parentheses. Fails if, after an error, the index of a point is uncertain.
 fn points(
     reader: &mut TokenReader<'_>,
     problems: &mut Problems,
@@ -85,7 +85,7 @@ fn points(
     }
 }
 
-/// Parses `speed: level`.
+/// Parses a point of a friction law: `speed: level`.
 fn point(
     reader: &mut TokenReader<'_>,
     problems: &mut Problems,
@@ -105,7 +105,7 @@ fn point(
     })
 }
 
-/// Parses `hold` or `linear`.
+/// Parses how the stepper interpolates its input: `hold` or `linear`.
 pub(crate) fn input(
     reader: &mut TokenReader<'_>,
     problems: &mut Problems,
@@ -114,7 +114,7 @@ pub(crate) fn input(
     choice(reader, problems, "input", choices)
 }
 
-/// Parses `{ name, … }`.
+/// Parses the names of the masses on which the stepper may apply a force: `{ name, … }`.
 pub(crate) fn force(reader: &mut TokenReader<'_>, problems: &mut Problems) -> Read<Placed<Name>> {
     braces(
         reader,

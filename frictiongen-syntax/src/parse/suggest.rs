@@ -1,10 +1,10 @@
 //! Suggests a correction for a misspelt word: "Did you mean …?"
 
-/// Length of the longest word that the function compares. Longer words are hardly misspellings, and the comparison
-/// would be slow.
+/// Length of the longest word for which a correction is searched. Longer words are hardly misspellings, and the
+/// search would be slow.
 const LONGEST: usize = 64;
 
-/// Returns the candidate that a misspelt word most likely means.
+/// Returns the candidate that the author of a misspelt word most likely means, or `None`.
 pub(crate) fn closest<'c>(
     word: &str,
     candidates: impl IntoIterator<Item = &'c str>,
@@ -13,8 +13,7 @@ pub(crate) fn closest<'c>(
     if length > LONGEST {
         return None;
     }
-    // A word of up to five letters may have one wrong letter. If two wrong letters were allowed, `brace` would suggest
-    // `crate`.
+    // In a word of up to five letters only one may be wrong. With two wrong letters, `brace` would suggest `crate`.
     let allowed = (length / 3).max(1);
     candidates
         .into_iter()

@@ -1,4 +1,4 @@
-//! Syntax tree: the words of the description with their positions. Names are not resolved yet.
+//! The syntax tree: the words of a description with their positions. Names in it are not yet resolved.
 
 use frictiongen_model::scene::{Beyond, DampingFrom, Precision, Proving, Side, StepInput};
 
@@ -7,15 +7,15 @@ use super::number::Number;
 use super::reader::{List, Name};
 use crate::diagnostics::TokenPosition;
 
-/// A field of the description, which may be missing or unreadable.
+/// The value of a description's field, which may be missing or unreadable.
 #[derive(Default)]
 pub(crate) enum Slot<T> {
-    /// The field is absent.
+    /// The description does not have the field.
     #[default]
     Missing,
-    /// The field is present but unreadable. Its errors are already reported.
+    /// The description has the field, but the parser could not read it, and has already reported the errors.
     Broken,
-    /// The field is present.
+    /// The description has the field, with this value.
     Given(T),
 }
 
@@ -27,7 +27,7 @@ impl<T> Slot<T> {
         }
     }
 
-    /// Returns false if the field is present, but the parser could not read it.
+    /// Returns false if the description has the field but the parser could not read it.
     pub(crate) fn is_read(&self) -> bool {
         !matches!(self, Self::Broken)
     }
@@ -37,7 +37,7 @@ impl<T> Slot<T> {
     }
 }
 
-/// A list with the position of its bracket.
+/// A list of entries, with the position of its bracket.
 pub(crate) struct Placed<T> {
     pub(crate) list: List<T>,
     pub(crate) place: TokenPosition,
@@ -59,7 +59,7 @@ pub(crate) struct ContactEntry {
     pub(crate) to: Name,
 }
 
-/// One of several contacts.
+/// A contact of the field `contacts`, as written.
 pub(crate) struct JointEntry {
     pub(crate) name: Name,
     pub(crate) from: Name,
@@ -72,7 +72,7 @@ pub(crate) struct JointEntry {
 }
 
 pub(crate) struct DampingEntry {
-    /// Position of the word that names the damping.
+    /// Position of the word that names the kind of damping.
     pub(crate) place: TokenPosition,
     pub(crate) kind: DampingKind,
 }
@@ -105,14 +105,14 @@ pub(crate) enum AccuracyEntry {
     Relative(Number),
 }
 
-/// A range of two numbers, `a..b`.
+/// A range of two numbers as written: `a..b`.
 #[derive(Clone, Copy)]
 pub(crate) struct RangeSyntax {
     pub(crate) low: Number,
     pub(crate) high: Number,
 }
 
-/// Ranges of r and β of a declared accuracy.
+/// The declared ranges of r and β, as written.
 pub(crate) struct RangeEntry {
     pub(crate) place: TokenPosition,
     pub(crate) ratio: Option<RangeSyntax>,
@@ -120,31 +120,31 @@ pub(crate) struct RangeEntry {
 }
 
 pub(crate) struct FrictionEntry {
-    /// Position of the word that names the law.
+    /// Position of the word that names the friction law.
     pub(crate) place: TokenPosition,
     pub(crate) law: LawEntry,
 }
 
 pub(crate) enum LawEntry {
     Coulomb,
-    /// Points of the law, each with a speed and a level of the kinetic friction.
+    /// The points of the friction law. Each has a speed and a level of the kinetic friction.
     Stribeck(Vec<[Number; 2]>),
 }
 
-/// One of two allowed words, with its position.
+/// The word that the description chooses among the allowed ones, with its position.
 pub(crate) struct Choice<T> {
     pub(crate) value: T,
     pub(crate) place: TokenPosition,
 }
 
-/// A path of Rust, as written.
+/// A path of Rust, as written in a description.
 #[derive(Clone, Debug)]
 pub struct RustPath {
-    /// Words of the path. Each has the position of the `::` before it, if the path has one there.
+    /// The words of the path. If `::` precedes a word, the word comes with the position of the `::`.
     pub segments: Vec<(Option<TokenPosition>, Name)>,
 }
 
-/// A whole description, as far as the parser could read it.
+/// The syntax tree of a whole description, as far as the parser could read the description.
 pub struct Syntax {
     /// The doc comments and attributes before the struct.
     pub attributes: Vec<Attribute>,
@@ -152,7 +152,7 @@ pub struct Syntax {
     pub visibility: Visibility,
     /// The name of the struct. `None` if the written name cannot be used.
     pub name: Option<Name>,
-    /// Position for errors about missing fields.
+    /// Position at which errors about missing fields are reported.
     pub(crate) place: TokenPosition,
     /// True if the description has braces with fields.
     pub(crate) has_body: bool,

@@ -1,14 +1,14 @@
-//! Tokens with positions, from the compiler or from a text.
+//! Tokens of a description with their positions. They come from the compiler or from a text.
 
 use crate::TokenPosition;
 
-/// Largest nesting depth of brackets. The limit prevents that an input exhausts the stack.
+/// Largest depth to which brackets may be nested. Without this limit an input could exhaust the stack.
 pub const DEEPEST: usize = 64;
 
-/// Message for brackets that are nested too deeply.
+/// The message for brackets that are nested too deeply.
 pub const TOO_DEEP: &str = "brackets are nested more than 64 deep here; compute the innermost numbers and write their results";
 
-/// A token or a bracketed group of tokens.
+/// A token of a description, or a group of tokens in brackets.
 #[derive(Clone, Debug)]
 pub struct Token {
     /// Kind of the token, with its text or its group.
@@ -28,7 +28,8 @@ pub enum TokenKind {
     Quoted {
         /// The token as written.
         text: String,
-        /// Value of a string in a text. A caller that passes tokens finds the value in its own list.
+        /// The value, if the token is a string in a text. If the caller passes tokens, the caller's own list has the
+        /// value.
         value: String,
     },
     /// A single character of punctuation.
@@ -42,9 +43,9 @@ pub enum TokenKind {
         /// The position of the closing bracket.
         close: TokenPosition,
     },
-    /// A doc comment of the item after it, in a text.
+    /// A doc comment (`///`) for the item that follows, in a text.
     Doc(String),
-    /// A doc comment of the item that contains it, in a text.
+    /// A doc comment (`//!`) for the item around it, in a text.
     InnerDoc,
 }
 

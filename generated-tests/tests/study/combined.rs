@@ -1,4 +1,5 @@
-//! Relative displacements, spring forces and the base shear, against the motions of the masses and Newton's law.
+//! Compares relative displacements, spring forces and the base shear with the motions of the masses and with Newton's
+//! law.
 
 use crate::answers::frames::frame;
 use frictiongen::study::response::{MotionQuantity, SystemResponse};
@@ -6,7 +7,7 @@ use frictiongen::study::scene::{Node, Spring};
 use frictiongen::{Of, System};
 use std::f64::consts::TAU;
 
-/// A combination, with its coefficients of the masses and of the base.
+/// A combination of displacements, with its coefficients of the masses and of the base.
 type Terms = (Of, Vec<(usize, f64)>, f64);
 
 /// All combinations of a system, each with its coefficients of the masses and of the base.
@@ -36,7 +37,8 @@ fn combinations(system: &System) -> Vec<Terms> {
     for (index, spring) in scene.springs.iter().enumerate() {
         let (terms, base) = force(spring);
         if base != 0.0 {
-            // The shear counts the displacement of the mass positive, in whatever order the spring is written.
+            // The shear counts the displacement of the mass as positive, whichever end of the spring the description
+            // names first.
             let sign = if spring.from == Node::Base { 1.0 } else { -1.0 };
             shear
                 .0
@@ -52,7 +54,7 @@ fn combinations(system: &System) -> Vec<Terms> {
 /// Number of samples of a cycle.
 const SAMPLES: u32 = 400;
 
-/// Compares every combination with sums of the masses' motions, in every regime.
+/// Compares every combination with the sum of the masses' motions, in every regime.
 #[test]
 fn sums_of_masses_in_every_regime() {
     let mut seen = [0; 3];
@@ -108,7 +110,7 @@ fn compare(
             v += factor * known.tracks[*mass].velocity[index];
             size = size.max((factor * known.tracks[*mass].displacement[index]).abs());
         }
-        // The sums cancel, so that an error is compared with their largest term.
+        // The terms of a sum cancel, so the test divides an error by the largest term.
         let error = (track.displacement[index] - x).abs();
         assert!(
             error <= 1e-11 * size.max(1.0),
@@ -125,8 +127,8 @@ fn compare(
     let accelerations = response
         .largest(of, MotionQuantity::Acceleration)
         .expect("a motion");
-    // Between two samples a motion exceeds them by at most a parabola of half a step. A stuck chain's acceleration is
-    // that of its centred motion.
+    // Between two samples a motion exceeds the samples by at most a parabola over half a step. The acceleration of a
+    // stuck chain is that of its motion about the offset.
     let step = 0.5 * TAU / f64::from(SAMPLES);
     let above = 0.5 * accelerations * step * step;
     assert!(
@@ -151,8 +153,8 @@ fn compare(
     }
 }
 
-/// Newton's law for the whole chain: the base shear is the load minus the inertia of all masses. The chain has no
-/// damping, no spring to a wall, and its contact is between two masses.
+/// Checks Newton's law for the whole chain: the base shear is the load minus the inertia forces of all masses. The
+/// chain has no damping and no spring to a wall, and its contact is between two masses.
 #[test]
 fn the_base_shear_carries_the_load() {
     for load in ["base", "top"] {
@@ -176,7 +178,7 @@ fn the_base_shear_carries_the_load() {
                     let shear = orbit
                         .ask_of(Of::Shear, |motion| motion.displacement(tau))
                         .expect("springs at the base");
-                    // m_k ẍ_k over P is (m_k/m₁) r² d²x̄_k/dτ², and the load is cos τ_e.
+                    // m_k ẍ_k divided by P is (m_k/m₁) r² d²x̄_k/dτ², and the load is cos τ_e.
                     let mut rest = if load == "base" {
                         0.0
                     } else {
@@ -207,7 +209,7 @@ fn mass_name(system: &System, mass: usize) -> &str {
     &system.scene().masses[mass].name
 }
 
-/// A stiff spring keeps the digits of its elongation, although both ends move almost alike.
+/// Checks that a stiff spring keeps the digits of its elongation, although both of its ends move almost alike.
 #[test]
 fn a_stiff_spring_keeps_its_digits() {
     let chain = |stiffness: f64| -> System {
@@ -218,14 +220,14 @@ fn a_stiff_spring_keeps_its_digits() {
         .parse()
         .expect("a scene")
     };
-    // With a rigid spring both masses are one of mass 2. The force in the spring is then m ẍ of b minus the load.
+    // With a rigid spring both masses form one mass of 2. The force in the spring is then m ẍ of b minus the load.
     let stiff = chain(1e13);
     let single: System =
         "struct One { masses: { a: 2 }, springs: { base - a: 1 }, contact: a - wall, excitation: a,
         damping: modal(0.05) }"
             .parse()
             .expect("a scene");
-    // The frequency ratio of the single mass refers to m₁ = 2.
+    // The frequency ratio of the single mass refers to its own m₁ = 2.
     let (r, beta) = (0.4, 0.02);
     let one = single.at(r * 2.0_f64.sqrt()).expect("in the domain");
     let motion = one.motion(beta).expect("continuous");
@@ -236,8 +238,8 @@ fn a_stiff_spring_keeps_its_digits() {
         .motion_of(Of::Spring(1))
         .expect("a spring")
         .harmonic(1);
-    // Elongation counts b − a: k(x_b − x_a) = P cos τ − m ẍ_b = (1 + r² X₁), without the damping of the rigid mode on
-    // b, which is half of that on both.
+    // The elongation is x_b − x_a: k(x_b − x_a) = P cos τ − m ẍ_b = (1 + r² X₁), without the damping force of the
+    // rigid mode on b, which is half of that on both masses.
     let damping = frictiongen::Complex::new(0.0, 2.0 * 0.05 * r / 2.0_f64.sqrt()) * x1;
     let wanted = frictiongen::Complex::new(1.0, 0.0) + x1 * (r * r) - damping;
     // The damping of the stiff mode adds some 1e-8. Components rounded to f64 would leave three digits.

@@ -1,4 +1,4 @@
-//! Tests the friction that minimises the largest amplitude over a band, against maps by brute force.
+//! Compares the friction that minimises the largest amplitude over a frequency band with maps by brute force.
 //!
 //! ```sh
 //! cargo test --release -p generated-tests --test study optimum:: -- --ignored --nocapture
@@ -21,7 +21,7 @@ const FRAME: &str = "struct Frame { masses: { lower: 3.27, upper: 3.25 },
 const WALL: &str =
     "struct Wall { masses: { block: 1 }, springs: { base - block: 1 }, contact: block - wall,
     excitation: block }";
-/// An absorber mass that rubs on the main mass. Nothing else damps the resonances.
+/// An absorber mass that rubs on the main mass. The contact alone damps the resonances.
 const ABSORBER: &str = "struct Absorber { masses: { a: 1.0, b: 0.1 },
     springs: { base - a: 1.0, a - b: 0.085 }, contact: a - b, excitation: a }";
 /// One mass that rubs on the moving base.
@@ -48,8 +48,8 @@ fn amplitude(system: &System, of: Of, r: f64, beta: f64, count: &mut usize) -> f
     })
 }
 
-/// Returns the largest amplitude over a band by samples only. Every interval of a grid that may contain the maximum is
-/// refined.
+/// Returns the largest amplitude over a band by samples only. The function refines every interval of a grid that may
+/// contain the maximum.
 fn largest(system: &System, of: Of, [from, to]: [f64; 2], beta: f64, count: &mut usize) -> f64 {
     const GRID: usize = 600;
     let grid = |a: f64, b: f64, cells: usize| -> Vec<f64> {
@@ -85,8 +85,8 @@ fn largest(system: &System, of: Of, [from, to]: [f64; 2], beta: f64, count: &mut
     best
 }
 
-/// Returns the smallest of these largest amplitudes. It samples 40 friction ratios, then 40 near the best one, and so
-/// on.
+/// Returns the friction ratio with the smallest value of `largest`, and that value. The function samples 40 friction
+/// ratios, then 40 near the best one, and so on.
 fn by_map(
     system: &System,
     of: Of,
@@ -95,7 +95,7 @@ fn by_map(
 ) -> (f64, f64, usize) {
     let mut count = 0;
     let (mut best, mut least) = (f64::NAN, f64::INFINITY);
-    // Where two peaks cross, the relative error of the amplitude equals that of the friction.
+    // At the crossing of two peaks, the amplitude has the same relative error as the friction.
     while high - low > 2e-9 * high {
         let cell = (high - low) / 40.0;
         for place in 0..=40 {
@@ -116,8 +116,8 @@ fn optimum(system: &System, request: &OptimumRequest) -> (Optimum, f64) {
     (optimum, start.elapsed().as_secs_f64())
 }
 
-/// Checks an optimum at which two peaks cross. They are equal to rounding, one falls and one rises with friction, and
-/// any other friction is worse.
+/// Checks an optimum at which two peaks cross. The peaks are equal to rounding. With more friction one falls and the
+/// other rises, so any other friction is worse.
 #[test]
 fn two_equal_peaks() {
     let (system, request) = asked(ABSORBER, "a", 0.75, 1.25);
@@ -139,7 +139,7 @@ fn two_equal_peaks() {
         );
         assert!(optimum.amplitude < beside, "{share}: {beside}");
     }
-    // Without damping the amplitude is unbounded without friction. It is unbounded with the contact stuck, too.
+    // Without damping the amplitude is unbounded in two cases: without friction, and while the contact is stuck.
     assert!(optimum.without_friction.is_infinite() && optimum.with_contact_locked.is_infinite());
     assert!(optimum.locked.is_infinite());
     println!(
@@ -148,8 +148,8 @@ fn two_equal_peaks() {
     );
 }
 
-/// Checks the frame up to just below its second resonance. The largest amplitude is not above that at neighbouring
-/// friction ratios, where steady states with stops appear and disappear.
+/// Checks the frame in a band that ends just below its second resonance. At the best friction the largest amplitude
+/// must not be above that at neighbouring friction ratios, where steady states with stops appear and disappear.
 #[test]
 fn where_steady_states_jump() {
     let (system, request) = asked(FRAME, "lower", 0.33, 1.3);
@@ -166,8 +166,9 @@ fn where_steady_states_jump() {
     }
 }
 
-/// Checks one mass on a moving base, from rest. With more friction it sticks off the centre of the base, farther at low
-/// frequencies. With less friction it resonates. A little more or less friction than the best is worse.
+/// Checks one mass on a moving base, with motion from rest. With more friction it sticks off the centre of the base,
+/// farther off at low frequencies. With less friction it resonates. Friction slightly above or below the best is
+/// worse.
 #[test]
 fn one_mass_between_its_resonance_and_its_offset() {
     let (system, request) = asked(BLOCK, "a", 0.3, 2.0);
@@ -189,8 +190,9 @@ fn one_mass_between_its_resonance_and_its_offset() {
     }
 }
 
-/// Checks one undamped mass that rubs on a wall. Below β = π/4 its resonance is unbounded, above π/4 it is bounded, and
-/// from β = 1 on the mass is at rest. Just below 1 the motions are too small to settle and are not searched.
+/// Checks one undamped mass that rubs on a wall. Its resonance is unbounded for β < π/4 and bounded for β > π/4. From
+/// β = 1 on the mass is at rest. For β just below 1 the motions are too small to settle, and the search leaves them
+/// out.
 #[test]
 fn an_undamped_mass_is_held() {
     let (system, request) = asked(WALL, "block", 0.5, 1.5);
@@ -206,9 +208,9 @@ fn an_undamped_mass_is_held() {
     assert!(at(FRAC_PI_4 * (1.0 + 1e-9)).is_finite());
 }
 
-/// Checks one mass between a wall and its base, on which it rubs. The best friction is a 250th of the friction that
-/// makes the contact stick. The minimum lies between two steps of a scan. At the upper step the maximum is flat, so the
-/// tangents at the two steps do not cross between them.
+/// Checks one mass that rubs on its base and has a spring to a wall. The best friction is a 250th of the friction
+/// from which the contact sticks. The minimum is between two steps of the scan over friction. At the upper step the
+/// maximum over frequency is flat, so the tangents at both steps do not cross between the steps.
 #[test]
 fn a_least_that_a_scan_hides() {
     let text =
@@ -227,8 +229,8 @@ fn a_least_that_a_scan_hides() {
     );
 }
 
-/// Returns three masses, of which the middle one rubs. If both halves are equal, the second mode does not move the
-/// contact.
+/// Returns a chain of three masses, of which the middle one rubs. If both halves are equal, the contact does not
+/// touch the second mode.
 fn chain(last: f64) -> String {
     format!(
         "struct Chain {{ masses: {{ a: 1, b: 1, c: 1 }}, contact: b - wall, excitation: a,
@@ -236,8 +238,8 @@ fn chain(last: f64) -> String {
     )
 }
 
-/// Checks that a mode that neither damping nor the contact dissipates is unbounded at every friction, wherever the band
-/// lies.
+/// Checks a mode that neither damping nor the contact dissipates. It is unbounded at every friction, whatever the
+/// band is.
 #[test]
 fn a_mode_that_the_contact_does_not_touch() {
     for [from, to] in [[1.2, 1.6], [0.3, 0.5]] {
@@ -247,8 +249,8 @@ fn a_mode_that_the_contact_does_not_touch() {
     }
 }
 
-/// Checks a search whose work is bounded. The contact hardly moves one mode, so hundreds of motions do not settle. The
-/// search returns the best friction so far.
+/// Checks a search with a bound on its work. The contact hardly moves one mode, so hundreds of motions do not settle.
+/// The search returns the best friction that it has found.
 #[test]
 #[ignore = "all the work that is allowed: some seconds"]
 fn a_search_whose_work_is_bounded_keeps_the_best() {

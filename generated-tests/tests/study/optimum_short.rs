@@ -1,4 +1,4 @@
-//! Tests the best friction against maps near it, and the counts in its result.
+//! Compares the best friction with maps near it, and tests the counts in the result of the search.
 
 use frictiongen::Of;
 use frictiongen::study::response::MotionQuantity;
@@ -22,7 +22,7 @@ fn optimum(text: &str, name: &str, band: [f64; 2]) -> (System, Of, Optimum) {
     (system, of, optimum)
 }
 
-/// Returns the largest amplitude at 2001 frequencies of a band, with each maximum refined by golden section search.
+/// Returns the largest amplitude at 2001 frequencies of a band. Golden section search refines each maximum.
 fn largest(system: &System, of: Of, band: [f64; 2], beta: f64) -> f64 {
     largest_of::<2000>(system, of, band, beta)
 }
@@ -54,8 +54,8 @@ fn largest_of<const CELLS: u32>(system: &System, of: Of, [from, to]: [f64; 2], b
     best
 }
 
-/// Checks an absorber that rubs on the main mass. A little more or less friction raises the largest amplitude, as the
-/// tangents of both peaks predict. Between half and twice the friction nothing is better.
+/// Checks an absorber that rubs on the main mass. Friction slightly above or below the best raises the largest
+/// amplitude, as the tangents of both peaks predict. Between half and twice the best friction, no friction is better.
 #[test]
 fn absorber_as_by_a_map() {
     let text = "struct Absorber { masses: { a: 1.0, b: 0.1 },
@@ -63,7 +63,7 @@ fn absorber_as_by_a_map() {
     let band = [0.75, 1.25];
     let (system, of, optimum) = optimum(text, "a", band);
     let there = largest(&system, of, band, optimum.beta);
-    // Golden section search has an error of 1e-9 in the frequency of a flat maximum, and none in its height.
+    // Golden section search finds the frequency of a flat maximum to 1e-9, which is no error in its height.
     assert!((there / optimum.amplitude - 1.0).abs() < 1e-12, "{there}");
     for step in 1..=8 {
         for share in [
@@ -101,7 +101,7 @@ fn a_resonance_below_the_band() {
     assert_eq!(Some(found.unbounded_to), thresholds[1]);
 }
 
-/// Checks that at both bounds of a tolerance the largest amplitude exceeds the best by the stated percentage.
+/// Checks that at both ends of a tolerance range the largest amplitude exceeds the best one by the stated percentage.
 #[test]
 fn tolerances_end_at_their_excess() {
     let text = "struct Absorber { masses: { a: 1.0, b: 0.1 },
@@ -114,15 +114,15 @@ fn tolerances_end_at_their_excess() {
         let level = optimum.amplitude * (1.0 + tolerance.excess);
         assert!(tolerance.from < optimum.beta && optimum.beta < tolerance.to);
         for end in [tolerance.from, tolerance.to] {
-            // A bound is known to 1e-8 of β, and the relative change of the amplitude is a few times as large.
+            // An end is known to 1e-8 of β. The relative change of the amplitude is a few times as large.
             let there = largest_of::<200>(&system, of, band, end);
             assert!((there / level - 1.0).abs() < 1e-6, "{tolerance:?}: {there}");
         }
     }
 }
 
-/// Checks that the derivative of the height of two equal peaks includes the change of the best friction. It equals the
-/// difference quotient between the optima of other absorbers.
+/// Checks the derivative of the optimum at two equal peaks. It includes the change of the best friction, so it must
+/// equal the difference quotient of the optima of neighbouring absorbers.
 #[test]
 fn sensitivities_of_two_equal_peaks() {
     let solved = |mass: f64| {
@@ -147,12 +147,12 @@ fn sensitivities_of_two_equal_peaks() {
     let mut all = here.sensitivities.iter();
     let found = all.find(|(of, _)| *of == parameter);
     let (_, found) = found.expect("a derivative");
-    // The difference quotient has an error of the step times a curvature of about ten.
+    // The difference quotient has an error of its step times a second derivative of about ten.
     assert!((found - expected).abs() < 1e-4, "{found} for {expected}");
 }
 
-/// Checks that with μ > 1 the stuck state begins below the limit of the closed form. A mass on a moving base sticks
-/// from that lower limit on.
+/// Checks that with μ > 1 the stuck state begins at a friction ratio below the limit of the closed form. A mass on a
+/// moving base sticks from that lower friction ratio on.
 #[test]
 fn nothing_sticks_below_the_lower_limit() {
     let text = "struct Block { masses: { block: 1 }, springs: { base - block: 1 },

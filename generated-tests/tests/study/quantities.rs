@@ -1,5 +1,5 @@
-//! Tests the best friction of every quantity, also under loads whose amplitude depends on frequency, against maps of
-//! single steady states over friction and frequency.
+//! Compares the best friction for every quantity with maps of single steady states over friction and frequency. Some
+//! loads have an amplitude that depends on frequency.
 
 use frictiongen::Of;
 use frictiongen::study::{
@@ -13,7 +13,7 @@ use frictiongen::study::{
 };
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// A frame of two storeys with a friction damper below the first, under base motion.
+/// A frame of two storeys under base motion, with a friction damper below the first floor.
 const FRAME: &str = "struct Frame { masses: { f1: 2000, f2: 2000 },
     springs: { base - f1: 1.5e6, f1 - f2: 1.5e6 }, contact: base - f1, excitation: base,
     damping: modal(0.02), damping_from: base }";
@@ -26,7 +26,7 @@ fn frame(text: &str) -> System {
     text.parse().expect("a valid scene")
 }
 
-/// Returns the amplitude P or Y of a load at a frequency in Hz, by hand.
+/// Returns the amplitude P or Y of a load at a frequency in Hz, by formulas written for this test.
 fn amplitude(load: Load, hertz: f64) -> f64 {
     let omega = 2.0 * std::f64::consts::PI * hertz;
     match load {
@@ -38,8 +38,8 @@ fn amplitude(load: Load, hertz: f64) -> f64 {
     }
 }
 
-/// Returns a quantity in SI units at a frequency in Hz and a friction force in N. The load is computed by hand, and the
-/// steady state is followed from rest.
+/// Returns a quantity in SI units at a frequency in Hz and a friction force in N. The test's own formulas give the
+/// load. The steady state is that of motion from rest.
 fn quantity(
     system: &System,
     (of, size): (Of, MotionQuantity),
@@ -58,7 +58,7 @@ fn quantity(
     let at = system
         .at(omega * (mass / stiffness).sqrt())
         .expect("a frequency");
-    // A motion with too many stops in a cycle has no answer, and neither search nor map takes it into account.
+    // A motion with too many stops in a cycle gives no answer. Neither the search nor the map takes it into account.
     let Ok(response) = at.response(newtons / force) else {
         return 0.0;
     };
@@ -74,7 +74,7 @@ fn quantity(
     }
 }
 
-/// Returns the largest value over a band, from 160 frequencies and golden sections around the larger maxima.
+/// Returns the largest value over a band, from 160 frequencies and golden section searches around the larger maxima.
 fn largest(of: impl Fn(f64) -> f64, [from, to]: [f64; 2]) -> f64 {
     let place = |i: u32| from + (to - from) * f64::from(i) / 160.0;
     let values: Vec<f64> = (0..=160).map(|i| of(place(i))).collect();
@@ -105,7 +105,7 @@ fn request(system: &System, of: &str, load: Load, [from, to]: [f64; 2]) -> Optim
     }
 }
 
-/// Returns best friction in N and its value in SI units.
+/// Returns the best friction in N, and the value of the quantity at this friction in SI units.
 fn physical(system: &System, request: &OptimumRequest, optimum: &Optimum) -> (f64, f64) {
     let scale = system
         .load_scale(request.load.expect("a load"))
@@ -123,7 +123,7 @@ fn physical(system: &System, request: &OptimumRequest, optimum: &Optimum) -> (f6
     (scale.friction(optimum.beta), unit * optimum.amplitude)
 }
 
-/// Checks one optimum: its value is that of the map at its friction, and no friction of the map is better.
+/// Checks one optimum: at its friction the map has the same value, and no friction of the map has a smaller one.
 fn check(system: &System, of: &str, load: Load, band: [f64; 2], shares: &[f64]) {
     let request = request(system, of, load, band);
     let optimum = system.optimum(&request).expect("an optimum");
@@ -134,8 +134,8 @@ fn check(system: &System, of: &str, load: Load, band: [f64; 2], shares: &[f64]) 
     };
     let there = at(friction);
     assert_ne!(optimum.end, OptimumEnd::WorkSpent, "{of} {load:?}");
-    // The golden sections of the map have an error of 2 µHz. The height of a flat maximum is then exact, and that of a
-    // maximum at a jump over frequency is below the exact one by up to 1e-5.
+    // The golden section searches of the map have an error of 2 µHz. The height of a flat maximum is then exact. The
+    // height of a maximum at a jump over frequency is too small by up to 1e-5.
     let over = there / value - 1.0;
     assert!(
         -1e-5 < over && over < 1e-8,
@@ -150,13 +150,14 @@ fn check(system: &System, of: &str, load: Load, band: [f64; 2], shares: &[f64]) 
     }
 }
 
-/// Factors on the best friction at which the map is compared too.
+/// Multiples of the best friction at which the test also compares the map.
 const SHARES: [f64; 4] = [0.7, 0.98, 1.02, 1.4];
 /// The band of the frame, in Hz.
 const BAND: [f64; 2] = [2.5, 9.0];
 
-/// The best friction for an acceleration, and for the base shear of a frame whose damper is fixed to the base. Offsets of
-/// a stuck damper load the spring beside it, and pass through 0 when friction changes.
+/// Checks the best friction for an acceleration, and for the base shear of a frame whose damper is fixed to the base.
+/// In the frame, the offset of a stuck damper loads the spring beside it, and the offset passes through 0 as friction
+/// changes.
 #[test]
 fn quantities_as_by_a_map() {
     let system = frame(FRAME);
@@ -164,8 +165,8 @@ fn quantities_as_by_a_map() {
     check(&system, "shear", Load::BaseAcceleration(2.0), BAND, &SHARES);
 }
 
-/// The best friction under loads whose amplitude depends on frequency, against a map with the load computed by hand at
-/// every frequency.
+/// Checks the best friction under loads whose amplitude depends on frequency. The test's own formulas give the load
+/// of the map at every frequency.
 #[test]
 fn loads_over_frequency_as_by_a_map() {
     let shares = &SHARES[1..3];
@@ -174,7 +175,8 @@ fn loads_over_frequency_as_by_a_map() {
     check(&rotor, "rotor", Load::Unbalance(0.02), [2.0, 14.0], shares);
 }
 
-/// Every quantity, and every load over frequency: the long form of the two tests above.
+/// Checks every quantity, and every load whose amplitude depends on frequency. This is the long form of the two tests
+/// above.
 #[test]
 #[ignore = "takes a minute"]
 fn every_quantity_as_by_a_map() {
@@ -191,7 +193,7 @@ fn every_quantity_as_by_a_map() {
     check(&system, "f2-base", Load::BaseVelocity(0.05), BAND, &SHARES);
 }
 
-/// Trivial answers have a name: the slip of a locked contact, and the contact force without friction.
+/// Checks that trivial answers have a name: the slip of a locked contact, and the contact force without friction.
 #[test]
 fn trivial_answers_are_named() {
     let system = frame(&FRAME.replace("contact: base - f1", "contact: f2 - wall"));
@@ -211,9 +213,9 @@ fn trivial_answers_are_named() {
     );
 }
 
-/// The best acceleration of the roof while its drift stays within a bound: the bound holds on the map, and no friction of
-/// the map that holds it is better. Bounds that cannot hold are named with the least value, which is the best drift.
-/// `bounds_on_other_quantities` of the command's tests is the short form.
+/// Checks the best acceleration of the roof under a bound on its drift. On the map the drift is within the bound, and
+/// no friction of the map with a drift within the bound has a smaller acceleration. If no friction satisfies a bound,
+/// the error has the best drift. `bounds_on_other_quantities` of the command's tests is the short form.
 #[test]
 #[ignore = "takes half a minute"]
 fn bounds_hold_on_a_map() {
@@ -241,7 +243,7 @@ fn bounds_hold_on_a_map() {
     };
     let scale = system.load_scale(load).expect("a scale").length();
     let free_drift = at(&drift, free.beta) / scale;
-    // A bound between the best drift and the drift of the best acceleration.
+    // The bound is between the best drift and the drift at the best acceleration.
     let most = 0.5 * (free_drift + least.amplitude);
     assert!(
         least.amplitude * 1.001 < most,
@@ -266,7 +268,8 @@ fn bounds_hold_on_a_map() {
         "{there} {}",
         found.largest[0]
     );
-    // The bound decides: a hair beyond it the drift is larger, and towards the best drift the acceleration is.
+    // The bound decides: with slightly other friction, either the drift exceeds the bound or the acceleration is
+    // larger.
     assert!(most * (1.0 - 1e-5) < there, "{there} {most}");
     let value = at(&own, beta);
     for share in [0.5, 0.8, 0.95, 1.05, 1.25, 2.0] {
@@ -274,7 +277,7 @@ fn bounds_hold_on_a_map() {
         let holds = at(&drift, other) / scale <= most;
         assert!(!holds || value <= at(&own, other) * (1.0 + 1e-5), "{share}");
     }
-    // A bound that holds already changes nothing.
+    // A bound that the best friction already satisfies changes nothing.
     let wide = [KeptQuantity {
         most: 1.01 * free_drift,
         ..kept[0]
@@ -286,7 +289,7 @@ fn bounds_hold_on_a_map() {
         (same.optimum.beta, same.optimum.kind),
         (free.beta, free.kind)
     );
-    // Below the best drift no friction holds the bound.
+    // If the bound is below the best drift, no friction satisfies it.
     let narrow = [KeptQuantity {
         most: 0.99 * least.amplitude,
         ..kept[0]
@@ -304,7 +307,7 @@ fn bounds_hold_on_a_map() {
     };
     assert!((value / least.amplitude - 1.0).abs() < 1e-9, "{value}");
     assert!((beta / least.beta - 1.0).abs() < 1e-6, "{beta}");
-    // Each of two bounds may hold alone, but not both.
+    // Each of the two bounds alone can be satisfied, but not both.
     let two = [
         KeptQuantity {
             most: 1.0001 * least.amplitude,
@@ -325,8 +328,8 @@ fn bounds_hold_on_a_map() {
     );
 }
 
-/// A search that the caller stops ends with the best friction so far, or with an error before it has found one. The
-/// amplitude of an unfinished search is at least that of the finished one.
+/// Checks a search that the caller stops. It ends with the best friction that it has found, or with an error if it
+/// has found none. The amplitude of an unfinished search is at least that of the finished one.
 #[test]
 fn a_stopped_search_keeps_its_best() {
     let block =
@@ -353,7 +356,7 @@ fn a_stopped_search_keeps_its_best() {
     assert!(full.amplitude <= stopped.amplitude && stopped.amplitude.is_finite());
     assert!(stopped.bracket[0] <= full.beta && full.beta <= stopped.bracket[1]);
     let none = |error: OptimumError| assert_eq!(error, OptimumError::Stopped);
-    // A scan of closed forms may know a friction from the beginning.
+    // A scan of closed forms may give a friction from the beginning.
     match system.optimum_watched(&request, &after(0)) {
         Ok(first) => assert!(
             first.end == OptimumEnd::Stopped && full.amplitude <= first.amplitude,
@@ -385,7 +388,7 @@ fn a_stopped_search_keeps_its_best() {
     let nothing = system.tuned_optimum_watched(&request, &tuning, &after(0));
     none(nothing.map(|_| ()).expect_err("no answer"));
 
-    // The bound does not hold with the best friction, so that the search for the bounded one begins.
+    // The best friction does not satisfy the bound, so the search for the best friction within the bound begins.
     let bound = |most: f64| {
         [KeptQuantity {
             of: request.of,
@@ -401,9 +404,9 @@ fn a_stopped_search_keeps_its_best() {
     }
 }
 
-/// The best friction for two quantities is between the best of each. There both quotients are equal, and no other
-/// friction gives a smaller largest quotient. The maps of the test use single steady states. `several_quantities` of the
-/// command's tests is the short form.
+/// Checks that the best friction for two quantities, each divided by a given value, is between the best friction of
+/// each. There both quotients are equal, and no other friction gives a smaller largest quotient. The maps of the test
+/// use single steady states. `several_quantities` of the command's tests is the short form.
 #[test]
 #[ignore = "takes half a minute"]
 fn two_quantities_in_balance() {
@@ -433,7 +436,7 @@ fn two_quantities_in_balance() {
             .collect();
         system.weighted_optimum(&requests[0], &all, &|| true)
     };
-    // With the other value far above, a quantity alone decides.
+    // If the given value of the other quantity is very large, one quantity alone decides.
     let alone = system.optimum(&requests[0]).expect("an optimum");
     let first = weighted([1.0, 1e9]).expect("an optimum");
     assert_eq!(first.decisive, 0);
@@ -441,7 +444,7 @@ fn two_quantities_in_balance() {
         (first.ratio / alone.amplitude - 1.0).abs() < 1e-6,
         "{first:?}"
     );
-    // The second value makes both quotients equal at 1.2 times the friction of the first optimum.
+    // The given values make both quotients equal at 1.2 times the best friction of the first quantity.
     let over = requests
         .each_ref()
         .map(|request| value(request, 1.2 * alone.beta));

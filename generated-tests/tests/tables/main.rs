@@ -1,4 +1,4 @@
-//! Tests of declared accuracies, of their tables, and of the error budget of every kernel function.
+//! Tests of declared accuracies and their tables, and of the error budget of every kernel function.
 
 mod budgets;
 mod declared;

@@ -1,11 +1,11 @@
-//! Images of a stepper's state: a run continues from an image with the same bits, and every changed image is refused.
+//! Tests images of a stepper's state: a run continues from an image bit for bit, and every changed image is refused.
 
 use frictiongen::{OutOfDomain, StepLoad, Stepping, Steps, System};
 use frictiongen_kernel::{Float, Scalar};
 use fuzzing::Random;
 use generated_tests::shown;
 
-/// Returns all numbers that a stepper reports, as bits.
+/// Returns the bits of all numbers that a stepper reports.
 fn bits<T: Stepping>(stepper: &T, masses: usize) -> Vec<u64> {
     let (contact, work) = (stepper.contact(), stepper.work());
     let mut numbers = vec![contact.displacement(), contact.velocity(), contact.force()];
@@ -23,7 +23,7 @@ fn bits<T: Stepping>(stepper: &T, masses: usize) -> Vec<u64> {
     bits
 }
 
-/// Random inputs of a scene, which start and stop its contact.
+/// Random inputs of a scene. They are such that the contact stops and slips.
 #[derive(Clone)]
 struct Inputs {
     random: Random,
@@ -51,7 +51,7 @@ impl Inputs {
     }
 }
 
-/// Runs a stepper, and continues it from images at several steps. `of` restores an image, `image` makes one.
+/// Runs a stepper, and continues it from images at several steps. `image` makes an image, and `of` restores it.
 fn continues<T: Stepping>(
     mut stepper: T,
     mut inputs: Inputs,
@@ -77,7 +77,7 @@ fn continues<T: Stepping>(
                 inputs.step(&mut again);
                 assert_eq!(bits(&again, masses), bits(&twin, masses));
             }
-            // The original takes the same steps below: its next image has to agree.
+            // The original stepper takes the same steps, so that its next image must agree.
         }
     }
     assert!(
@@ -118,7 +118,7 @@ fn a_run_continues_with_the_same_bits() {
             shown::Shaken::stepper_from_image,
         ),
     );
-    // Another step than the declared one: the image contains it.
+    // This stepper has another step than the declared one. The image contains the step.
     continues(
         shown::Shaken::stepper(1.3e-3).expect("a step"),
         shaken.clone(),
@@ -170,7 +170,7 @@ fn a_run_continues_with_the_same_bits() {
     );
 }
 
-/// CRC-32 by polynomial division of the whole message, another way than the kernel's.
+/// Returns the CRC-32 by polynomial division of the whole message, independently of the kernel's method.
 fn checksum(bytes: &[u8]) -> [u8; 4] {
     let message = bytes.iter().map(|byte| byte.reverse_bits()).chain([0; 4]);
     let bits: Vec<bool> = message
@@ -246,7 +246,8 @@ fn every_changed_image_is_refused() {
         refused(&[&image[..], &[0]].concat()),
         OutOfDomain::ImageDamaged
     );
-    // Changes with a valid checksum: version, scalar, hash, contact, a flag, and a number that is not finite.
+    // Each of these changes has a valid checksum: version, scalar type, hash, contact, a flag, and a number that is
+    // not finite.
     let mut sealed = |at: usize, bytes: &[u8]| {
         let mut changed = body.to_vec();
         changed[at..at + bytes.len()].copy_from_slice(bytes);
@@ -286,7 +287,7 @@ fn an_image_of_another_stepper_is_refused() {
         shown::Pushed::stepper_from_image(&image).map(|_| ()),
         Err(OutOfDomain::Saved)
     );
-    // A run-time system has a force for every mass.
+    // The stepper of a run-time system has a force on every mass.
     let known = shown::SCENES
         .iter()
         .find(|(name, _)| *name == "Shaken")

@@ -1,5 +1,5 @@
-//! Emitted code of scenes with several contacts: against `joints.json`, which a plain program made with matrix
-//! exponentials, and bit by bit against the run-time system.
+//! Compares emitted code of scenes with several contacts with two references: `joints.json`, which a plain program
+//! with matrix exponentials made, and the run-time system, bit by bit.
 
 use frictiongen::study::joined::JoinedInput;
 use frictiongen::{OutOfDomain, System, friction_system};
@@ -22,7 +22,7 @@ macro_rules! scenes {
 }
 
 scenes! {
-    // Entry 15 of the file. The share of each contact is its friction force in N.
+    // Entry 15 of `joints.json`. The share of each contact is its friction force in N.
     struct Rigid {
         masses: { m1: 2.39, m2: 0.615, m3: 1.59 },
         springs: { base - m1: 3840.0, m1 - m2: 3740.0, m2 - m3: 2050.0 },
@@ -34,7 +34,7 @@ scenes! {
         excitation: base,
         provide: [simulation],
     }
-    // Entry 1 of the file: no spring holds the chain.
+    // Entry 1 of `joints.json`. No spring joins the chain to the base or the wall.
     struct Free {
         masses: { m1: 1.4, m2: 2.26, m3: 2.47 },
         springs: { m1 - m2: 2110.0, m2 - m3: 2710.0 },
@@ -90,7 +90,8 @@ fn number(value: &Value) -> f64 {
     value.as_f64().expect("a number")
 }
 
-/// Compares displacements and velocities after each cycle with those of an entry. The largest displacement is the unit.
+/// Compares displacements and velocities after each cycle with those of an entry. Errors are divided by the largest
+/// displacement.
 fn after_cycles(
     index: usize,
     mut advance: impl FnMut() -> Vec<(f64, f64)>,
@@ -115,7 +116,7 @@ fn after_cycles(
         worst / size
     );
     assert!(size > first, "{size}");
-    // joints.json has the states to 1e-10.
+    // `joints.json` has the states with an accuracy of 1e-10.
     assert!(worst < 1e-10 * size, "{worst} {size}");
 }
 
@@ -145,7 +146,7 @@ fn states_are_those_of_the_reference() {
     after_cycles(1, advance, 1.0, load / 2110.0);
 }
 
-/// Emitted simulations have the bits of the run-time system.
+/// Checks that emitted simulations give the bits of the run-time system.
 #[test]
 fn simulations_have_the_bits_of_the_system() {
     let system = system("Storeys");
@@ -182,7 +183,8 @@ fn simulations_have_the_bits_of_the_system() {
     assert!(events > 100, "{events}");
 }
 
-/// Emitted steppers have the bits of the run-time system, under random forces, with friction forces that change and vanish.
+/// Checks that emitted steppers give the bits of the run-time system, under random forces and with friction forces
+/// that change and vanish.
 #[test]
 fn steppers_have_the_bits_of_the_system() {
     let system = system("Storeys");
@@ -243,7 +245,7 @@ fn steppers_have_the_bits_of_the_system() {
     assert!(events > 200, "{events}");
 }
 
-/// A stuck clutch drives both masses as one. The acceleration is a closed form, and so is the slip.
+/// Checks a clutch that sticks and drives two masses as one. Formulas give the acceleration and the slip.
 #[test]
 fn a_clutch_and_a_brake() {
     let dt = 0.125;
@@ -259,12 +261,13 @@ fn a_clutch_and_a_brake() {
     for _ in 0..8 {
         step.advance(input).expect("a step");
     }
-    // 8 N on 4 kg for 1 s. The clutch transmits 6 N of them.
+    // 8 N act on 4 kg for 1 s. The clutch transmits 6 N of them.
     assert!(step.clutch().is_sticking() && step.clutch().velocity() == 0.0);
     assert!((step.load().velocity() - 2.0).abs() < 1e-13, "{step:?}");
     assert!((step.clutch().force().abs() - 6.0).abs() < 1e-13);
     assert!(!step.brake().is_sticking() && step.brake().force() == 0.0);
-    // The brake slows both with 4 N, which is less than the 10 N that the clutch holds. They stop after 2 s.
+    // The brake slows both masses with 4 N, which is less than the 10 N that the clutch can hold. They stop after 2
+    // s.
     let friction = ClutchesFriction {
         clutch: 10.0,
         brake: 4.0,
@@ -279,7 +282,7 @@ fn a_clutch_and_a_brake() {
     assert!((step.load().displacement() - 3.0).abs() < 1e-12, "{step:?}");
 }
 
-/// `f32` follows `f64` over the first half second of a scene.
+/// Checks that `f32` follows `f64` over the first half second of a scene.
 #[test]
 fn single_precision_follows_double_precision() {
     let text = "struct Pair { masses: { lower: 2.0, upper: 1.0 },
@@ -309,7 +312,7 @@ fn single_precision_follows_double_precision() {
         size = size.max(expected.abs());
     }
     println!("f32: {:.1e} of the largest displacement", worst / size);
-    // Half a thousand steps, each with some roundings of 6e-8.
+    // The run has about five hundred steps, each with several rounding errors of 6e-8.
     assert!(worst < 1e-4 * size, "{worst} {size}");
 }
 
@@ -349,7 +352,7 @@ fn bad_inputs_change_nothing() {
     assert!(Storeys::simulation_from(1.0, 0.1, (&[f64::NAN; 4], &[0.0; 4])).is_err());
 }
 
-/// Memory in bytes, as docs/joints.md states it.
+/// Checks that the memory in bytes is that of docs/joints.md.
 #[test]
 fn sizes_are_those_of_the_documentation() {
     let sizes = [

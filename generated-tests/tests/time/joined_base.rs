@@ -1,5 +1,5 @@
-//! Steppers of several contacts on a moving base: against the same chain seen from the base, against a plain
-//! integrator, against formulas, and bit by bit against the run-time system.
+//! Compares steppers of several contacts on a moving base with four references: the same chain in coordinates
+//! relative to the base, a plain integrator, formulas, and the run-time system bit by bit.
 
 use frictiongen::study::joined::JoinedInput;
 use frictiongen::{OutOfDomain, System, friction_system};
@@ -21,7 +21,7 @@ friction_system! {
 }
 
 friction_system! {
-    // The same chain on a base at rest.
+    // The same chain on a base at rest, under forces on its masses.
     pub struct Pushed {
         masses: { lower: 2.0, upper: 1.5 },
         springs: { base - lower: 900.0, lower - upper: 700.0 },
@@ -47,7 +47,8 @@ friction_system! {
     }
 }
 
-/// A base whose acceleration is linear between random samples. Displacement and velocity of a step follow exactly.
+/// A base whose acceleration changes linearly between random samples. Its displacement and velocity at each step are
+/// exact.
 struct Record {
     random: Random,
     dt: f64,
@@ -78,7 +79,8 @@ impl Record {
     }
 }
 
-/// Seen from the base, each mass has the force −mÿ. Forces that are linear over a step belong to a cubic.
+/// Compares a moving base with its effect in coordinates relative to the base, a force −mÿ on each mass. If these
+/// forces are linear over a step, the displacement of the base is a cubic.
 #[test]
 fn a_moving_base_is_a_force_on_each_mass() {
     let dt = 2e-3;
@@ -137,11 +139,12 @@ fn a_moving_base_is_a_force_on_each_mass() {
     );
     assert_eq!(events[0], events[1]);
     assert!(events[0] > 100, "{events:?}");
-    // The base moves some metres away, a hundred times the deformation, with 1e-16 of it in each step.
+    // The base moves several metres away, a hundred times the deformation. Each step rounds this distance by a
+    // relative 1e-16.
     assert!(worst < 1e-10 * size, "{worst} {size}");
 }
 
-/// Emitted steppers on a moving base have the bits of the run-time system.
+/// Checks that emitted steppers on a moving base give the bits of the run-time system.
 #[test]
 fn the_bits_of_the_system() {
     let text = "struct Shaken {
@@ -188,8 +191,8 @@ fn the_bits_of_the_system() {
     assert!(events > 50, "{events}");
 }
 
-/// The same laws in small steps: the force of the brace follows its spring up to the level, and the friction of pads and
-/// guide opposes the present velocity.
+/// A plain integrator of the same laws in small steps. The force of the brace follows its spring up to the friction
+/// level. The friction of pads and guide opposes the present velocity.
 struct Plain {
     x: [f64; 2],
     v: [f64; 2],
@@ -197,7 +200,7 @@ struct Plain {
 }
 
 impl Plain {
-    /// Returns the forces on both masses without friction of pads and guide.
+    /// Returns the forces on both masses, without the friction of pads and guide.
     fn forces(&self, [y, w]: [f64; 2]) -> [f64; 2] {
         let low = 900.0 * (self.x[0] - y) + 3.0 * (self.v[0] - w) + self.brace;
         let high = 700.0 * (self.x[1] - self.x[0]) + 2.0 * (self.v[1] - self.v[0]);
@@ -218,8 +221,8 @@ impl Plain {
     }
 }
 
-/// A plain integrator chatters about a contact that sticks, by the step times the acceleration. Its motion differs by
-/// the order of its step.
+/// Compares a stepper with a plain integrator. At a contact that sticks, the integrator's velocity chatters with an
+/// amplitude of the step times the acceleration. Its motion therefore has an error of the order of its step.
 #[test]
 fn a_plain_integrator_agrees() {
     let (dt, parts) = (2e-3, 400_u32);
@@ -229,7 +232,8 @@ fn a_plain_integrator_agrees() {
         v: [0.0; 2],
         brace: 0.0,
     };
-    // No static friction above the kinetic one: chattering has none.
+    // No contact has static friction above the kinetic friction, because the chattering integrator has no static
+    // friction.
     let base = |t: f64| [0.02 * (1.0 - (20.0 * t).cos()), 0.4 * (20.0 * t).sin()];
     let (mut worst, mut size, mut events) = (0.0_f64, 0.0_f64, 0);
     for step in 0..400_u32 {
@@ -258,12 +262,13 @@ fn a_plain_integrator_agrees() {
         worst / size
     );
     assert!(events > 10, "{events}");
-    // Symplectic Euler with steps of 5 µs over 0.8 s at about 30 rad/s: 30·5e-6/2 = 8e-5 of the motion, and as much
-    // for each of the events.
+    // The integrator is symplectic Euler with steps of 5 µs over 0.8 s, at about 30 rad/s. Its error is 30·5e-6/2 =
+    // 8e-5 of the motion, and as much again for each event.
     assert!(worst < 1e-3 * size, "{worst} {size}");
 }
 
-/// A belt starts with a jump of its velocity. The block slides for mv/F, then it travels with the belt.
+/// Checks a belt whose velocity jumps at the start. The block slides for the time mv/F, then it travels with the
+/// belt.
 #[test]
 fn a_belt_that_starts_at_once() {
     let dt = 0.01;
@@ -281,7 +286,7 @@ fn a_belt_that_starts_at_once() {
         };
         events += belt.advance(input).expect("a step");
         let time = f64::from(step + 1) * dt;
-        // 4 N on 2 kg reach 0.9 m/s after 0.45 s.
+        // 4 N accelerate 2 kg to 0.9 m/s in 0.45 s.
         let (speed, place) = if time < 0.45 {
             (2.0 * time, time * time)
         } else {
@@ -292,7 +297,7 @@ fn a_belt_that_starts_at_once() {
             (belt.block().displacement() - place).abs() < 1e-12,
             "{time}"
         );
-        // At 0.45 s rounding decides on which side of the end of the step the block stops.
+        // At 0.45 s rounding decides in which step the block stops.
         let sticks = belt.floor().is_sticking();
         assert!(
             (time - 0.45).abs() < 1e-9 || sticks == (time > 0.45),
@@ -303,8 +308,8 @@ fn a_belt_that_starts_at_once() {
     assert_eq!(belt.floor().velocity(), 0.0);
 }
 
-/// The base jumps by d. A spring contact that holds lets the rider vibrate about d. One that slips at once starts with
-/// its level instead of kd.
+/// Checks a base that jumps by d. If the spring contact holds, the rider vibrates about d. If the contact slips
+/// immediately, its force starts at its friction level, not at kd.
 #[test]
 fn a_base_that_jumps() {
     let (dt, jump) = (0.02_f64, 0.1);
@@ -315,7 +320,7 @@ fn a_base_that_jumps() {
             floor: 0.0,
             spring: level,
         };
-        // A contact whose level is still 0 does not notice the jump.
+        // While the friction level of a contact is 0, the jump has no effect on it.
         let input = BeltInput {
             friction,
             ..BeltInput::default()

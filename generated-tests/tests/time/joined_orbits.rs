@@ -1,5 +1,5 @@
-//! Emitted steady states and stuck states of scenes with several contacts: against `joints.json`, which a plain program
-//! made with matrix exponentials, against formulas, and bit by bit against the run-time system.
+//! Compares emitted steady states and stuck states of scenes with several contacts with three references:
+//! `joints.json`, which a plain program with matrix exponentials made, formulas, and the run-time system bit by bit.
 
 use frictiongen::study::joined::JoinedAt;
 use frictiongen::{NoOrbit, OutOfDomain, Regime, System, friction_system};
@@ -20,7 +20,7 @@ macro_rules! scenes {
 }
 
 scenes! {
-    // Entry 15 of the file. The share of each contact is its friction force in N.
+    // Entry 15 of `joints.json`. The share of each contact is its friction force in N.
     struct Rigid {
         masses: { m1: 2.39, m2: 0.615, m3: 1.59 },
         springs: { base - m1: 3840.0, m1 - m2: 3740.0, m2 - m3: 2050.0 },
@@ -32,7 +32,7 @@ scenes! {
         excitation: base,
         provide: [orbit],
     }
-    // Entry 10 of the file.
+    // Entry 10 of `joints.json`.
     struct Elastic {
         masses: { m1: 2.94, m2: 3.64, m3: 2.36, m4: 0.751, m5: 1.95 },
         springs: {
@@ -46,7 +46,7 @@ scenes! {
         excitation: base,
         provide: [orbit],
     }
-    // Entry 1 of the file: no spring holds the chain.
+    // Entry 1 of `joints.json`. No spring joins the chain to the base or the wall.
     struct Free {
         masses: { m1: 1.4, m2: 2.26, m3: 2.47 },
         springs: { m1 - m2: 2110.0, m2 - m3: 2710.0 },
@@ -81,7 +81,7 @@ scenes! {
         scalar: f32,
         provide: [stuck, orbit],
     }
-    // One mass with two elastic contacts and a dashpot: its stuck state is a formula.
+    // One mass with two elastic contacts and a dashpot. A formula gives its stuck state.
     struct Iwan {
         masses: { block: 2.0 },
         springs: { base - block: 800.0 },
@@ -105,8 +105,8 @@ fn number(value: &Value) -> f64 {
     value.as_f64().expect("a number")
 }
 
-/// Compares amplitudes and stuck fractions with those of an entry, as `study::joints::tests` does for vectors. The file
-/// holds 1e-9.
+/// Compares amplitudes and stuck fractions with those of an entry of `joints.json`, whose accuracy is 1e-9.
+/// `study::joints::tests` does this for systems at run time.
 fn compare(index: usize, unit: f64, amplitudes: &[f64], contacts: &[(usize, f64)]) {
     let expected = &entry(index)["steady"];
     let all = expected["amplitude"].as_array().expect("amplitudes");
@@ -159,7 +159,7 @@ fn steady_states_are_those_of_the_reference() {
     compare(1, load / 2110.0, &amplitudes, &contacts);
 }
 
-/// Compares an emitted steady state with that of the system, bit by bit.
+/// Compares an emitted steady state with that of the run-time system, bit by bit.
 fn same_bits(orbit: &FrameOrbit, at: &JoinedAt<'_>, beta: f64) {
     let expected = at.orbit(beta).expect("a steady state");
     assert_eq!(orbit.period(), expected.period());
@@ -214,14 +214,14 @@ fn steady_states_have_the_bits_of_the_system() {
         regimes.push(orbit.regime());
     }
     assert!(regimes.contains(&Regime::StickSlip) && regimes.contains(&Regime::Stuck));
-    // The state of a steady state leads back to it.
+    // A motion that starts from the state of a steady state must return to this steady state.
     let at = Frame::at(0.4).expect("a frequency");
     let orbit = at.orbit(0.3).expect("a steady state");
     let masses = [orbit.one(), orbit.two(), orbit.three(), orbit.four()];
     let (x, v) = (masses.map(|m| m.state().0), masses.map(|m| m.state().1));
     let again = at.orbit_from(0.3, (&x, &v)).expect("a steady state");
     let differs = again.four().amplitude() / orbit.four().amplitude() - 1.0;
-    // A contact that keeps its force or its place may have kept another one.
+    // A contact that keeps its force or its displacement may keep another one after the new start.
     let bound = if orbit.is_marginal() { 0.1 } else { 1e-9 };
     assert!(differs.abs() < bound, "{differs}");
 }
@@ -244,7 +244,7 @@ fn stuck_states_have_the_bits_of_the_system() {
     }
 }
 
-/// X̄ = k₁/(k − mω² + icω) with the sum k of all stiffnesses.
+/// Checks the stuck state of one mass against X̄ = k₁/(k − mω² + icω), where k is the sum of all stiffnesses.
 #[test]
 fn the_stuck_state_of_one_mass_is_a_formula() {
     for r in [0.2, 0.9, 1.4, 2.5] {
@@ -259,19 +259,20 @@ fn the_stuck_state_of_one_mass_is_a_formula() {
         assert!((stuck.block().im - im).abs() < 1e-14 * largest, "{r}");
         let soft = 300.0 / 800.0 * largest;
         assert!((stuck.soft() - soft).abs() < 1e-14 * soft, "{r}");
-        // The soft contact needs 0.375/0.4 of |X̄|, the stiff one 0.625/1.5.
+        // The soft contact needs the friction 0.375/0.4 of |X̄|, and the stiff one 0.625/1.5 of |X̄|.
         assert_eq!(stuck.first(), "soft");
         assert!((stuck.limit() - soft / 0.4).abs() < 1e-13 * soft, "{r}");
     }
 }
 
-/// Above the limit the motion from rest comes to a state in which nothing slides, below it the named contact slides.
+/// Checks the limit: above it the motion from rest reaches a state in which no contact slides. Below it the named
+/// contact slides.
 #[test]
 fn the_limit_separates_steady_states() {
     for r in [0.3, 0.8] {
         let at = Frame::at(r).expect("a frequency");
         let stuck = at.stuck().expect("a stuck state");
-        // The motion from rest overshoots, so that only a margin above the limit excludes slip on the way.
+        // The motion from rest overshoots, so only friction well above the limit excludes a slip on the way.
         let above = at.orbit(3.0 * stuck.limit()).expect("a steady state");
         assert_eq!(above.regime(), Regime::Stuck);
         let amplitude = stuck.four().re.hypot(stuck.four().im);
@@ -296,7 +297,7 @@ fn single_precision_follows_double_precision() {
         let (stuck, want) = (at.stuck(), exact.stuck());
         let (stuck, want) = (stuck.expect("a state"), want.expect("a state"));
         let differs = f64::from(stuck.limit()) / want.limit() - 1.0;
-        // A solution of four equations, some tens of roundings of 6e-8.
+        // The stuck state solves four linear equations in `f32`, with several tens of rounding errors of 6e-8.
         assert!(differs.abs() < 1e-5, "{r} {beta}: {differs}");
         assert_eq!(stuck.first(), want.first());
         let orbit = at.orbit(beta).expect("a steady state");
@@ -307,7 +308,7 @@ fn single_precision_follows_double_precision() {
             "f32 at {r}, {beta}: {differs:.1e}, residual {:.1e}",
             orbit.residual()
         );
-        // A period has some fifty stretches of some tens of roundings of 6e-8.
+        // A period has about fifty intervals between events, each with several tens of rounding errors of 6e-8.
         assert!(differs.abs() < 1e-4, "{r} {beta}: {differs}");
         assert_eq!(orbit.period(), want.period());
         assert_eq!(
@@ -343,7 +344,7 @@ fn bad_inputs_are_refused() {
     ));
 }
 
-/// Memory in bytes, as docs/joints.md states it.
+/// Checks that the memory in bytes is that of docs/joints.md.
 #[test]
 fn sizes_are_those_of_the_documentation() {
     let sizes = [

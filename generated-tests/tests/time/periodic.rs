@@ -1,5 +1,5 @@
-//! Steady states under periodic loads, against the plain integrator that follows the motion from rest until it repeats, and
-//! against the steady states of a cosine.
+//! Compares steady states under periodic loads with two references: the plain integrator, which follows the motion
+//! from rest until it repeats, and the steady states under a cosine.
 
 use crate::stepper::plain::Plain;
 use crate::stepper::plain::chain::Chain;
@@ -10,16 +10,17 @@ use frictiongen::study::scene::Excitation;
 use frictiongen::{Of, System};
 use std::f64::consts::TAU;
 
-/// A load over one period, as the question and as polynomials for the integrator.
+/// A load over one period, in the form of the question and as polynomials for the plain integrator.
 struct Case {
     what: &'static str,
     text: String,
     load: PeriodicLoad,
     period: f64,
     friction: f64,
-    /// Number of the integrator's steps in a period.
+    /// Number of steps of the plain integrator in a period.
     steps: usize,
-    /// Polynomial of the force or of the base's displacement from a step's start on.
+    /// Returns, for the step with a given number, the polynomial of the force or of the base's displacement from its
+    /// start on.
     along: Box<dyn Fn(usize) -> Vec<f64>>,
 }
 
@@ -31,7 +32,7 @@ fn pair(contact: &str, driven: &str, mu: &str, more: &str) -> String {
     text.replace("MU", mu).replace("MORE", more)
 }
 
-/// Returns the Taylor polynomial of a sum of harmonics at the start of a step.
+/// Returns the function that gives the Taylor polynomial of a sum of harmonics at the start of a step.
 fn taylor(harmonics: Vec<Harmonic>, period: f64, steps: usize) -> Box<dyn Fn(usize) -> Vec<f64>> {
     Box::new(move |step| {
         let mut terms = vec![0.0; 24];
@@ -58,8 +59,8 @@ fn harmonics() -> Vec<Harmonic> {
     vec![of(1, 100.0, 0.0), of(3, 20.0, 45.0)]
 }
 
-/// Returns the polynomials of a base whose acceleration changes linearly between samples. The mean displacement of the base
-/// is that of the question.
+/// Returns the polynomials of a base whose acceleration changes linearly between samples. The mean displacement of
+/// the base is the one that the question prescribes.
 fn integrated(samples: &[f64], step: f64) -> Vec<Vec<f64>> {
     let count = samples.len() - 1;
     let from = |start: [f64; 2]| {
@@ -73,7 +74,7 @@ fn integrated(samples: &[f64], step: f64) -> Vec<Vec<f64>> {
         }
         (all, place)
     };
-    // With this velocity at the start the base comes back.
+    // With this initial velocity the base returns to its initial displacement after a period.
     let (_, drift) = from([0.0; 2]);
     let rate = -drift / (step * count as f64);
     let (all, _) = from([0.0, rate]);
@@ -144,8 +145,8 @@ fn cases() -> Vec<Case> {
     cases
 }
 
-/// Follows the plain integrator from rest over `periods` periods of the load, and returns its states over the last
-/// `last` periods.
+/// Runs the plain integrator from rest over `periods` periods of the load. Returns its states over the last `last`
+/// periods.
 fn followed(case: &Case, system: &System, periods: usize, last: usize) -> Vec<Vec<[f64; 2]>> {
     let scene = system.scene();
     let count = scene.masses.len();
@@ -179,13 +180,14 @@ fn followed(case: &Case, system: &System, periods: usize, last: usize) -> Vec<Ve
     states
 }
 
-/// Returns the largest difference between an answer and the integrator, relative to the motion.
+/// Returns the largest difference between an answer and the plain integrator, divided by the largest motion.
 fn compared(case: &Case, state: &PeriodicState, states: &[Vec<[f64; 2]>]) -> f64 {
     let (mut size, mut apart) = ([0.0_f64; 2], [0.0_f64; 2]);
     let total = state.tracks()[0].values.len() - 1;
     let ahead = (state.start() / state.step()).round() as usize;
     let per = total / (case.steps * state.period());
-    // The answer may begin in any of the periods of the load that it covers, all of which the integrator has.
+    // The answer covers one or several periods of the load, and may begin in any of them. The integrator has all of
+    // them.
     let mut best = f64::INFINITY;
     for shift in 0..state.period() {
         for (k, masses) in states.iter().enumerate() {
@@ -230,7 +232,7 @@ fn as_by_the_plain_integrator() {
         assert!(error < 1e-9, "{what}: {error:e}");
         let work = state.work();
         let slides = state.events() > 0;
-        // A contact that never slides keeps its place, which the past decides.
+        // A contact that never slides keeps its displacement, which depends on earlier motion.
         assert_eq!(state.is_stable(), slides, "{what}");
         assert_eq!(work.friction > 0.0, slides, "{what}: {work:?}");
         assert!(work.damping > 0.0, "{what}: {work:?}");
@@ -245,7 +247,8 @@ fn as_by_the_plain_integrator() {
     assert!(stops >= 5 && stuck < 4, "{stops} {stuck}");
 }
 
-/// One harmonic is the load of the other questions: amplitude, energy and the largest multiplier agree with theirs.
+/// Checks that under one harmonic the amplitude, the energy and the largest multiplier agree with those under a
+/// cosine load.
 #[test]
 fn one_harmonic_is_a_cosine() {
     let mut compared = 0;

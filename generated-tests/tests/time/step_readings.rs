@@ -1,5 +1,5 @@
-//! Compares three implementations of one stepper: emitted with tables computed at the start, emitted with constant
-//! tables, and the run-time system.
+//! Compares three implementations of one stepper: emitted with tables that are computed at the start, emitted with
+//! constant tables, and the run-time system.
 
 use frictiongen::study::SystemInput;
 use frictiongen::{Given, OutOfDomain, StepLoad, Stepping, Steps, System};
@@ -12,7 +12,8 @@ fn system<S: Float>(name: &str) -> System<S> {
     known.expect("a scene").1.parse().expect("a valid scene")
 }
 
-/// Returns the inputs of a step. They change irregularly, and are large enough for a stop every few steps.
+/// Returns the inputs of a step: base displacement, base velocity, force and friction, before scaling. They change
+/// irregularly, so that the contact stops every few steps.
 fn acting(step: u32) -> [f64; 4] {
     let t = f64::from(step);
     [
@@ -23,7 +24,7 @@ fn acting(step: u32) -> [f64; 4] {
     ]
 }
 
-/// Factors that give the inputs their size in a scene: base, velocity of the base, force and friction.
+/// Factors that scale the inputs for a scene: base displacement, base velocity, force and friction.
 struct Strength {
     base: f64,
     velocity: f64,
@@ -33,7 +34,7 @@ struct Strength {
     loaded: &'static [usize],
 }
 
-/// Runs a stepper. Returns every number that it reports after each step, and the number of events.
+/// Runs a stepper. Returns every number that it reports after each step, and the total number of events.
 fn run<T: Stepping>(mut stepper: T, strength: &Strength, masses: usize) -> (Vec<f64>, u32) {
     let (mut said, mut events) = (Vec::new(), 0);
     let number = T::Scalar::constant;
@@ -99,7 +100,8 @@ const BOWED: Strength = Strength {
     loaded: &[1, 0],
 };
 
-/// An emitted stepper and that of the run-time system agree bit for bit if both compute their tables at the start.
+/// Checks that an emitted stepper and the run-time stepper agree bit for bit if both compute their tables at the
+/// start.
 #[test]
 fn emitted_and_run_time_say_the_same_bits() {
     fn check<F: Steps>(name: &str, emitted: &F, dt: f64, strength: &Strength, masses: usize)
@@ -127,9 +129,9 @@ fn emitted_and_run_time_say_the_same_bits() {
     check("Bowed", &shown::Bowed, 4e-4, &BOWED, 2);
 }
 
-/// Constant tables are rounded once, and tables computed at the start a few times. Both must give the same motion, up
-/// to the growth of rounding in 4000 steps. If the end of a step lies next to an event, the two may differ by that
-/// event.
+/// Checks that constant tables, which are rounded once, and tables computed at the start, which are rounded a few
+/// times, give the same motion up to the growth of rounding errors in 4000 steps. If the end of a step is next to an
+/// event, the two steppers may count the event in different steps.
 #[test]
 fn constant_tables_say_the_same_to_rounding() {
     fn check(name: &str, constant: impl Stepping, system: impl Stepping, strength: &Strength) {
@@ -170,11 +172,11 @@ fn constant_tables_say_the_same_to_rounding() {
     );
 }
 
-/// A stepper that borrows its constant tables, as the value of a `static`.
+/// A stepper that borrows its constant tables. It is the value of a `static`.
 static SHAKEN_AT_REST: shown::ShakenDeclaredStepper = shown::Shaken::declared_stepper();
 
-/// A stepper that borrows its tables gives the same bits as one that owns a copy, needs less memory, and reads the other
-/// one's images.
+/// Checks a stepper that borrows its tables against one that owns a copy. It gives the same bits, needs less memory,
+/// and reads the images of the other one.
 #[test]
 fn borrowed_tables_say_the_same_bits() {
     fn check(name: &str, (borrows, owns): (impl Stepping, impl Stepping), strength: &Strength) {
@@ -187,7 +189,7 @@ fn borrowed_tables_say_the_same_bits() {
     check("Shaken", (SHAKEN_AT_REST.clone(), owns.clone()), &SHAKEN);
     let bowed = shown::Bowed::stepper(shown::Bowed::STEP).expect("its step");
     check("Bowed", (shown::Bowed::declared_stepper(), bowed), &BOWED);
-    // The elastic contact.
+    // The scene with the elastic contact.
     let sprung = shown::Sprung::stepper(shown::Sprung::STEP).expect("its step");
     check(
         "Sprung",
@@ -202,7 +204,7 @@ fn borrowed_tables_say_the_same_bits() {
     assert_eq!(borrows.image(), owns.image());
 }
 
-/// All masses in one call have the bits of the masses one by one, in every state of the contact.
+/// Checks that the call for all masses gives the bits of the calls for single masses, in every state of the contact.
 #[test]
 fn all_masses_at_once_are_the_masses_one_by_one() {
     let mut stepper = shown::Shaken::declared_stepper();
@@ -227,7 +229,7 @@ fn all_masses_at_once_are_the_masses_one_by_one() {
         assert_eq!(other.all_masses(), [other.mass_at(0), other.mass_at(1)]);
     }
     assert!(stuck > 100 && slid > 100, "{stuck}, {slid}");
-    // The product of two shapes with two modes, and the modes of the stuck chain.
+    // The work for all masses: products of two mode shapes with two modes, and the modes of the stuck chain.
     assert_eq!(stepper.cost().masses, 2 * (12 + 12) + 2 * (4 * 2 + 4));
 }
 
@@ -250,7 +252,7 @@ const LONG: &str =
     "struct Long { masses: { a: 1.0, b: 2.0 }, springs: { base - a: 400.0, a - b: 300.0 },
     contact: b - wall, excitation: a, damping: modal(0.02), stiction: 1.2, provide: [stepper] }";
 
-/// Constant tables of a long step must agree with those of the run-time system.
+/// Checks that the constant tables of a long step agree with those of the run-time system.
 #[test]
 fn a_declared_step_of_a_radian() {
     let system: System = LONG.parse().expect("a scene");
@@ -274,7 +276,7 @@ fn a_declared_step_of_a_radian() {
     assert!(apart < 1e-13 * size, "{:e}", apart / size);
 }
 
-/// Inputs given by name and inputs given by position must give the same steps.
+/// Checks that inputs given by name and inputs given by position lead to the same steps.
 #[test]
 fn named_inputs_are_those_by_place() {
     let system: System = system("Bowed");
@@ -306,7 +308,7 @@ fn named_inputs_are_those_by_place() {
     assert!(one.displacement() != 0.0);
     let third = by_name.mass("string").expect("a mass");
     assert!((third.displacement() - one.displacement()).abs() < 1e-12 * one.displacement().abs());
-    // After `restore` the same steps must lead to the same bits.
+    // After `restore`, the same steps must give the same bits.
     let saved = by_field.save();
     let input = shown::BowedInput {
         force: 1.0,
@@ -318,7 +320,7 @@ fn named_inputs_are_those_by_place() {
     assert_eq!(by_field.advance(input).expect("a sound input"), first);
 }
 
-/// The error for a wrong input must have the name of that input, and the stepper must not change.
+/// Checks that the error for a wrong input has the name of that input, and that the stepper keeps its state.
 #[test]
 fn faulty_inputs_are_refused_by_name() {
     fn told<T: std::fmt::Debug>(result: Result<T, OutOfDomain>) -> OutOfDomain {

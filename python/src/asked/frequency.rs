@@ -1,4 +1,4 @@
-//! Reads the arguments for frequency, in ratios r, Hz or rad/s.
+//! Reads Python's arguments for frequency, in ratios r, in Hz or in rad/s.
 
 use super::ACROSS;
 use super::measure::Measure;
@@ -36,12 +36,12 @@ fn chosen<'a, 'py>(
     }
 }
 
-/// Returns true if a unit conversion from `given` to `computed` neither overflowed nor underflowed to 0.
+/// Returns true if the conversion of `given` to another unit, `computed`, neither overflowed nor underflowed to 0.
 pub fn survives(given: f64, computed: f64) -> bool {
     computed.is_finite() == given.is_finite() && (computed == 0.0) == (given == 0.0)
 }
 
-/// Frequencies in the order of the caller.
+/// Frequencies that the caller gave, in the caller's order.
 #[derive(Clone)]
 pub struct FrequencyValues {
     given: GivenNumbers,
@@ -51,7 +51,7 @@ pub struct FrequencyValues {
 }
 
 impl FrequencyValues {
-    /// Reads the frequencies. If `in_time` is true, every frequency must have a finite cycle.
+    /// Reads the frequencies from Python. If `in_time` is true, every frequency must be above 0 and finite.
     pub fn of(system: &System, arguments: &FrequencyKeywords<'_>, in_time: bool) -> PyResult<Self> {
         let (given, unit) = chosen(arguments)?;
         let given = points(argument(unit), given, ACROSS)?;
@@ -86,7 +86,7 @@ impl FrequencyValues {
         Ok(Self { given, unit, r })
     }
 
-    /// Returns the frequency. Fails if the caller gave several frequencies.
+    /// Returns the only frequency. Fails if the caller gave several frequencies.
     pub fn only(&self, system: &System) -> PyResult<columns::Frequency> {
         match (self.given.is_one, self.given.values.as_slice()) {
             (true, [given]) => Ok(self.unit.given(system, *given)),
@@ -97,7 +97,7 @@ impl FrequencyValues {
         }
     }
 
-    /// Returns the frequencies in the order of the caller.
+    /// Returns all frequencies, in the caller's order.
     pub fn all(&self, system: &System) -> Vec<columns::Frequency> {
         let given = self.given.values.iter();
         given.map(|given| self.unit.given(system, *given)).collect()
@@ -108,18 +108,18 @@ impl FrequencyValues {
         self.unit.under(measure)
     }
 
-    /// Returns the shape of an array over the frequencies.
+    /// Returns the shape of a Python array that has one element for each frequency.
     pub fn shape(&self) -> Vec<usize> {
         self.given.shape()
     }
 
-    /// Adds the columns that state the frequencies, with one row for each frequency.
+    /// Adds the columns that state the frequencies. The columns have one row for each frequency.
     pub fn put(&self, columns: &mut NamedArrays<'_>, setting: &Setting<'_>) -> PyResult<()> {
         columns.table(&setting.frequency_columns(), &self.all(setting.system))
     }
 }
 
-/// A range of frequencies.
+/// A frequency range that the caller gave.
 pub struct FrequencyRange {
     /// Lowest frequency ratio r of the range.
     pub from: f64,
@@ -129,7 +129,7 @@ pub struct FrequencyRange {
 }
 
 impl FrequencyRange {
-    /// Reads the bounds of a frequency range. If the caller gave none, the function returns the range around the
+    /// Reads the bounds of a frequency range from Python. If the caller gave none, returns the usual range around the
     /// resonances.
     pub fn of_or_usual(
         system: &System,
@@ -152,12 +152,12 @@ impl FrequencyRange {
         self.unit.under(measure)
     }
 
-    /// Reads the bounds of a frequency range.
+    /// Reads the bounds of a frequency range from Python.
     pub fn of(system: &System, arguments: &FrequencyKeywords<'_>) -> PyResult<Self> {
         let (given, unit) = chosen(arguments)?;
         let argument = argument(unit);
         let Some((from, to)) = ends(argument, given)? else {
-            // A text gets the message about texts here. Otherwise it would get the message about bands.
+            // A text gets the message about texts here. Otherwise it would get the message about frequency ranges.
             numbers(argument, given)?;
             return Err(domain(format_args!(
                 "{argument}: a band is needed, a tuple (from, to); lists and arrays are points, for `limits`, `response` and `map`"
@@ -181,7 +181,8 @@ impl FrequencyRange {
         })
     }
 
-    /// Reads a difference of two frequencies, in the unit of the range, and returns it as a difference of ratios r.
+    /// Reads a difference of two frequencies in the unit that the caller used for the range. Returns it as a
+    /// difference of ratios r.
     pub fn step(&self, system: &System, given: &Bound<'_, PyAny>) -> PyResult<f64> {
         let given = one("step", given)?;
         let step = self.unit.given(system, given).r;
@@ -190,7 +191,7 @@ impl FrequencyRange {
                 "step is {given:?}: it must be above 0 and finite"
             )));
         }
-        // This function refuses more points than an answer may have, as the command does.
+        // The command too refuses more points than an answer may have.
         if super::MOST_POINTS as f64 <= (self.to - self.from) / step {
             return Err(domain(format_args!(
                 "step is {given:?}: it gives more than {} points",

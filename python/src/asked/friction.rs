@@ -1,4 +1,4 @@
-//! Reads the arguments for friction, in ratios β or in newtons.
+//! Reads Python's arguments for friction, in ratios β or in newtons.
 
 use super::UP;
 use super::frequency::survives;
@@ -12,7 +12,7 @@ use pyo3::prelude::*;
 /// The Python arguments `beta` and `friction`, of which the caller gives one.
 pub type FrictionKeywords<'py> = (Option<Bound<'py, PyAny>>, Option<Bound<'py, PyAny>>);
 
-/// Frictions in the order of the caller.
+/// Frictions that the caller gave, in the caller's order.
 #[derive(Clone)]
 pub struct FrictionValues {
     given: GivenNumbers,
@@ -23,7 +23,7 @@ pub struct FrictionValues {
 }
 
 impl FrictionValues {
-    /// Reads the frictions. The load converts friction forces to ratios β.
+    /// Reads the frictions from Python. The load in `measure` converts friction forces in N to friction ratios β.
     pub fn of((beta, friction): &FrictionKeywords<'_>, measure: &Measure) -> PyResult<Self> {
         let (argument, given) = match (beta, friction) {
             (Some(beta), None) => ("beta", points("beta", beta, UP)?),
@@ -74,8 +74,8 @@ impl FrictionValues {
         })
     }
 
-    /// Reads one friction or a list of frictions. The function rejects a range, because every friction costs a whole
-    /// curve.
+    /// Reads one friction or a list of frictions from Python. Rejects a range, because each friction takes the work
+    /// of a whole curve.
     pub fn listed(arguments: &FrictionKeywords<'_>, measure: &Measure) -> PyResult<Self> {
         let (beta, friction) = arguments;
         for (argument, given) in [("beta", beta), ("friction", friction)] {
@@ -90,7 +90,7 @@ impl FrictionValues {
         Self::of(arguments, measure)
     }
 
-    /// Returns the friction. Fails if the caller gave several frictions.
+    /// Returns the only friction. Fails if the caller gave several frictions.
     pub fn only(&self) -> PyResult<FrictionSetting> {
         match (self.given.is_one, self.all.as_slice()) {
             (true, [friction]) => Ok(*friction),
@@ -101,17 +101,17 @@ impl FrictionValues {
         }
     }
 
-    /// Returns the frictions in the order of the caller.
+    /// Returns all frictions, in the caller's order.
     pub fn all(&self) -> Vec<FrictionSetting> {
         self.all.clone()
     }
 
-    /// Returns the shape of an array over the frictions.
+    /// Returns the shape of a Python array that has one element for each friction.
     pub fn shape(&self) -> Vec<usize> {
         self.given.shape()
     }
 
-    /// Adds the columns that depend on the friction alone, with one row for each friction.
+    /// Adds the columns that depend on the friction alone. The columns have one row for each friction.
     pub fn put(&self, arrays: &mut NamedArrays<'_>, setting: &Setting<'_>) -> PyResult<()> {
         arrays.along(ColumnAxis::Friction, &setting.friction_columns(), &self.all)
     }

@@ -1,4 +1,4 @@
-//! Determines the units of the answers from the load arguments.
+//! Determines the units of the answers from Python's arguments for the load.
 
 use super::numbers::one;
 use crate::errors::domain;
@@ -11,7 +11,7 @@ use pyo3::prelude::*;
 /// The Python arguments `force` and `base`, of which the caller gives one or none.
 pub type LoadKeywords<'py> = (Option<Bound<'py, PyAny>>, Option<Bound<'py, PyAny>>);
 
-/// Reads the load and returns the units of the answers. Without a load the answers are non-dimensional groups.
+/// Reads the load from Python, and returns the units of the answers. Without a load the answers are non-dimensional.
 pub fn of(system: &System, (force, base): &LoadKeywords<'_>) -> PyResult<Measure> {
     let (name, load) = match (force, base) {
         (None, None) => return Ok(Measure::groups(system)),
@@ -38,7 +38,7 @@ pub fn of(system: &System, (force, base): &LoadKeywords<'_>) -> PyResult<Measure
     })
 }
 
-/// Reads a load from a text such as "3 N". `read` parses the text.
+/// Reads a load from a Python text such as "3 N". `read` parses the text.
 fn text_load(
     argument: &str,
     text: &str,
@@ -47,7 +47,8 @@ fn text_load(
     read(text).map_err(|problem| domain(format_args!("{argument} `{text}`: {problem}")))
 }
 
-/// Reads the load and returns the units of the answers. Fails if the amplitude of the load varies with frequency.
+/// Reads the load from Python, and returns the units of the answers. Fails if the load's amplitude varies with
+/// frequency.
 pub fn constant(system: &System, load: &LoadKeywords<'_>) -> PyResult<Measure> {
     let measure = of(system, load)?;
     if let Some(load) = measure.load() {

@@ -19,26 +19,26 @@ use frictiongen::study::columns::{Column, ColumnAxis, FrequencyUnit, Setting};
 use pyo3::prelude::*;
 use pyo3::types::PyString;
 
-/// Number of frequencies in a frequency range `(from, to)` that the caller gives.
+/// Number of frequencies for which an answer covers a frequency range `(from, to)`.
 const ACROSS: u32 = 161;
 
-/// Number of frictions in a friction range `(from, to)` that the caller gives.
+/// Number of frictions for which an answer covers a friction range `(from, to)`.
 const UP: u32 = 81;
 
-/// Largest number of points of an answer. The command has the same limit.
+/// Largest number of points (frequency, friction) in an answer. The command has the same limit.
 pub const MOST_POINTS: usize = 10_000_000;
 
-/// Largest number of values of an answer. This many values take 800 MB.
+/// Largest number of numbers in an answer. This many numbers take 800 MB.
 const MOST_NUMBERS: usize = 100_000_000;
 
-/// Largest order of a harmonic.
+/// Largest order of a harmonic for which the caller may ask.
 pub const MOST_HARMONICS: u32 = 9999;
 
 /// An optional Python argument.
 pub type Optional<'py> = Option<Bound<'py, PyAny>>;
 
-/// Returns the settings for the tables of the library. They contain no number of decimals, because only printed tables
-/// need one.
+/// Returns the settings with which the library builds its tables. The number of decimals is missing, because only
+/// printed tables need it.
 pub fn setting<'a>(
     system: &'a System,
     measure: Measure,
@@ -56,8 +56,8 @@ pub fn setting<'a>(
     }
 }
 
-/// Adds the columns of an answer over frequency and friction: the frequencies, the frictions, and the results at the
-/// points. The points are in the order of the frequencies, and at each frequency in the order of the frictions.
+/// Adds the columns of an answer over frequency and friction: the frequencies, the frictions, and the results. The
+/// results are in the order of the frequencies, and for each frequency in the order of the frictions.
 pub fn put_grid<R>(
     arrays: &mut NamedArrays<'_>,
     (frequencies, frictions): (&FrequencyValues, &FrictionValues),
@@ -72,7 +72,7 @@ pub fn put_grid<R>(
     arrays.along(ColumnAxis::Row, columns, rows)
 }
 
-/// Reads one name or several names.
+/// Reads one name, or a list of names, from Python.
 pub fn names(argument: &str, given: Option<&Bound<'_, PyAny>>) -> PyResult<Vec<String>> {
     let Some(given) = given else {
         return Ok(Vec::new());
@@ -87,8 +87,8 @@ pub fn names(argument: &str, given: Option<&Bound<'_, PyAny>>) -> PyResult<Vec<S
     })
 }
 
-/// Returns the contact or masses with these names, each once. If the caller gave no names, the function returns the
-/// contact and all masses.
+/// Returns the contact and masses with the given names, each only once. Without names, returns the contact and all
+/// masses.
 pub fn parts(
     system: &System,
     argument: &str,
@@ -133,17 +133,18 @@ pub fn part(system: &System, argument: &str, given: &Bound<'_, PyAny>) -> PyResu
     })
 }
 
-/// Returns the quantity with this name: a motion, or a velocity, an acceleration or a force such as `accel(roof)`.
+/// Returns the quantity with this name: a displacement, or a velocity, an acceleration or a force, such as
+/// `accel(roof)`.
 pub fn quantity(system: &System, argument: &str, name: &str) -> PyResult<MovingPart> {
     MovingPart::named(system, name).map_err(|error| domain(format_args!("{argument}: {error}")))
 }
 
-/// Reads the highest order of a harmonic. The default is 0.
+/// Reads the highest order of the harmonics in an answer. The default is 0, which means no harmonics.
 pub fn harmonics(given: Option<&Bound<'_, PyAny>>) -> PyResult<u32> {
     given.map_or(Ok(0), |given| whole("harmonics", given, 1..=MOST_HARMONICS))
 }
 
-/// Fails if an answer of `points` points with `numbers` numbers each is too large.
+/// Fails if an answer would be too large: it has `points` points, and each point has `numbers` numbers.
 pub fn check_size(points: usize, numbers: usize) -> PyResult<()> {
     if points <= MOST_POINTS && points.saturating_mul(numbers) <= MOST_NUMBERS {
         return Ok(());

@@ -1,4 +1,4 @@
-//! Reads numbers from Python: one number, or a row of numbers.
+//! Reads numbers from Python: one number, or a one-dimensional row of numbers.
 
 use crate::errors::{domain, wrong_type};
 use numpy::PyReadonlyArray1;
@@ -6,7 +6,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyTuple};
 use std::ops::RangeInclusive;
 
-/// Numbers that the caller gave.
+/// Numbers that the caller gave as one Python argument.
 #[derive(Clone)]
 pub struct GivenNumbers {
     /// The given values, in their order.
@@ -16,7 +16,7 @@ pub struct GivenNumbers {
 }
 
 impl GivenNumbers {
-    /// Returns the shape of an array over these numbers.
+    /// Returns the shape of a Python array with one element for each of these numbers.
     pub fn shape(&self) -> Vec<usize> {
         if self.is_one {
             Vec::new()
@@ -25,7 +25,7 @@ impl GivenNumbers {
         }
     }
 
-    /// Returns the name of the number at this index, for a message.
+    /// Returns the text by which a message names the number at this index of an argument.
     pub fn place(&self, argument: &str, index: usize) -> String {
         if self.is_one {
             argument.to_owned()
@@ -35,13 +35,13 @@ impl GivenNumbers {
     }
 }
 
-/// Returns the type of an object, for a message.
+/// Returns the name of an object's Python type, for a message.
 fn type_name(object: &Bound<'_, PyAny>) -> String {
     let name = object.get_type().name();
     name.map_or_else(|_| "object".to_owned(), |name| name.to_string())
 }
 
-/// Reads a number or a row of numbers. The function accepts every object that numpy converts to numbers, except texts,
+/// Reads a number or a row of numbers from Python. Accepts every object that numpy converts to numbers, except texts,
 /// truth values and complex numbers.
 pub fn numbers(argument: &str, given: &Bound<'_, PyAny>) -> PyResult<GivenNumbers> {
     let py = given.py();
@@ -81,7 +81,8 @@ pub fn numbers(argument: &str, given: &Bound<'_, PyAny>) -> PyResult<GivenNumber
     })
 }
 
-/// Reads the bounds of a range from a tuple. Returns `None` for a list or an array, which contains points instead.
+/// Reads the bounds of a range from a Python tuple. Returns `None` for a list or an array, because these contain
+/// points.
 pub fn ends(argument: &str, given: &Bound<'_, PyAny>) -> PyResult<Option<(f64, f64)>> {
     if !given.is_instance_of::<PyTuple>() {
         return Ok(None);
@@ -95,7 +96,8 @@ pub fn ends(argument: &str, given: &Bound<'_, PyAny>) -> PyResult<Option<(f64, f
     }
 }
 
-/// Reads one number, a row of points, or a range `(from, to)`. The function covers a range evenly with `count` points.
+/// Reads one number, a row of points, or a range `(from, to)` from Python. A range becomes `count` evenly spaced
+/// points.
 pub fn points(argument: &str, given: &Bound<'_, PyAny>, count: u32) -> PyResult<GivenNumbers> {
     let Some((from, to)) = ends(argument, given)? else {
         return numbers(argument, given);
@@ -114,7 +116,7 @@ pub fn points(argument: &str, given: &Bound<'_, PyAny>, count: u32) -> PyResult<
     })
 }
 
-/// Reads one number.
+/// Reads one number from Python. Fails if the argument is a row of numbers.
 pub fn one(argument: &str, given: &Bound<'_, PyAny>) -> PyResult<f64> {
     let given = numbers(argument, given)?;
     match (given.is_one, given.values.as_slice()) {

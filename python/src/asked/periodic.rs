@@ -1,4 +1,4 @@
-//! Reads the load of `periodic`: samples of one period, or harmonics.
+//! Reads the load for the Python function `periodic`: samples over one period, or harmonics.
 
 use super::numbers::{GivenNumbers, numbers, one, whole};
 use crate::errors::{domain, wrong_type};
@@ -12,8 +12,8 @@ use pyo3::types::{PyDict, PyTuple};
 /// Largest order of a harmonic of a load.
 const MOST_ORDER: u32 = 1000;
 
-/// Reads the load over one period, and returns the system with it. With `hold`, the system keeps each force constant
-/// until the next sample.
+/// Reads the load over one period from Python. Returns the system for this load, and the load. With `hold`, the
+/// system keeps each force constant until the next sample.
 pub fn load(
     system: &System,
     given: &Bound<'_, PyAny>,
@@ -61,7 +61,7 @@ pub fn load(
     }
     let scale = unit.as_ref().map_or(1.0, Unit::scale);
     let samples: Vec<f64> = samples.iter().map(|value| value * scale).collect();
-    // The last sample repeats the first one.
+    // The last sample is at the end of the period, where the load has the value of the first sample again.
     let step = period / samples.len().saturating_sub(1).max(1) as f64;
     let load = match quantity {
         None => PeriodicLoad::forces(step, &samples),
@@ -79,7 +79,7 @@ fn refused(error: PeriodicError) -> PyErr {
     domain(format_args!("load: {error}"))
 }
 
-/// Returns the system with forces that are constant between samples.
+/// Returns the system with an input that keeps each force constant between two samples.
 fn held(system: &System) -> PyResult<System> {
     let mut scene = system.scene().clone();
     scene.stepping.input = StepInput::Hold;
@@ -90,7 +90,7 @@ fn held(system: &System) -> PyResult<System> {
     System::try_from(scene).map_err(|error| domain(format_args!("hold: {error}")))
 }
 
-/// Reads samples, or a tuple of samples and their unit.
+/// Reads the samples of a load from Python. A tuple contains the samples and their unit.
 fn samples(given: &Bound<'_, PyAny>) -> PyResult<(Vec<f64>, Option<Unit>)> {
     let mut unit = None;
     let mut samples = given.clone();
@@ -112,7 +112,8 @@ fn samples(given: &Bound<'_, PyAny>) -> PyResult<(Vec<f64>, Option<Unit>)> {
     Ok((given.values, unit))
 }
 
-/// Reads harmonics. Each order has an amplitude, or an amplitude and a lag in degrees.
+/// Reads the harmonics of a load from Python. The value of each order is an amplitude, or an amplitude and a lag in
+/// degrees.
 fn harmonics(given: &Bound<'_, PyDict>) -> PyResult<Vec<Harmonic>> {
     let harmonic = |(order, given): (Bound<'_, PyAny>, Bound<'_, PyAny>)| {
         let order = whole("load: the order", &order, 0..=MOST_ORDER)?;

@@ -1,4 +1,4 @@
-//! Identifies friction and damping from a free vibration.
+//! Identifies friction and damping from the recording of a free vibration.
 
 use super::once::once;
 use super::recording::NativeRecording;
@@ -12,7 +12,8 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::sync::Arc;
 
-/// Finds friction and damping. Returns the single values, and the extremes of the vibration as columns.
+/// Finds friction and damping from a free vibration. Returns single values, and the extremes of the vibration as
+/// columns.
 #[pyfunction]
 pub fn free_decay<'py>(
     py: Python<'py>,
@@ -34,7 +35,7 @@ pub fn free_decay<'py>(
         }
         (Some(ratio), false) => Some(ratio),
         (None, true) => None,
-        // The damping of the description counts as known.
+        // The damping of the description counts as known here.
         (None, false) => system.described_damping(),
     };
     let (owned, record) = (Arc::clone(system), recording.recording.clone());

@@ -1,4 +1,4 @@
-//! Computes the motion of a scene under a recorded input.
+//! Computes the motion of a scene under a recorded input: base motion or forces.
 
 use super::recording::NativeRecording;
 use crate::asked::{Optional, one, parts};
@@ -32,7 +32,8 @@ pub fn drive<'py>(
     }
     let mut parts = parts(of_system, "of", of.as_ref())?;
     if of.is_none() {
-        // Under a recorded acceleration the base drifts by metres, which hides all relative motion.
+        // Under a recorded acceleration the base drifts by metres, which hides all relative motion. All motions are
+        // therefore relative to the base.
         let all = parts.into_iter().map(|part| part.from_base(of_system));
         parts = all.collect();
     }

@@ -13,14 +13,14 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::sync::Arc;
 
-/// Measured mass: its name, its amplitudes divided by the excitation amplitude, and their standard deviations if they
-/// are known.
+/// A measured mass: its name, its amplitudes divided by the amplitude of the excitation, and their standard
+/// deviations if known.
 type Swept<'py> = (String, Bound<'py, PyAny>, Option<Bound<'py, PyAny>>);
 
-/// Results of a fit: the single values, the points, and the fitted system.
+/// Results of a fit: single values, points of the sweep, and the system with the fitted parameters.
 type FitAnswer<'py> = (Bound<'py, PyDict>, Bound<'py, PyDict>, NativeSystem);
 
-/// Reads a row of numbers, one for each frequency. If `gaps` is true, NaN stands for a missing number.
+/// Reads a row of numbers with one number for each frequency. If `gaps` is true, NaN stands for a missing number.
 fn row(argument: &str, given: &Bound<'_, PyAny>, count: usize, gaps: bool) -> PyResult<Vec<f64>> {
     let given = numbers(argument, given)?;
     if given.values.len() != count {
@@ -41,7 +41,7 @@ fn row(argument: &str, given: &Bound<'_, PyAny>, count: usize, gaps: bool) -> Py
     Ok(given.values)
 }
 
-/// Returns the points of a sweep, in the order of a sweep table.
+/// Returns the points of a measured sweep, in the order in which a table of a sweep has them.
 fn points(
     system: &System,
     hertz: &Bound<'_, PyAny>,
@@ -104,7 +104,8 @@ fn answer<'py>(
     Ok((once, arrays.done(), fitted))
 }
 
-/// Fits the scene to a sweep that is given as arrays. If `gaps` is true, NaN stands for a point without measurement.
+/// Fits the parameters of a scene to a sweep, given as arrays. If `gaps` is true, NaN stands for a point that was not
+/// measured.
 #[pyfunction]
 pub fn fit<'py>(
     py: Python<'py>,
@@ -119,7 +120,7 @@ pub fn fit<'py>(
     answer(py, system, &points, (damping, None))
 }
 
-/// Fits the scene to a sweep that is given as the text of a table.
+/// Fits the parameters of a scene to a sweep, given as the text of a table.
 #[pyfunction]
 pub fn fit_text<'py>(
     py: Python<'py>,

@@ -18,7 +18,7 @@ use std::sync::Arc;
 /// The Python arguments `by`, `also`, `between` and `harmonics`.
 type IdentifyKeywords<'py> = (Option<String>, Optional<'py>, Optional<'py>, Optional<'py>);
 
-/// Results of an identification: the single values, the motions, and the system with the identified parameters.
+/// Results of an identification: single values, motions, and the system with the identified parameters.
 type IdentifyAnswer<'py> = (Bound<'py, PyDict>, Bound<'py, PyDict>, NativeSystem);
 
 fn unknowns(given: Option<&Bound<'_, PyAny>>) -> PyResult<Vec<Unknown>> {
@@ -46,7 +46,8 @@ fn range(given: Option<&Bound<'_, PyAny>>) -> PyResult<Option<(f64, f64)>> {
     }
 }
 
-/// Finds the friction force that fits the measurements best, in any regime. Returns it with its uncertainty interval.
+/// Finds the friction force that fits the measurements best, in any regime. Returns the force with its uncertainty
+/// interval.
 #[pyfunction]
 pub fn identify<'py>(
     py: Python<'py>,

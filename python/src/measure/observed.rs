@@ -1,4 +1,4 @@
-//! Collects observations from recordings, or from amplitudes and phases.
+//! Collects observations (measured motions at one frequency), from recordings or from amplitudes and phases.
 
 use super::recording::NativeRecording;
 use super::transmissibility::measured;
@@ -11,7 +11,8 @@ use frictiongen::study::units::Load;
 use frictiongen::{Complex, Of, System};
 use pyo3::prelude::*;
 
-/// Motion from the caller: mass, order of the harmonic, amplitude, phase, and the standard deviations of both.
+/// A motion that the caller gave: mass, order of the harmonic, amplitude, phase, and the standard deviations of
+/// amplitude and phase.
 type Told<'py> = (
     String,
     u32,
@@ -21,7 +22,7 @@ type Told<'py> = (
     Optional<'py>,
 );
 
-/// Observations from the caller: frequencies, load, standard deviation of the load, and motions.
+/// Observations that the caller gave: frequencies, load, standard deviation of the load, and motions.
 type Points<'py> = (
     Bound<'py, PyAny>,
     LoadKeywords<'py>,
@@ -29,17 +30,17 @@ type Points<'py> = (
     Vec<Told<'py>>,
 );
 
-/// Observations, with the quantities that the caller gave for each observation.
+/// Observations of steady motions, with the quantities that are known for each observation.
 #[derive(Default)]
 pub struct Observed {
-    /// Observations in the form of the library.
+    /// Observations, as the library takes them.
     pub all: Vec<Observation>,
-    /// Quantities that the caller gave for each observation.
+    /// Quantities that are known for each observation.
     pub known: Vec<Known>,
 }
 
-/// Reads one number for each frequency, or one number for all frequencies. Every number must satisfy `sound`. The error
-/// message describes this condition by `needed`.
+/// Reads one number for each frequency, or one number for all frequencies. Every number must satisfy the condition
+/// `sound`. `needed` describes this condition in the error message.
 fn row(
     argument: &str,
     given: &Bound<'_, PyAny>,
@@ -68,7 +69,7 @@ fn row(
 
 const ABOVE: &str = "a finite number above 0";
 
-/// Reads one load for each frequency, or one load for all frequencies.
+/// Reads the amplitude of the load: one for each frequency, or one for all frequencies.
 fn loads(system: &System, load: &LoadKeywords<'_>, count: usize) -> PyResult<Vec<Load>> {
     let above = |value| 0.0 < value;
     match (load, system.scene().excitation) {
@@ -89,7 +90,7 @@ fn loads(system: &System, load: &LoadKeywords<'_>, count: usize) -> PyResult<Vec
     }
 }
 
-/// Motion of a mass, with its values at each frequency.
+/// Measured motion of a mass, with its values at each frequency.
 struct ObservedMotion {
     mass: usize,
     harmonic: u32,
@@ -155,8 +156,8 @@ impl ObservedMotion {
         }
     }
 
-    /// Returns the motion at one frequency, divided by a load. An unknown amplitude becomes 1, and an unknown phase
-    /// becomes 0.
+    /// Returns the measured motion at one frequency, divided by the load `load`. An unknown amplitude becomes 1, and
+    /// an unknown phase becomes 0.
     fn datum(&self, place: usize, load: f64) -> Datum {
         let at = |values: &Vec<f64>| values.get(place).copied().unwrap_or(f64::NAN);
         let phase = self.phase.as_ref().map_or(0.0, at).to_radians();
@@ -174,8 +175,8 @@ impl ObservedMotion {
 }
 
 impl Observed {
-    /// Reads recordings and motions, in the order of the caller. From a recording the function takes the odd harmonics
-    /// up to order `harmonics`.
+    /// Reads recordings and measured motions from Python, in the caller's order. A recording contributes its odd
+    /// harmonics up to the order `harmonics`.
     pub fn of(
         py: Python<'_>,
         system: &System,
@@ -250,8 +251,8 @@ impl Observed {
         Ok(())
     }
 
-    /// Returns the quantities to compare. `by` names the amplitude, the phase or both. The default is every quantity
-    /// that all motions have.
+    /// Returns the quantities in which measured and computed motions are compared. `by` names amplitude, phase or
+    /// both. The default is every quantity that all measured motions have.
     pub fn using(&self, by: Option<&str>) -> PyResult<Using> {
         let none = |without: Known| self.known.iter().all(|known| *known != without);
         let (amplitudes, phases) = (none(Known::Phase), none(Known::Amplitude));

@@ -1,16 +1,16 @@
-//! Returns the single values of a measurement, by key.
+//! Returns the single values of a measurement to Python, by key.
 
 use frictiongen::measure::Estimate;
 use frictiongen::measure::columns::{Keyed, SingleValue};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// Returns the best estimate, and the lower and upper bound of its interval.
+/// Returns the best estimate of a value, with the lower and upper bound of its uncertainty interval.
 fn interval(found: Estimate) -> (f64, f64, f64) {
     (found.value, found.from, found.to)
 }
 
-/// Returns a dictionary of the single values by key.
+/// Returns a Python dictionary of single values by key.
 pub fn once<'py>(py: Python<'py>, values: Vec<Keyed>) -> PyResult<Bound<'py, PyDict>> {
     let once = PyDict::new(py);
     for (key, value) in values {

@@ -9,14 +9,14 @@ use pyo3::prelude::*;
 /// A recording and its name in messages.
 #[pyclass(frozen, module = "frictiongen._native", name = "Recording")]
 pub struct NativeRecording {
-    /// Recording, as a type of the Rust library.
+    /// The recording, as a type of the Rust library.
     pub recording: Recording,
-    /// Name of the file that contains the recording, if the recording comes from a file.
+    /// Name of the file from which the recording comes. `None` if the recording comes from arrays.
     pub source: Option<String>,
 }
 
 impl NativeRecording {
-    /// Returns the name of the recording for messages. `place` is its position among `of` recordings.
+    /// Returns the name of this recording for messages. `place` is its index among `of` recordings.
     pub fn called(&self, place: usize, of: usize) -> Option<String> {
         let number = || (1 < of).then(|| format!("recording {}", place + 1));
         self.source.clone().or_else(number)
@@ -41,7 +41,7 @@ fn unit_of(name: &str, unit: &str) -> PyResult<Unit> {
 
 #[pymethods]
 impl NativeRecording {
-    /// Creates a recording from arrays. Each channel has a name, samples and a unit.
+    /// Creates a recording from Python arrays. Each channel has a name, samples and a unit.
     #[new]
     fn new<'py>(
         py: Python<'py>,
@@ -104,7 +104,7 @@ impl NativeRecording {
         })
     }
 
-    /// Reads a recording from text. `channels` names the columns to read and their units.
+    /// Reads a recording from a text. `channels` names the columns to read, with their units.
     #[staticmethod]
     fn read<'py>(
         py: Python<'py>,
@@ -142,7 +142,7 @@ impl NativeRecording {
         self.recording.rate()
     }
 
-    /// Returns the name and the unit of each channel.
+    /// Returns the name and the unit of each channel of the recording.
     #[getter]
     fn channels(&self) -> Vec<(String, &'static str)> {
         let channels = self.recording.channels().iter();

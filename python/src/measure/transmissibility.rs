@@ -11,7 +11,7 @@ use frictiongen::measure::{MeasureError, Measured};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// Finds the steady motion in each recording.
+/// Finds the steady motion in each of several recordings.
 pub fn measured(
     py: Python<'_>,
     system: &System,
@@ -36,7 +36,7 @@ pub fn measured(
     })
 }
 
-/// Returns the transmissibilities of the recorded masses as columns, with one row for each recording.
+/// Returns the transmissibilities of the recorded masses as columns. The columns have one row for each recording.
 #[pyfunction]
 pub fn transmissibility<'py>(
     py: Python<'py>,

@@ -1,4 +1,4 @@
-//! Images of steppers on the emulated processor.
+//! Saves steppers as images on the emulated processor, and continues from the images.
 #![no_std]
 #![no_main]
 

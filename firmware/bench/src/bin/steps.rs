@@ -1,4 +1,5 @@
-//! Steppers on the emulated processor: their final states, and the instructions and the stack of their steps.
+//! Runs steppers on the emulated processor. Prints their final states, and the instructions and the stack of their
+//! steps.
 #![no_std]
 #![no_main]
 
@@ -19,10 +20,10 @@ fn panic(_: &PanicInfo) -> ! {
     }
 }
 
-/// Bytes of stack that are painted, more than any step needs.
+/// Number of bytes below the stack pointer that are painted to measure the stack of a step. No step needs as many.
 const STACK: usize = 16384;
 
-/// Instructions and stack of a group of steps: fewest and most instructions, most bytes of stack.
+/// Needs of a group of steps: fewest and most instructions, and most bytes of stack.
 #[derive(Clone, Copy)]
 struct Needs {
     least: u64,
@@ -44,7 +45,7 @@ impl Needs {
     }
 }
 
-/// Costs of steps, grouped by what happened in the step.
+/// Needs of the steps of a run, grouped by what happened in each step.
 struct Kinds {
     sliding: Needs,
     sticking: Needs,
@@ -56,7 +57,8 @@ struct Kinds {
     events: u32,
 }
 
-/// Measures all steps under a load, with an event budget if `budget` is not 0.
+/// Measures all steps of a machine under one kind of load. If `budget` is not 0, a step follows at most this number
+/// of events.
 fn measured<M: Machine>(timer: &mut SYST, weather: Weather, budget: u8) -> Option<Kinds>
 where
     M::Scalar: Tone,
@@ -107,7 +109,8 @@ where
     Some(kinds)
 }
 
-/// Measures the worst step of all loads with each event budget, and compares it with the bound of its cost.
+/// Measures the most expensive step over all loads, with each event budget. Compares it with the stepper's upper
+/// bound on its cost.
 fn budgets<M: Machine>(timer: &mut SYST)
 where
     M::Scalar: Tone,
@@ -152,7 +155,7 @@ where
     }
 }
 
-/// Measures the start of a stepper, and the calls that read its masses while the contact sticks.
+/// Measures the creation of a stepper, and the calls that read its masses while the contact sticks.
 fn beside<M: Machine>(timer: &mut SYST)
 where
     M::Scalar: Tone,
@@ -171,7 +174,7 @@ where
             M::start_declared();
         });
     }
-    // Under a small load the contact sticks, which is the more expensive state to read.
+    // Under a small load the contact sticks. Reading this state takes more instructions than reading a sliding state.
     let Some(mut machine) = M::start() else {
         return;
     };
@@ -273,7 +276,7 @@ fn main() -> ! {
     }
 }
 
-/// Prints the final states of the machines.
+/// Prints the final state of each machine that it visits.
 struct Ends;
 
 impl Visitor for Ends {

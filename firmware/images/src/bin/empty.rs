@@ -1,4 +1,4 @@
-//! No call: what every image has.
+//! An image without any call. It contains only what every image has.
 #![no_std]
 #![no_main]
 

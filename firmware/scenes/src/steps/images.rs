@@ -1,10 +1,11 @@
-//! Images of steppers: a state as bytes, from which a stepper continues after a loss of power.
+//! Images of steppers. An image is the state of a stepper as bytes. After a loss of power, a stepper continues from
+//! it.
 
 use super::script::{FRICTION, STEPS, Song, Weather};
 use core::fmt::Arguments;
 use frictiongen::OutOfDomain;
 
-/// A line of the report, without its end.
+/// A function that prints a line of the report. The line has no end-of-line character.
 pub type Say<'a> = &'a mut dyn FnMut(Arguments<'_>);
 
 macro_rules! chain {
@@ -35,7 +36,7 @@ chain! { law 1323.0 f32 friction: stribeck(0.01: 0.9, 0.1: 0.8), }
 chain! { other 1324.0 f32 }
 chain! { double 1323.0 f64 }
 
-/// CRC-32 (IEEE 802.3) of an image, as in its last four bytes.
+/// Returns the CRC-32 (IEEE 802.3) of an image without its last four bytes, which contain this checksum.
 fn crc(bytes: &[u8]) -> u32 {
     !bytes.iter().fold(u32::MAX, |sum, byte| {
         (0..8).fold(sum ^ u32::from(*byte), |sum, _| {
@@ -44,7 +45,7 @@ fn crc(bytes: &[u8]) -> u32 {
     })
 }
 
-/// Returns an image with another byte and a right checksum.
+/// Returns an image in which the byte at `place` is replaced and the checksum is correct again.
 fn with<const N: usize>(image: &[u8; N], place: usize, byte: u8) -> [u8; N] {
     let mut changed = *image;
     changed[place] = byte;
@@ -53,7 +54,8 @@ fn with<const N: usize>(image: &[u8; N], place: usize, byte: u8) -> [u8; N] {
     changed
 }
 
-/// Runs one scene: the image after half of a song, and the end of the song from the image and without it.
+/// Runs one scene under the load `Song`. At half time the stepper is saved as an image. Reports whether a stepper
+/// from this image ends with the same bits as the original.
 macro_rules! song {
     ($module:ident, $say:ident) => {{
         use $module::{Chain, ChainInput};
@@ -95,7 +97,7 @@ macro_rules! song {
     }};
 }
 
-/// Prints whether a stepper refuses an image for the right reason, and keeps its state.
+/// Reports whether a stepper refuses an image with the expected error and keeps its state.
 macro_rules! refused {
     ($say:ident, $what:literal, $stepper:expr, $image:expr, $reason:pat) => {{
         let before = $stepper.image();
@@ -110,7 +112,7 @@ macro_rules! refused {
     }};
 }
 
-/// Reports on images of three scenes. A line with `WRONG` is a fault.
+/// Reports whether the images of three scenes work. A line with `WRONG` shows a fault.
 pub fn report(say: Say<'_>) -> Result<(), OutOfDomain> {
     song!(elastic, say);
     song!(law, say);
@@ -151,7 +153,7 @@ pub fn report(say: Say<'_>) -> Result<(), OutOfDomain> {
     say(format_args!(
         "image with one of {found} bits changed: {verdict}"
     ));
-    // The last step of the song is still the state.
+    // The stepper has the state at the end of the load. It must still accept the correct image of half time.
     stepper.restore_image(&image)?;
     let right = stepper.image() == image;
     let verdict = if right {

@@ -1,4 +1,4 @@
-//! Scenes with a stepper: chains of equal masses. The last mass rubs.
+//! Scenes with a stepper: chains of equal masses, of which the last one rubs.
 
 pub use super::two_contacts;
 use super::{Machine, Outcome};
@@ -40,7 +40,7 @@ macro_rules! machine {
                 core::hint::black_box(&Chain::declared_stepper());
             }
 
-            /// Reads the masses one by one.
+            /// Reads displacement and velocity of the masses, with one call for each mass.
             #[inline(never)]
             #[cfg_attr(feature = "prove", no_panic::no_panic)]
             pub fn each(run: &Run) {
@@ -269,7 +269,8 @@ machine! {
     input: linear,
 }
 
-/// A function that is applied to every machine.
+/// An operation that is applied to every machine. The machines have different types, so that a list cannot contain
+/// them.
 pub trait Visitor {
     /// Receives one machine.
     fn visit<M: Machine>(&mut self)

@@ -1,4 +1,5 @@
-//! The real-time stepper: scenes, their loads, and a common interface of their steps.
+//! Scenes for measurements of the real-time stepper: the loads of their steppers, and the trait [`Machine`] for all
+//! of them.
 
 pub mod images;
 pub mod machines;
@@ -7,14 +8,14 @@ pub mod two_contacts;
 
 pub use frictiongen::kernel::stepper::Cost;
 
-/// Result of a step.
+/// Result of one step of a stepper.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Outcome {
-    /// `true` if the contact sticks at the end of the step.
+    /// True if the contact sticks at the end of the step.
     pub sticks: bool,
-    /// Number of events in the step.
+    /// Number of events in the step, such as stops of the contact.
     pub events: u32,
-    /// `true` if the step had more events than the stepper follows.
+    /// True if the step had more events than the stepper follows.
     pub exceeded: bool,
 }
 
@@ -22,22 +23,23 @@ pub struct Outcome {
 pub trait Machine: Sized {
     /// Scalar of the scene.
     type Scalar: Copy;
-    /// Name in the tables of figures.
+    /// Name of the stepper in printed tables.
     const NAME: &'static str;
-    /// `true` if the load is a motion of the base.
+    /// True if the load is a motion of the base, and false if it is a force.
     const ON_BASE: bool;
-    /// `true` if a processor without double precision computes the scalar's sums in software.
+    /// True if a processor without double precision computes the numbers of this stepper in software.
     const SOFTWARE: bool = core::mem::size_of::<Self::Scalar>() == 8;
     /// Creates a stepper at rest.
     fn start() -> Option<Self>;
-    /// Advances by one step with a load and a friction force. The load is a force, or displacement and velocity of the
-    /// base.
+    /// Advances the stepper by one step with a load and a friction force. If [`ON_BASE`](Self::ON_BASE) is true, the
+    /// load is displacement and velocity of the base, and otherwise a force and zero.
     fn advance(&mut self, load: [Self::Scalar; 2], friction: Self::Scalar) -> Option<Outcome>;
     /// Returns the upper bound on the cost of a step, or `None` if the stepper counts no operations.
     fn cost(&self) -> Option<Cost> {
         None
     }
-    /// Sets the event budget. Returns `None` if the stepper has no budget.
+    /// Sets the largest number of events that a step follows, the event budget. Returns `None` if the stepper has no
+    /// budget.
     fn set_budget(&mut self, _events: u8) -> Option<()> {
         None
     }
@@ -45,7 +47,7 @@ pub trait Machine: Sized {
     fn start_declared() -> Option<()> {
         None
     }
-    /// Reads the masses one by one.
+    /// Reads the masses, with one call for each mass.
     fn read_each(&self);
     /// Reads all masses in one call. Returns `None` if the stepper has no such call.
     fn read_all(&self) -> Option<()> {
@@ -53,9 +55,9 @@ pub trait Machine: Sized {
     }
     /// Size in memory in bytes of a stepper that borrows its constant tables, or `None` if the stepper has no tables.
     const DECLARED: Option<usize> = None;
-    /// Size in memory in bytes, including the tables.
+    /// Size of the stepper in memory in bytes, including its constant tables.
     const SIZE: usize = core::mem::size_of::<Self>();
-    /// Returns the bits of displacement and velocity of the last mass, and of the work of the load. For several contacts
-    /// the third number is the force in the last one.
+    /// Returns the bits of three numbers of the state: displacement and velocity of the last mass, and work of the
+    /// load. With several contacts the third number is the force in the last contact.
     fn bits(&self) -> [u64; 3];
 }

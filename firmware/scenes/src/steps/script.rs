@@ -1,23 +1,24 @@
-//! Loads of a stepper. They consist of sums and products only, so that they have the same bits on every processor.
+//! Loads for measurements of steppers. They are computed with sums and products only, so that they have the same bits
+//! on every processor.
 
 use super::Machine;
 
-/// Number of steps in a load.
+/// Number of steps of a run under a load.
 pub const STEPS: usize = 4000;
 
-/// Friction force, N.
+/// Friction force of the contact, in N.
 pub const FRICTION: f64 = 3.0;
 
-/// Rotation in one step: cosine and sine of its angle.
+/// Rotation of a vector in one step of a load: cosine and sine of the angle.
 type Turn = [f64; 2];
 
-/// Rotations at 2.3 Hz and 7.1 Hz with a step of one millisecond.
+/// Rotations of the load `Song` at 2.3 Hz and 7.1 Hz, for a step of one millisecond.
 const SLOW: Turn = [0.999_895_581_402_694_3, 0.014_450_823_207_274_255];
 const FAST: Turn = [0.999_005_111_495_252_4, 0.044_595_820_503_260_594];
-/// Angular frequencies of the two rotations, rad/s.
+/// Angular frequencies of [`SLOW`] and [`FAST`], in rad/s.
 const RATES: [f64; 2] = [14.451_326_206_513_047, 44.610_615_680_975_06];
 
-/// Kind of a load.
+/// The kinds of load under which a stepper is measured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Weather {
     /// A sum of two sinusoids.
@@ -28,7 +29,7 @@ pub enum Weather {
     Breeze,
 }
 
-/// A load with two frequencies, the "song", or with random values, the "storm".
+/// A source of loads, step by step. It gives each kind of [`Weather`].
 #[derive(Clone, Copy, Debug)]
 pub struct Song<S> {
     slow: [S; 2],
@@ -36,7 +37,7 @@ pub struct Song<S> {
     seed: u32,
 }
 
-/// Operations of a scalar that a song needs.
+/// Operations that a scalar needs to compute a load.
 pub trait Tone:
     Copy
     + core::ops::Add<Output = Self>
@@ -63,7 +64,7 @@ impl Tone for f64 {
 }
 
 impl<S: Tone> Song<S> {
-    /// Starts a song at zero.
+    /// Creates a source of loads whose sinusoids begin at zero.
     pub fn new() -> Self {
         let start = [S::of(1.0), S::of(0.0)];
         Self {
@@ -73,8 +74,8 @@ impl<S: Tone> Song<S> {
         }
     }
 
-    /// Returns the next sample. For a base it is displacement in m and velocity in m/s, otherwise a force in N and
-    /// zero.
+    /// Returns the load of the next step. If `on_base` is true, it is displacement in m and velocity in m/s of the
+    /// base, and otherwise a force in N and zero.
     pub fn next(&mut self, on_base: bool, weather: Weather) -> [S; 2] {
         match weather {
             Weather::Song => {}
@@ -102,7 +103,7 @@ impl<S: Tone> Song<S> {
         }
     }
 
-    /// Returns a random load of up to 10⁴ times the friction force, whose sign and size change from step to step.
+    /// Returns a random load of up to 10⁴ times the friction force. Its sign and size change from step to step.
     fn storm(&mut self, on_base: bool) -> [S; 2] {
         let (first, second) = (self.draw(), self.draw());
         if on_base {
@@ -128,7 +129,7 @@ impl<S: Tone> Default for Song<S> {
     }
 }
 
-/// Returns the bits of the final state of a machine after a song or a storm, or `None` after an error.
+/// Runs a stepper under a load of the given kind. Returns the bits of its final state, or `None` after an error.
 pub fn played<M: Machine>(weather: Weather) -> Option<[u64; 3]>
 where
     M::Scalar: Tone,

@@ -29,7 +29,7 @@ pub fn start() -> Option<Run> {
     Chain::stepper(Chain::STEP).ok().map(Run)
 }
 
-/// Returns the step, in s.
+/// Returns the length of a step, in s.
 #[inline(never)]
 #[cfg_attr(feature = "prove", no_panic::no_panic)]
 pub fn time(run: &Run) -> f32 {
@@ -53,7 +53,7 @@ pub fn advance(run: &mut Run, load: [f32; 2], friction: f32) -> Option<Outcome> 
     })
 }
 
-/// Reads the masses one by one.
+/// Reads the masses, with one call for each mass.
 #[inline(never)]
 #[cfg_attr(feature = "prove", no_panic::no_panic)]
 pub fn each(run: &Run) {

@@ -3,14 +3,13 @@
 use frictiongen_kernel::number::dd::Dd;
 use std::ops::{Add, Mul, Neg, Sub};
 
-/// Bound on the relative error of a double-double operation: 2^−102. The error itself is below 2^−103.
+/// Bound on the relative error of a double-double operation: 2^−102. The actual error is below 2^−103.
 const ROUNDING: f64 = 1.0 / 5_070_602_400_912_917_605_986_812_821_504.0;
-/// Bound on the absolute error of one operation that underflows. The bound is not valid if the operands themselves are
-/// tiny.
+/// Bound on the absolute error of an operation whose result underflows. The bound is not valid for tiny operands.
 const LOST: f64 = 1e-280;
-/// Factor on a sum of errors in double precision. It covers the rounding errors of the sum itself.
+/// Factor on a sum of errors in double precision. It covers the rounding of the sum itself.
 pub(super) const UP: f64 = 1.0 + 1e-14;
-/// Magnitude below which the square of a number may underflow.
+/// Modulus below which the square of a number may underflow.
 const SQUARED_AWAY: f64 = 1e-150;
 
 /// An uncertain number: `at` with an absolute error of at most `off`.
@@ -30,17 +29,17 @@ impl Ball {
         Self::exact(Dd::from(at))
     }
 
-    /// Returns the magnitude of the middle, rounded upwards.
+    /// Returns the modulus of the middle of the ball, rounded upwards.
     fn middle(&self) -> f64 {
         self.at.abs().to_f64() * UP
     }
 
-    /// Returns an upper bound on the magnitude.
+    /// Returns an upper bound on the modulus of the uncertain number.
     pub fn most(&self) -> f64 {
         (self.middle() + self.off) * UP
     }
 
-    /// Returns a lower bound on the magnitude.
+    /// Returns a lower bound on the modulus of the uncertain number.
     pub fn least(&self) -> f64 {
         (self.at.abs().to_f64() * (2.0 - UP) - self.off * UP).max(0.0)
     }
@@ -52,7 +51,7 @@ impl Ball {
         Self { at, off }
     }
 
-    /// Returns the reciprocal, with a bound on its error.
+    /// Returns the reciprocal of the uncertain number, with a bound on its error.
     pub fn inverse(self) -> Self {
         let least = self.least();
         let off = if least > 0.0 {
@@ -63,7 +62,7 @@ impl Ball {
         Self::rounded(Dd::ONE / self.at, off)
     }
 
-    /// Returns the square root of a number that is not negative.
+    /// Returns the square root of an uncertain number that is not negative.
     pub fn sqrt(self) -> Self {
         let root = self.at.max(Dd::ZERO).sqrt();
         // |√a − √b| is at most |a − b|/√a, and also at most √|a − b|.
@@ -126,14 +125,14 @@ impl Disc {
         Self::new(re, Ball::number(0.0))
     }
 
-    /// Returns an upper bound on the modulus.
+    /// Returns an upper bound on the modulus of the uncertain complex number.
     pub fn most(&self) -> f64 {
         let (re, im) = (self.re.most(), self.im.most());
         // `SQUARED_AWAY` is added because the squares may underflow.
         (re * re + im * im).sqrt() * UP + SQUARED_AWAY
     }
 
-    /// Returns a lower bound on the modulus.
+    /// Returns a lower bound on the modulus of the uncertain complex number.
     pub fn least(&self) -> f64 {
         let (re, im) = (self.re.least(), self.im.least());
         ((re * re + im * im).sqrt() * (2.0 - UP) - SQUARED_AWAY).max(0.0)

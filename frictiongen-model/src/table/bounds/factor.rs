@@ -1,4 +1,5 @@
-//! Bounds the error of an emitted factor in a cell of r, relative to the factor with the exact zero.
+//! Bounds the relative error of an emitted factor in a cell of r. A factor belongs to a zero of an emitted product;
+//! its error is relative to the factor with the exact zero.
 
 use super::super::request::is_single;
 use super::super::zeros::Zero;
@@ -7,7 +8,7 @@ use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::table::Factor;
 
-/// Factor on a sum of small relative errors. The factor covers the products of these errors.
+/// Factor on a sum of small relative errors. It covers the products of these errors.
 pub(super) const UP: f64 = 1.03;
 /// A sum of relative errors counts as small up to this value. [`UP`] covers the products of errors of this size.
 const SMALL: f64 = 0.02;
@@ -22,30 +23,31 @@ const MORE: f64 = 1.01;
 /// Factor that turns a positive expression of a few operations in double precision into a lower bound. It has the same
 /// margin as [`MORE`].
 const LESS: f64 = 0.99;
-/// Bound on the relative error of a zero's position. The bound is a hundred rounding units of double precision,
-/// although the position has an error of only a few.
+/// Bound on the relative error of a zero's position: a hundred rounding units of double precision. The actual error
+/// is only a few units.
 const PLACE: f64 = 1e-14;
-/// Bound on the relative error of a difference of squares or of positions. The bound is millions of rounding units,
-/// although the difference has an error of only a few.
+/// Bound on the relative error of a difference of squares or of positions: millions of rounding units. The actual
+/// error is only a few units.
 const DIFFERENCE: f64 = 1e-9;
-/// If the zero z of a factor moves by d, the relative change of the factor is at most this number times d/D. D is the
-/// distance of ir from z. A factor is a product of at most four differences: ir − z, −ir − z, and the same two with the
-/// conjugate of z. To first order each difference contributes d/D, so that the number is four. The additional 0.1
-/// covers the second order.
+/// Bound on the relative change of a factor if its zero z moves by d, as a multiple of d/D. D is the distance of ir
+/// from z. A factor is a product of at most four differences: ir − z, −ir − z, and the same with the conjugate of z.
+/// To first order each difference contributes d/D, so the bound is four. The additional 0.1 covers the second order.
 const MOVED: f64 = 4.1;
-/// A number slightly smaller than ½, for a lower bound on distances of half a spacing and of half of `at`. `at` is the
-/// number of the scalar type nearest to y, so that y is within half a spacing of `at`. Every other number of the type
-/// is at least half a spacing away from y. If r − at is not exact, |r − at| exceeds half of `at`.
+/// A number slightly smaller than ½, for lower bounds on two distances. `at` is the number of the scalar type nearest
+/// to a zero y. First, every other number of the type is at least half a spacing away from y. Second, if the
+/// difference r − at is not exact,
+/// r − at| exceeds half of `at`.
 const WITHIN_HALF: f64 = 0.45;
-/// Bound on |B|/(B² + 4x²y²) in units of 1/(xy), slightly enlarged, with B = (r − y)(r + y) + x² for a zero x + iy.
-/// Because B² + 4x²y² ≥ 4xy|B|, this quotient is at most ¼/(xy), and 2x²|B|/(B² + 4x²y²) is at most ½x/y.
+/// Bound on |B|/(B² + 4x²y²) in units of 1/(xy), slightly enlarged, for a zero x + iy with B = (r − y)(r + y) + x².
+/// It follows from B² + 4x²y² ≥ 4xy|B|, which makes the quotient at most ¼/(xy).
 const QUARTER: f64 = 0.26;
-/// Bound on 2x²|B|/(B² + 4x²y²) in units of x/y, slightly enlarged. `QUARTER` explains B and the bound.
+/// Bound on 2x²|B|/(B² + 4x²y²) in units of x/y, slightly enlarged, for a zero x + iy with B = (r − y)(r + y) + x².
+/// It follows from B² + 4x²y² ≥ 4xy|B|, which makes the quotient at most ½x/y.
 const HALF: f64 = 0.51;
-/// Bound on (|r² − y²| + x²)/|B| for B ≥ x²/2, with the B of `QUARTER`.
+/// Bound on (|r² − y²| + x²)/|B| for B ≥ x²/2, for a zero x + iy with B = (r − y)(r + y) + x².
 const TIMES: f64 = 3.0;
 
-/// An interval of r, bounded by numbers of the emitted scalar type.
+/// An interval of r whose ends are numbers of the emitted scalar type.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct RoundedInterval {
     pub low: f64,
@@ -72,7 +74,7 @@ pub(in crate::table) fn unit<S: Float>() -> (f64, f64) {
     (0.5 * S::EPSILON, smallest)
 }
 
-/// Bounds on the error and on the magnitude of a factor.
+/// Bounds on the relative error and on the modulus of a factor in a cell of r.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct FactorBounds {
     /// Largest relative error of the computed factor.
@@ -83,8 +85,8 @@ pub(super) struct FactorBounds {
     pub most: f64,
 }
 
-/// Returns the number of the scalar type nearest to y > 0, its distance from y, and a lower bound on the distance of
-/// all other numbers of the type from y.
+/// Returns three numbers: the number of the scalar type nearest to y > 0, its distance from y, and a lower bound on
+/// the distance of all other numbers of the type from y.
 pub(super) fn beside<S: Float>(y: Dd) -> (f64, f64, f64) {
     let near = S::constant(y.to_f64()).to_f64();
     let apart = Ball::exact(y - Dd::from(near)).least();
@@ -97,15 +99,16 @@ fn apart(a: Dd, b: Dd) -> f64 {
 }
 
 impl KnownZero {
-    /// Returns a lower bound on the distance of r from y within a cell.
+    /// Returns a lower bound on |r − y| for all r of a cell, where iy is the zero.
     pub fn distance(&self, cell: RoundedInterval) -> f64 {
         let y = self.zero.y.to_f64();
         let outside = (cell.low - y).max(y - cell.high) * (1.0 - DIFFERENCE);
-        // The bounds of the cell are numbers of the scalar, and may be as near to y as any other number.
+        // The ends of the cell are numbers of the scalar type, and may be as near to y as any other number of the
+        // type.
         self.nearest.max(outside - PLACE * y)
     }
 
-    /// Returns a lower bound on |ir − z|.
+    /// Returns a lower bound on |ir − z| for all r of a cell, where z is the zero.
     pub fn away(&self, cell: RoundedInterval) -> f64 {
         let x = self.zero.x.abs().to_f64() * (1.0 - PLACE);
         let along = if self.zero.y.is_zero() {
@@ -116,7 +119,7 @@ impl KnownZero {
         x.max(along)
     }
 
-    /// Returns the bounds of the emitted factor in a cell.
+    /// Returns the bounds on the emitted factor in a cell of r.
     pub fn bounds<S: Float>(
         &self,
         factor: &Factor<S>,
@@ -185,8 +188,8 @@ impl KnownZero {
         })
     }
 
-    /// Returns the relative rounding error of ((r − at) − rest)(r + at), and the error of the position of this factor's
-    /// zero.
+    /// Returns the relative rounding error of ((r − at) − rest)(r + at) in a cell of r, and the error of the position
+    /// at + rest of this factor's zero.
     fn along(&self, at: Dd, rest: Dd, unit: f64, cell: RoundedInterval) -> (f64, f64) {
         let y = self.zero.y;
         let place = at.to_f64();
@@ -205,7 +208,7 @@ impl KnownZero {
         (first + unit + sum + unit, offset)
     }
 
-    /// Returns the bounds of B² + least, with B = (r − y)(r + y) + x².
+    /// Returns the bounds on the factor B² + least in a cell of r, with B = (r − y)(r + y) + x² for a zero x + iy.
     fn pair(
         &self,
         own: f64,

@@ -1,8 +1,8 @@
 //! Proves that the emitted products over zeros and poles equal β*_lim and |V| within an error bound.
 //!
-//! [`roots`] proves in double-double that V and H equal products over the computed zeros. [`factor`] bounds the errors
-//! of the emitted numbers, and the rounding errors of their evaluation. The proof uses no samples. The proof takes a
-//! few hundred operations for each mode, at any accuracy.
+//! [`roots`] proves in double-double that V and H equal products over the computed zeros. [`factor`] bounds the
+//! errors of the emitted numbers and of their evaluation. The proof uses no samples. It takes a few hundred
+//! operations for each mode, at any accuracy.
 
 mod ball;
 mod factor;
@@ -26,35 +26,37 @@ use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::table::Factor;
 use roots::{Factored, PartialFractions};
 
-/// Largest fraction of the accuracy that the uncertainty of a zero may use, at the number of the scalar type nearest to
-/// the zero. If the uncertainty is larger, the proof omits that number. A larger fraction omits fewer numbers, but
-/// leaves less of the accuracy for other errors.
+/// Largest fraction of the accuracy that the uncertainty of a zero may take, at the number of the scalar type nearest
+/// to the zero. If the uncertainty is larger, the proof leaves that number out. A larger fraction leaves out fewer
+/// numbers, but leaves less of the accuracy for other errors.
 const UNCERTAIN: f64 = 0.1;
-/// Largest relative error of a product that the proof accepts. For errors up to this size, the factor `UP` covers the
-/// neglected terms.
+/// Largest relative error of a product that the proof accepts. Up to this error, the factor `UP` covers the neglected
+/// terms.
 const SMALL: f64 = 0.1;
 /// Largest intermediate result that the proof accepts, as a multiple of the reciprocal of the smallest normal number.
-/// This result is a twentieth of the largest number of the scalar type, so that the next operation does not overflow.
+/// This is a twentieth of the largest number of the scalar type, so that the next operation does not overflow.
 const LARGEST: f64 = 0.2;
-/// Bound on the rounding error of a pole, in rounding units of double-double. The pole is computed from the constants
-/// of its mode.
+/// Bound on the rounding error of a pole, in rounding units of double-double. A pole follows from the constants of
+/// its mode.
 const POLE_ROUNDINGS: f64 = 64.0;
-/// Relative amount by which the code enlarges the computed bounds. This amount covers the rounding errors of the bounds
-/// themselves. It is thousands of rounding units of double precision.
+/// Relative amount by which the code enlarges the computed bounds. It covers the rounding of the bounds themselves,
+/// with thousands of rounding units of double precision.
 const OUTWARD: f64 = 1e-12;
 
-/// The exact function as gain·Π numerator/Π denominator. At a computed zero, the sum over the modes may have a small
-/// remainder. `weights` and `tail` bound the relative error that these remainders cause.
+/// The exact function as gain·Π numerator/Π denominator over computed zeros and poles. At a computed zero the sum
+/// over the modes may have a small remainder. `weights` and `tail` bound the relative error by these remainders.
 struct Meant {
     gain: Ball,
     numerator: Vec<KnownZero>,
     denominator: Vec<KnownZero>,
-    /// Zeros with their weights. A weight, divided by the distance of r from its zero, is a relative error.
+    /// Zeros with their weights. A weight, divided by the distance of r from its zero, is a relative error of the
+    /// function.
     weights: Vec<(KnownZero, f64)>,
     tail: f64,
 }
 
-/// V and H of the contact as products over zeros and poles, with error bounds.
+/// V and H of the contact, its responses to the load and to a contact force, as products over zeros and poles with
+/// error bounds.
 pub(super) struct Receptances {
     damped: bool,
     zeros: Zeros,
@@ -95,7 +97,7 @@ impl Receptances {
         })
     }
 
-    /// Proves that a product is β*_lim, with a bound on its relative error.
+    /// Proves that an emitted product is β*_lim, with a bound on its relative error.
     pub fn sliding<S: Float>(&self, product: &Product<S>, request: &Request) -> Proof {
         let gain =
             self.excitation.gain * (Ball::exact(self.stiction) * self.receptance.gain).inverse();
@@ -118,8 +120,8 @@ impl Receptances {
         self.proof(product, meant, request, allowed)
     }
 
-    /// Proves that a product is |V|, with a bound on its relative error. For an undamped chain the product is V with
-    /// its sign.
+    /// Proves that an emitted product is |V|, with a bound on its relative error. V is the response of the contact to
+    /// the load. For an undamped chain the product is V with its sign.
     pub fn excitation<S: Float>(&self, product: &Product<S>, request: &Request) -> Proof {
         let own = self.excitation.zeros.iter();
         let mut gain = self.excitation.gain;
@@ -207,7 +209,7 @@ impl Receptances {
         }
     }
 
-    /// Returns bounds on the relative error of the product in a cell, or `None` if no bound is known.
+    /// Returns bounds on the relative error of the product in a cell of r, or `None` if no bound is known.
     fn cell<S: Float>(
         &self,
         product: &Product<S>,
@@ -248,7 +250,7 @@ impl Receptances {
         } else if self.damped && !plain {
             return None;
         }
-        // The product with the gain adds one rounding.
+        // The multiplication by the gain adds one rounding.
         error += unit;
         // The exact product leaves remainders at its zeros, which are part of the error.
         error += meant.tail;
@@ -278,7 +280,8 @@ impl Receptances {
             return None;
         }
         let error = error * (1.0 + 2.0 * error) * UP;
-        // The gain has its own error term. With `side: safe` the emitted gain differs from the exact gain on purpose.
+        // The gain has its own error term. With `side: safe` the emitted gain deliberately differs from the exact
+        // gain.
         let gain =
             Ball::exact(Dd::from(product.gain.to_f64())) * meant.gain.inverse() - Ball::number(1.0);
         let gain = (gain.at.to_f64() - gain.off, gain.at.to_f64() + gain.off);
@@ -292,7 +295,7 @@ impl Receptances {
     }
 }
 
-/// Returns a zero whose position has an error only in its last digit.
+/// Returns a zero with the position error of a computed zero, which is an error in the last digit.
 fn plain(zero: Zero) -> KnownZero {
     KnownZero {
         zero,
@@ -301,8 +304,8 @@ fn plain(zero: Zero) -> KnownZero {
     }
 }
 
-/// Returns zeros and poles with their position errors. A zero has the position error of [`plain`]. The error of a pole
-/// follows from the constants of its mode.
+/// Returns zeros and poles with their position errors. A zero has an error in its last digit, as in [`plain`]. The
+/// error of a pole follows from the constants of its mode.
 fn known(lists: &[(&[Zero], bool)]) -> Vec<KnownZero> {
     let lists = lists.iter();
     lists
@@ -325,8 +328,9 @@ fn known(lists: &[(&[Zero], bool)]) -> Vec<KnownZero> {
 }
 
 impl KnownZero {
-    /// Sets the distance from the zero to the nearest number of the scalar type. If this number is too close to a zero
-    /// on the axis, no bound exists. The proof then leaves out the number, and the function returns it.
+    /// Sets the distance from the zero to the nearest number of the scalar type. If this number is too close to a
+    /// zero on the imaginary axis, no bound exists there. The method then returns the number, and the proof leaves it
+    /// out.
     fn place<S: Float>(&mut self, weight: f64, accuracy: f64) -> Option<f64> {
         if !self.zero.is_on_axis() || self.zero.y.is_zero() {
             return None;

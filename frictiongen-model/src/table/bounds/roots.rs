@@ -1,19 +1,21 @@
 //! Proves that a sum over modes equals a product over given zeros, up to a bounded relative error.
 //!
-//! N = (direct + Σρ_i/d_i)·Πd_i is a polynomial in v, which is s = ir, or s² for an undamped chain. Let P = Π(v − z_j)
-//! be the product over the given zeros. In partial fractions, N/P = q(v) + Σ_j N(z_j)/P′(z_j)/(v − z_j). The remainders
-//! N(z_j) are small if the zeros are correct up to their last digits. Apart from rounding errors, q is a constant. The
-//! proof does not assume that the zeros are correct. Wrong zeros would give large N(z_j), and so a large error bound.
+//! N = (direct + Σρ_i/d_i)·Πd_i is a polynomial in v, which is s = ir, or s² for an undamped chain. P = Π(v − z_j) is
+//! the product over the given zeros. In partial fractions, N/P = q(v) + Σ_j N(z_j)/P′(z_j)/(v − z_j). The remainders
+//! N(z_j) are small if the zeros are right up to their last digits. Except for rounding errors, q is a constant. The
+//! proof does not assume right zeros: wrong zeros give large N(z_j), and so a large error bound.
 
 use super::super::zeros::{ContactMode, Zero};
 use super::OUTWARD;
 use super::ball::{Ball, Disc, UP as OF_ONE};
 use frictiongen_kernel::number::dd::Dd;
 
-/// Factor that covers the rounding errors of a whole bound. It allows thousands of rounding units of double precision.
+/// Factor on a bound. It covers the rounding of the whole bound, with thousands of rounding units of double
+/// precision.
 const UP: f64 = 1.0 + OUTWARD;
 
-/// A term of the sum: the residue of a mode divided by its denominator, which is v² + rate·v + square, or v + square.
+/// A term of a sum over the modes: the residue of a mode divided by its denominator, v² + rate·v + square or v +
+/// square.
 struct Term {
     rate: Ball,
     square: Ball,
@@ -29,10 +31,11 @@ pub(super) struct PartialFractions {
 
 /// A sum, written as a product over its zeros with error bounds.
 pub(super) struct Factored {
-    /// The constant in N = gain·Π(v − z_j)·(1 + δ).
+    /// The gain, the constant in N = gain·Π(v − z_j)·(1 + δ). N is the numerator of the sum, and z_j are the given
+    /// zeros.
     pub gain: Ball,
-    /// Bound on |δ|, with the δ of `gain`, without the contributions of the zeros. Each zero adds its weight, divided
-    /// by the distance of v from the zero.
+    /// Bound on |δ| in N = gain·Π(v − z_j)·(1 + δ), without the contributions of the zeros. Each zero contributes its
+    /// weight, divided by the distance of v from the zero.
     pub tail: f64,
     /// The zeros, each with the weight of its remainder.
     pub zeros: Vec<(Zero, f64)>,
@@ -58,7 +61,7 @@ impl PartialFractions {
         }
     }
 
-    /// Returns the degree of the polynomial N in v. Returns `None` if its leading terms cancel.
+    /// Returns the degree of the sum's numerator N, a polynomial in v. Returns `None` if its leading terms cancel.
     fn degree(&self) -> Option<usize> {
         let full = self.terms.len() * if self.damped { 2 } else { 1 };
         if self.direct.is_zero() {
@@ -68,7 +71,7 @@ impl PartialFractions {
         }
     }
 
-    /// Returns the numerator N of the sum at v.
+    /// Returns the numerator N of the sum over the modes at v.
     fn numerator(&self, v: Disc) -> Disc {
         let mut sum = Disc::real(Ball::exact(self.direct));
         let mut all = Disc::real(Ball::number(1.0));
@@ -84,8 +87,8 @@ impl PartialFractions {
         sum * all
     }
 
-    /// Returns the sum as a product over the given zeros, with bounds, or `None` if the function cannot prove any
-    /// bounds.
+    /// Returns the sum over the modes as a product over the given zeros, with error bounds. Returns `None` if no
+    /// bounds can be proven.
     pub fn factored(&self, zeros: &[Zero], highest: f64) -> Option<Factored> {
         let roots: Vec<Vec<Disc>> = zeros.iter().map(|zero| self.roots(zero)).collect();
         let all: Vec<Disc> = roots.iter().flatten().copied().collect();
@@ -97,8 +100,8 @@ impl PartialFractions {
             let slope = others.fold(one, |product, (_, other)| product * (*root - *other));
             weights.push(self.numerator(*root).most() / slope.least());
         }
-        // The code evaluates q on a circle beyond all zeros, poles and frequencies. The mean of these values is the
-        // constant term of q.
+        // The code evaluates q on a circle that encloses all zeros, poles and frequencies. The mean of these values
+        // is the constant term of q.
         let sizes = self.terms.iter().map(|term| {
             let (rate, square) = (term.rate.most(), term.square.most());
             if self.damped {
@@ -151,7 +154,7 @@ impl PartialFractions {
         (least > 0.0 && known).then_some(Factored { gain, tail, zeros })
     }
 
-    /// Returns the roots in the variable v (s or s²) that a stored zero represents: one root, or a conjugate pair.
+    /// Returns the roots in the variable v (s or s²) for which a stored zero stands: one root, or a conjugate pair.
     fn roots(&self, zero: &Zero) -> Vec<Disc> {
         let (x, y) = (Ball::exact(zero.x), Ball::exact(zero.y));
         let root = if self.damped {

@@ -1,4 +1,4 @@
-//! Tests the proof of products against double-double, and with faults that the proof has to find.
+//! Tests the proof of products against double-double numbers, and with faults that the proof has to find.
 
 use super::super::evidence::Evidence;
 use super::super::exact::Exact;
@@ -142,7 +142,7 @@ fn the_bound_holds() {
     }
 }
 
-/// Returns how many numbers a factor stores.
+/// Returns the number of numbers that a factor stores.
 fn numbers<S>(factor: &Factor<S>) -> usize {
     match factor {
         Factor::Zero { .. } => 2,
@@ -151,7 +151,7 @@ fn numbers<S>(factor: &Factor<S>) -> usize {
     }
 }
 
-/// Returns a factor in which one of its numbers is changed by `by`.
+/// Returns a factor in which the number with the index `which` is changed by `by`.
 fn moved<S: Float>(factor: Factor<S>, which: usize, by: f64) -> Factor<S> {
     let add = |value: S| S::constant(value.to_f64() + by);
     match factor {
@@ -195,14 +195,14 @@ fn moved<S: Float>(factor: Factor<S>, which: usize, by: f64) -> Factor<S> {
     }
 }
 
-/// Returns the largest relative difference of two products over the range.
+/// Returns the largest relative difference of two products over the range of r.
 fn farthest<S: Float>(a: &Quotient<'_, S>, b: &Quotient<'_, S>) -> f64 {
     let places = (0..2000).map(|k| S::constant(0.2 + 2.3 * (k as f64 + 0.5) / 2000.0));
     let ratio = |r: S| (a.value(r).to_f64() / b.value(r).to_f64() - 1.0).abs();
     places.map(ratio).fold(0.0, f64::max)
 }
 
-/// Returns true if a product is proven in the whole range.
+/// Returns true if a product is proven over the whole range of r.
 fn passes(proof: &Proof) -> bool {
     proof.evidence != Evidence::Checked && proof.open_length() == 0.0
 }
@@ -278,9 +278,9 @@ fn a_wrong_number_is_not_proven() {
     assert!(found > 1200, "{found}");
 }
 
-/// Checks that the bound on the error of a product includes the position error of each zero, divided by the distance of
-/// r from the zero. In this test the distance is below 5. If the function is the square root of the product, half of
-/// this quotient is included.
+/// Checks that the error bound of a product includes the position error of each zero, divided by the distance of r
+/// from the zero. In this test the distance is below 5. If the function is the square root of the product, the bound
+/// includes half of this quotient.
 #[test]
 fn uncertain_zeros_are_in_the_bound() {
     let (weight, mut seen) = (1e-6, 0);
@@ -303,7 +303,7 @@ fn uncertain_zeros_are_in_the_bound() {
             assert!(more > weight / 25.0, "{kind}{count}, {zeta}: {more:e}");
             seen += 1;
         }
-        // The remainder of the sum that belongs to no zero enters the bound fully.
+        // The remainder of the sum that belongs to no zero is fully part of the bound.
         let mut uncertain = Receptances::of(&known, zeros.as_ref(), 2.5).unwrap();
         uncertain.receptance.tail = weight;
         let own = uncertain.sliding(&product, &asked);
@@ -313,7 +313,7 @@ fn uncertain_zeros_are_in_the_bound() {
     assert!(seen > 30, "{seen}");
 }
 
-/// Checks that the error of a zero's position enters the bound of its factor.
+/// Checks that the error bound of a factor includes the error of its zero's position.
 #[test]
 fn an_uncertain_place_is_in_the_bound() {
     let (off, mut seen) = (1e-9, 0);
@@ -344,8 +344,8 @@ fn an_uncertain_place_is_in_the_bound() {
     assert!(seen > 30, "{seen}");
 }
 
-/// Checks that the frequency ratio without a proof is reported. Two masses rub on each other, and the load acts on the
-/// second. V = (1 − r²)/D vanishes at r = 1, the only r without a proof.
+/// Checks that the proof reports a frequency ratio that it leaves out. Two masses rub on each other, and the load
+/// acts on the second. V = (1 − r²)/D vanishes at r = 1, the only r without a proof.
 #[test]
 fn a_zero_that_is_a_number_is_named() {
     let modal = scene("Pair", 2, 0.0, 1.0);
@@ -354,7 +354,7 @@ fn a_zero_that_is_a_number_is_named() {
     assert_eq!(tables.sliding_proof.evidence, Evidence::Partly);
 }
 
-/// Checks that the weight of a zero shows an error of the zero, even if this error is far smaller than the accuracy.
+/// Checks that the weight of a zero reveals an error of the zero, even an error far smaller than the accuracy.
 #[test]
 fn zeros_that_are_none() {
     for (kind, count, zeta, stiction) in KINDS {

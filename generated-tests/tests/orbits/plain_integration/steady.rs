@@ -97,8 +97,8 @@ pub fn distance(chain: &Chain, a: &State, b: &State) -> f64 {
     })
 }
 
-/// Returns the steady motion of a scene. For an undamped scene Newton's method finds it as a fixed point of y ↦ −y(τ
-/// + π). For a damped scene the integration continues until the transient has died out.
+/// Returns the steady motion of a scene. For an undamped scene Newton's method finds it as a fixed point of the map
+/// y ↦ −y(τ + π). For a damped scene the integration continues until the transient has died out.
 pub fn steady(chain: &Chain, damped: bool) -> Steady {
     // A quarter of a period after the maximum of z̄ of the response without friction, the contact slides fast.
     let velocity = |t: f64| chain.relative_velocity(t, &chain.frictionless(t));

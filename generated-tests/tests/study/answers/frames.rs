@@ -19,7 +19,7 @@ pub struct Frame {
     pub system: System,
     /// Index of the mass whose amplitude is optimised.
     pub mass: usize,
-    /// Range of r from 0.3 times the lowest resonance to 1.5 times the highest, as `report` chooses it.
+    /// Range of r: from 0.3 times the lowest resonance to 1.5 times the highest, as `frictiongen report` chooses it.
     pub band: [f64; 2],
 }
 
@@ -35,8 +35,8 @@ impl Frame {
     }
 }
 
-/// Returns the frame with number `index` among those with `masses` masses. Contact, damping and excitation alternate
-/// with the number. All other values are random.
+/// Returns the frame with the number `index` among those with `masses` masses. Contact, damping and excitation follow
+/// from the number in turn. All other values are random.
 pub fn frame(masses: usize, index: usize) -> Frame {
     let mut random = Random((masses * 100_003 + index * 7919 + 17) as u64);
     for _ in 0..8 {
@@ -96,8 +96,8 @@ pub fn frame(masses: usize, index: usize) -> Frame {
         .unwrap_or_else(|error| panic!("{text}: {error}"));
     let resonances = system.resonances();
     let mut mass = random.below(masses);
-    // For a mass that rubs on a wall the optimum is trivial, because the contact sticks. The amplitude of another mass
-    // is optimised.
+    // For a mass that rubs on a wall the optimum is trivial, because the contact sticks. The optimum is then that of
+    // another mass.
     if contact == format!("m{mass} - wall") {
         mass = (mass + 1) % masses;
     }

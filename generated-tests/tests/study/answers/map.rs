@@ -1,18 +1,18 @@
-//! Finds the smallest largest amplitude by a map over frequency and friction, refined near the best friction. Of the
-//! optimiser's code the map uses only the response itself.
+//! Finds the friction with the smallest largest amplitude by a map over frequency and friction, refined near the best
+//! friction. The map uses none of the optimiser's code except the response itself.
 
 use super::frames::Frame;
 use frictiongen::{Error, NoOrbit, NotContinuous, Of};
 
 /// Number of steps of an even grid over the band of frequencies.
 const EVEN: usize = 90;
-/// Relative distances from each resonance at which frequencies are added.
+/// Relative distances from each resonance at which the map has additional frequencies.
 const BESIDE: [f64; 13] = [
     -0.04, -0.02, -0.008, -0.003, -0.001, -0.0003, 0.0, 0.0003, 0.001, 0.003, 0.008, 0.02, 0.04,
 ];
 /// Number of friction ratios in the first round.
 const FRICTIONS: usize = 28;
-/// Number of friction ratios in each later round.
+/// Number of friction ratios in each later round, which is near the best friction of the previous round.
 const FINER: usize = 8;
 /// Number of later rounds.
 const ROUNDS: usize = 3;
@@ -23,8 +23,8 @@ const CUTS: usize = 4;
 /// Relative distance of neighbouring frequencies of the fine grid.
 const FINE: f64 = 0.0025;
 
-/// Returns the amplitude in units of P/k₁, for base motion of Y. It is infinite on a resonance that nothing bounds, and
-/// 0 where there is no result.
+/// Returns the amplitude divided by P/k₁, or by Y for base motion. It is infinite on a resonance that nothing bounds,
+/// and 0 if there is no result.
 pub fn amplitude(frame: &Frame, r: f64, beta: f64) -> f64 {
     let at = frame.system.at(r).expect("in the domain");
     match at.response(beta) {
@@ -53,10 +53,10 @@ pub fn frequencies(frame: &Frame) -> Vec<f64> {
     all
 }
 
-/// Returns the frequency ratios of the map, and of a grid of 0.25 % between them.
+/// Returns the frequency ratios of the map, together with a grid of relative spacing 0.25 %.
 ///
-/// Where motions do not settle, their amplitudes scatter from one frequency to the next. The largest amplitude on the
-/// frequencies of the map alone is then far too small: 2.9 for 7.8 in one frame of six masses without damping.
+/// If motions do not settle, their amplitudes scatter from one frequency to the next. The largest amplitude at the
+/// frequencies of the map alone is then far too small. In one undamped frame of six masses it is 2.9 instead of 7.8.
 pub fn fine_frequencies(frame: &Frame) -> Vec<f64> {
     let [from, to] = frame.band;
     let steps = ((to / from).ln() / FINE).ceil();
@@ -67,12 +67,12 @@ pub fn fine_frequencies(frame: &Frame) -> Vec<f64> {
     all
 }
 
-/// Returns the largest amplitude at a friction ratio by samples. Every interval of frequencies that may contain it is
-/// refined. The search stops as soon as the amplitude exceeds `enough`.
+/// Returns the largest amplitude at a friction ratio by samples. The function refines every interval of frequencies
+/// that may contain the largest amplitude. It stops as soon as an amplitude exceeds `enough`.
 pub fn largest(frame: &Frame, places: &[f64], beta: f64, enough: f64) -> f64 {
     let mut values = vec![0.0; places.len()];
     let mut most = 0.0_f64;
-    // Every ninth frequency is sampled first, so that an excessive amplitude is found early.
+    // The search samples every ninth frequency first, so that it finds an excessive amplitude early.
     for offset in 0..9 {
         for place in (offset..places.len()).step_by(9) {
             values[place] = amplitude(frame, places[place], beta);
@@ -110,7 +110,7 @@ pub fn largest(frame: &Frame, places: &[f64], beta: f64, enough: f64) -> f64 {
     best
 }
 
-/// Returns the β with the smallest largest amplitude, and that amplitude.
+/// Returns the friction ratio with the smallest largest amplitude over the band, and that amplitude.
 pub fn least(frame: &Frame) -> (f64, f64) {
     let places = frequencies(frame);
     let limit = |r: &f64| frame.system.at(*r).expect("in the domain").sliding_limit();
@@ -124,7 +124,7 @@ pub fn least(frame: &Frame) -> (f64, f64) {
     ];
     let (mut best, mut least) = (0.0, largest(frame, &places, 0.0, f64::INFINITY));
     let mut tried = vec![0.0];
-    // The friction ratios closest to the middle are evaluated first.
+    // The friction ratios closest to the middle of the range are evaluated first.
     let mut wanted: Vec<f64> = (0..=FRICTIONS)
         .map(|i| low * (high / low).powf(i as f64 / FRICTIONS as f64))
         .collect();

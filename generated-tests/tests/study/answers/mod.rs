@@ -1,5 +1,5 @@
-//! Tests optima and curves of random frames, in which motions from rest stick, jump and do not settle. They must finish
-//! within bounded work, and an optimum must be no worse than that of a refined map.
+//! Tests optima and curves of random frames. Their motions from rest stick, jump, or do not settle. The searches must
+//! finish within bounded work, and an optimum must be as good as that of a refined map.
 //!
 //! ```sh
 //! RAYON_NUM_THREADS=1 cargo test --release -p generated-tests --test study answers:: -- --ignored --nocapture --test-threads 1
@@ -20,19 +20,20 @@ use frictiongen::study::{
 };
 use std::time::Instant;
 
-/// Largest excess of a converged search over the best amplitude of a map, as a fraction. A map of some hundred thousand
-/// samples may find a narrow valley that a scan of some 70 friction ratios misses.
+/// Largest accepted ratio, minus 1, of the optimum's amplitude to the best amplitude of a map, if the search
+/// converged. A map of several hundred thousand samples may find a narrow valley that a scan of about 70 friction
+/// ratios misses.
 const ABOVE: f64 = 0.02;
 
-/// Largest excess, as a fraction, if the bound on work ended the search. The search then returns the best friction so
-/// far.
+/// The same ratio, minus 1, if the bound on work ended the search. The search then returns the best friction that it
+/// has found.
 const ABOVE_IF_SPENT: f64 = 0.1;
 
-/// Bound on the work of a search in the regular tests, in units of about 10 µs. Without optimisation the search takes a
-/// few seconds.
+/// Bound on the work of a search in the regular tests. A unit of work takes about 10 µs. Without compiler
+/// optimisation the search takes a few seconds.
 const WORK: usize = 150_000;
 
-/// Result for one frame. The seconds are processor time, so that other programs on the machine do not count.
+/// Result for one frame. `seconds` is processor time, so that other programs on the machine do not count.
 struct Outcome {
     seconds: f64,
     /// Ratio of the found amplitude to the best amplitude of a map, minus 1.
@@ -42,7 +43,8 @@ struct Outcome {
     end: OptimumEnd,
 }
 
-/// Returns the processor time of this process in seconds. Without Linux's `/proc` it returns the time of day.
+/// Returns the processor time of this process in seconds. Without Linux's `/proc`, it returns the time since a fixed
+/// date.
 fn processor_seconds() -> f64 {
     /// Number of clock ticks in a second, which is fixed in Linux's interface.
     const TICKS: f64 = 100.0;
@@ -61,8 +63,8 @@ fn processor_seconds() -> f64 {
     )
 }
 
-/// Searches the optimum of a frame with a bound on its work, and compares it with a map. `None` means the default
-/// bound.
+/// Finds the optimum of a frame, and compares it with a map. `work` bounds the work of the search; `None` stands for
+/// the default bound.
 fn outcome(frame: &Frame, work: Option<usize>) -> Option<Outcome> {
     let start = processor_seconds();
     let found = match work {
@@ -89,7 +91,7 @@ fn outcome(frame: &Frame, work: Option<usize>) -> Option<Outcome> {
         return None;
     }
     let (beta, _) = map::least(frame);
-    // The friction of the map is judged at the same frequencies as the one that the search found.
+    // The friction of the map and the friction of the search are judged at the same frequencies.
     let places = map::fine_frequencies(frame);
     let [least, there] =
         [beta, found.beta].map(|beta| map::largest(frame, &places, beta, f64::INFINITY));
@@ -128,14 +130,14 @@ fn optima_of_some_frames() {
     }
 }
 
-/// Checks a resonance of the stuck chain that the load does not drive. If the contact sticks, the mass next to the base
-/// does not move, and neither do the others. Nothing damps this resonance.
+/// Checks a frame at a resonance of its stuck chain that the load does not drive and that nothing damps. If the
+/// contact sticks, the mass next to the base does not move, and neither do the others.
 #[test]
 fn a_resonance_that_nothing_drives_bounds_nothing() {
     let frame = frame(6, 0);
     let found = frame.system.optimum(&frame.request()).expect("an optimum");
     assert_eq!((found.amplitude, found.kind), (0.0, OptimumKind::Trivial));
-    // Only the spring to the base loads the contact, with the force k₁Y.
+    // The contact is loaded only by the force k₁Y of the spring to the base.
     let stuck = 1.0 / frame.system.scene().stiction;
     assert!((found.beta / stuck - 1.0).abs() < 1e-3, "{}", found.beta);
 }
@@ -162,10 +164,10 @@ fn a_frame_on_which_the_search_gave_up() {
         1e3 * scale.length() * found.amplitude,
     );
     println!("{force} N, {millimetres} mm, {:?}", found.end);
-    // With the default work the search finds 14.25 mm at 68.5 N. A curve has 14.2 mm there, and more at 65 N and at 70
-    // N. With the work of this test the result is within 3 % of 14.25 mm.
+    // With the default work the search finds 14.25 mm at 68.5 N. A curve shows 14.2 mm there, and more at 65 N and at
+    // 70 N. With the work of this test the result is within 3 % of 14.25 mm.
     assert!(millimetres < 1.03 * 14.25, "{force} N: {millimetres} mm");
-    // An unfinished search has not verified any interval of friction.
+    // An unfinished search has verified no interval of friction.
     assert_eq!(
         found.tolerances.is_empty(),
         found.end == OptimumEnd::WorkSpent
@@ -174,9 +176,9 @@ fn a_frame_on_which_the_search_gave_up() {
     assert!(from <= found.beta && found.beta <= to);
 }
 
-/// Checks a frame with a narrow range of stick-slip motion. Motion from rest reaches a stick-slip state between 2.13 Hz and
-/// 2.146 Hz, and has 5.69 mm at 2.143 Hz and 2146 N. A search that misses this range takes 2146 N for the best
-/// friction, with 5.08 mm.
+/// Checks a frame with a narrow frequency range of stick-slip motion. At 2146 N motion from rest reaches a stick-slip
+/// state between 2.13 Hz and 2.146 Hz, with 5.69 mm at 2.143 Hz. A search that misses this range takes 2146 N for the
+/// best friction, with 5.08 mm.
 #[test]
 fn a_narrow_range_of_stick_slip_counts() {
     let tower: System = "struct Tower {
@@ -211,8 +213,8 @@ fn a_narrow_range_of_stick_slip_counts() {
     assert!(found.amplitude < 5.5, "{}", found.amplitude);
 }
 
-/// Checks 200 frames of one to six masses. The test prints every frame, the slowest frame, and the number of frames
-/// more than 2 % above the map.
+/// Checks 200 frames of one to six masses. The test prints every frame, the frame with the slowest search, and the
+/// number of frames whose optimum is more than 2 % above that of the map.
 #[test]
 #[ignore = "200 optima, each with a map: some hours"]
 fn optima_of_two_hundred_frames() {
@@ -247,8 +249,8 @@ fn optima_of_two_hundred_frames() {
     assert!(above * 20 < compared, "{above} of {compared}");
 }
 
-/// Checks the time for curves of frames of five masses at three friction ratios. Nearly all take at most 5 s on one
-/// core.
+/// Checks the time for curves of frames of five masses at three friction ratios. Nearly all curves take at most 5 s
+/// on one core.
 #[test]
 #[ignore = "36 curves: a minute or two"]
 fn curves_of_five_masses() {
@@ -289,7 +291,7 @@ fn curves_of_five_masses() {
 }
 
 /// Checks that a response is reported as from rest only if motion from rest has a steady state. Without damping and
-/// with μ > 1 that motion may not settle. The closed form or the stuck state then replaces it, and the response reports
+/// with μ > 1, motion from rest may not settle. The response then has the closed form or the stuck state, and reports
 /// this.
 #[test]
 fn another_state_is_not_called_one_from_rest() {
@@ -327,9 +329,9 @@ fn another_state_is_not_called_one_from_rest() {
     );
 }
 
-/// Checks a friction ratio just above β_lim on an undamped resonance. Newton's method finds states with amplitudes of
-/// 10¹⁴ there, beside which friction and load are below rounding. The response must be as large as at neighbouring
-/// frequencies.
+/// Checks a response at a friction ratio just above β_lim on an undamped resonance. There Newton's method finds
+/// states with amplitudes of 10¹⁴, compared with which friction and load are below rounding. The response must be
+/// about as large as at neighbouring frequencies.
 #[test]
 fn a_resonance_just_bounded_has_no_enormous_state() {
     let frame = frame(5, 18);

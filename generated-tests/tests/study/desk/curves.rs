@@ -1,4 +1,4 @@
-//! Tests curves against dense sampling, between their points and at their cuts.
+//! Compares curves with dense samples, between the points of a curve and at its cuts.
 
 use crate::desk::{SCENES, system};
 use frictiongen::study::{
@@ -8,8 +8,9 @@ use frictiongen::study::{
 use frictiongen::{Of, Regime};
 use std::f64::consts::TAU;
 
-/// Returns the friction ratios at which a scene is tested. With five masses a curve whose motions do not settle takes
-/// long, so only the last friction ratio is returned. `CURVES=all` in the environment returns all.
+/// Returns the friction ratios at which a scene is tested. With five masses, a curve whose motions do not settle
+/// takes long. For five masses the function therefore returns only the last friction ratio, or all of them if the
+/// environment variable CURVES is set.
 fn frictions<'a>(name: &str, all: &'a [f64]) -> &'a [f64] {
     let short = name.starts_with("five") && std::env::var_os("CURVES").is_none();
     if short { &all[all.len() - 1..] } else { all }
@@ -20,10 +21,10 @@ fn turn(angle: f64) -> f64 {
     angle - TAU * (angle / TAU).round()
 }
 
-/// Checks that a straight line between neighbouring points is close to the response, at frequencies that the refinement
-/// did not use. Refinement compares at the middle of an interval. Elsewhere, and where a curve bends more on one side,
-/// a few times its tolerance is allowed. If several steady states exist, motions from rest at neighbouring frequencies
-/// may end in different ones. With five masses and μ > 1 some points therefore deviate from the line.
+/// Checks that a straight line between neighbouring points of a curve is close to the response, at frequencies that
+/// the refinement did not use. The refinement compares at the middle of an interval, so elsewhere the check allows a
+/// few times its tolerance. If several steady states exist, motions from rest at neighbouring frequencies may end in
+/// different states. With five masses and μ > 1 some points therefore deviate from the line.
 #[test]
 fn lines_between_points_pass_the_response() {
     let (mut checked, mut beyond, mut turned, mut far) = (0_u32, 0_u32, 0_u32, 0_u32);
@@ -56,13 +57,13 @@ fn lines_between_points_pass_the_response() {
                         let line = low + 0.37 * (high - low);
                         let exact = response.swing(*of).unwrap().amplitude;
                         if piece.regime == Regime::Stuck && !(unique && damped) {
-                            // With μ > 1 the offset changes by a slip of the contact from one frequency to the next.
-                            // Without damping, slips continue as long as the motion is followed.
+                            // With μ > 1 a slip of the contact changes the offset from one frequency to the next.
+                            // Without damping, slips continue as long as the search follows the motion.
                             continue;
                         }
                         let stray = (line - exact).abs() / exact.max(1e-2);
                         // With μ > 1 motion from rest may end in one of several states, so a jump may lie between two
-                        // points.
+                        // points of the curve.
                         let alone = piece.regime != Regime::StickSlip
                             || (unique && !name.starts_with("five"));
                         assert!(
@@ -71,9 +72,9 @@ fn lines_between_points_pass_the_response() {
                         );
                         checked += 1;
                         beyond += u32::from(unique && 4.0 * request.accuracy < stray);
-                        // The phase of a small amplitude is not compared. With stops, the largest displacement may move
-                        // from one instant to another at a single frequency, although the amplitude changes smoothly.
-                        // The curve finds that frequency.
+                        // The phase of a small amplitude is not compared. With stops, the instant of the largest
+                        // displacement may change at a single frequency, although the amplitude changes smoothly. The
+                        // curve finds that frequency.
                         if exact < 0.05 || !alone || b.r - a.r < 1e-5 * r {
                             continue;
                         }
@@ -108,8 +109,8 @@ fn lines_between_points_pass_the_response() {
     assert!(turned > 500 && far * 200 < turned, "{far} of {turned}");
 }
 
-/// Checks that a limit equals β to rounding where the regime changes, and that the curve misses no change of a dense
-/// scan.
+/// Checks that at each change of the regime a limit equals β to rounding. Also checks that the curve misses no change
+/// of a dense scan.
 #[test]
 fn regimes_change_at_limits_and_nowhere_else() {
     for (name, text) in SCENES {
@@ -128,7 +129,7 @@ fn regimes_change_at_limits_and_nowhere_else() {
                 if last.regime == first.regime || pair[0].end != PieceEnd::Boundary {
                     continue;
                 }
-                // Next to a limit there may be no result, because a motion settles ever more slowly.
+                // Near a limit there may be no result, because motions settle more and more slowly.
                 if curve
                     .gaps
                     .iter()
@@ -150,7 +151,7 @@ fn regimes_change_at_limits_and_nowhere_else() {
                     first.r
                 );
             }
-            // Each frequency of a scan lies in a piece of its regime, or in a cut.
+            // Each frequency of the scan lies in a piece of the curve with the regime of the scan, or in a cut.
             for i in 0..2000 {
                 let r = from + (to - from) * (f64::from(i) + 0.31) / 2000.0;
                 let regime = system.at(r).unwrap().limits().regime(beta).unwrap();
@@ -197,7 +198,7 @@ fn what_is_steep_is_not_a_jump() {
     );
 }
 
-/// Checks that a curve is cut at an undamped resonance with too little friction, and continues with enough friction.
+/// Checks that a curve has a cut at an undamped resonance if friction is too small, and none with enough friction.
 #[test]
 fn poles_are_cut() {
     let system = system(SCENES[0].1);
@@ -218,7 +219,7 @@ fn poles_are_cut() {
                 .count(),
         )
     };
-    // At this resonance the threshold of the friction ratio is π/4.
+    // At this resonance the motion is bounded from the friction ratio π/4 on.
     assert_eq!(poles(0.7), (1, 1));
     assert_eq!(poles(0.8), (0, 0));
     let largest = |beta: f64| {

@@ -50,7 +50,7 @@ fn points_are_responses() {
     }
 }
 
-/// Checks that a motion that does not settle has no period.
+/// Checks that the map gives no period to a motion that does not settle.
 #[test]
 fn what_does_not_settle() {
     let system = system(
@@ -71,7 +71,8 @@ fn what_does_not_settle() {
     );
 }
 
-/// Checks that the contact moves as a boundary states on each of its sides. The limits of the regimes are exact.
+/// Checks that on each side of a boundary the contact moves as the boundary states. The limits of the regimes are
+/// exact.
 #[test]
 fn boundaries_have_their_two_sides() {
     let (mut inner, mut exact) = (0, 0);
@@ -95,8 +96,8 @@ fn boundaries_have_their_two_sides() {
                 "{what}: {}",
                 boundary.width
             );
-            // A motion that repeats only after many cycles is sensitive to rounding. Its pattern may change within a
-            // rounding of β.
+            // A motion that repeats only after many cycles is sensitive to rounding. A change of β by a rounding unit
+            // may change the pattern of its events.
             let scatters = |pattern: &Result<Pattern, _>| {
                 pattern.as_ref().is_ok_and(|pattern| pattern.period != 1)
             };
@@ -158,7 +159,8 @@ fn several_boundaries_between_two_frictions() {
                 .iter()
                 .filter(|one| one.r == column.r && ends[0] < one.beta && one.beta <= ends[1])
                 .collect();
-            // Each boundary must lead to the next one, from one friction ratio to the other.
+            // From one friction ratio of the map to the next, each boundary must lead to the kind of motion from
+            // which the next boundary starts.
             let outer = [step * FINER, (step + 1) * FINER].map(kind);
             let mut last = outer[0];
             for one in &here {
@@ -170,7 +172,8 @@ fn several_boundaries_between_two_frictions() {
                 last = one.above;
             }
             assert_eq!(last, outer[1], "r = {}, {ends:?}", column.r);
-            // The search must not miss a region that is at least a quarter of a step wide.
+            // The search must not miss a region whose width is at least a quarter of the step between two friction
+            // ratios.
             let inner = step * FINER..(step + 1) * FINER;
             let mut start = inner.start;
             for place in inner {
@@ -272,8 +275,8 @@ fn bad_requests() {
     }
 }
 
-/// Checks that the lines of limits are close to the limits between their points. They reach 0 at the odd subharmonics
-/// (3.17).
+/// Checks that the polylines of limits are close to the limits between their points. They reach 0 at the odd
+/// subharmonics (3.17).
 #[test]
 fn limit_lines_pass_the_limits() {
     let share = |beta: f64| 1.0 - 1.0 / (1.0 + beta);

@@ -8,7 +8,7 @@ mod sweeps;
 
 use frictiongen::System;
 
-/// Descriptions of chains with every contact, undamped and damped. Some have μ > 1.
+/// Descriptions of chains with every contact, undamped and damped. Some scenes have μ > 1.
 const SCENES: [(&str, &str); 7] = [
     (
         "one mass, wall",

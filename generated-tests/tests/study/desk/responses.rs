@@ -1,4 +1,5 @@
-//! Tests energy, rates and forces of a response, against the work of the load and against its own displacements.
+//! Compares energy, rates and forces of a response with the work of the load and with the response's own
+//! displacements.
 
 use crate::desk::{SCENES, system};
 use frictiongen::study::response::{MotionQuantity, SystemResponse};
@@ -6,7 +7,7 @@ use frictiongen::study::scene::{Damping, Excitation, Node};
 use frictiongen::{Of, System};
 use std::f64::consts::{PI, TAU};
 
-/// Points (r, β) at which responses are tested. No point is near a resonance of the chains.
+/// Points (r, β) at which the tests ask for responses. No point is near a resonance of the chains.
 const PLACES: [(f64, f64); 8] = [
     (0.31, 0.05),
     (0.31, 0.4),
@@ -18,7 +19,7 @@ const PLACES: [(f64, f64); 8] = [
     (2.1, 0.15),
 ];
 
-/// Returns the work of the load in a cycle, over P²/k₁ or k₁Y², from the fundamental components.
+/// Returns the work of the load in a cycle, divided by P²/k₁ or by k₁Y², from the fundamental components.
 fn input_work(system: &System, response: &SystemResponse<'_>) -> f64 {
     let scene = system.scene();
     let imaginary = |mass: usize| response.harmonic(Of::Mass(mass), 1).unwrap().im;
@@ -40,14 +41,15 @@ fn input_work(system: &System, response: &SystemResponse<'_>) -> f64 {
     }
 }
 
-/// Checks that without damping friction dissipates the work of the load. Both works are sums of order 1 over a cycle,
-/// and that of the load is a harmonic by quadrature. The tolerance is 1e-10 times the larger of the works and 1.
+/// Checks that without damping friction dissipates the work of the load. Both works are sums of order 1 over a cycle.
+/// The work of the load follows from a harmonic by quadrature. The tolerance is 1e-10 times the larger of the works
+/// and 1.
 #[test]
 fn friction_takes_out_what_the_load_puts_in() {
     let (mut checked, mut stops) = (0, 0);
     for (name, text) in SCENES {
         let system = system(text);
-        // If the contact joins a mass to the base, friction also does work on the base, and the springs are not the
+        // If the contact joins a mass to the base, friction also does work on the base. The springs are then not the
         // only load.
         let on_base =
             [system.scene().contact.from, system.scene().contact.to].contains(&Node::Base);
@@ -75,7 +77,7 @@ fn friction_takes_out_what_the_load_puts_in() {
     );
 }
 
-/// Checks that the friction work of a motion that repeats after three cycles is the work of one cycle.
+/// Checks that for a motion that repeats after three cycles, the friction work is that of one cycle.
 #[test]
 fn friction_takes_out_as_much_of_each_of_three_cycles() {
     let system = system(
@@ -90,8 +92,8 @@ fn friction_takes_out_as_much_of_each_of_three_cycles() {
 }
 
 /// Checks that velocities and accelerations are the derivatives of the displacements at 4000 instants of a period.
-/// Difference quotients over a step h are within h² of the derivatives. Instants next to a jump of an acceleration are
-/// left out.
+/// Difference quotients with a step h are within h² of the derivatives. The check leaves out instants next to a jump
+/// of an acceleration.
 #[test]
 fn rates_are_those_of_the_displacements() {
     let mut checked = 0;
@@ -163,7 +165,7 @@ fn contact_forces_are_those_of_a_run() {
             if system.scene().damping == Damping::None
                 && !matches!(response, SystemResponse::StickSlip(_))
             {
-                // Scenes whose transient does not decay are skipped.
+                // The test skips scenes whose transient does not decay.
                 continue;
             }
             let mut run = system.simulation(r, beta).unwrap();
@@ -178,7 +180,7 @@ fn contact_forces_are_those_of_a_run() {
             }
             let largest = high.max(-low);
             let told = response.contact_force();
-            // With a step of 0.005 in τ, the maximum of a sticking force may be missed by an error of second order.
+            // With a step of 0.005 in τ, samples miss the maximum of a sticking force by an error of second order.
             assert!(
                 largest <= told * (1.0 + 1e-6),
                 "{name}, r = {r}, β = {beta}: {largest} for {told}"

@@ -21,13 +21,13 @@ fn block(stiction: f64) -> System {
     format!("{BLOCK}{stiction} }}").parse().expect("a scene")
 }
 
-/// Returns all states that the system finds, also a state that is returned twice.
+/// Returns all states that the system finds. A state may occur twice.
 fn states(system: &System, r: f64, beta: f64) -> Vec<SystemOrbit<'_>> {
     let at = system.at(r).expect("in the domain");
     at.states(beta).expect("in the domain").collect()
 }
 
-/// Returns Den Hartog's amplitude over Y for a load of r²Y, from z̄₀² = V² − β²U².
+/// Returns the amplitude of Den Hartog's solution, divided by Y, for a load of r²Y: z̄₀² = V² − β²U².
 fn closed_form(r: f64, beta: f64) -> f64 {
     let angle = std::f64::consts::PI / r;
     let (v, u) = (1.0 / (1.0 - r * r), angle.sin() / (r * (1.0 + angle.cos())));
@@ -74,7 +74,7 @@ fn the_closed_form_beside_the_stuck_state() {
     }
 }
 
-/// Checks that with μ = 1 there is one state, or one continuum of states.
+/// Checks that with μ = 1 the system finds one state, or one continuum of states.
 #[test]
 fn one_state_without_excess_of_static_friction() {
     let system = block(1.0);
@@ -83,8 +83,8 @@ fn one_state_without_excess_of_static_friction() {
     }
 }
 
-/// Checks a stick-slip motion that coexists with a stuck state. Each state is compared with a simulation from its own
-/// initial state.
+/// Checks a stick-slip motion that coexists with a stuck state. The test compares each state with a simulation from
+/// the state's own initial state.
 #[test]
 fn stick_slip_beside_the_stuck_state() {
     let system = block(2.0);

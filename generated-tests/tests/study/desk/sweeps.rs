@@ -1,5 +1,5 @@
-//! Tests the frequency at which a state ends in sweeps up and down. The reference is the closed form of one undamped
-//! mass on a moving base.
+//! Tests the frequencies at which a state ends in sweeps up and down. The reference is the closed form of one
+//! undamped mass on a moving base.
 
 use frictiongen::study::curve::{Curve, CurvePiece, CurveRequest, CurveStart, PieceEnd};
 use frictiongen::{Of, Regime, System};
@@ -8,23 +8,23 @@ use std::f64::consts::PI;
 const MU: f64 = 2.0;
 const BLOCK: &str = "struct Block { masses: { block: 1 }, springs: { base - block: 1 },
     contact: block - base, excitation: base, stiction: 2 }";
-/// Tolerance of the frequency ratio r of a jump, which is located to 1e-7.
+/// Tolerance of the frequency ratio r of a jump. The sweep locates a jump to 1e-7.
 const PLACE: f64 = 2e-7;
 
-/// Returns (V, U) of Den Hartog's solution for the relative motion, whose load is r²Y.
+/// Returns V and U of Den Hartog's solution for the relative motion, whose load is r²Y.
 fn solution(r: f64) -> (f64, f64) {
     let angle = PI / r;
     (1.0 / (1.0 - r * r), angle.sin() / (r * (1.0 + angle.cos())))
 }
 
-/// Returns the amplitude of the relative motion over Y in continuous motion.
+/// Returns the amplitude of the relative motion, divided by Y, if the contact slides all the time.
 fn amplitude(r: f64, beta: f64) -> f64 {
     let (v, u) = solution(r);
     let load = r * r;
     load * (v * v - (beta / load * u).powi(2)).sqrt()
 }
 
-/// Returns the friction ratio from which on the contact stops when it reverses. The force that keeps the contact stuck
+/// Returns the friction ratio β from which the contact stops at its reversals. The force that keeps the contact stuck
 /// is r²z̄₀ = μβ.
 fn continuous_limit(r: f64) -> f64 {
     let (v, u) = solution(r);
@@ -32,7 +32,7 @@ fn continuous_limit(r: f64) -> f64 {
     load * v.abs() / (u * u + (MU / load).powi(2)).sqrt()
 }
 
-/// Returns the frequency ratio between `low` and `high` at which that limit equals β.
+/// Returns the frequency ratio between `low` and `high` at which `continuous_limit` equals β.
 fn ends_at(beta: f64, mut low: f64, mut high: f64) -> f64 {
     assert!(continuous_limit(low) < beta && beta < continuous_limit(high));
     for _ in 0..60 {
@@ -77,8 +77,9 @@ fn told(curve: &Curve) -> String {
     pieces.collect::<Vec<_>>().join("\n")
 }
 
-/// Checks a block on a moving base. In a sweep up it sticks up to r² = μβ minus the spring force of its offset. In a
-/// sweep down it slides as long as the closed form exists. Between the two frequencies both states exist.
+/// Checks a block on a moving base. In a sweep up it sticks while r² is below μβ minus the spring force of its
+/// offset. In a sweep down it slides as long as the closed form exists. Between these two frequencies both states
+/// exist.
 #[test]
 fn a_stuck_and_a_sliding_block() {
     let system: System = BLOCK.parse().expect("a scene");
@@ -93,7 +94,7 @@ fn a_stuck_and_a_sliding_block() {
         let held = stuck[stuck.len() - 1];
         let last = &held.points[held.points.len() - 1];
         assert!(matches!(held.end, PieceEnd::Jump | PieceEnd::Boundary));
-        // The balance of forces is μβ = r² + |offset|, all over k₁Y.
+        // The balance of forces is μβ = r² + |offset|, with all terms divided by k₁Y.
         let departure = (MU * beta - last.offset.abs()).sqrt();
         assert!(
             (last.r / departure - 1.0).abs() < PLACE,
@@ -126,8 +127,8 @@ fn a_stuck_and_a_sliding_block() {
     }
 }
 
-/// Checks that a sweep of a chain with one steady state gives the curve from rest. The physical state continues from
-/// frequency to frequency.
+/// Checks that a sweep of a chain with one steady state gives the curve from rest. The sweep takes the last state of
+/// one frequency as the start at the next.
 #[test]
 fn one_state_however_it_is_reached() {
     let system: System =
@@ -164,8 +165,8 @@ fn one_state_however_it_is_reached() {
     assert!(compared > 300, "{compared}");
 }
 
-/// Checks a sweep across a pole. With less friction than its threshold the resonance is a pole of the amplitude. A
-/// sweep in either direction ends at the pole on one side, and continues on the other.
+/// Checks a sweep across a pole. If friction is below the threshold of a resonance, the amplitude has a pole there. A
+/// sweep in either direction ends on one side of the pole, and continues on the other side.
 #[test]
 fn a_sweep_across_a_pole() {
     let system: System = "struct Block { masses: { block: 1 }, springs: { base - block: 1 },

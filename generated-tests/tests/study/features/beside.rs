@@ -1,4 +1,4 @@
-//! Tests zeros next to a pole, and common zeros of two functions.
+//! Tests zeros of a response next to a pole, and common zeros of two responses.
 
 use crate::features::scenes::unit;
 use frictiongen::study::{
@@ -7,8 +7,9 @@ use frictiongen::study::{
 };
 use frictiongen::{Of, Regime};
 
-/// Checks two weakly coupled oscillators. In the receptance of the first, the second causes a zero at its own
-/// frequency, and a pole at a distance of ε²/2·0.69·1.69. Both are found down to a relative distance of 1e-13.
+/// Checks two weakly coupled oscillators. The receptance of the first one has a zero at the natural frequency of the
+/// second, and a pole at a distance of ε²/2·0.69·1.69 from this zero. The search must find both down to a relative
+/// distance of 1e-13.
 #[test]
 fn a_zero_beside_a_pole() {
     for (coupling, apart) in [(1e-3_f64, 4e-7), (1.5e-6, 9.6e-13)] {
@@ -30,9 +31,9 @@ fn a_zero_beside_a_pole() {
 }
 
 /// Checks a frequency at which the contact does not move. Load and contact act on the same mass. Where the other mass
-/// acts as an absorber, the motion and the receptance of the contact vanish together. More friction enlarges the
-/// fundamental on one side of that frequency only. The bound of the range is reported as a frequency at which the
-/// contact does not move.
+/// acts as an absorber, the motion and the receptance of the contact vanish together. Only on one side of that
+/// frequency does more friction enlarge the fundamental. The features must report the bound of this range as a
+/// frequency at which the contact does not move.
 #[test]
 fn where_the_contact_is_still() {
     let system = unit(2, "m1 - wall", "m1");
@@ -50,7 +51,7 @@ fn where_the_contact_is_still() {
         .collect();
     assert_eq!(still.len(), 1, "{edges:?}");
     assert_eq!(still[0].1, Edge::Still, "{edges:?}");
-    // The steady states confirm the range: within it more friction gives more motion.
+    // The steady states confirm the range: within the range, more friction gives a larger motion.
     for range in found {
         let r = 0.5 * (range.from + range.to);
         let at = system.at(r).unwrap();

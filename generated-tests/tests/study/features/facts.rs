@@ -1,5 +1,5 @@
-//! Tests the numbers of F01 to F32 that are features. The expected numbers are computed from the governing equations in
-//! extended precision.
+//! Tests the numbers of the facts F01 to F32 that are features of a scene. The expected numbers follow from the
+//! governing equations in extended precision.
 
 use crate::features::scenes::{base, chain, unit, wall};
 use frictiongen::study::{
@@ -11,9 +11,9 @@ use std::f64::consts::{FRAC_PI_4, PI, SQRT_2};
 
 const M1: Of = Of::Mass(0);
 const M2: Of = Of::Mass(1);
-/// Tolerance of numbers that the reference gives to six digits.
+/// Tolerance of numbers that the reference gives with six digits.
 const DIGITS: f64 = 1e-6;
-/// Tolerance of a closed form after a few roundings.
+/// Tolerance of a closed form that has a few rounding errors.
 const ROUNDING: f64 = 1e-14;
 
 fn close(value: f64, want: f64, tolerance: f64) {
@@ -66,7 +66,7 @@ fn f01_f02_one_mass() {
     }
 }
 
-/// Checks that with β*_lim = r²/μ the contact slides at β from r = √(μβ) on.
+/// Checks that with β*_lim = r²/μ the contact slides from r = √(μβ) on.
 #[test]
 fn f04_sliding_from() {
     for mu in [1.0, 1.2, 2.0] {
@@ -88,7 +88,7 @@ fn f07_moving_base() {
     assert_eq!(last.condition, Condition::Balance);
 }
 
-/// Checks that the exact amplitudes of two friction ratios cross between r = 1.4 and 1.55.
+/// Checks that the exact amplitudes at two friction ratios cross between r = 1.4 and 1.55.
 #[test]
 fn f08_exact_amplitudes() {
     let system = base(1.0);
@@ -124,8 +124,8 @@ fn f10_without_stick_slip() {
     close(ranges[1].to, 1.5_f64.sqrt(), ROUNDING);
     assert!(matches!(ranges[1].end, RegimeEnd::Sliding(_)));
     assert!(matches!(ranges[0].end, RegimeEnd::Continuous(_)));
-    // With μ = 1 a stick-slip range lies between stuck and continuous motion. At the resonance β*_lim equals β, because
-    // V − βH has no pole there.
+    // With μ = 1 a stick-slip range lies between the stuck and the continuous range. At the resonance β*_lim equals
+    // β, because V − βH has no pole there.
     let system = base(1.0);
     let features = system.features(None).unwrap();
     let (ranges, _) = features.regimes(1.0, [0.6, 1.4]).unwrap();
@@ -168,7 +168,7 @@ fn f14_f15_f16_three_masses() {
     }
     assert!(features.quasi_static_start(0.5).unwrap().is_none());
     close(features.limits_at_rest().sliding.value, 0.5, ROUNDING);
-    // The stuck chain consists of one mass between two springs, and of m₃, which vibrates by itself.
+    // The stuck chain consists of two separate parts: one mass between two springs, and m₃.
     let held: Vec<f64> = features
         .held_resonances()
         .iter()
@@ -198,7 +198,7 @@ fn f17_f18_contact_below() {
     let found = features
         .inversions(M2, InvariantQuantity::Amplitude, [0.5, 4.0])
         .unwrap();
-    // At r = 1 the contact does not move without friction, so it slides at no friction.
+    // At r = 1 the contact does not move without friction, so it slides for no β.
     let ends: Vec<f64> = found
         .iter()
         .flat_map(|found| [found.from, found.to])
@@ -301,7 +301,7 @@ fn f29_peaks() {
     }
 }
 
-/// Checks that at ω₀ mass m₁ does not move without friction, and that at ω_z0 it moves with the base.
+/// Checks that without friction m₁ does not move at ω₀, and moves with the base at ω_z0.
 #[test]
 fn f30_f32_rig() {
     let (gamma, kappa) = (0.9772, 1.1119);

@@ -1,4 +1,4 @@
-//! Tests derivatives of features, against differences between features of changed scenes.
+//! Compares derivatives of features with differences between features of changed scenes.
 
 use frictiongen::study::{
     System,
@@ -17,10 +17,10 @@ const DAMPED: &str = "struct Chain {
     springs: { base - a: 2.1, a - b: 1.2, b - wall: 0.4 },
     contact: a - b, excitation: b, damping: rayleigh(0.02, 0.03), stiction: 1.15 }";
 
-/// Friction force in N.
+/// Friction force in N for the features that need one.
 const FRICTION: f64 = 0.3;
-/// Relative step of a difference quotient. The neglected third derivative causes an error of about 1e-8, and rounding
-/// an error of 1e-10.
+/// Relative step of a difference quotient. The third derivative, which the quotient neglects, causes an error of
+/// about 1e-8. Rounding causes an error of 1e-10.
 const STEP: f64 = 1e-4;
 
 /// Returns all features as numbers with their derivatives.
@@ -186,7 +186,7 @@ fn damped_by_differences() {
     assert!(against_differences(DAMPED, Load::Force(1.9)) > 100);
 }
 
-/// Checks peaks whose width in r is a thousandth, by differences.
+/// Checks by differences the derivatives at peaks whose width in r is a thousandth.
 #[test]
 fn sharp_peaks_by_differences() {
     let text = DAMPED.replace("rayleigh(0.02, 0.03)", "rayleigh(0.001, 0.001)");

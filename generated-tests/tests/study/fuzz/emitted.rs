@@ -1,4 +1,4 @@
-//! Emitted simulations and steady states with stops, for arbitrary bits of r, β and τ.
+//! Tests emitted simulations and steady states with stops for arbitrary bits of r, β and τ.
 
 use crate::fuzz::functions::{Asked, Seen, question};
 use crate::fuzz::{long, moving, none};
@@ -11,7 +11,7 @@ macro_rules! scenes {
             pub struct $name { $($body)* scalar: $scalar, provide: [limits, orbit, simulation], }
         })*
 
-        /// Checks of emitted scenes, one function for each scene.
+        /// The checks of the emitted scenes, one function for each scene.
         const CHECKS: &[fn(&Asked, &Seen) -> Result<(), String>] = &[$(|asked, seen| {
             let r = <$scalar as Scalar>::constant(asked.r);
             let Ok(at) = $name::at(r) else {

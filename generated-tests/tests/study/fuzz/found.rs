@@ -5,7 +5,7 @@ use frictiongen::{
     FrictionSystem, MotionAt, NoOrbit, Regime, System, Unsupported, friction_system,
 };
 
-/// Checks that a group in parentheses that is no visibility is refused. Emitting it would not be valid Rust.
+/// Checks that the parser refuses a group in parentheses that is no visibility. Its emission would not be valid Rust.
 #[test]
 fn a_visibility_that_is_none() {
     let rest =
@@ -31,7 +31,7 @@ fn a_visibility_that_is_none() {
     }
 }
 
-/// Checks that tokens that are no path of the facade are refused. Emitting them would not be valid Rust.
+/// Checks that the parser refuses tokens that are no path of the facade. Their emission would not be valid Rust.
 #[test]
 fn a_facade_that_is_no_path() {
     let scene = |facade: &str| {
@@ -74,7 +74,7 @@ friction_system! {
     }
 }
 
-/// Checks that the square of √λ/r stays within `f32` at the smallest r at which the formulas are evaluated.
+/// Checks that the square of √λ/r stays finite in `f32` at the smallest r at which the formulas are evaluated.
 #[test]
 fn a_high_resonance_at_a_small_ratio() {
     for r in [1e-45_f32, 1.6e-37, 1.5e-18, 1e-12] {
@@ -85,8 +85,8 @@ fn a_high_resonance_at_a_small_ratio() {
     }
 }
 
-/// Checks friction on the moving base at r = ∞, where both limits are infinite and the motion is that without friction.
-/// A large β must not be reported as stick-slip.
+/// Checks a contact on the moving base at r = ∞, where both limits are infinite and the motion is that without
+/// friction. The system must not report a large β as stick-slip.
 #[test]
 fn any_friction_on_a_moving_base_at_infinity() {
     let at = FrictionSystem::at(&Spread, f32::INFINITY).expect("a ratio");
@@ -111,15 +111,15 @@ friction_system! {
     }
 }
 
-/// Checks that 1/V does not overflow far above all resonances. V consists only of its damping term there, because
-/// rounding removes the rest.
+/// Checks that 1/V does not overflow far above all resonances. There V consists only of its damping term, because
+/// rounding removes the other terms.
 #[test]
 fn a_response_too_small_for_its_reciprocal() {
     for r in [1.4839235e11_f32, 1e13, 1e15] {
         let at = Faint::at(r).expect("a ratio");
         let motion = at.motion(0.0).expect("without friction there is a motion");
         let mass = motion.a();
-        // Without friction the loaded mass has x̄ = 1/r² at this r.
+        // Without friction the loaded mass has the displacement x̄ = 1/r² at this r.
         assert!(
             (mass.amplitude() * r * r - 1.0).abs() < 1e-5,
             "{}",
@@ -140,8 +140,8 @@ friction_system! {
     }
 }
 
-/// Checks that the number of quadrature panels is computed, not counted one by one up to the rate of the modes. In
-/// `f32` such a count would never end.
+/// Checks that the code computes the number of quadrature panels directly. A loop that counts up to the rate of the
+/// modes would never end in `f32`.
 #[test]
 fn a_harmonic_far_below_the_resonances() {
     for r in [1e-9_f32, 1e-6] {
@@ -166,7 +166,7 @@ friction_system! {
     }
 }
 
-/// Checks that a motion that underflows is zero everywhere, and that the search for its peak ends.
+/// Checks that a motion that underflows is zero at every instant, and that the search for its maximum ends.
 #[test]
 fn a_motion_that_is_all_zero() {
     let at = Fast::at(2.6789888e8).expect("a ratio");
@@ -176,8 +176,8 @@ fn a_motion_that_is_all_zero() {
     assert!(orbit.a().amplitude() < 2e-17, "{}", orbit.a().amplitude());
 }
 
-/// Checks that recording a cycle from event to event ends, also if r is below the rounding of 1 and the cycle would
-/// need too many steps.
+/// Checks that the recording of a cycle from event to event ends even if r is below the rounding of 1, where the
+/// cycle would need too many steps.
 #[test]
 fn a_cycle_of_too_many_turns() {
     let text = "struct R { masses: { a: 3.4233933483554577, b: 0.6278288469607384, c: 3.756799589337862,
@@ -190,8 +190,8 @@ fn a_cycle_of_too_many_turns() {
     assert_eq!(orbit.err(), Some(NoOrbit::Unsettled));
 }
 
-/// Checks that the contribution of a mode does not become 0/0. The contact moves this mode by 1e-18 of the others. In
-/// the stuck chain the mode then has no motion in any digit of a double-double.
+/// Checks that the contribution of a mode does not become 0/0. The contact moves this mode by 1e-18 of the others.
+/// While the contact is stuck, no digit of a double-double shows a motion of this mode.
 #[test]
 fn a_mode_that_the_contact_hardly_touches() {
     let text = "struct R { masses: { a: 0.35, b: 2.4e5, c: 1.6, d: 0.19 },
@@ -221,8 +221,8 @@ friction_system! {
     }
 }
 
-/// Checks a very large β on a moving base. Both limits grow as r², so β can be so large that scaling it up would
-/// overflow.
+/// Checks a very large β on a moving base. Both limits grow as r², so β can be so large that multiplication by a
+/// scale would overflow.
 #[test]
 fn a_friction_ratio_as_large_as_it_gets() {
     let at = Carried::at(2.8e37).expect("a ratio");
@@ -243,7 +243,7 @@ friction_system! {
     }
 }
 
-/// Checks that the load of a stuck mode on a moving base is not computed with r³, which overflows.
+/// Checks that the load of a stuck mode on a moving base is not computed by way of r³, which overflows.
 #[test]
 fn a_base_that_shakes_faster_than_a_cube_can_hold() {
     let r = 1e116;
@@ -279,8 +279,8 @@ fn multipliers_without_friction() {
     }
 }
 
-/// Checks that a contribution is not rounding only. The contact moves one mode by 1e-27. That mode is a stuck mode to
-/// double precision, but not to the last digit of a double-double.
+/// Checks that no contribution consists of rounding only. The contact moves one mode by 1e-27. In double precision
+/// this mode is also a mode of the stuck chain, but not in the last digits of a double-double.
 #[test]
 fn a_mode_whose_share_is_all_rounding() {
     let text = "struct R { masses: { a: 2.4462350119996397, b: 7.35905547834189, c: 1.8784094014138872,
@@ -310,8 +310,8 @@ friction_system! {
     }
 }
 
-/// Checks a light mass on a moving base, where V grows as r². The product of V and the inverse effective mass must stay
-/// within `f32`.
+/// Checks a light mass on a moving base, where V grows as r². The product of V and the inverse effective mass must
+/// stay finite in `f32`.
 #[test]
 fn a_light_mass_on_a_fast_base() {
     let motion = Tiny::at(8.5e36).expect("a ratio").motion(4.4e-12);
@@ -320,7 +320,7 @@ fn a_light_mass_on_a_fast_base() {
     assert!(0.0 < exact && exact <= estimate, "{exact} {estimate}");
 }
 
-/// Checks that the friction force at which the contact sticks is not infinite.
+/// Checks that the friction force from which the contact sticks is not infinite.
 #[test]
 fn friction_that_overflows() {
     let most = f64::MAX;
@@ -332,8 +332,8 @@ fn friction_that_overflows() {
     assert!(system.simulation(0.5, most / 4.0).is_ok());
 }
 
-/// Checks a mode that rounding turns by a significant angle, so that two searches may differ. A regime of stick-slip
-/// and a continuous motion must not be returned for the same point.
+/// Checks a mode whose phase changes significantly by rounding, so that two searches may differ. The system must not
+/// return a regime of stick-slip and a continuous motion for the same point.
 #[test]
 fn a_sweep_too_slow_for_two_searches() {
     let text = "struct R { masses: { a: 4.774003736351606, b: 3.6965901884292873,
@@ -347,9 +347,9 @@ fn a_sweep_too_slow_for_two_searches() {
     assert!(at.motion(beta).is_err());
 }
 
-/// Checks that two decays of different modes are not treated as one pair. Their contributions would be nearly
-/// dependent, and in `f32` the stuck contact would move. Here two overdamped stuck modes are so close that `f32` loses
-/// a sixth of a motion, so the scene is refused.
+/// Checks that the decays of two different modes are not treated as one pair. Their contributions would be nearly
+/// dependent, and in `f32` the stuck contact would move. Here two overdamped modes of the stuck chain are so close
+/// that `f32` loses a sixth of a motion, so the system refuses the scene.
 #[test]
 fn decays_of_two_modes() {
     let text = "struct R { masses: { a: 5.967731750865764, b: 0.30315412918747936,

@@ -11,7 +11,8 @@ use generated_tests::scenes::{Visitor, visit};
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 
-/// Scenes with further kinds of damping, on every contact. The reference's own scenes have light and heavy damping.
+/// Scenes with more kinds of damping, on every contact. The scenes of `reference/closed_form.json` have light and
+/// heavy damping.
 mod beside {
     macro_rules! both {
         ($($double:ident $single:ident { $($body:tt)* })*) => {
@@ -51,13 +52,14 @@ mod beside {
     }
 }
 
-/// Arguments with which the functions of a scene are called.
+/// Arguments with which the test calls the functions of a scene.
 #[derive(Debug)]
 pub struct Asked {
     scene: usize,
     pub r: f64,
     beta: f64,
-    /// True if `beta` is a multiple of the continuous limit, false if it is a multiple of the sliding limit.
+    /// Selects the limit of which `beta` is a multiple: true for β_lim, false for β*_lim. `None` if `beta` is the
+    /// ratio itself.
     of_limit: Option<bool>,
     pub tau: f64,
     mass: usize,
@@ -65,7 +67,7 @@ pub struct Asked {
 }
 
 impl Asked {
-    /// Returns β. The limits must be known, because β may be a multiple of one of them.
+    /// Returns the friction ratio β, from the limits β_lim (`continuous`) and β*_lim (`sliding`) of the scene.
     pub fn beta<S: Float>(&self, continuous: S, sliding: S) -> S {
         match self.of_limit {
             Some(true) => continuous * S::constant(self.beta),
@@ -97,7 +99,7 @@ impl Seen {
         });
     }
 
-    /// Prints the counts. Each item of `needed` must occur at least once in the given number of inputs.
+    /// Prints the counts. Each item of `needed` must occur at least once in this number of inputs.
     pub fn report(&self, count: u64, needed: &[(&str, u64)]) {
         let seen = self.0.borrow();
         println!("of {count} inputs: {seen:?}");
@@ -108,7 +110,7 @@ impl Seen {
     }
 }
 
-/// A scene without its scalar type.
+/// A scene whose scalar type is not yet chosen.
 type Scene = (
     &'static str,
     Vec<f64>,
@@ -258,7 +260,8 @@ fn moves<S: Float>(
     Ok(())
 }
 
-/// Returns random arguments for the functions of a scene. `number` returns numbers near landmarks.
+/// Returns random arguments for the functions of a scene. `number` returns random numbers, many of them near special
+/// values.
 pub fn question(
     random: &mut Random,
     scene: usize,

@@ -1,6 +1,6 @@
-//! Fuzzing with texts and numbers that are mutated from the corpus in `fuzzing/corpus`. A text must give a scene or
-//! errors with positions. A number must give a number, not NaN or a panic. The tests here take some seconds. The long
-//! form is `scripts/fuzz`.
+//! Fuzzing with texts and numbers that are mutated from the corpus in `fuzzing/corpus`. A text must give a scene, or
+//! errors with positions. Functions of numbers must return numbers, without NaN or a panic. These tests take some
+//! seconds. The long form is `scripts/fuzz`.
 
 mod emitted;
 mod found;
@@ -9,8 +9,8 @@ mod moving;
 mod systems;
 mod text;
 
-/// Returns the number of inputs of the long form for each target. The environment variable COUNT sets it, and the
-/// default is a million.
+/// Returns the number of inputs for each target in the long form. The environment variable COUNT sets it. The default
+/// is a million.
 fn long() -> u64 {
     let count = std::env::var("COUNT").ok();
     count.map_or(1_000_000, |count| count.parse().expect("COUNT is a number"))
@@ -21,13 +21,13 @@ fn once_in(often: u64, number: u64) -> bool {
     number.is_multiple_of(often)
 }
 
-/// Fails if the run has findings.
+/// Fails if the run has findings, and prints them.
 fn none(target: &str, outcome: &fuzzing::Outcome) {
     let fuzzing::Outcome { count, findings } = outcome;
     assert!(findings.is_empty(), "{target}:\n{}", findings.join("\n"));
     println!("{target}: {count} inputs, nothing found");
-    // The bound on memory covers all tests of this file together. The tables of the largest accepted scene take some
-    // MiB.
+    // The bound on memory covers all tests of this program together. The tables of the largest accepted scene take
+    // several MiB.
     if let Some(most) = fuzzing::most_memory() {
         println!("{target}: at most {} MiB held", most >> 20);
         assert!(most < 1 << 30, "{most} bytes were held");

@@ -7,7 +7,7 @@ use frictiongen::kernel::number::complex::Complex;
 use frictiongen::kernel::orbit::{Orbit, OrbitMotion};
 use frictiongen::kernel::simulation::{Part, Simulation};
 
-/// Number of segments of a run that are checked.
+/// Number of segments of a run that the test checks.
 const SEGMENTS: usize = 24;
 
 fn number<S: Float>(value: S, what: &str) -> Result<(), String> {

@@ -1,5 +1,5 @@
-//! Tests run-time systems of random scenes by the calls of emitted scenes, by simulations, by steady states with stops,
-//! and by derivatives.
+//! Tests run-time systems of random scenes: by the functions that emitted scenes have, by simulations, by steady
+//! states with stops, and by derivatives.
 
 use crate::fuzz::functions::{Asked, Seen, answered, is_number, promise, question};
 use crate::fuzz::{long, moving, none, once_in};
@@ -8,17 +8,17 @@ use frictiongen::study::sensitivity::Sensitive;
 use frictiongen::{FrictionSystem, System};
 use fuzzing::{Random, bits};
 
-/// A scene with the arguments of its calls.
+/// A scene, with the arguments of the calls.
 #[derive(Debug)]
 struct Question {
     text: String,
     single: bool,
     asked: Vec<Asked>,
-    /// True if expensive calls are made too: simulation, steady state, derivatives.
+    /// True if the test also makes the expensive calls: simulation, steady state, derivatives.
     dear: bool,
 }
 
-/// Number of calls for each scene. Several are made, because building a scene costs more than a call.
+/// Number of calls for each scene. It is more than one, because building a scene takes longer than a call.
 const QUESTIONS: usize = 16;
 
 /// Returns a valid scene of up to four masses, whose numbers cover several decades.
@@ -111,7 +111,8 @@ fn dear<S: Plain>(system: &System<S>, asked: &Asked, seen: &Seen) -> Result<(), 
     if let Ok(orbit) = orbit {
         moving::orbit(&orbit, masses, S::constant(asked.tau), asked.order % 12)?;
     }
-    // Derivatives exist where the functions are smooth, but not on their edges. They must not panic anywhere.
+    // Derivatives exist where the functions are smooth, but not at the limits of their regimes. Their computation
+    // must not panic anywhere.
     let slopes = system.sensitivities(|varied| {
         let at = varied.at(Sensitive::fixed(asked.r.into()))?;
         Ok::<_, frictiongen::OutOfDomain>(at.continuous_limit() + at.sliding_limit())

@@ -1,4 +1,4 @@
-//! Tests texts of scenes with both readers: the run-time parser, and the function that the macro calls.
+//! Tests texts of scenes with the run-time parser, and with the function that the macro calls.
 
 use crate::fuzz::{long, none};
 use frictiongen::System;

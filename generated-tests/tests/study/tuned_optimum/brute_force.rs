@@ -1,9 +1,9 @@
-//! Finds the largest amplitude of a band by samples only, and its minimum by golden section search.
+//! Finds the largest amplitude over a band by samples only, and its minimum over friction by golden section search.
 
 use crate::tuned_optimum::case::Case;
 use frictiongen::study::System;
 
-/// A scene with one value of the varied number, in N, m and rad/s.
+/// A scene with one value of its varied number, with numbers in N, m and rad/s.
 pub struct Tried<'c> {
     case: &'c Case,
     system: System,
@@ -76,8 +76,8 @@ impl<'c> Tried<'c> {
         best
     }
 
-    /// Returns the smallest of the largest amplitudes over friction forces near a given one, by a grid and then golden
-    /// section search.
+    /// Returns the friction force with the smallest value of `largest`, and that value. The function searches near
+    /// the force `about`, by a grid and then by golden section search.
     pub fn least(&mut self, about: f64) -> (f64, f64) {
         let window = if 0.0 < about {
             [0.8 * about, 1.25 * about]

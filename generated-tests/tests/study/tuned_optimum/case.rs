@@ -1,4 +1,4 @@
-//! Defines chains, each with the number that is varied.
+//! Defines chains, each with the number of the description that the tests vary.
 
 use frictiongen::study::response::MotionQuantity;
 use frictiongen::study::{
@@ -7,11 +7,11 @@ use frictiongen::study::{
     units::Load,
 };
 
-/// A chain with the number that is varied.
+/// A chain with one varied number.
 pub struct Case {
     /// Description of the chain, with `#` in place of the number.
     pub text: &'static str,
-    /// First mass and first spring. `None` stands for the one that is varied.
+    /// First mass and first spring. `None` stands for the one that varies.
     pub first: [Option<f64>; 2],
     pub base: bool,
     pub of: &'static str,
@@ -22,7 +22,7 @@ pub struct Case {
     pub load: f64,
 }
 
-/// An absorber mass that rubs on the main mass. Nothing else damps the resonances.
+/// An absorber mass that rubs on the main mass. The contact alone damps the resonances.
 pub const ABSORBER: Case = Case {
     text: "struct Absorber { masses: { a: 1.0, b: 0.1 },
         springs: { base - a: 1.0, a - b: # }, contact: a - b, excitation: a }",
@@ -34,7 +34,7 @@ pub const ABSORBER: Case = Case {
     band: [0.5, 1.6],
     load: 1.0,
 };
-/// The absorber with the first spring varied, to which all non-dimensional groups refer.
+/// The absorber with its first spring varied. All non-dimensional groups refer to the first spring.
 pub const FIRST_SPRING: Case = Case {
     text: "struct Absorber { masses: { a: 1.0, b: 0.1 },
         springs: { base - a: #, a - b: 0.085 }, contact: a - b, excitation: a }",
@@ -43,8 +43,8 @@ pub const FIRST_SPRING: Case = Case {
     interval: [0.6, 1.2],
     ..ABSORBER
 };
-/// The absorber in a band whose bounds lie next to the resonances. Without friction the amplitudes at both bounds are
-/// equal for one value of the mass.
+/// The absorber in a band whose bounds are next to the resonances. Without friction, the amplitudes at both bounds
+/// are equal for one value of the mass.
 pub const SHARP: Case = Case {
     text: "struct Absorber { masses: { a: 1.0, b: # },
         springs: { base - a: 1.0, a - b: 0.085 }, contact: a - b, excitation: a }",
@@ -53,7 +53,7 @@ pub const SHARP: Case = Case {
     band: [0.83, 1.0],
     ..ABSORBER
 };
-/// One mass between its moving base, on which it rubs, and a wall.
+/// One mass that rubs on its moving base and has a spring to a wall.
 pub const BLOCK: Case = Case {
     text: "struct Block { masses: { block: 1 }, springs: { base - block: #, block - wall: 1 },
         contact: block - base, excitation: base, damping: modal(0.05) }",
@@ -97,7 +97,7 @@ impl Case {
         }
     }
 
-    /// Returns the best friction in N and its amplitude in m.
+    /// Returns the best friction in N, and the largest amplitude at this friction in m.
     pub fn physical(&self, described: f64, tuned: &TunedOptimum) -> [f64; 2] {
         let scale = self
             .system(described)

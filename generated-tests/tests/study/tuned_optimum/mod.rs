@@ -1,7 +1,8 @@
-//! Tests the friction and one number of the description that together minimise the largest amplitude over a band. The
-//! reference is a map by brute force, with a new description for each value and groups computed by hand.
+//! Tests the search for a friction and one number of the description that together minimise the largest amplitude
+//! over a band. The reference is a map by brute force. It builds a new description for each value, and computes the
+//! non-dimensional groups itself.
 //!
-//! `case` has the chains, `brute_force` the maps and the golden sections.
+//! `case` has the chains. `brute_force` has the maps and the golden section searches.
 //!
 //! ```sh
 //! cargo test --release -p generated-tests --test study tuned_optimum:: -- --include-ignored --nocapture
@@ -23,7 +24,7 @@ fn off(a: f64, b: f64) -> f64 {
     (a - b).abs() / a.abs().max(b.abs()).max(f64::MIN_POSITIVE)
 }
 
-/// Compares with the minimum over number and force near the optimum, by nested golden section searches.
+/// Compares the optimum with the minimum near it over number and force, by nested golden section searches.
 #[test]
 #[ignore = "a million responses: minutes"]
 fn two_masses_as_by_brute_force() {
@@ -39,7 +40,7 @@ fn two_masses_as_by_brute_force() {
         let [force, amplitude] = case.physical(described, &tuned);
         let start = Instant::now();
         let mut count = 0;
-        // The value that was found is not a point of the grid.
+        // The found value is not a point of the scan.
         let interval = [0.971, 1.032].map(|share| share * tuned.value);
         // The position of a flat minimum is known only to the square root of the rounding.
         let near = if sharp { 1e-10 } else { 1e-6 };
@@ -70,7 +71,8 @@ fn two_masses_as_by_brute_force() {
     }
 }
 
-/// Compares the sharp case with its receptances. At both bounds of the band the undamped main mass moves equally far.
+/// Compares the sharp case with its receptances: at both bounds of the band the undamped main mass has equal
+/// amplitudes.
 #[test]
 #[ignore = "many optima: a minute without optimisation"]
 fn sharp_as_by_receptances() {
@@ -101,8 +103,8 @@ fn sharp_as_by_receptances() {
     assert!(off(tuned.optimum.amplitude, least) < 1e-9);
 }
 
-/// Checks one mass. With a softer spring to its base it moves less, so the best value is the bound of the interval. The
-/// friction there is that of a map. Nowhere on a map of the whole interval is the amplitude smaller.
+/// Checks one mass. With a softer spring to its base it moves less, so the best value is the bound of the interval.
+/// The friction there is that of a map. On a map of the whole interval no amplitude is smaller.
 #[test]
 fn one_mass_as_by_a_coarse_map() {
     one_mass([6, 8]);
@@ -143,8 +145,8 @@ fn one_mass([values, forces]: [u32; 2]) {
     println!("nowhere less among {count} responses");
 }
 
-/// Checks that the scan contains the result of `optimum` for each value, in the units of the described scene. The
-/// described value of the varied number does not matter.
+/// Checks that for each value the scan contains the result of `optimum`, in the units of the described scene. The
+/// value of the varied number in the description does not matter.
 #[test]
 #[ignore = "many optima: half a minute without optimisation"]
 fn whatever_is_described() {

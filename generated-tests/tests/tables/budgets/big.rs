@@ -1,9 +1,8 @@
-//! Numbers of some 190 digits, with which double-double is compared. They consist of integers, and their functions are
-//! Taylor series.
+//! Numbers of about 190 digits, against which double-double is measured. They consist of integers.
 //!
-//! This module shares nothing with the kernel. The significand has [`BITS`] bits, each operation is cut off there, and
-//! elementary functions are their Taylor series. Formulas are evaluated as they are printed. Their cancellation costs
-//! far fewer digits than the numbers have.
+//! This module shares nothing with the kernel. A significand has [`BITS`] bits, and each operation is cut off after
+//! them. Elementary functions are Taylor series. The printed formulas are evaluated as they are. The digits that they
+//! lose by cancellation are far fewer than the digits of the numbers.
 
 use frictiongen_kernel::number::dd::Dd;
 use num_bigint::{BigInt, Sign};
@@ -66,7 +65,7 @@ impl Big {
         }
     }
 
-    /// Returns the exponent of two of the leading bit.
+    /// Returns the exponent of the power of two that the leading bit stands for.
     pub fn order(&self) -> i64 {
         self.significand.bits() as i64 - 1 + self.exponent
     }
@@ -102,7 +101,7 @@ impl Big {
         if sum.exponent >= 0 {
             sum.significand << sum.exponent as u64
         } else {
-            // Shifting a negative number to the right rounds it down.
+            // A shift of a negative number to the right rounds it down.
             sum.significand >> (-sum.exponent) as u64
         }
     }
@@ -234,7 +233,7 @@ impl Add for Big {
             (self, other)
         };
         let distance = (high.exponent - low.exponent) as u64;
-        // If one number is below every kept bit of the other, it does not change the sum.
+        // A number that is below every stored bit of the other number does not change the sum.
         if high.order() - low.order() > 2 * BITS as i64 {
             return high;
         }

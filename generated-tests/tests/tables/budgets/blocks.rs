@@ -1,4 +1,4 @@
-//! Measures small complex operations and the last steps of the limits, of which emitted code consists.
+//! Measures the parts of emitted code: small complex operations, and the last operations of the limits.
 
 use crate::budgets::big::Big;
 use crate::budgets::elementary::formulas;
@@ -6,7 +6,7 @@ use crate::budgets::measure::{Formula, Real, Results, Unit};
 use frictiongen_kernel::contact::sums::{Chain, ContactAt};
 use frictiongen_kernel::number::complex::{self, Complex};
 
-/// Returns a second complex number from the arguments: (c, −b/2).
+/// Returns the second complex number of an operation, made of the arguments: (c, −b/2).
 fn second<T: Real>(b: T, c: T) -> Complex<T> {
     Complex::new(c, -b * T::constant(0.5))
 }
@@ -29,7 +29,7 @@ fn hypotenuse(re: Big, im: Big) -> Big {
     }
 }
 
-/// Computes the operations without damping, which must neither read nor write the imaginary half.
+/// Computes complex operations without damping, which must neither read nor write the imaginary part.
 fn undamped<T: Real>(a: T, b: T) -> [T; 4] {
     let z = Complex::new(a, T::constant(f64::NAN));
     let w = Complex::new(b, T::constant(f64::NAN));
@@ -41,7 +41,7 @@ fn undamped<T: Real>(a: T, b: T) -> [T; 4] {
     ]
 }
 
-/// Returns a chain of which the limits read only μ and m*.
+/// Returns a chain in which only μ and m* are set, because the limits read nothing else.
 fn chain<T: Real>(stiction: T, inverse_mass: T) -> Chain<T> {
     Chain {
         damped: true,
@@ -51,7 +51,7 @@ fn chain<T: Real>(stiction: T, inverse_mass: T) -> Chain<T> {
     }
 }
 
-/// Returns a contact with V = v + iv/4 and H = h − ih/2, in which only the fields that the limits read are set.
+/// Returns a contact with V = v + iv/4 and H = h − ih/2. Only the fields that the limits read are set.
 fn contact<T: Real>(v: T, u: T, h: T) -> ContactAt<T> {
     let c = T::constant;
     ContactAt {
@@ -86,7 +86,7 @@ formulas! {
     UndampedComplex Place: |a, b, c| undamped(a, b), {
         (!a.is_zero()).then(|| vec![a.clone() * b, Big::integer(1) / a.clone(), a.abs(), Big::integer(0)])
     };
-    /// Constraint term r²E(m* + H_c r²) for m* = a, and with μ = c.
+    /// Break-away term r²E(m* + H_c r²) of the constraint, for m* = a and for μ = c.
     Constraints Place: |a, b, c| {
         let (chain, contact) = (chain(c, a), contact(a, b, c));
         [chain.start_constraint(&contact), chain.break_away(&contact)]
@@ -94,7 +94,7 @@ formulas! {
         let inverse_mass = a.shifted(-1);
         Some(vec![b.abs() + inverse_mass.clone(), b.abs() + c * inverse_mass])
     };
-    /// Limit β_lim from V, U and the constraint c.
+    /// Limit β_lim from V, U and the constraint, where the constraint is c.
     ContinuousLimit Place: |a, b, c| [chain(c, a).continuous_limit(&contact(a, b, c), c)], {
         let square = b.clone() * b + c.clone() * c;
         let v = hypotenuse(a.clone(), a.shifted(-2));

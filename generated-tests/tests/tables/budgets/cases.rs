@@ -1,4 +1,4 @@
-//! Lists the measured cases: each function of the kernel with each scalar.
+//! Lists the measured cases: each function of the kernel with each scalar type.
 
 use crate::budgets::blocks::*;
 use crate::budgets::draw::{self, Domain, Source, arguments};
@@ -10,21 +10,21 @@ use frictiongen_kernel::number::dd::Dd;
 pub struct Case {
     /// Name of the function in the table.
     pub function: &'static str,
-    /// Names of the results, each with a row of the table. A single unnamed result is "".
+    /// Names of the results. Each result has a row of the table. The name of a single result may be "".
     pub fields: &'static [&'static str],
-    /// Public functions of the kernel that the case measures, with the paths of `crate::budgets::public`.
+    /// Public functions of the kernel that the case measures, as `crate::budgets::public` names them.
     pub covers: &'static [&'static str],
     pub scalar: &'static str,
     pub unit: Unit,
     pub domain: Domain,
     pub draw: fn(&Domain, &mut Source) -> Arguments,
     pub error: fn(&Arguments) -> Results<f64>,
-    /// True for functions of one `f32` argument, for which all of [`Domain::counted`] is evaluated.
+    /// True for functions of one `f32` argument that the long form evaluates at all numbers of [`Domain::counted`].
     pub countable: bool,
 }
 
 impl Case {
-    /// Returns all numbers of the counted domain, one after another in their bits.
+    /// Returns all numbers of the range `counted`, in the order of their bits.
     pub fn counted(&self) -> impl Iterator<Item = Arguments> + use<> {
         let (from, to, negative) = self.domain.counted;
         let through = if self.countable {
@@ -51,7 +51,7 @@ struct Shape {
     countable: bool,
 }
 
-/// Returns a case whose errors are in the unit of `F`.
+/// Returns a case whose errors are counted in the unit of the formula `F`.
 fn case<F: Formula, T: Real>(shape: &Shape, error: fn(&Arguments) -> Results<f64>) -> Case {
     Case {
         function: shape.function,
@@ -66,7 +66,7 @@ fn case<F: Formula, T: Real>(shape: &Shape, error: fn(&Arguments) -> Results<f64
     }
 }
 
-/// Returns three cases: `f32` compared with `f64`, `f64` with double-double, double-double with big numbers.
+/// Returns three cases: `f32` compared with `f64`, `f64` with double-double, and double-double with big numbers.
 fn three<F: Formula>(shape: &Shape) -> Vec<Case> {
     vec![
         case::<F, f32>(shape, against::<F, f32, f64>),

@@ -1,4 +1,5 @@
-//! Draws random arguments. They are uniform in their bits, and dense next to zeros, poles and branch points.
+//! Draws random arguments. They are uniform in their bits, and dense near zeros, poles and branch points of the
+//! functions.
 
 mod modes;
 
@@ -19,24 +20,24 @@ impl Source {
         self.0.between(low, high)
     }
 
-    /// Returns a positive number, whose exponent is uniform over the range and whose bits are random.
+    /// Returns a positive number between 2^`low` and 2^`high`. Its exponent is uniform, and its bits are random.
     fn size(&mut self, low: f64, high: f64) -> f64 {
         self.between(low, high).exp2() * self.between(1.0, 1.0 + 1e-9)
     }
 
-    /// Returns a number like [`size`](Self::size), with a random sign.
+    /// Returns a number as [`size`](Self::size) does, with a random sign.
     fn spread(&mut self, low: f64, high: f64) -> f64 {
         let size = self.size(low, high);
         if self.next() & 1 == 0 { size } else { -size }
     }
 
-    /// Returns a number next to `place`, on either side, at a distance between 2^−`close` and 1/4.
+    /// Returns a number on either side of `place`, at a distance between 2^−`close` and 1/4.
     fn beside(&mut self, place: f64, close: f64) -> f64 {
         place + self.spread(-close, -2.0)
     }
 }
 
-/// Range of a scalar's exponents, and its number of bits.
+/// Range of the exponents of a scalar type, and the number of bits of its significand.
 #[derive(Clone, Copy)]
 pub struct Span {
     low: f64,
@@ -49,13 +50,14 @@ pub struct Span {
 pub struct Domain {
     pub text: &'static str,
     pub draw: fn(&mut Source, Span) -> [f64; 3],
-    /// Function that returns true if the domain contains the arguments. It is called for arguments that were rounded or
+    /// Returns true if the domain contains the arguments. The function is called for arguments that were rounded or
     /// counted.
     pub holds: fn([f64; 3]) -> bool,
     /// `true` if a double-double may have a low part.
     pub tails: bool,
-    /// Range of `f32` arguments that are all evaluated: from, to, and `true` if the negative numbers are evaluated too.
-    /// Beyond the range the results change by powers of two only, or not at all. The code states exceptions.
+    /// Range of `f32` arguments that are all evaluated: from, to, and `true` if the range includes the negative
+    /// numbers. Outside this range the results change only by powers of two, or not at all. Comments state the
+    /// exceptions.
     pub counted: (f32, f32, bool),
 }
 
@@ -68,7 +70,7 @@ fn any(a: [f64; 3]) -> bool {
     a.iter().all(|x| x.is_finite())
 }
 
-/// Draws arguments of a scalar from a domain.
+/// Draws arguments from a domain, as numbers of the scalar type `T`.
 pub fn arguments<T: Real>(domain: &Domain, source: &mut Source) -> Arguments {
     let span = match T::FORMAT.0 {
         24 => Span {
@@ -81,7 +83,7 @@ pub fn arguments<T: Real>(domain: &Domain, source: &mut Source) -> Arguments {
             high: 1023.0,
             bits: 53.0,
         },
-        // The low parts of double-doubles, and products of them, must not be subnormal.
+        // The low words of double-doubles, and products of them, must not be subnormal.
         _ => Span {
             low: -400.0,
             high: 400.0,
@@ -97,7 +99,7 @@ pub fn arguments<T: Real>(domain: &Domain, source: &mut Source) -> Arguments {
         if !(domain.holds)(drawn) {
             continue;
         }
-        // Half of the double-doubles have a low part. Whole numbers have none, because they are special positions.
+        // Half of the double-doubles have a low word. Integers have none, because they are special arguments.
         let tail = T::FORMAT.0 == 105 && domain.tails && source.next() & 1 == 0;
         return drawn.map(|x| {
             let lost = if tail && x.fract() != 0.0 {
@@ -172,7 +174,7 @@ pub const HALF_TURN_PAIRS: Domain = Domain {
     counted: (0.0, 0.0, false),
 };
 
-/// Numbers x for which e^x is a normal number of the scalar.
+/// Numbers x for which e^x is a normal number of the scalar type.
 pub const EXPONENTS: Domain = Domain {
     text: "all x with a normal e^x",
     draw: |s, span| {
@@ -221,7 +223,7 @@ pub const DECAYS: Domain = Domain {
     counted: (power(-14), power(10), false),
 };
 
-/// Numbers z whose square z² is a normal number.
+/// Numbers z whose squares z² are normal numbers.
 pub const SINC: Domain = Domain {
     text: "all z with a normal z², crowded beside 0, ±3/4 and the integers",
     draw: |s, span| {
@@ -265,7 +267,7 @@ pub const DOUBLES: Domain = Domain {
     ..PAIRS
 };
 
-/// Numbers for one or two complex arguments, whose squares are normal numbers.
+/// Numbers for one or two complex arguments. The squares of the numbers are normal numbers.
 pub const COMPLEX: Domain = Domain {
     text: "moduli with squares in the normal range",
     draw: |s, span| {

@@ -1,4 +1,4 @@
-//! Measures elementary functions of the kernel against their definitions.
+//! Measures the elementary functions of the kernel against their definitions.
 
 use crate::budgets::big::Big;
 use crate::budgets::measure::{Formula, Real, Results, Unit};
@@ -6,7 +6,8 @@ use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::number::special::{exp_m1_minus, versine_pi};
 use frictiongen_kernel::number::trig::{double, single};
 
-/// Defines formulas as `Name: [a, b, c] => kernel's results, printed results;`.
+/// Defines formulas. An entry has the name, the unit, the arguments a, b and c, the kernel's results, and the printed
+/// results.
 macro_rules! formulas {
     ($($(#[$doc:meta])* $name:ident $unit:ident: |$a:ident, $b:ident, $c:ident| $kernel:expr, $printed:expr;)*) => { $(
         $(#[$doc])*
@@ -34,7 +35,7 @@ fn one() -> Big {
     Big::integer(1)
 }
 
-/// Returns sin and cos of πh, or NaN if the functions that return only one of them have other bits.
+/// Returns sin πh and cos πh. Returns NaN if the functions that return only one of them give other bits.
 fn sin_cos<T: Real>(h: T) -> [T; 2] {
     let (sin, cos) = h.sin_cos_pi();
     let alone = [h.sin_pi(), h.cos_pi()];
@@ -47,7 +48,7 @@ fn sin_cos<T: Real>(h: T) -> [T; 2] {
     }
 }
 
-/// Returns true if the function of the kernel's module has the same result as the scalar's method.
+/// Returns true if the function of the kernel's module gives the same result as the method of the scalar type.
 fn module_agrees<T: Real>(h: T, sin: T) -> bool {
     let (h, sin) = (h.to_f64(), sin.to_f64());
     match T::FORMAT.0 {
@@ -62,8 +63,8 @@ fn quotient(a: Big, b: Big) -> Option<Big> {
     (!b.is_zero()).then(|| a / b)
 }
 
-/// Returns the angle of (x, y), or `None` at the origin. An estimate in `f64` is corrected five times. A correction is
-/// (y cos − x sin)/(x cos + y sin), the tangent of the remaining angle.
+/// Returns the angle of the point (x, y), or `None` at the origin. The function corrects an estimate in `f64` five
+/// times by (y cos − x sin)/(x cos + y sin), the tangent of the remaining angle.
 fn angle(y: Big, x: Big) -> Option<Vec<Big>> {
     if y.is_zero() && x.is_zero() {
         return None;
@@ -83,8 +84,8 @@ fn angle(y: Big, x: Big) -> Option<Vec<Big>> {
 formulas! {
     SinCosPi Place: |h, b, c| sin_cos(h), { let (s, c) = h.sin_cos_pi(); Some(vec![s, c]) };
     SinCosPiMinus Place: |h, d, c| <[T; 2]>::from(h.sin_cos_pi_minus(d)), {
-        // If two numbers have very different sizes, their difference has more digits than a big number can hold. The
-        // addition theorems are used instead.
+        // If two numbers differ very much in size, their difference has more digits than a big number can hold. The
+        // formula then uses the addition theorems.
         if h.is_zero() || d.is_zero() || (h.order() - d.order()).abs() < 300 {
             let (sin, cos) = (h - d).sin_cos_pi();
             return Some(vec![sin, cos]);
@@ -123,7 +124,7 @@ formulas! {
     DdProduct Place: |x, y, c| [T::of(Dd::product(x.to_f64(), y.to_f64()))], Some(vec![x * y]);
     Margin Norm: |beta, continuous, sliding| {
         let one = T::constant(1.0);
-        // The 1 that is subtracted counts as part of the result's size.
+        // The size of the result includes the 1 that the function subtracts.
         [frictiongen_kernel::contact::regime::margin(beta, continuous, sliding), one]
     }, {
         let limit = if (continuous.clone() - sliding.clone()).is_negative() { continuous } else { sliding };

@@ -5,20 +5,20 @@ use frictiongen_kernel::Float;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::number::dual::Dual;
 
-/// Arguments of a function. Each is exactly a number of its scalar.
+/// Arguments of a function. Each is exactly representable in the scalar type under test.
 pub type Arguments = [Dd; 3];
 /// Results of a function. Unused elements are zero.
 pub type Results<T> = [T; 5];
 
-/// A scalar under test.
+/// A scalar type under test.
 pub trait Real: Float {
-    /// Number of bits of the significand, and exponent of the smallest normal number.
+    /// Number of bits of the significand, and exponent of the smallest normal number of the scalar type.
     const FORMAT: (i32, i64);
-    /// Name of the scalar in the table.
+    /// Name of the scalar type in the table.
     const NAME: &'static str;
     fn of(x: Dd) -> Self;
     fn widened(self) -> Dd;
-    /// Returns √|1 − ζ²| and 1 − q, rounded once as in the modal analysis of a scene.
+    /// Returns q = √|1 − ζ²| and 1 − q, each rounded once, as in the modal analysis of a scene.
     fn of_damping(zeta: Self) -> (Self, Self) {
         let (q, defect) = damping(zeta.widened());
         (Self::of(q), Self::of(defect))
@@ -35,8 +35,8 @@ impl Real for f32 {
     const FORMAT: (i32, i64) = (24, -126);
     const NAME: &'static str = "f32";
     fn of(x: Dd) -> Self {
-        // Rounding first to `f64` could round a number twice. The arguments are exact, so they are not affected. The
-        // constants of a mode get an additional error of at most 2^−30 of a unit.
+        // This conversion by way of `f64` may round a number twice. The arguments are exact, so it does not change
+        // them. The constants of a mode get an additional error of at most 2^−30 of a unit.
         x.to_f64() as f32
     }
     fn widened(self) -> Dd {
@@ -56,7 +56,7 @@ impl Real for f64 {
 }
 
 impl Real for Dd {
-    // The unit of a double-double is 2^−104 times the largest power of two that is not above the number. The low part
+    // The unit of a double-double is 2^−104 times the largest power of two that is not above the number. The low word
     // must not be subnormal.
     const FORMAT: (i32, i64) = (105, -916);
     const NAME: &'static str = "Dd";
@@ -71,7 +71,7 @@ impl Real for Dd {
     }
 }
 
-/// Dual numbers serve only to measure how strongly a result depends on an argument.
+/// Dual numbers. They serve only to measure how strongly a result depends on an argument.
 impl<S: Real> Real for Dual<S> {
     const FORMAT: (i32, i64) = S::FORMAT;
     const NAME: &'static str = "dual";
@@ -91,12 +91,13 @@ impl<S: Real> Real for Dual<S> {
 pub enum Unit {
     /// Units in the last place of the exact result.
     Place,
-    /// Error of all results together over ε times the size of all results, with ε = 2^−23, 2^−52 or 2^−104.
+    /// Norm of the errors of all results, divided by ε times the norm of all results, with ε = 2^−23, 2^−52 or
+    /// 2^−104.
     Norm,
-    /// Error over ε·(|f| + Σ|a·∂f/∂a|), summed over the arguments a. An error of 1 is explained by a change of one ε in
-    /// the result and in every argument.
+    /// Error divided by ε·(|f| + Σ|a·∂f/∂a|), where the sum is over the arguments a. An error of 1 can be a relative
+    /// change of ε in the result and in every argument.
     Mixed,
-    /// Unit as [`Mixed`](Self::Mixed), but the error is also compared with a larger term to which the result is added.
+    /// As [`Mixed`](Self::Mixed), but the divisor may also contain a larger term to which the result is added.
     Size,
 }
 
@@ -111,19 +112,19 @@ impl Unit {
     }
 }
 
-/// A function of the kernel with any scalar, and its printed formula in big numbers.
+/// A function of the kernel over any scalar type, and the printed formula for it in big numbers.
 pub trait Formula {
     const UNIT: Unit = Unit::Place;
     fn at<T: Real>(a: [T; 3]) -> Results<T>;
     /// Evaluates the printed formula, or returns `None` where the function has no value.
     fn printed(a: [Big; 3]) -> Option<Vec<Big>>;
-    /// Returns the sizes with which the errors of the results are compared, times ε. They follow from the results and
-    /// from a·∂f/∂a for each argument a. [`Unit::Mixed`] adds them.
+    /// Returns the sizes that, times ε, divide the errors of the results. They follow from the results and from
+    /// a·∂f/∂a for each argument a. For [`Unit::Mixed`] they are sums of these.
     fn scales(_a: &Arguments, value: Results<f64>, moved: [Results<f64>; 3]) -> Results<f64> {
         moved.into_iter().fold(value, plus)
     }
-    /// Returns the effect of second order of a change of ε in the arguments, over ε². It matters for results that touch
-    /// 0 without crossing it, where their derivatives vanish too.
+    /// Returns the second-order effect of a relative change of ε in the arguments, divided by ε². It matters for
+    /// results that touch 0 without a change of sign, because their derivatives vanish there too.
     fn curved(_a: &Arguments) -> Results<f64> {
         [0.0; 5]
     }
@@ -141,7 +142,7 @@ fn unit<T: Real>(value: f64) -> f64 {
     2.0_f64.powi(power / 2) * 2.0_f64.powi(power - power / 2)
 }
 
-/// Returns the error `off` = got − want in units in the last place. `want` comes from a more accurate scalar.
+/// Returns the error `off` = got − want in units in the last place. `want` comes from a more accurate scalar type.
 fn places<T: Real>(got: Dd, want: Dd, off: f64) -> f64 {
     if got.hi.is_nan() || want.hi.is_nan() {
         return if got.hi.is_nan() && want.hi.is_nan() {
@@ -154,7 +155,7 @@ fn places<T: Real>(got: Dd, want: Dd, off: f64) -> f64 {
         return 0.0;
     }
     if !got.hi.is_finite() || !want.hi.is_finite() {
-        // Beyond the largest number both results have overflowed.
+        // Both results have overflowed if both are near or beyond the largest number.
         let largest = if T::FORMAT.0 == 24 {
             f64::from(f32::MAX)
         } else {
@@ -170,7 +171,7 @@ fn places<T: Real>(got: Dd, want: Dd, off: f64) -> f64 {
     off.abs() / unit::<T>(want.hi)
 }
 
-/// Returns |a·∂f/∂a| of every result for one argument, from dual numbers over `S`.
+/// Returns |a·∂f/∂a| of every result for the argument a with the index `i`, from dual numbers over `S`.
 fn moved<F: Formula, S: Real>(a: &Arguments, i: usize) -> Results<f64> {
     let mut point = a.map(<Dual<S> as Real>::of);
     point[i] = Dual::variable(S::of(a[i]));
@@ -180,7 +181,7 @@ fn moved<F: Formula, S: Real>(a: &Arguments, i: usize) -> Results<f64> {
 fn scales<F: Formula, T: Real>(a: &Arguments, want: &Results<Dd>) -> Results<f64> {
     let mut all = [[0.0; 5]; 3];
     for i in (0..3).filter(|i| !a[*i].is_zero()) {
-        // Next to a zero the argument must be as exact as the result.
+        // Near a zero of the function, the argument must be as exact as the result.
         all[i] = if T::NAME == Dd::NAME {
             moved::<F, Dd>(a, i)
         } else {
@@ -233,8 +234,8 @@ fn minus(got: Dd, want: Dd) -> f64 {
     (got.hi - want.hi) + (got.lo - want.lo)
 }
 
-/// Returns the errors of a function in `T`, compared with the same function in `Better`, which has its own row in the
-/// table.
+/// Returns the errors of a function over `T`, compared with the same function over `Better`. That function has a row
+/// of its own in the table.
 pub fn against<F: Formula, T: Real, Better: Real>(a: &Arguments) -> Results<f64> {
     let got = F::at(a.map(T::of)).map(Real::widened);
     let want = F::at(a.map(Better::of)).map(Real::widened);

@@ -1,8 +1,9 @@
-//! Measures the worst error of every numeric function of the kernel, and compares it with the error that is allowed.
+//! Measures the largest error of every numeric function of the kernel, and compares it with an allowed error, the
+//! budget.
 //!
-//! `table.csv` has the budgets and the worst errors with their arguments. `docs/accuracy.md` shows them. `f32` is
-//! measured by `f64`, `f64` by double-double, and double-double by big numbers ([`big`]). Big numbers share nothing
-//! with the kernel and evaluate the formulas as they are printed.
+//! `table.csv` has the budgets, and the largest errors with their arguments. `docs/accuracy.md` shows them. `f64`
+//! measures `f32`, double-double measures `f64`, and big numbers ([`big`]) measure double-double. Big numbers share
+//! nothing with the kernel and evaluate the formulas as they are printed.
 //!
 //! The long form evaluates every `f32` of each domain and draws ten million `f64`:
 //!
@@ -31,15 +32,15 @@ use measure::Arguments;
 use std::sync::Mutex;
 use table::Row;
 
-/// Largest error of the reference, in units of the measured scalar. An error of ten units of `f64` is 1e-7 units of
-/// `f32` or less.
+/// Largest error of the reference, in units of the measured scalar type. For example, ten units of `f64` are at most
+/// 1e-7 units of `f32`.
 const REFERENCE: f64 = 1e-7;
 
 fn asked_to_write() -> bool {
     std::env::var_os("UPDATE_ACCURACY").is_some()
 }
 
-/// Returns the worst error of each result of a case, with its arguments.
+/// Returns the largest error of each result of a case, with the arguments of that error.
 fn measured(case: &Case, points: impl Iterator<Item = Arguments>) -> Vec<(f64, Arguments)> {
     let mut worst = vec![(-1.0, Arguments::default()); case.fields.len()];
     for point in points {
@@ -76,7 +77,7 @@ fn every_function_stays_within_its_budget() {
                 "{what}: {error} exceeds {} at {place:?}",
                 row.budget
             );
-            // The worst arguments of the table must not exceed the budget in this version of the code either.
+            // With the arguments in the table, the present code must not exceed the budget either.
             let again = (case.error)(&row.place)[i];
             assert!(
                 again <= row.budget + REFERENCE,
@@ -107,8 +108,8 @@ fn every_row_is_measured() {
     }
 }
 
-/// Tests values for which units in the last place mean nothing: signs of zero, infinities, NaN, and the bounds of the
-/// range.
+/// Tests values for which units in the last place mean nothing: signs of zeros, infinities, NaN, and the bounds of
+/// the range of a scalar type.
 fn ends_of_the_range<T: measure::Real>(least: f64, largest: f64) {
     use frictiongen_kernel::number::special::{exp_m1_minus, versine_pi};
     let c = T::constant;
@@ -126,7 +127,7 @@ fn ends_of_the_range<T: measure::Real>(least: f64, largest: f64) {
         ];
         assert!(functions.iter().all(|f| of(*f, zero) == 0.0));
         assert_eq!([of(T::exp, zero), of(T::cos_pi, zero)], [1.0, 1.0]);
-        // Between π and −π the sign of a zero must not decide.
+        // For an angle of π or −π, the sign of a zero must not decide which of the two is returned.
         assert!(c(zero).atan2(c(-1.0)).to_f64() > 3.0);
     }
     let functions: [fn(T) -> T; 8] = [
@@ -165,7 +166,7 @@ fn ends_of_the_range<T: measure::Real>(least: f64, largest: f64) {
         ],
         [1.0, 1.0]
     );
-    // π times the smallest number is rounded, and the squares and cubes of that number are 0.
+    // π times the smallest number is rounded, and the square and the cube of this number are 0.
     assert_eq!(
         [of(T::sin_pi, least), of(T::exp_m1, least)],
         [3.0 * least, least]
@@ -186,7 +187,7 @@ fn ends_of_every_range() {
 fn the_measure_sees_an_error() {
     use frictiongen_kernel::number::dd::Dd;
     use measure::{Formula, Real, Results, against, against_big};
-    /// The function 1 + x with an error of two units in `f64`, which the measurement must detect.
+    /// The function 1 + x with a deliberate error of two units in `f64`, which the measurement must detect.
     struct Wrong;
     impl Formula for Wrong {
         fn at<T: Real>([x, ..]: [T; 3]) -> Results<T> {
@@ -208,8 +209,8 @@ fn the_measure_sees_an_error() {
     assert!(against_big::<Wrong>(&quarter)[0] > 1e30);
 }
 
-/// Returns the number of random points in the long form. Points of a mode's functions are drawn for each kind of mode,
-/// ten million together.
+/// Returns the number of random points in the long form. The functions of a mode have separate points for each kind
+/// of mode, ten million in total.
 fn points(case: &Case) -> usize {
     match case.scalar {
         "Dd" => 10_000,

@@ -1,5 +1,5 @@
-//! Measures the response of a mode and its motion in time. The reference is the form that the thesis prints (section
-//! 7.2, appendix B). In big numbers the printed forms lose no digits.
+//! Measures the response of a mode and its motion in time against the forms that the thesis prints (section 7.2,
+//! appendix B). In big numbers the printed forms keep enough digits.
 
 use crate::budgets::big::Big;
 use crate::budgets::measure::{Arguments, Formula, Real, Results, Unit, plus};
@@ -42,8 +42,8 @@ fn one() -> Big {
     Big::integer(1)
 }
 
-/// Returns e^{−a}·(cos b, sin b/q) with a = ζ·angle, b = q·angle, where q is imaginary for ζ > 1. `turns` is the angle
-/// in half-turns.
+/// Returns e^{−a}·(cos b, sin b/q) with a = ζ·angle and b = q·angle. For ζ > 1, q is imaginary. `turns` is the angle
+/// in half turns.
 fn turning(zeta: &Big, turns: &Big) -> (Big, Big) {
     let square = (one() - zeta.clone()) * (one() + zeta.clone());
     let angle = turns.clone() * Big::pi();
@@ -53,7 +53,8 @@ fn turning(zeta: &Big, turns: &Big) -> (Big, Big) {
     }
     let q = square.abs().sqrt();
     if square.is_negative() {
-        // The decay is combined with the hyperbolic functions, whose growing part would otherwise leave the range.
+        // The code combines the decay with the hyperbolic functions. Their growing part alone would leave the range
+        // of numbers.
         let (slow, fast) = (
             (-((zeta.clone() - q.clone()) * angle.clone())).exp(),
             (-((zeta.clone() + q.clone()) * angle)).exp(),
@@ -67,7 +68,7 @@ fn turning(zeta: &Big, turns: &Big) -> (Big, Big) {
     (decay.clone() * cos, decay * sin / q)
 }
 
-/// Returns five numbers: x² − 1, 2ζx, and the products of u R², g and g + 2ζRu (7.11, 7.12) with |x² − 1| + 2ζx.
+/// Returns five numbers: x² − 1, 2ζx, and u R², g and g + 2ζRu (7.11, 7.12), each multiplied by |x² − 1| + 2ζx.
 fn printed_response(x: &Big, zeta: &Big) -> Option<Vec<Big>> {
     let two_loss = zeta.clone().shifted(1) * x.clone();
     let re = x.clone() * x.clone() - one();
@@ -81,7 +82,7 @@ fn printed_response(x: &Big, zeta: &Big) -> Option<Vec<Big>> {
     } else {
         let e = (-(Big::pi() * zeta.clone() * x.clone())).exp();
         let (cos, sin_over_q) = turning(zeta, x);
-        // The result of `turning` already contains the factor e^{−a}.
+        // The result of `turning` already contains the factor e^{−a} of the decay.
         let d = one() + e.clone() * e.clone() + cos.shifted(1);
         let u = x.clone() * sin_over_q.clone().shifted(1) / d.clone();
         let g = (one() - e.clone() * e - zeta.clone().shifted(1) * sin_over_q) / d;
@@ -102,7 +103,7 @@ fn response<T: Real>(x: T, zeta: T) -> ModeResponse<T> {
     mode(x, zeta).response(T::constant(1.0), 0)
 }
 
-/// Results of [`Mode::response`]: real and imaginary part of the denominator, u, g, reversal.
+/// Results of [`Mode::response`]: real and imaginary part of the denominator of v, then u, g and the reversal term.
 pub struct Response;
 impl Formula for Response {
     const UNIT: Unit = Unit::Mixed;
@@ -121,9 +122,9 @@ impl Formula for Response {
     }
 }
 
-/// Results of [`Mode::response`] for modes that keep little of their motion over a half period. u and 1 − g then vanish
-/// compared with the inverse effective mass of the contact, to which they are added. The `size` of the error allows for
-/// this.
+/// Results of [`Mode::response`] for modes that keep little of their motion over a half period. u and 1 − g are then
+/// far below the inverse effective mass of the contact, to which they are added. The size that divides the error
+/// allows for this.
 pub struct DecayedResponse;
 impl Formula for DecayedResponse {
     const UNIT: Unit = Unit::Size;
@@ -184,9 +185,10 @@ fn fields<T>(basis: Basis<T>) -> Results<T> {
     ]
 }
 
-/// Returns the sizes of the results in time. The differences sin τ − p and cos τ − p′ are multiplied by damping
-/// functions that grow as 1/(|x − 1| + ζ) near the resonance. There a change of x explains none of their error. The
-/// first is compared with sin τ, the second with itself, and with 1 beyond τ = π/2.
+/// Returns the sizes that divide the errors of the results in time. The differences sin τ − p and cos τ − p′ are
+/// multiplied by damping functions that grow as 1/(|x − 1| + ζ) near the resonance. There a change of x explains none
+/// of the error of a difference. The size of the first difference is sin τ. The size of the second is the difference
+/// itself, or 1 for τ > π/2.
 fn in_time_scales(a: &Arguments, value: Results<f64>, moved: [Results<f64>; 3]) -> Results<f64> {
     let [x, zeta, t] = a.map(Dd::to_f64);
     let (distance, [by_x, by_zeta, by_t]) = ((x - 1.0).abs(), moved);
@@ -202,14 +204,14 @@ fn in_time_scales(a: &Arguments, value: Results<f64>, moved: [Results<f64>; 3]) 
     scales
 }
 
-/// Returns the effect of second order. 1 − d touches 0 after each whole turn. The effect is (xτε)²/2 over x², and as
-/// much for each other argument.
+/// Returns the second-order effect of a relative change of ε. 1 − d touches 0 after each whole turn. There the effect
+/// of each argument is (xτε)²/2, divided by x².
 fn in_time_curved(a: &Arguments) -> Results<f64> {
     let tau = a[2].to_f64() * std::f64::consts::PI;
     [0.0, 0.0, 0.0, 0.0, 2.0 * tau * tau]
 }
 
-/// Results of [`Damped::basis`]: p, p′, sin τ − p, cos τ − p′, (1 − d)/x².
+/// Results of [`Damped::basis`]: p, p′, sin τ − p, cos τ − p′, (1 − d)/x², with the free motions d and p of the mode.
 pub struct InTime;
 impl Formula for InTime {
     const UNIT: Unit = Unit::Size;
@@ -227,8 +229,8 @@ impl Formula for InTime {
     }
 }
 
-/// Results of [`Damped::basis`] after most of the motion has decayed. p and the other results are then compared with
-/// their initial sizes.
+/// Results of [`Damped::basis`] after most of the motion has decayed. The initial sizes of p and of the other results
+/// then divide their errors.
 pub struct DecayedInTime;
 impl Formula for DecayedInTime {
     const UNIT: Unit = Unit::Size;
@@ -245,7 +247,7 @@ impl Formula for DecayedInTime {
     }
 }
 
-/// Results of [`Undamped::basis`]. The second argument is 0.
+/// Results of [`Undamped::basis`]. The second argument ζ is 0.
 pub struct InTimeUndamped;
 impl Formula for InTimeUndamped {
     const UNIT: Unit = Unit::Size;

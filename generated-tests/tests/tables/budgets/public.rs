@@ -1,4 +1,4 @@
-//! Tests that every public function of the kernel has a row in the table, by reading the sources.
+//! Tests, by reading the sources, that every public function of the kernel has a row in the table.
 
 use crate::budgets::cases;
 use proc_macro2::{TokenStream, TokenTree};
@@ -8,7 +8,7 @@ use syn::{ImplItem, Item, TraitItem, Type, Visibility};
 
 const KERNEL: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../frictiongen-kernel/src");
 
-/// Functions that compute no numbers of their own. Each list has the reason.
+/// Functions that compute no numbers of their own. Each list comes with the reason.
 const NO_NUMBERS: [(&str, &[&str]); 4] = [
     (
         "hands on, picks or compares numbers as they are",
@@ -116,8 +116,8 @@ const NO_NUMBERS: [(&str, &[&str]); 4] = [
     ),
 ];
 
-/// Functions of whole scenes, whose error depends as much on the scene as on the function. Each list names the tests
-/// that measure them.
+/// Functions of whole scenes. Their errors depend on the scene as much as on the function. With each list comes the
+/// name of the tests that measure its functions.
 const WHOLE_SCENES: [(&str, &[&str]); 4] = [
     (
         "sums over modes and what is made of them: closed_form, backward",
@@ -252,7 +252,7 @@ fn collect(items: &[Item], module: &str, folder: &Path, found: &mut BTreeSet<Str
                     continue;
                 };
                 let name = &of_type.path.segments.last().expect("a name").ident;
-                // Methods of operator traits count. The kernel's own traits count once.
+                // Methods of operator traits count for each type. Methods of the kernel's own traits count once.
                 let operator = of.trait_.as_ref().is_some_and(|of| {
                     let name = format!("{}", of.0.segments.last().expect("a name").ident);
                     ["Add", "Sub", "Mul", "Div", "Neg"].contains(&name.as_str())

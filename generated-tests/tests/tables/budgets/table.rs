@@ -11,7 +11,7 @@ pub const PATH: &str = concat!(
 );
 const HEAD: &str = "function,result,scalar,unit,budget,worst,x,y,z,domain";
 
-/// One result of one function with one scalar.
+/// A row of the table: one result of one function with one scalar type.
 #[derive(Clone, Debug)]
 pub struct Row {
     pub function: String,
@@ -20,7 +20,7 @@ pub struct Row {
     pub unit: String,
     /// Largest error that the tests allow.
     pub budget: f64,
-    /// Largest error that was measured. `place` has its arguments.
+    /// Largest measured error. `place` has the arguments at which it occurred.
     pub worst: f64,
     pub place: Arguments,
     pub domain: String,
@@ -99,7 +99,8 @@ pub fn write(rows: &[Row]) {
     std::fs::write(PATH, text).expect("the table is written");
 }
 
-/// Returns the rows of a case in the order of its results. `None` if one is missing, or has another unit or domain.
+/// Returns the rows of a case, in the order of its results. Returns `None` if a row is missing or has another unit or
+/// domain.
 pub fn rows_of(table: &[Row], case: &Case) -> Option<Vec<Row>> {
     case.fields
         .iter()
@@ -117,8 +118,8 @@ pub fn rows_of(table: &[Row], case: &Case) -> Option<Vec<Row>> {
         .collect()
 }
 
-/// Returns a budget for a new row: the next of a few round numbers that leaves a margin of a tenth. Later the budget is
-/// changed by hand only.
+/// Returns a budget for a new row: the smallest of a few round numbers that leaves a margin of a tenth. Later changes
+/// of the budget are made by hand only.
 pub fn first_budget(worst: f64) -> f64 {
     const STEPS: [f64; 15] = [
         0.0, 0.5, 0.75, 1.0, 1.1, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0,

@@ -1,8 +1,9 @@
 //! Tests that every result of a table is within its declared accuracy.
 //!
-//! The reference is the exact system in double precision, which is itself uncertain by some roundings of r. Near a zero
-//! of a limit this uncertainty exceeds the accuracy. A result may therefore deviate further in two ways: by the change
-//! of the exact result over 16 roundings of r, and by the rounding of a large sum, which matters near zeros of V.
+//! The reference is the exact system in double precision, which is itself uncertain by several rounding units of r.
+//! Near a zero of a limit this uncertainty exceeds the accuracy. A result may therefore deviate by two more amounts:
+//! the change of the exact result for 16 rounding units of r, and the rounding of a large sum, which matters near
+//! zeros of V.
 
 use super::exact::{Exact, turn};
 use super::random;
@@ -13,14 +14,15 @@ use frictiongen::study::table::{FRICTION_SHARES, TableError};
 use frictiongen_kernel::Float;
 use fuzzing::Random;
 
-/// Number of roundings of r. A scene may be refused if this change of r changes β_lim by more than the accuracy.
+/// Number of rounding units of r. If this change of r changes β_lim by more than the accuracy, the builder may refuse
+/// the scene.
 const UNKNOWN: f64 = 64.0;
-/// Accuracy below which a scene of ten masses may also be refused. The motion of its last mass is what remains of far
-/// larger terms that cancel.
+/// Accuracy below which the builder may also refuse a scene of ten masses. The motion of the last mass is the
+/// remainder of far larger terms that cancel.
 const FINE: f64 = 1e-11;
 const RANGE: std::ops::Range<f64> = 0.2..2.5;
 
-/// Returns the number of random points of a scene.
+/// Returns the number of random points for each scene: the environment variable POINTS, or `default`.
 pub fn points(default: usize) -> usize {
     let asked = std::env::var("POINTS").ok();
     asked
@@ -28,16 +30,16 @@ pub fn points(default: usize) -> usize {
         .unwrap_or(default)
 }
 
-/// Worst results of a test at one accuracy.
+/// Results of a test at one declared accuracy.
 struct Tally {
     accuracy: f64,
     points: usize,
     compared: usize,
-    /// Number of scenes in which β*_lim has no product form.
+    /// Number of scenes in which β*_lim is not stored as a product.
     by_sums: usize,
     /// Number of points near a zero at which the exact result is too uncertain.
     skipped: usize,
-    /// Largest errors divided by the accuracy, of β_lim, β*_lim, amplitude and phase.
+    /// Largest errors of β_lim, β*_lim, amplitude and phase, each divided by the accuracy.
     worst: [f64; 4],
     failures: Vec<String>,
     /// Scenes for which no table could be built.
@@ -76,8 +78,9 @@ impl Tally {
                 let unmet = format!(
                     "{name} at {accuracy:e}: r = {at}, {reached:?}, a rounding of r moves β_lim by {known:.1e}"
                 );
-                // If an undamped mode hardly moves the contact, the influence of a subharmonic is only 10⁻⁹ of r wide.
-                // No table can follow a function that some roundings of r change.
+                // If the contact hardly touches an undamped mode, a subharmonic of the mode matters only in a
+                // relative range of r of 10⁻⁹. No table can follow a function that changes if r changes by a few
+                // rounding units.
                 let unknown = accuracy < UNKNOWN * known;
                 assert!(unknown || accuracy < FINE, "{unmet}");
                 self.unmet.push(unmet);
@@ -87,8 +90,8 @@ impl Tally {
         }
     }
 
-    /// Records one result by its relative error. If the error is above the accuracy, the noise of the reference is
-    /// subtracted.
+    /// Records one result by its relative error. If the error exceeds the accuracy, the method first subtracts the
+    /// noise of the reference.
     fn answer(&mut self, which: usize, error: f64, noise: impl FnOnce() -> f64, place: &Place<'_>) {
         self.compared += 1;
         let mut error = error / self.accuracy;
@@ -149,7 +152,7 @@ impl Tally {
     }
 }
 
-/// Returns the largest relative change of β_lim by a rounding of r, near a given r.
+/// Returns the largest relative change of β_lim if r changes by a rounding unit, near a given r.
 fn moved_by_a_rounding(exact: &System<f64>, at: f64) -> f64 {
     let limit = |r: f64| {
         let at = exact.at(r).expect("in the domain");
@@ -162,7 +165,7 @@ fn moved_by_a_rounding(exact: &System<f64>, at: f64) -> f64 {
     moves.fold(0.0, f64::max)
 }
 
-/// A point at which tables are compared. `share` is β over the smaller limit.
+/// A point at which tables are compared. `share` is β divided by the smaller limit.
 #[derive(Debug)]
 struct Place<'a> {
     #[expect(dead_code, reason = "printed")]
@@ -171,8 +174,8 @@ struct Place<'a> {
     share: f64,
 }
 
-/// Compares the tables of a scene, one for each tally. All are compared at the same points, because the exact results
-/// take most of the time.
+/// Compares the tables of a scene, one for each tally. All tables are compared at the same points, because the exact
+/// results take most of the time.
 fn check<S: Float>(name: &str, text: &str, points: usize, tallies: &mut [Tally]) {
     let exact: System<f64> = text.parse().expect("a scene");
     let system: System<S> = text.parse().expect("a scene");
@@ -241,14 +244,14 @@ fn told(what: &str, tally: &Tally) {
     }
 }
 
-/// Checks every chain at `each` of the accuracies, which take turns.
+/// Checks every chain at `each` of the accuracies. From chain to chain the accuracies take turns.
 fn chains<S: Float>(budgets: &[f64], each: usize, default: usize) {
     let count = points(default);
     let mut tallies: Vec<Tally> = budgets.iter().map(Tally::of).collect();
     let scalar = if S::EPSILON > 1e-10 { "f32" } else { "f64" };
     for (number, (name, text)) in scenes(scalar).into_iter().enumerate() {
         check::<S>(&name, &text, count, &mut tallies[..each]);
-        // The kinds of chains repeat. One more turn now and then lets each accuracy meet every kind.
+        // The kinds of chains repeat. An additional turn for every eleventh chain lets each accuracy meet every kind.
         let turn = each + usize::from(number % 11 == 10);
         tallies.rotate_left(turn % budgets.len());
     }
@@ -332,7 +335,8 @@ fn of_random_scenes_whole() {
     random_scenes(&[1e-2, 1e-3, 1e-4, 1e-6, 1e-9], 100, 100_000);
 }
 
-/// Checks a mode that the contact drives and the load does not. It is a pole of H alone, at which β*_lim vanishes.
+/// Checks a mode that the contact drives and the load does not. It is a pole of H but not of V, so β*_lim vanishes
+/// there.
 #[test]
 fn of_a_mode_that_the_load_does_not_drive() {
     for damping in ["none", "modal(0.03)"] {

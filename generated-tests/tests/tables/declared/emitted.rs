@@ -1,5 +1,5 @@
-//! Tests scenes that declare an accuracy, through the macro. Their tables equal those of the run-time system bit for
-//! bit.
+//! Tests scenes that declare an accuracy and are emitted by the macro. Their tables equal those of the run-time
+//! system bit for bit.
 
 use frictiongen::kernel::table::Tabled;
 use frictiongen::study::scene::Side;
@@ -159,8 +159,8 @@ fn of_the_run_time_system() {
     assert_eq!(compared, 3003);
 }
 
-/// Checks that code for regimes that the declared friction ratios cannot reach is left out, and that no result changes
-/// by this.
+/// Checks that emitted code contains nothing for regimes that the declared friction ratios cannot reach. No result
+/// changes by this.
 #[test]
 fn out_of_reach() {
     let domain = Sliding.domain();
@@ -211,13 +211,14 @@ fn out_of_reach() {
         }
     }
     assert!(seen[0] > 300 && seen[1] > 300, "{seen:?}");
-    // No code is left out if no friction ratios are declared, or if exact formulas are used for β beyond them.
+    // The code is complete if the scene declares no friction ratios, or if exact formulas serve for β outside the
+    // declared range.
     for domain in [Damped.domain(), ExactBeyond.domain()] {
         assert!(!domain.always_continuous && !domain.never_stuck);
     }
 }
 
-/// Checks that quantities without a table come from the exact formulas, to the bit.
+/// Checks that quantities without a table have exactly the values of the exact formulas.
 #[test]
 fn the_rest_is_exact() {
     let text = DAMPED.split("accuracy").next().unwrap().to_owned() + "}";
@@ -264,7 +265,7 @@ fn the_rest_is_exact() {
     }
 }
 
-/// Returns the error for a friction ratio that the tables do not contain.
+/// Returns the error for a friction ratio that is outside the domain of the tables.
 fn friction_error(beta: f64) -> OutOfDomain {
     match Given::of(beta) {
         Given::Positive | Given::Zero => OutOfDomain::OutsideTables(Ratio::Friction),
@@ -281,7 +282,7 @@ fn beyond_the_range() {
     assert_eq!(Damped::at(f64::NAN).map(drop), none);
     assert_eq!(Damped::at(f64::INFINITY).map(drop), out);
     assert!(Damped::at(0.2).is_ok() && Damped::at(2.5).is_ok());
-    // β beyond the declared range is an error.
+    // β outside the declared range gives an error.
     let at = Undamped::at(0.9).unwrap();
     assert_eq!(at.regime(1.5), Err(friction_error(1.5)));
     assert_eq!(at.margin(f64::NAN), Err(friction_error(f64::NAN)));
@@ -292,7 +293,7 @@ fn beyond_the_range() {
         out
     );
     assert!(continuous[0] > 0.0 && continuous[1] == 0.0);
-    // With `beyond: exact` the exact formulas are used.
+    // With `beyond: exact` the exact formulas answer outside the declared range.
     let exact: System = EXACT_BEYOND
         .split("accuracy")
         .next()
@@ -319,7 +320,7 @@ fn beyond_the_range() {
     assert!(ExactBeyond::at(1.0).unwrap().is_within());
 }
 
-/// Checks that regimes are right, except within the accuracy of a limit.
+/// Checks the regimes. They may be wrong only if β is within the accuracy of a limit.
 #[test]
 fn regimes() {
     let text = DAMPED.split("accuracy").next().unwrap().to_owned() + "}";
@@ -355,7 +356,7 @@ fn regimes() {
     assert_eq!(Damped::at(1.0).unwrap().regime(1e6), Ok(Regime::Stuck));
 }
 
-/// Checks that above 0.98 of β_lim the error grows as 1/(1 − (β/β_lim)²), as `docs/tables.md` states.
+/// Checks that for β > 0.98 β_lim the error grows as 1/(1 − (β/β_lim)²), as `docs/tables.md` states.
 #[test]
 fn close_to_the_limit() {
     let system: System = (DAMPED.split("accuracy").next().unwrap().to_owned() + "}")
@@ -400,7 +401,8 @@ fn the_safe_side() {
     println!("β_lim below the exact one by {least:.1e} to {most:.1e}");
 }
 
-/// Checks that with `budget` the most accurate table that fits is used, and that the doc comment states its accuracy.
+/// Checks that with `budget` the macro uses the most accurate table that fits, and that the doc comment states its
+/// accuracy.
 #[test]
 fn a_budget() {
     let system: System = (BYTES.split("provide").next().unwrap().to_owned() + "}")
@@ -425,7 +427,7 @@ fn a_budget() {
     assert!(worst <= tables.request.accuracy);
 }
 
-/// Checks that the same generic sweep, map or fit accepts scenes with tables.
+/// Checks that generic functions for sweeps, maps or fits accept scenes with tables.
 #[test]
 fn through_the_traits() {
     fn narrowest<F: FrictionSystem<Scalar = f64>>(system: &F) -> f64 {

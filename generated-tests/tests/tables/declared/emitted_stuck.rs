@@ -1,4 +1,4 @@
-//! Tests the responses while the contact is stuck, of scenes that declare an accuracy, through the macro.
+//! Tests the responses while the contact is stuck, of scenes that declare an accuracy and are emitted by the macro.
 
 use frictiongen::{Given, OutOfDomain, Ratio, StuckAt, StuckResonance, System, friction_system};
 use frictiongen_kernel::Complex;
@@ -109,7 +109,8 @@ fn ratios(low: f64, high: f64) -> impl Iterator<Item = f64> {
     (0..=1000).map(move |k| low + (high - low) * f64::from(k) / 1000.0)
 }
 
-/// Asserts at ten thousand points that each mass and the force are within `allowed` of the exact modulus.
+/// Asserts at ten thousand points that the error of each mass and of the force is within `allowed` of the exact
+/// modulus.
 macro_rules! within {
     ($scene:ident, $text:ident, $scalar:ident, $range:expr, $allowed:expr, [$($mass:ident),*]) => {{
         let (range, system) = ($range, exact($text));
@@ -194,8 +195,8 @@ fn of_the_run_time_system() {
     as_at_run_time!(Single, SINGLE, f32, 0.2..2.5, 1e-5);
 }
 
-/// Checks the response on a pole. If the upper mass sticks, the lower one is on springs of 1 and 3. The response is
-/// infinite at its resonance r = 2.
+/// Checks the response on a pole. While the upper mass sticks, the lower mass is on springs of 1 and 3. Its response
+/// is infinite at the resonance r = 2.
 #[test]
 fn on_a_pole() {
     let resonance = OnTwo::at(2.0).unwrap().stuck();
@@ -204,7 +205,7 @@ fn on_a_pole() {
     let tables = tabled.compile(0.3..2.5, 1e-6).unwrap();
     let resonance = tables.at(2.0).unwrap().stuck();
     assert_eq!(resonance.map(drop), Err(StuckResonance));
-    // At the resonance the exact sums return an error, or a value of the order of 1/rounding.
+    // At the resonance the exact sums return an error, or a response of the order of 1/ε.
     if let Ok(stuck) = exact(ON_TWO).at(2.0).unwrap().stuck() {
         assert!(stuck.mass("lower").unwrap().re.abs() > 1e14);
     }
@@ -230,7 +231,7 @@ fn beyond_the_range() {
         let (stuck, reference) = (at.stuck().unwrap(), system.at(r).unwrap().stuck().unwrap());
         assert_eq!(stuck.contact_force(), reference.contact_force());
         let close = |answer: Complex<f64>, expected: Complex<f64>| {
-            // The emitted sum and the run-time sum are rounded in a different order.
+            // The emitted sum and the run-time sum add their terms in different orders.
             let size = expected.re.hypot(expected.im);
             assert!(
                 apart(answer, expected) <= 1e-14 * size,
@@ -247,7 +248,8 @@ fn beyond_the_range() {
     assert_eq!(Five::at(f64::NAN).map(drop), none);
 }
 
-/// Checks that the exact formulas are used, to the bit, if the products do not fit.
+/// Checks that the responses have exactly the values of the exact formulas if the products do not fit into the
+/// budget.
 #[test]
 fn without_products() {
     for r in ratios(0.3, 2.0) {
@@ -258,7 +260,7 @@ fn without_products() {
             assert_eq!(stuck.mass(mass), exact.mass(mass));
         }
     }
-    // In other scenes the products are used. Their rounding differs from that of the exact formulas.
+    // In other scenes the products answer. Their rounding errors differ from those of the exact formulas.
     let differs = |r: &f64| {
         let stuck = Five::at(*r).unwrap().stuck().unwrap();
         stuck.a() != stuck.exact().mass(0)

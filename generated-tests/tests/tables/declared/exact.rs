@@ -1,4 +1,4 @@
-//! Computes exact results at one frequency ratio in double precision, and their uncertainty by rounding.
+//! Computes exact results at one frequency ratio in double precision, and their uncertainty from rounding.
 
 use frictiongen::System;
 use frictiongen::study::SystemAt;
@@ -6,13 +6,13 @@ use frictiongen_kernel::Float;
 use std::cell::OnceCell;
 use std::f64::consts::PI;
 
-/// Relative distance from a resonance below which a rounding of the resonance changes an amplitude by more than the
-/// accuracy.
+/// Relative distance from a resonance. At a smaller distance a rounding unit of the resonance changes an amplitude by
+/// more than the accuracy.
 const BESIDE: f64 = 1e-13;
-/// Number of roundings of r whose effect counts as noise.
+/// Number of rounding units of r. The effect of this change of r counts as noise.
 const ROUNDINGS: f64 = 16.0;
 
-/// Both limits, and a motion at the fraction `share` of the smaller limit.
+/// Both limits at one r, and the motion of the contact at β = `share` times the smaller limit.
 pub struct Exact<'a> {
     system: &'a System<f64>,
     r: f64,
@@ -30,12 +30,13 @@ pub struct Motion {
     pub answer: Option<[f64; 2]>,
 }
 
-/// Allowed differences of the results. They are the effect of some roundings of r, and the rounding of sums.
+/// Allowed differences of the results: the effect of a change of r by `ROUNDINGS` rounding units, and the rounding of
+/// sums.
 #[derive(Default)]
 pub struct Noise {
     pub limits: [f64; 2],
     pub motion: [f64; 2],
-    /// True if β_lim is known to a tenth of its value. Closer to its zeros there is no motion to compare.
+    /// True if β_lim is known to a tenth of its value. Closer to its zeros no motion is compared.
     pub known: bool,
 }
 
@@ -45,8 +46,8 @@ pub fn turn(angle: f64) -> f64 {
 }
 
 impl<'a> Exact<'a> {
-    /// Computes the results. Returns `None` if r is so close to a zero that its rounding is more than 10⁻⁴ of the
-    /// distance.
+    /// Computes the results. Returns `None` if r is so close to a resonance or one of its odd subharmonics that a
+    /// rounding unit is more than 10⁻⁴ of the distance.
     pub fn at<S: Float>(system: &'a System<f64>, r: f64, share: f64) -> Option<Self> {
         let near = |sigma: &f64| {
             let order = 2.0 * (0.5 * (sigma / r - 1.0)).round() + 1.0;
@@ -60,7 +61,7 @@ impl<'a> Exact<'a> {
         let limits = at.limits();
         let limits = [limits.continuous, limits.sliding];
         let limit = limits[0].min(limits[1]);
-        // Within rounding of a zero of a limit there is no motion to compare.
+        // If a limit is nearly zero by rounding, there is no motion to compare.
         let beside = |sigma: &f64| (r / sigma - 1.0).abs() < BESIDE.max(S::EPSILON);
         let asked = limit > 1e-9 && !system.resonances().iter().any(beside);
         let motion = asked.then(|| {
@@ -79,7 +80,7 @@ impl<'a> Exact<'a> {
         })
     }
 
-    /// Returns the noise, which is computed when it is first needed, because it takes another search.
+    /// Returns the noise of the results. It takes another search, so the method computes it only on the first call.
     pub fn noise(&self) -> &Noise {
         self.noise.get_or_init(|| {
             let moved = self.system.at(self.r * (1.0 + ROUNDINGS * f64::EPSILON));

@@ -1,5 +1,5 @@
-//! Solves a chain with its contact stuck from its equations of motion in double-double. The equations follow from
-//! masses and springs, and use the modes only for the damping.
+//! Solves the equations of motion of a chain with its contact stuck in double-double. The equations follow from
+//! masses and springs. They use the modes only for the damping.
 
 use frictiongen::System;
 use frictiongen::study::scene::{Excitation, Node, Scene};
@@ -14,7 +14,7 @@ pub struct HeldChain {
     damping: Vec<Vec<Dd>>,
     load: Vec<Dd>,
     contact: Vec<Dd>,
-    /// Coefficient of the base motion in the relative motion of the contact.
+    /// Coefficient of the base motion in the contact's relative motion.
     carried: Dd,
 }
 
@@ -84,7 +84,7 @@ impl HeldChain {
         }
     }
 
-    /// Returns the amplitudes of all masses, then that of the contact force.
+    /// Returns the complex amplitudes of all masses at r, then the complex amplitude of the contact force.
     pub fn responses(&self, r: f64) -> Vec<Complex<Dd>> {
         let r = Dd::from(r);
         let count = self.masses.len();
@@ -111,7 +111,7 @@ impl HeldChain {
     }
 }
 
-/// Solves a system of equations by Gauss's elimination with the largest pivots. The last column is the right-hand side.
+/// Solves a system of linear equations by Gaussian elimination with pivoting. The last column is the right-hand side.
 fn solved(mut rows: Vec<Vec<Complex<Dd>>>) -> Vec<Complex<Dd>> {
     let count = rows.len();
     let size = |a: &Complex<Dd>| a.re.to_f64().hypot(a.im.to_f64());

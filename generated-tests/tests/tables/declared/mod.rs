@@ -1,4 +1,4 @@
-//! Tests tables of declared accuracy against the exact results, at points that the builder of the tables did not use.
+//! Compares tables of declared accuracy with the exact results, at points that the builder of the tables did not use.
 
 mod accuracy;
 mod bad_input;

@@ -1,4 +1,4 @@
-//! Tests the proven bounds on β_lim, at points that neither the builder nor the proof used.
+//! Tests the proven bounds on β_lim, at points that neither the builder of the table nor the proof used.
 
 use super::random;
 use super::scenes::{scene, scenes};
@@ -11,11 +11,11 @@ use fuzzing::Random;
 use std::time::Instant;
 
 const RANGE: (f64, f64) = (0.2, 2.5);
-/// Relative error by rounding of a sum in double precision.
+/// Relative rounding error of a sum in double precision.
 const ROUNDING: f64 = 1e-9;
 
-/// Builds and proves a table, and checks that no random r outside the open intervals exceeds the bound. Returns the
-/// fraction of the range without a proof, or `None` without a table.
+/// Builds a table and proves it. Checks that at no random r outside the open intervals the error exceeds the proven
+/// bound. Returns the fraction of the range without a proof, or `None` if no table can be built.
 fn held(name: &str, text: &str, accuracy: f64, points: usize, random: &mut Random) -> Option<f64> {
     let system: System = text.parse().expect("a scene");
     let request = Request {
@@ -72,7 +72,7 @@ fn held(name: &str, text: &str, accuracy: f64, points: usize, random: &mut Rando
 /// Largest fraction of the range of an undamped chain that may remain without a proof.
 const OPEN: f64 = 0.004;
 
-/// Checks one of every `step` chains.
+/// Checks the proven bounds of one of every `step` chains.
 fn chains(accuracy: f64, points: usize, step: usize) {
     let (mut random, mut seen) = (Random(44), 0);
     for (name, text) in scenes("f64").into_iter().step_by(step) {
@@ -84,8 +84,8 @@ fn chains(accuracy: f64, points: usize, step: usize) {
     assert_eq!(seen, 44_usize.div_ceil(step));
 }
 
-/// Checks that damped chains are proven over the whole range. Undamped chains are proven except near zeros and near one
-/// or two resonances.
+/// Checks that damped chains are proven over the whole range of r. Undamped chains are proven except near zeros and
+/// near one or two resonances.
 #[test]
 fn of_some_chains() {
     chains(1e-3, 500, 5);
@@ -98,7 +98,7 @@ fn of_all_chains() {
     chains(1e-4, 20_000, 1);
 }
 
-/// Checks that the proven bounds on random scenes are true.
+/// Checks that the proven bounds of random scenes are right.
 #[test]
 fn of_random_scenes() {
     let mut scenes = Random(20_261_123);
@@ -118,8 +118,8 @@ fn of_random_scenes() {
     assert!(open / f64::from(tables) < 0.25, "{open} of {tables}");
 }
 
-/// Prints the fraction of the range without a proof and the work, as minimum and maximum over the chains of a kind.
-/// β*_lim is always proven over the whole range.
+/// Prints the fraction of the range without a proof and the work of the proof, each as minimum and maximum over the
+/// chains of a kind. β*_lim is always proven over the whole range.
 fn measured<S: Float>(accuracies: &[f64]) -> usize {
     let scalar = if S::EPSILON > 1e-10 { "f32" } else { "f64" };
     let mut seen = 0;
@@ -176,7 +176,7 @@ fn how_much() {
     assert_eq!((f64s, f32s), (3 * 44, 3 * 44));
 }
 
-/// Checks that the macro proves as much as a command does, for the same numbers, if the scene requests a proof.
+/// Checks that the macro proves as much as the command for the same table, if the scene requests a proof.
 #[test]
 fn where_the_scene_asks() {
     let read = |text: &str| parse_text(text, &SizeLimits::MACRO).expect("a scene");
@@ -193,7 +193,7 @@ fn where_the_scene_asks() {
         };
         let (quick, whole) = (with(""), with("proof: whole"));
         let source = pretty(&whole).unwrap();
-        // The documentation quotes the description, which differs.
+        // The documentation quotes the description, which differs between the scenes, so it is left out.
         let code = |read: &Description| {
             let text = pretty(read).unwrap();
             let lines = text
@@ -216,8 +216,8 @@ fn where_the_scene_asks() {
     }
 }
 
-/// Checks that without a request the macro proves chains of one to five masses, and damped chains of ten, as far as a
-/// command does. Of the longer chains it checks those with a contact between two masses.
+/// Checks what the macro proves without a request: chains of one to five masses, and damped chains of ten, as far as
+/// the command proves them. Among the longer chains it checks those with a contact between two masses.
 #[test]
 fn unasked() {
     assert_eq!(
@@ -234,7 +234,7 @@ fn unasked_whole() {
     assert_eq!(unasked_where(|_| true), 4 + 6 + 6 + 3);
 }
 
-/// Checks the chains whose names are chosen, and returns their number.
+/// Checks the chains whose names `chosen` selects, and returns their number.
 fn unasked_where(chosen: impl Fn(&str) -> bool) -> usize {
     let mut seen = 0;
     for (name, text) in scenes("f64") {
@@ -262,7 +262,8 @@ fn unasked_where(chosen: impl Fn(&str) -> bool) -> usize {
     seen
 }
 
-/// Checks that without the feature `proof` a macro checks the same numbers, and refuses `proof: whole` at its value.
+/// Checks that without the feature `proof` a macro checks the same table, and refuses `proof: whole` at the value
+/// `whole`.
 #[test]
 fn without_the_feature() {
     let limits = SizeLimits {
@@ -294,7 +295,7 @@ fn without_the_feature() {
     assert!(told.starts_with(&format!("{line}:8:")), "{told}");
 }
 
-/// Checks a byte budget in place of an accuracy. No table that could only be checked, but not proven, is used.
+/// Checks a byte budget in place of an accuracy. The macro must use no table that can be checked but not proven.
 #[test]
 fn within_a_budget() {
     let text = scene("Wall", 1, "modal(0.02)", "1", "f64");
@@ -314,7 +315,7 @@ fn within_a_budget() {
     assert_eq!(with("proof: whole"), (1e-6, Evidence::Proven));
 }
 
-/// Returns the proofs of β_lim and of the motion, and the numbers of a table as text.
+/// Returns the proofs of β_lim and of the motion, and the numbers of the table as text.
 fn known(tables: &SceneTables) -> ([Proof; 2], String) {
     fn of<S: Float>(tables: &Tables<S>) -> ([Proof; 2], String) {
         (

@@ -1,9 +1,9 @@
 //! Defines chains of 1, 2, 5 and 10 equal masses and springs with every contact, undamped and damped, with μ = 1 and
-//! 1.2.
+//! μ = 1.2.
 
 use std::fmt::Write as _;
 
-/// Returns the 44 scenes with their names.
+/// Returns the 44 scenes, each as its name and its description.
 pub fn scenes(scalar: &str) -> Vec<(String, String)> {
     let mut scenes = Vec::new();
     for count in [1_usize, 2, 5, 10] {
@@ -22,9 +22,9 @@ pub fn scenes(scalar: &str) -> Vec<(String, String)> {
     scenes
 }
 
-/// Returns the description of a scene. For `Wall` the last mass rubs on a wall, and the first one is driven. For `Base`
-/// the base moves, and the first mass rubs on it. For `Pair` the first two masses rub on each other, and the last one
-/// is driven.
+/// Returns the description of a scene. For `Wall` the last mass rubs on a wall, and the load acts on the first mass.
+/// For `Base` the base moves, and the first mass rubs on it. For `Pair` the first two masses rub on each other, and
+/// the load acts on the last mass.
 pub fn scene(kind: &str, count: usize, damping: &str, stiction: &str, scalar: &str) -> String {
     let mut text = format!("struct {kind}{count} {{ masses: {{ ");
     for mass in 0..count {

@@ -1,16 +1,16 @@
 //! Tests which limit is the smaller one (section 10 of `docs/derivation.md`). With μ = 1 it is β_lim, so β_lim alone
-//! decides if a continuous motion exists.
+//! decides whether a continuous motion exists.
 
 use super::random;
 use super::scenes::scenes;
 use frictiongen::{LimitsAt, NotContinuous, Regime, System};
 use fuzzing::Random;
 
-/// Relative difference below which rounding may exchange two equal limits.
+/// Relative difference up to which rounding may exchange the order of two equal limits.
 const ROUNDINGS: f64 = 1e-9;
 
-/// Compares the limits over r from 0.02 to 20. `seen` counts the comparisons, and those in which β*_lim is smaller by a
-/// per cent. The r of the latter are returned.
+/// Compares the limits for r from 0.02 to 20. `seen` counts the comparisons, and the comparisons in which β*_lim is
+/// smaller by at least a per cent. Returns the r of the latter.
 fn compared(text: &str, random: &mut Random, seen: &mut [usize; 2]) -> Vec<f64> {
     let system: System = text.parse().unwrap();
     let mut turned = Vec::new();
@@ -32,7 +32,7 @@ fn compared(text: &str, random: &mut Random, seen: &mut [usize; 2]) -> Vec<f64> 
     turned
 }
 
-/// Checks that with μ = 1 the contact cannot stick where it can slide all the time.
+/// Checks that with μ = 1 the contact cannot stick at an r and β at which it can slide all the time.
 #[test]
 fn beta_lim_without_stiction() {
     let mut random = Random(31);
@@ -52,8 +52,8 @@ fn beta_lim_without_stiction() {
     assert!(seen[0] > 60 * 150 && seen[1] == 0, "{seen:?}");
 }
 
-/// Checks that with larger μ both a closed form and a stuck state may exist. This happens near a resonance from μ = 4/π
-/// on, as with the exact formulas.
+/// Checks that with a larger μ the closed form and a stuck state may both exist. Near a resonance this happens from μ
+/// = 4/π on, for tables as for the exact formulas.
 #[test]
 fn both_where_both_are_possible() {
     let mut random = Random(32);
@@ -83,7 +83,7 @@ fn both_where_both_are_possible() {
                 error < 1e-3,
                 "{name}: {motion:?} for {expected:?} at r = {r}"
             );
-            // Below both limits or above both, only one state exists.
+            // If β is below both limits or above both limits, only one state exists.
             let (below, above) = (0.99 * limits.sliding, 1.01 * limits.continuous);
             assert_eq!(at.regime(below), Ok(Regime::Continuous), "{name}");
             assert!(at.motion(below).is_ok(), "{name}");

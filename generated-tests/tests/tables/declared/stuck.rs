@@ -1,9 +1,9 @@
-//! Tests the responses while the contact is stuck, as products over zeros and poles, at points that their builder did
-//! not use.
+//! Tests the responses while the contact is stuck, as products over zeros and poles, at points that the builder of
+//! the products did not use.
 //!
-//! The reference is the equations of motion, bordered by the condition that the contact does not move, solved in
-//! double-double. It uses neither receptances nor zeros. At many more points the reference is the exact system. A
-//! result may also deviate by the change of the exact result over 16 roundings of r.
+//! The reference solves the equations of motion in double-double, with the condition that the contact does not move
+//! as one more equation. It uses neither receptances nor zeros. At many more points the reference is the exact
+//! system. A result may additionally deviate by the change of the exact result for 16 rounding units of r.
 
 use super::accuracy::points;
 use super::held_chain::HeldChain;
@@ -17,13 +17,13 @@ use frictiongen_kernel::{Complex, Float};
 use fuzzing::Random;
 
 const RANGE: std::ops::Range<f64> = 0.2..2.5;
-/// Number of roundings of r that count as noise.
+/// Number of rounding units of r. The effect of this change of r counts as noise.
 const ROUNDINGS: f64 = 16.0;
-/// Relative distance from an undamped resonance or antiresonance below which the rounding of r is more than a hundredth
-/// of the distance.
+/// Relative distance from an undamped resonance or antiresonance. At a smaller distance, a rounding unit of r is more
+/// than a hundredth of the distance.
 const BESIDE: f64 = 1e-14;
 
-/// Rounding error that elimination leaves for a mass that does not move, divided by the largest response.
+/// Motion that elimination gives a mass that does not move, divided by the largest response. It is rounding only.
 const STILL: f64 = 1e-14;
 
 /// Worst results of a test.
@@ -67,8 +67,8 @@ fn apart(a: Complex<Dd>, b: Complex<Dd>) -> f64 {
     size(Complex::new(a.re - b.re, a.im - b.im))
 }
 
-/// Compares all responses of a scene at one r. `expected` is exact at r, and `moved` is exact some roundings away from
-/// r.
+/// Compares all responses of a scene at one r. `expected` has the exact responses at r, and `moved` those at a
+/// frequency that is `ROUNDINGS` rounding units away.
 fn compare<S: Float>(
     name: &str,
     forms: &[&HeldForm<S>],
@@ -91,8 +91,8 @@ fn compare<S: Float>(
         let answer = Complex::new(answer.re.to_f64(), answer.im.to_f64());
         let answer = Complex::new(Dd::from(answer.re), Dd::from(answer.im));
         if let HeldForm::Fixed(_) = form {
-            // For a mass that does not move, elimination leaves roundings. At 10⁻¹² from a resonance half of the 30
-            // digits are lost.
+            // For a mass that does not move, elimination leaves rounding errors. At a relative distance of 10⁻¹² from
+            // a resonance half of the 30 digits are lost.
             let off = apart(answer, expected) / largest;
             assert!(off < STILL, "{name}: {place} at {r}: {off:e}");
             tally.compared += 1;
@@ -117,8 +117,8 @@ fn compare<S: Float>(
     }
 }
 
-/// Compares every response of a scene at random points, at the bounds, and next to zeros and poles. The error must be
-/// within `allowed` of the modulus.
+/// Compares every response of a scene at random points, at the bounds of the range, and next to zeros and poles. The
+/// error must be at most `allowed` times the modulus.
 fn check<S: Float>(
     (name, text): (&str, &str),
     held: &Held<S>,
@@ -166,7 +166,7 @@ fn told(what: &str, tally: &Tally) {
     assert!(tally.skipped * 100 < tally.compared);
 }
 
-/// Checks that every chain reaches the most accurate table that its scalar allows.
+/// Checks that every chain reaches the most accurate table that its scalar type allows.
 fn chains<S: Float>(scalar: &str, points: usize, finest: f64) {
     let mut tally = Tally::default();
     for (name, text) in scenes(scalar) {
@@ -199,7 +199,7 @@ fn stuck_of_chains_whole() {
     chains::<f32>("f32", 100_000, 2e-6);
 }
 
-/// Checks at many points that every chain is within 1e-4 of the exact system.
+/// Checks at many points that every response of every chain is within 1e-4 of that of the exact system.
 fn beside_the_system<S: Float>(scalar: &str, points: usize) {
     let mut tally = Tally::default();
     let wide = |own: Complex<f64>| Complex::new(Dd::from(own.re), Dd::from(own.im));
@@ -245,8 +245,8 @@ fn stuck_beside_the_system_whole() {
     beside_the_system::<f32>("f32", points(1_000_000));
 }
 
-/// Checks random scenes, including graphs and overdamped modes. Their responses are within the accuracy if the products
-/// keep it.
+/// Checks random scenes, including graphs and overdamped modes. If the products can reach the accuracy, the responses
+/// must be within it.
 fn random_scenes<S: Float>(scalar: &str, count: usize, points: usize, accuracy: f64, most: usize) {
     let mut random = Random(20_261_123);
     let (mut tally, mut left) = (Tally::default(), 0);

@@ -1,4 +1,5 @@
-//! Tests that the check detects a wrong table, in which one coefficient differs by ten times the accuracy.
+//! Tests that the check of a table detects a wrong table. One coefficient of the table is changed by ten times the
+//! accuracy.
 
 use super::scenes::scene;
 use frictiongen::System;

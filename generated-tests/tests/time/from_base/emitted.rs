@@ -1,5 +1,5 @@
-//! Emitted code against the run-time system: straight lines for one and two masses, sums for three, passes for
-//! seventeen, and constant tables of a step.
+//! Compares emitted code with the run-time system, with damping relative to the moving base: straight-line code for
+//! one and two masses, sums for three, loops over the modes for seventeen, and the constant tables of a step.
 
 use frictiongen::{
     ContinuousMotion, FrictionSystem, LimitsAt, MotionAt, Of, Steady, StepLoad, Stepping, Steps,
@@ -68,7 +68,7 @@ scenes! {
     }
 }
 
-/// Tolerance in roundings: both sides evaluate the same formulas, with sums in the same order.
+/// Relative tolerance. Both sides evaluate the same formulas, with sums in the same order.
 const BAR: f64 = 1e-13;
 
 fn close(one: f64, other: f64, what: &str) {
@@ -78,7 +78,7 @@ fn close(one: f64, other: f64, what: &str) {
     );
 }
 
-/// Compares limits and motions over frequency.
+/// Compares limits and motions at several frequency ratios.
 fn compare<F>(name: &str, emitted: &F, masses: &[usize])
 where
     F: FrictionSystem<Scalar = f64>,
@@ -178,7 +178,7 @@ fn stuck_responses_and_steady_states() {
     }
 }
 
-/// Follows a stepper under an irregular ground motion, and returns all its numbers.
+/// Runs a stepper under an irregular ground motion, and returns all numbers that it reports.
 fn follow<T: Stepping<Scalar = f64>>(mut stepper: T, masses: usize) -> Vec<f64> {
     let mut said = Vec::new();
     for step in 0..2000 {
@@ -206,7 +206,7 @@ fn follow<T: Stepping<Scalar = f64>>(mut stepper: T, masses: usize) -> Vec<f64> 
 #[test]
 fn steppers() {
     let bits = |values: Vec<f64>| values.into_iter().map(f64::to_bits).collect::<Vec<_>>();
-    // The step of the constant tables is another one.
+    // The scene declares another step for its constant tables, so this stepper computes its tables.
     let own = follow(Steps::stepper(&One, 1.1e-3).expect("a step"), 1);
     let system_of = |name| system(name);
     let one = system_of("One");
@@ -220,7 +220,7 @@ fn steppers() {
         bits(own),
         bits(follow(Steps::stepper(&two, 1e-3).expect("a step"), 2))
     );
-    // A base that moves at a constant velocity carries the masses along, and damping takes ever less.
+    // The base moves at a constant velocity and carries the masses along, so damping takes less and less energy.
     let mut carried = Two::stepper(1e-3).expect("a step");
     let mut single = One::stepper(1e-3).expect("a step");
     for step in 1..=20_000 {
@@ -239,10 +239,11 @@ fn steppers() {
         single.advance(input).expect("a sound input");
     }
     assert!((single.m().displacement() - 2.0).abs() < 1e-6);
-    // The wall holds the upper mass back: from then on damping resists the base and takes as much as the base gives.
+    // The wall holds the upper mass back. From then on damping resists the base and takes as much energy as the base
+    // gives.
     let work = carried.work();
     assert!(0.0 < work.damping && work.damping < work.load, "{work:?}");
-    // Constant tables are rounded once.
+    // Constant tables are rounded only once, so the results differ by rounding.
     let own = follow(Steps::stepper(&One, 1e-3).expect("a step"), 1);
     let other = follow(Steps::stepper(&one, 1e-3).expect("a step"), 1);
     let size = other

@@ -1,5 +1,6 @@
-//! Damping that acts on velocities relative to the moving base, against programs with dense matrices: a complex linear
-//! system for the motion without friction, and the plain integrator of the stepper's tests for motions with friction.
+//! Compares damping that acts on velocities relative to the moving base with programs that use dense matrices: a
+//! complex linear system for the motion without friction, and the plain integrator of the stepper's tests for motions
+//! with friction.
 
 mod emitted;
 mod random;
@@ -7,7 +8,7 @@ mod record;
 
 use frictiongen::System;
 
-/// The transmissibility of the textbooks, √((1 + (2ζR)²)/((1 − R²)² + (2ζR)²)).
+/// Returns the transmissibility of textbooks, √((1 + (2ζR)²)/((1 − R²)² + (2ζR)²)), with R = r for one mass.
 fn textbook(r: f64, zeta: f64) -> f64 {
     let loss = (2.0 * zeta * r).powi(2);
     ((1.0 + loss) / ((1.0 - r * r).powi(2) + loss)).sqrt()
@@ -21,7 +22,7 @@ fn isolator(contact: &str) -> System {
     text.parse().expect("a scene")
 }
 
-/// The isolator without friction over r = 0 to 10, with its contact on the base and on the wall.
+/// Checks the isolator without friction for r from 0 to 10, with its contact on the base and on the wall.
 #[test]
 fn isolator_of_the_textbooks() {
     let mut compared = 0;
@@ -31,7 +32,7 @@ fn isolator_of_the_textbooks() {
             let r = f64::from(step) / 200.0;
             let at = system.at(r).expect("in the domain");
             let Ok(motion) = at.motion(0.0) else {
-                // At r = 0 nothing slides.
+                // At r = 0 the contact does not slide.
                 assert_eq!(step, 0);
                 continue;
             };
@@ -52,7 +53,7 @@ fn isolator_of_the_textbooks() {
     println!("{compared} transmissibilities");
 }
 
-/// Without damping, and in a scene whose base is at rest relative to nothing, the field changes no digit.
+/// Checks that without damping the field `damping_from` changes no digit.
 #[test]
 fn without_damping_nothing_changes() {
     let text =

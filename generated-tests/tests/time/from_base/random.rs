@@ -1,4 +1,4 @@
-//! Thirty random scenes with each kind of damping: chains and graphs, with springs to the wall and without.
+//! Tests thirty random scenes with each kind of damping: chains and graphs, some with springs to the wall.
 
 use crate::stepper::plain::Plain;
 use crate::stepper::plain::chain::Chain;
@@ -9,10 +9,12 @@ use nalgebra::{Complex, DMatrix, DVector};
 use std::f64::consts::{PI, TAU};
 
 const SCENES: u64 = 30;
-/// Terms of the base's cosine in a step of the plain integrator, at most half a radian long.
+/// Number of Taylor terms of the base's cosine in a step of the plain integrator. A step is at most half a radian
+/// long.
 const TERMS: usize = 18;
 
-/// Returns a random description: one to five masses, a chain from the base, more springs in two scenes of three.
+/// Returns a random description of one to five masses, which form a chain from the base. Two scenes of three have
+/// more springs.
 fn text(seed: u64, from: &str) -> String {
     let mut random = Random(7 * seed + 1);
     for _ in 0..8 {
@@ -83,7 +85,7 @@ fn each(check: impl FnMut(&System, &Scene, &mut Random)) {
     every(1, check);
 }
 
-/// Checks one of `step` scenes.
+/// Calls `check` for one of every `step` scenes.
 fn every(step: usize, mut check: impl FnMut(&System, &Scene, &mut Random)) {
     for seed in (0..SCENES).step_by(step) {
         for from in ["base", "rest"] {
@@ -98,7 +100,8 @@ fn every(step: usize, mut check: impl FnMut(&System, &Scene, &mut Random)) {
     }
 }
 
-/// Returns the complex amplitudes of the masses over Y without friction, or with the contact tied to its other side.
+/// Returns the complex amplitudes of the masses, divided by Y, without friction. If `stuck` is true, the contact is
+/// stuck.
 fn dense(chain: &Chain, omega: f64, stuck: bool) -> DVector<Complex<f64>> {
     let n = chain.m.len();
     let size = n + usize::from(stuck);
@@ -116,7 +119,7 @@ fn dense(chain: &Chain, omega: f64, stuck: bool) -> DVector<Complex<f64>> {
         }
         load[i] = Complex::new(chain.to_base[i], omega * pulled[i]);
         if stuck {
-            // The last unknown is the contact force, the last equation wᵀx = s y.
+            // The last unknown is the contact force, and the last equation is wᵀx = s y.
             matrix[(i, n)] = Complex::new(chain.w[i], 0.0);
             matrix[(n, i)] = Complex::new(chain.w[i], 0.0);
         }
@@ -127,7 +130,8 @@ fn dense(chain: &Chain, omega: f64, stuck: bool) -> DVector<Complex<f64>> {
     matrix.lu().solve(&load).expect("no resonance")
 }
 
-/// Amplitude and phase without friction, the limit of sliding and the stuck response.
+/// Compares three results with dense linear systems: amplitudes and phases without friction, β*_lim, and the stuck
+/// response.
 #[test]
 fn dense_linear_systems() {
     let (mut worst, mut compared) = (0.0_f64, 0);
@@ -156,7 +160,7 @@ fn dense_linear_systems() {
                 worst = worst.max((Complex::new(own.re, own.im) - tied[mass]).norm() / held);
                 compared += 3;
             }
-            // The force that keeps the contact stuck is over k₁Y.
+            // The force that keeps the contact stuck is divided by k₁Y.
             let force = tied[free.len()].norm() / scene.springs[0].stiffness;
             let sliding = at.limits().sliding * scene.stiction;
             worst = worst.max((sliding - force).abs() / force);
@@ -164,16 +168,16 @@ fn dense_linear_systems() {
         }
     });
     println!("{compared} values, largest error {worst:.1e}");
-    // Both sides lose some digits to the condition of the matrices, whose entries reach a factor of 100.
+    // Both sides lose some digits by the condition number of the matrices, whose entries differ by factors up to 100.
     assert!(worst < 1e-11, "{worst:e}");
 }
 
-/// A run of the plain integrator under the base's cosine.
+/// A run of the plain integrator. The displacement of its base is a cosine.
 struct Run {
     plain: Plain,
     omega: f64,
     friction: f64,
-    /// τ_e at present.
+    /// Present angle τ_e of the excitation.
     tau: f64,
 }
 
@@ -211,7 +215,8 @@ impl Run {
     }
 }
 
-/// The closed form with friction: the plain integrator follows it over most of a half period, without an event.
+/// Compares the closed form with friction with the plain integrator over most of a half period, in which there is no
+/// event.
 #[test]
 fn continuous_motion() {
     let (mut worst, mut compared) = (0.0_f64, 0);
@@ -240,8 +245,9 @@ fn continuous_motion() {
     assert!(worst < 1e-11, "{worst:e}");
 }
 
-/// Motion from rest with stops, over forty cycles, and the steady state of one and of two masses that it reaches.
-/// Every seventh scene has another number of masses.
+/// Compares motion from rest with stops over forty cycles. For scenes of one and of two masses, also compares the
+/// steady state that the motion reaches. Every seventh scene is tested: successive ones differ in their number of
+/// masses.
 #[test]
 #[ignore = "minutes without optimisation"]
 fn stick_slip_in_time() {
@@ -256,8 +262,8 @@ fn stick_slip_in_time_whole() {
     assert!(events > 2000 && settled > 50, "{events}, {settled}");
 }
 
-/// Checks one of `step` scenes, and the steady states of those with at most `masses` masses. Returns the numbers of
-/// displacements, events and amplitudes.
+/// Checks one of every `step` scenes, and the steady states of the scenes with at most `masses` masses. Returns the
+/// numbers of compared displacements, events and amplitudes.
 fn stick_slip(step: usize, masses: usize) -> [u64; 3] {
     let (mut worst, mut steady, mut counts) = (0.0_f64, 0.0_f64, [0_u64; 3]);
     every(step, |system, scene, random| {
@@ -303,12 +309,12 @@ fn stick_slip(step: usize, masses: usize) -> [u64; 3] {
         "{compared} displacements, {events} events, largest error {worst:.1e}; {settled} amplitudes, {steady:.1e}"
     );
     assert!(worst < 1e-10, "{worst:e}");
-    // A cubic through two of 400 instants finds a maximum to the fourth power of their distance.
+    // A cubic between two of 400 instants gives a maximum with an error of the fourth power of their distance.
     assert!(steady < 1e-8, "{steady:e}");
     counts
 }
 
-/// Returns the largest |x̄| of each mass over a cycle, from a cubic between two instants.
+/// Returns the largest |x̄| of each mass over a cycle. Cubics interpolate the motion between two instants.
 fn largest(run: &mut Run) -> Vec<f64> {
     let n = run.plain.x.len();
     let mut most = vec![0.0_f64; n];
@@ -328,7 +334,7 @@ fn largest(run: &mut Run) -> Vec<f64> {
                     let rise = x1 - x0;
                     x0 + t * (v0 + t * ((3.0 * rise - 2.0 * v0 - v1) + t * (v0 + v1 - 2.0 * rise)))
                 };
-                // The maximum of the cubic, by golden section.
+                // Golden section search finds the maximum of the cubic.
                 let (mut low, mut high) = (0.0, 1.0);
                 for _ in 0..60 {
                     let [a, b] = [0.381_966, 0.618_034].map(|part| low + part * (high - low));

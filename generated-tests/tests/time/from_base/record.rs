@@ -1,10 +1,10 @@
-//! A frame under a ground motion: the energy that damping takes, with both meanings of damping.
+//! Tests a frame under a ground motion: the energy that damping takes, with both meanings of damping.
 
 use crate::stepper::both::Both;
 use crate::stepper::rig::{LINEAR, Load, scene};
 use fuzzing::Random;
 
-/// Five storeys with one per cent of damping, whose damper joins the base and the first floor.
+/// Five storeys with a damping ratio of one per cent. A friction damper joins the base and the first floor.
 const FRAME: &str = "struct Five {
     masses: { f1: 2000, f2: 2000, f3: 2000, f4: 2000, f5: 2000 },
     springs: { base - f1: 1.5e6, f1 - f2: 1.5e6, f2 - f3: 1.5e6, f3 - f4: 1.5e6, f4 - f5: 1.5e6 },
@@ -12,8 +12,9 @@ const FRAME: &str = "struct Five {
 
 const STEP: f64 = 0.005;
 
-/// Returns a ground motion of 25 s: sixty waves of 0.1 to 12 Hz from a fixed seed under an envelope that rises and
-/// falls. Displacement and velocity are exact derivatives of one another.
+/// Returns a ground motion of 25 s as displacement and velocity at a time. It consists of sixty waves of 0.1 to 12 Hz
+/// from a fixed seed, under an envelope that rises and falls. The velocity is the exact derivative of the
+/// displacement.
 fn ground() -> impl Fn(f64) -> [f64; 2] {
     let mut random = Random(44);
     let waves: Vec<[f64; 3]> = (0..60)
@@ -40,10 +41,11 @@ fn ground() -> impl Fn(f64) -> [f64; 2] {
     }
 }
 
-/// Largest wave's velocity in m/s.
+/// Velocity amplitude of the largest wave, in m/s.
 const SIZE: f64 = 0.06424;
 
-/// Returns the energies in J that damping takes: of the stepper and of the integrator with dense matrices.
+/// Returns the energy in J that damping takes, according to the stepper and according to the integrator with dense
+/// matrices.
 fn lost(from: &str) -> [f64; 2] {
     let scene = scene(&FRAME.replace("FROM", from));
     let ground = ground();
@@ -73,7 +75,7 @@ fn energy_of_damping() {
     let [own, plain] = lost("base");
     assert!((own / plain - 1.0).abs() < 1e-9, "{own} {plain}");
     assert!((own / 650.0 - 1.0).abs() < 0.01, "{own}");
-    // Damping on absolute velocities resists the motion of the ground itself.
+    // Damping on absolute velocities resists the motion of the ground, so it takes more energy.
     let [absolute, other] = lost("rest");
     assert!((absolute / other - 1.0).abs() < 1e-9, "{absolute} {other}");
     assert!(absolute > 5.0 * own, "{absolute} {own}");

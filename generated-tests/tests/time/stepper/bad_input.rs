@@ -1,4 +1,4 @@
-//! Tests that refused inputs do not change a stepper, and that a saved state is restored to the bit.
+//! Tests that a refused input does not change a stepper, and that `restore` restores a saved state to the bit.
 
 use crate::stepper::independent::loads;
 use crate::stepper::rig::{HOLD, Kind, LINEAR, Load, Rig, advance, begin, rig, scene, try_rig};
@@ -6,7 +6,7 @@ use crate::stepper::scenes::{BASE, ONE, ONE_ON_BASE, PAIR, TEN, WALL};
 use frictiongen::{Given, OutOfDomain};
 use frictiongen_kernel::stepper::{Input, Sample};
 
-/// Returns every number of the state as text. Its digits distinguish all values.
+/// Returns every number of the state as text, with enough digits to distinguish all values.
 fn bits(rig: &Rig<f64>) -> String {
     format!("{:?}", rig.save())
 }
@@ -61,7 +61,7 @@ fn refused_and_unchanged() {
                 assert_eq!(error, OutOfDomain::Stiction(Given::of(mu)));
                 assert_eq!(bits(&rig), before);
             }
-            // After the first step `begin` is refused.
+            // After the first step the stepper must refuse `begin`.
             let sample = Sample {
                 base: sound.base,
                 forces: &sound.forces,
@@ -69,7 +69,8 @@ fn refused_and_unchanged() {
             };
             assert_eq!(rig.begin(sample).expect_err("too late"), OutOfDomain::Begun);
             assert_eq!(bits(&rig), before);
-            // A valid load is then accepted, with the same result as if the refused loads had not been given.
+            // The stepper must then accept a valid load, with the result of a stepper that never got the refused
+            // loads.
             advance(&mut rig, &sound);
             assert_ne!(bits(&rig), before);
         }
@@ -133,7 +134,8 @@ fn saved_and_restored() {
     assert_eq!(bits(&one), before);
 }
 
-/// The state of another scene or step has the same size but another meaning, so that it must be refused.
+/// Checks that a stepper refuses the state of another scene or step. Such a state has the same size but another
+/// meaning.
 #[test]
 fn the_state_of_another_stepper_is_refused() {
     let law = Kind {
@@ -179,7 +181,7 @@ fn the_state_of_another_stepper_is_refused() {
     }
 }
 
-/// The time must be the number of steps multiplied by the step.
+/// Checks that the time is the number of steps times the step.
 #[test]
 fn time_passes() {
     let mut rig = rig::<f32>(&scene(ONE), LINEAR, 0.02);

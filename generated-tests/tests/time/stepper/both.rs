@@ -78,7 +78,8 @@ impl Both {
         }
     }
 
-    /// Returns the largest difference of displacements or of velocities, each relative to the largest value.
+    /// Returns the larger of two relative differences: of displacements, divided by the largest displacement, and of
+    /// velocities, divided by the largest velocity.
     pub fn error(&self) -> f64 {
         (self.apart[0] / self.size[0]).max(self.apart[1] / self.size[1])
     }

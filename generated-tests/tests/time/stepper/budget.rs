@@ -1,5 +1,5 @@
-//! Tests the event budget of a step. A step with fewer events is the exact step. No other step creates energy or moves
-//! a contact that holds. The errors of all steps are in docs/step-trade.md.
+//! Tests the event budget of a step. A step with at most as many events as the budget is the exact step. Any other
+//! step creates no energy, and does not move a contact that holds. docs/step-trade.md has the errors of all steps.
 
 use crate::stepper::independent::loads;
 use crate::stepper::rig::Load;
@@ -9,22 +9,23 @@ use frictiongen_kernel::Plain;
 use frictiongen_kernel::stepper::Stepped;
 use std::str::FromStr;
 
-/// Sums over the steps of a run with a budget.
+/// Results of a run with an event budget, over all its steps.
 #[derive(Clone, Copy, Debug, Default)]
 struct Seen {
     steps: u64,
-    /// Steps in which the exact motion has more events than the budget.
+    /// Number of steps in which the exact motion has more events than the budget.
     busier: u64,
     exceeded: u64,
-    /// Steps that differ from the exact step, although the exact motion has no more events than the budget.
+    /// Number of steps that differ from the exact step, although the exact motion has no more events than the budget.
     otherwise: u64,
     held: u64,
     events: u64,
-    /// Steps with events.
+    /// Number of steps with events.
     eventful: u64,
-    /// Energy that a step creates, in roundings.
+    /// Largest energy that a step creates, in rounding units.
     made: f64,
-    /// Error of a step from the same state, and sum of its squares over the steps that exceed the budget.
+    /// Largest error of a step that starts from the same state, and the sum of the squares of such errors over the
+    /// steps that exceed the budget.
     worst: f64,
     squares: f64,
     /// Largest difference from the run without a budget.
@@ -64,8 +65,8 @@ fn work<S: Plain>(stepper: &impl Stepping<Scalar = S>) -> [f64; 4] {
     [work.load, work.friction, work.damping, work.stored].map(S::to_f64)
 }
 
-/// Runs a scene with a budget and compares every step with the exact step from the same state. `turn` is the phase by
-/// which an oscillator of the first mass and spring advances in a step.
+/// Runs a scene with a budget. Compares every step with the exact step from the same state. `turn` is the angle, in
+/// rad, by which an oscillator of the first mass and the first spring turns in a step.
 fn run<S: Plain>(text: &str, turn: f64, budget: u8, steps: u32, rounding: f64) -> Seen
 where
     System<S>: FromStr<Err: std::fmt::Debug>,
@@ -102,7 +103,7 @@ where
             "{}",
             what()
         );
-        // A contact that holds stays to the bit.
+        // A contact that holds keeps its displacement to the bit.
         let now = stepper.contact();
         if 0 < contact && want.events == 0 && was.is_sticking() && exact.contact().is_sticking() {
             seen.held += 1;
@@ -136,7 +137,8 @@ where
     seen
 }
 
-/// Rigid and elastic contacts with μ = 1 and above, on a wall, between masses and on a moving base.
+/// Returns scenes with rigid and elastic contacts, with μ = 1 and above, on a wall, between masses and on a moving
+/// base.
 fn scenes() -> Vec<String> {
     let with = |text: &str, more: &str| {
         let body = text.trim_end().strip_suffix('}').expect("a scene");
@@ -159,12 +161,12 @@ fn scenes() -> Vec<String> {
     ]
 }
 
-/// Phases by which an oscillator of the first mass and spring advances in a step. In the longest step the fastest mode
-/// advances by several radians, so that the step has several parts.
+/// Angles, in rad, by which an oscillator of the first mass and the first spring turns in a step. In the longest step
+/// the fastest mode turns by several radians, so the stepper divides this step into parts.
 const TURNS: [f64; 3] = [0.3, 1.0, 3.0];
 
-/// Runs all scenes in both scalars with a budget. `steps` is the number of steps of each run. Returns what was seen in
-/// double precision, one entry for each of `TURNS`, with errors relative to the largest displacement.
+/// Runs all scenes in both precisions with a budget. `steps` is the number of steps of each run. Returns the results
+/// in double precision, one for each of `TURNS`. Their errors are divided by the largest displacement.
 fn all(budget: u8, steps: u32) -> [Seen; 3] {
     TURNS.map(|turn| {
         let mut sum = Seen::default();
@@ -198,14 +200,14 @@ fn all(budget: u8, steps: u32) -> [Seen; 3] {
     })
 }
 
-/// Checks what every run with a budget must show.
+/// Asserts the properties that every run with a budget must have.
 fn check(budget: u8, seen: &[Seen; 3]) {
     for seen in seen {
         assert!(seen.held > 50 && seen.events > 1000, "{seen:?}");
-        // A search of more evaluations than the budget allows is rare.
+        // Rarely, a search needs more evaluations than the budget allows.
         assert!(1000 * seen.otherwise <= seen.steps, "{seen:?}");
         if budget == 1 {
-            // The rule takes over in these steps. Its error is that of single stops and slips.
+            // In these steps the rule for an exceeded budget decides. The error is that of single stops and slips.
             assert!(seen.exceeded > 100 && seen.worst > 1e-9, "{seen:?}");
         }
         let mean = (seen.squares / seen.exceeded.max(1) as f64).sqrt();
@@ -258,7 +260,7 @@ fn ten_million_steps_with_each_budget() {
 const BEGIN: &str = "<!-- budgets: begin -->\n";
 const END: &str = "<!-- budgets: end -->";
 
-/// The budget is part of a saved state and of an image.
+/// Checks that a saved state and an image contain the budget.
 #[test]
 fn a_saved_state_and_an_image_keep_the_budget() {
     let system: System = scenes()[2].parse().expect("a scene");

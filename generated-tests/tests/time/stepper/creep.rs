@@ -6,10 +6,10 @@ use frictiongen_kernel::Plain;
 use frictiongen_model::scene::Excitation;
 use fuzzing::Random;
 
-/// Asserts that a stuck contact keeps its displacement to the bit.
+/// Asserts that a stuck contact keeps its displacement to the bit under small oscillating forces.
 ///
-/// A constant load acts on the contact with the fraction `share` of the break-away force. An oscillating force of 4 %
-/// of the break-away force acts on the mass of the contact, and a small random force on every mass.
+/// A constant load produces a contact force of `share` times the break-away force. In addition, an oscillating force
+/// of 4 % of the break-away force acts on the mass of the contact, and a small random force on every mass.
 fn holds<S: Plain>(text: &str, kind: Kind<'_>, share: f64, steps: u32) {
     let scene = scene(text);
     let (k1, m1) = (scene.springs[0].stiffness, scene.masses[0].value);
@@ -35,7 +35,7 @@ fn holds<S: Plain>(text: &str, kind: Kind<'_>, share: f64, steps: u32) {
         advance(&mut rig, &load);
     }
     assert!(rig.contact().is_sticking(), "{text}");
-    // A small force shows which fraction of the force on the mass acts in the contact.
+    // A small additional force shows which fraction of a force on the mass is a force in the contact.
     let before = rig.contact().force().to_f64();
     load.forces[contact] = 0.01 * grip;
     for _ in 0..20_000 {
@@ -75,7 +75,8 @@ fn holds<S: Plain>(text: &str, kind: Kind<'_>, share: f64, steps: u32) {
         scene.name
     );
     assert!(largest > share && largest < 1.0);
-    // A larger force makes the contact slip. The comparison of displacements must detect this slip.
+    // A larger force makes the contact slip. The comparison of displacements must detect the slip, otherwise it
+    // proves nothing.
     load.forces[contact] = 3.0 * grip + mean;
     advance(&mut rig, &load);
     advance(&mut rig, &load);
@@ -98,9 +99,9 @@ fn none() {
     all(1_000_000);
 }
 
-/// A base moves to and fro within one step. The spring force on the contact is then largest in the middle of the step,
-/// and equal at both ends. The contact must slip if friction is below that maximum, and must stick if friction is above
-/// it.
+/// Checks a base that moves forth and back within one step. The spring force on the contact is then largest in the
+/// middle of the step, and equal at both ends. The contact must slip if friction is below that largest force. It must
+/// stick if friction is above it.
 #[test]
 fn the_force_within_a_step_counts() {
     let scene = scene(

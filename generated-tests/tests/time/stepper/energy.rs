@@ -1,9 +1,9 @@
-//! Tests the energy balance over many random steps. The work of the load equals friction, damping and stored energy,
-//! and no step creates energy.
+//! Tests the energy balance over many random steps. The work of the load must equal the sum of friction work, damping
+//! work and stored energy, and no step may create energy.
 //!
-//! `Work::damping` is computed from the other three, so that the sum alone proves nothing. Without damping it must
-//! vanish. With damping it must grow in every step, and equal a quadrature of ẋᵀCẋ (`independent`). The stored energy
-//! must follow from the motions of the masses.
+//! The stepper computes `Work::damping` from the other three energies, so the sum alone proves nothing. Without
+//! damping `Work::damping` must vanish. With damping it must grow in every step, and equal a quadrature of ẋᵀCẋ
+//! (`independent`). The stored energy must equal that of the motions of the masses.
 
 use crate::stepper::independent::loads;
 use crate::stepper::plain::chain::Chain;
@@ -22,7 +22,7 @@ fn without_damping(text: &str) -> String {
     format!("{}{end}", before.trim_end().trim_end_matches(','))
 }
 
-/// Returns the energy ½ẋᵀMẋ + ½xᵀKx, with that of the springs to a moving base.
+/// Returns the stored energy ½ẋᵀMẋ + ½xᵀKx, which includes the energy of the springs to a moving base.
 fn stored(scene: &Scene, chain: &Chain, [x, v]: [&DVector<f64>; 2], base: f64) -> f64 {
     let kinetic = v.component_mul(&chain.m).dot(v);
     let mut sum = 0.5 * (kinetic + (&chain.k * x).dot(x));
@@ -32,8 +32,8 @@ fn stored(scene: &Scene, chain: &Chain, [x, v]: [&DVector<f64>; 2], base: f64) -
     sum
 }
 
-/// Checks the energy balance over a run, relative to the work that goes into the chain and out of it. `rounding` is the
-/// rounding unit of the scalar.
+/// Checks the energy balance over a run. Errors are divided by the energy that passes through the chain. `rounding`
+/// is the rounding unit of the scalar type.
 fn run<S: Plain>(text: &str, kind: Kind<'_>, steps: u32, rounding: f64) {
     let scene = scene(text);
     let chain = Chain::of(&scene, &[]);
@@ -56,7 +56,7 @@ fn run<S: Plain>(text: &str, kind: Kind<'_>, steps: u32, rounding: f64) {
         [work.load, work.friction, work.damping, work.stored].map(S::to_f64)
     };
     let mut before = work(&rig);
-    // The work that passes through the chain is the size against which errors are measured.
+    // Errors are measured against the energy that passes through the chain.
     let (mut passed, mut largest, mut made, mut off) = (0.0_f64, 0.0_f64, 0.0_f64, 0.0_f64);
     for step in 0..steps {
         let load = next();
@@ -65,7 +65,7 @@ fn run<S: Plain>(text: &str, kind: Kind<'_>, steps: u32, rounding: f64) {
         let gained = [0, 1, 2].map(|k| now[k] - before[k]);
         passed += gained[0].abs();
         largest = largest.max(now[3].abs()).max(gained[0].abs());
-        // The sums grow, and the rounding error of their differences grows with them.
+        // As the sums grow, the rounding error of their differences grows too.
         let noise = rounding * (now[0].abs() + largest);
         made = made.max(-gained[1] / noise);
         made = made.max(-gained[2] / noise);

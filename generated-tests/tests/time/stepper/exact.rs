@@ -1,4 +1,4 @@
-//! Compares the stepper in double precision with itself in double-double.
+//! Compares the stepper in double precision with the stepper in double-double.
 
 use crate::stepper::independent::loads;
 use crate::stepper::rig::{LINEAR, Load, advance, begin, rig, scene};
@@ -6,7 +6,7 @@ use crate::stepper::scenes::{BASE, ONE, ONE_ON_BASE, PAIR, TEN, WALL, WALL_BASE,
 use frictiongen_kernel::number::dd::Dd;
 use fuzzing::Random;
 
-/// Returns the largest difference of a run, relative to the largest displacement, and the number of events.
+/// Returns the largest difference of a run, divided by the largest displacement, and the number of events.
 fn off(text: &str, steps: u32, friction: f64) -> (f64, u64) {
     let scene = scene(text);
     let omega = (scene.springs[0].stiffness / scene.masses[0].value).sqrt();
@@ -46,10 +46,11 @@ fn off(text: &str, steps: u32, friction: f64) -> (f64, u64) {
     (apart / size, events)
 }
 
-/// A chain with a stuck contact has no event, except for a stop at the start if the base already moves.
+/// Compares chains whose contact stays stuck. They have no event, except for a stop at the start if the base already
+/// moves.
 ///
-/// Only damping reduces earlier errors in such a chain. Without damping the rounding of a frequency remains, 1e-16 of
-/// the angle turned. (`ONE` does not move at all while its contact sticks.)
+/// In such a chain only damping reduces earlier errors. Without damping, the rounding of a frequency adds an error of
+/// 1e-16 of the angle by which the mode has turned. (`ONE` does not move at all while its contact sticks.)
 #[test]
 fn without_events() {
     for text in [WALL, BASE, PAIR, TEN] {
@@ -58,8 +59,8 @@ fn without_events() {
     }
 }
 
-/// With μ = 1 two motions never diverge, whatever events they have. With μ > 1 a break-away may be late because of
-/// rounding. The contact force then differs until the next stop removes the difference.
+/// Compares chains with events. With μ = 1 two motions never diverge, whatever events they have. With μ > 1 rounding
+/// may delay a break-away. The contact force then differs until the next stop removes the difference.
 #[test]
 fn with_events() {
     for text in [WALL, BASE, PAIR, ONE, TEN] {
@@ -70,8 +71,8 @@ fn with_events() {
     }
 }
 
-/// The steps are far shorter than a turn of the fastest oscillator, and the input jumps in each of them. The power
-/// series has few terms because the step is short, but must still include the effect of the input within the step.
+/// Compares steps that are far shorter than a turn of the fastest oscillator, with an input that jumps in each step.
+/// The power series then has few terms, but must include the effect of the input within the step.
 #[test]
 fn short_steps() {
     let mut worst = 0.0_f64;
@@ -106,15 +107,15 @@ fn short_steps() {
             }
             let error = (apart[0] / size[0]).max(apart[1] / size[1]);
             println!("{}, {radians} rad a step: {error:.1e}", scene.name);
-            // The change of a displacement in a step is small compared with the inputs that cause it, by up to a factor
-            // of 100.
+            // The change of a displacement in a step is smaller than the inputs that cause it, by up to a factor of
+            // 100.
             worst = worst.max(error);
         }
     }
     assert!(worst < 1e-13, "{worst:e}");
 }
 
-/// In runs of 10⁵ steps with more than 10⁴ events, the difference must stay within the tolerance.
+/// Compares runs of 10⁵ steps with more than 10⁴ events. The difference must stay within the tolerance.
 #[test]
 #[ignore = "minutes"]
 fn long() {

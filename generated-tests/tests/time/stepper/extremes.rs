@@ -1,5 +1,5 @@
-//! Tests extreme loads and steps. The stepper keeps and reports the bound on events, creates no energy, and returns no
-//! NaN.
+//! Tests extreme loads and steps. The stepper must keep to the bound on its events, report when it reaches the bound,
+//! create no energy, and return no NaN.
 
 use crate::stepper::both::Both;
 use crate::stepper::rig::{HOLD, Kind, LINEAR, Load, Rig, advance, rig, scene};
@@ -39,8 +39,8 @@ fn run<S: Plain>(
         seen.most = seen.most.max(stepped.events);
         seen.exceeded += u64::from(stepped.exceeded);
         let what = format!("{}, {radians} rad, step {step}: {stepped:?}", scene.name);
-        // The fastest mode of the chain with a stuck contact is no faster than that of the free chain. Its damping may
-        // be larger, so that the bound has a factor of 2.
+        // The fastest mode of the chain with a stuck contact is no faster than that of the free chain. Its damping
+        // may be larger, so the bound has a factor of 2.
         let parts = (2.0 * radians).ceil().max(1.0) as u32;
         assert!(
             stepped.events <= parts.min(MAX_PARTS) * MAX_EVENTS,
@@ -56,7 +56,7 @@ fn run<S: Plain>(
         let now = [work.load, work.friction, work.damping].map(S::to_f64);
         through = through.max(work.stored.to_f64().abs());
         through = through.max((now[0] - before[0]).abs());
-        // Every sub-step rounds the state once, and therefore also the energy.
+        // Every part of a step rounds the state once, and therefore the energy too.
         let noise = rounding * (now[0].abs() + through) * (100.0 + f64::from(parts));
         for k in [1, 2] {
             assert!(now[k] - before[k] >= -noise, "{what}: {now:?}, {before:?}");
@@ -73,15 +73,15 @@ fn run<S: Plain>(
 
 const ALL: [&str; 7] = [WALL, BASE, PAIR, ONE, ONE_ON_BASE, WALL_BASE, TEN];
 
-/// Lengths of a step in radians of the fastest mode, from far below a radian to far above.
+/// Angles, in rad, by which the fastest mode turns in a step, from far below a radian to far above.
 const RADIANS: [f64; 5] = [1e-3, 0.3, 3.0, 40.0, 900.0];
 
 fn steps(radians: f64) -> u32 {
     if radians > 10.0 { 20 } else { 150 }
 }
 
-/// Applies a force to every mass that changes its sign in every step. Its size is 10⁻⁴ to 10⁴ times the break-away
-/// force. The base moves as irregularly. One in `one_in` cases runs.
+/// Runs cases with a force on every mass that changes its sign in every step. The force is 10⁻⁴ to 10⁴ times the
+/// break-away force. The base moves as irregularly. The function runs one of `one_in` cases.
 fn alternating(one_in: usize) -> Seen {
     let (mut all, mut turn) = (Seen::default(), 0);
     for text in ALL {
@@ -123,7 +123,7 @@ fn alternating(one_in: usize) -> Seen {
     all
 }
 
-/// Every ninth case runs. Nine shares no divisor with the numbers of cases in the loops, so that all kinds of cases
+/// Runs every ninth case. Nine has no common divisor with the numbers of cases in the loops, so all kinds of cases
 /// occur.
 #[test]
 fn alternating_at_the_step_rate() {
@@ -138,7 +138,7 @@ fn all_alternating_at_the_step_rate() {
     assert!(all.events > 10_000 && all.most > 50);
 }
 
-/// The forces lie near the break-away force. F varies in time, or is 0.
+/// Runs cases with forces near the break-away force. F varies in time, or is 0.
 #[test]
 fn grazing() {
     let mut events = 0;
@@ -169,8 +169,8 @@ fn grazing() {
     assert!(events > 1000);
 }
 
-/// Under these forces the stepper must agree with the plain integrator. None of the forces is within a rounding of the
-/// break-away force.
+/// Compares the stepper under such forces with the plain integrator. None of the forces is within a rounding unit of
+/// the break-away force.
 #[test]
 fn grazing_moves_as_the_plain_integrator_says() {
     for text in ALL {
@@ -200,7 +200,7 @@ fn grazing_moves_as_the_plain_integrator_says() {
                 both.error()
             );
             assert_eq!(both.otherwise, 0, "{text}, {mu}");
-            // A zero that is nearly double is known only to the square root of a rounding.
+            // A zero that is nearly a double zero is known only to the square root of a rounding unit.
             assert!(
                 both.events > 20 && both.error() < 1e-8,
                 "{text}, {mu}: {:e}",
@@ -210,8 +210,8 @@ fn grazing_moves_as_the_plain_integrator_says() {
     }
 }
 
-/// With steep friction laws the contact stops and slips in quick succession. A law that is too steep for its step must
-/// be refused.
+/// Checks steep friction laws, with which the contact stops and slips in quick succession. The stepper must refuse a
+/// law that is too steep for its step.
 #[test]
 fn steep_laws() {
     let mut all = Seen::default();
@@ -263,8 +263,8 @@ fn steep_laws() {
     assert!(all.events > 1000);
 }
 
-/// This law has so many lines that the speed cannot pass through all of them in one sub-step. The stepper must report
-/// this, and must create no energy.
+/// Checks a law with so many lines that the speed cannot pass through all of them in one part of a step. The stepper
+/// must report this, and must create no energy.
 #[test]
 fn more_than_is_followed() {
     let mut exceeded = 0;
@@ -294,8 +294,8 @@ fn more_than_is_followed() {
     assert!(exceeded > 100);
 }
 
-/// The strongest accepted force acts along the motion in every step. The work grows until a step is refused, and must
-/// be finite until then.
+/// Checks the work under the strongest accepted force, which acts along the motion in every step. The work grows
+/// until a step is refused. Until then it must be finite.
 #[test]
 fn work_stays_finite() {
     fn check<S: Plain>(text: &str, radians: f64) {
@@ -352,7 +352,7 @@ fn work_stays_finite() {
     }
 }
 
-/// A motion that has decayed to subnormal numbers causes no events in a contact without friction.
+/// Checks that a motion that has decayed to subnormal numbers causes no events in a contact without friction.
 #[test]
 fn decay_without_friction_has_no_events() {
     for text in [PAIR, WALL, ONE_ON_BASE] {

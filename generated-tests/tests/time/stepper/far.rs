@@ -1,15 +1,15 @@
-//! Tests a chain far away from its start. The force in its stuck contact is a difference of displacements, of which
-//! single precision keeps few digits.
+//! Tests a chain that has moved far away from its start. The force in its stuck contact is a difference of
+//! displacements, of which single precision keeps few digits.
 
 use frictiongen::{StepLoad, Stepping, System};
 use frictiongen_kernel::Plain;
 
-/// A motor turns a load through a shaft. A weak spring connects the chain to its base.
+/// A motor that turns a load through a shaft. A weak spring joins the motor to the base.
 const DRIVE: &str = "struct Drive { masses: { motor: 0.02, load: 0.05 },
     springs: { base - motor: 1e-3, motor - load: 800 }, contact: load - wall, excitation: motor, stiction: 1.2,
     provide: [stepper]";
 
-/// Results of a run: one entry for each rest after a push.
+/// Results of a run, in which rests alternate with pushes. Each list has one entry for each rest.
 #[derive(Debug, Default)]
 struct Run {
     events: u32,
@@ -21,7 +21,7 @@ struct Run {
     crept: f64,
 }
 
-/// Runs pushes of some seconds. After each push follows a rest, in which the torque varies by far less than the
+/// Runs pushes of several seconds. After each push follows a rest, in which the torque varies by far less than the
 /// break-away force.
 fn run<S: Plain>(pushes: u32, friction: f64, damping: &str) -> Run {
     let system: System<S> = format!("{DRIVE}{damping} }}").parse().expect("a scene");
@@ -64,10 +64,11 @@ fn run<S: Plain>(pushes: u32, friction: f64, damping: &str) -> Run {
     run
 }
 
-/// In single precision four pushes must have the same number of events as in double precision, within one in a hundred.
+/// Checks that four pushes in single precision have the number of events of double precision, to one event in a
+/// hundred.
 ///
-/// A displacement is a sum over some 10⁴ steps, each rounded at a value of 2000. Single precision therefore gives it to
-/// six digits. The forces are differences of such displacements.
+/// A displacement is a sum over about 10⁴ steps. Each step rounds a value of about 2000, so single precision gives
+/// the sum to six digits. The forces are differences of such displacements.
 #[test]
 fn four_pushes_have_the_events_of_double_precision() {
     for damping in [", damping: modal(0.05)", ""] {
@@ -89,7 +90,8 @@ fn four_pushes_have_the_events_of_double_precision() {
                 continue;
             }
             for (found, want) in narrow.forces.iter().zip(&wide.forces) {
-                // An error of one rounding of 2000 in the twist of a shaft of stiffness 800 is a force of 0.1.
+                // A rounding error of the displacement 2000, in the twist of a shaft of stiffness 800, is a force of
+                // 0.1.
                 assert!(
                     (found - want).abs() < 1e-4 * friction,
                     "F {friction}{damping}"

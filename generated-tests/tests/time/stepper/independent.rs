@@ -1,4 +1,4 @@
-//! Compares the stepper under random loads with the integrator that shares no code with it.
+//! Compares the stepper under random loads with the plain integrator, which shares no code with the stepper.
 
 use crate::stepper::both::Both;
 use crate::stepper::rig::{HOLD, Kind, LINEAR, Load, advance, begin, loaded, rig, scene};
@@ -9,7 +9,8 @@ use frictiongen_kernel::stepper::Input;
 use frictiongen_model::scene::{Excitation, Scene};
 use fuzzing::Random;
 
-/// Returns an irregular load: a ground motion of a few incommensurable sinusoids, or random forces.
+/// Returns a function that gives the loads of successive steps: a ground motion of a few incommensurable sinusoids,
+/// or random forces.
 pub fn loads(scene: &Scene, seed: u64, dt: f64) -> impl FnMut() -> Load {
     let mut random = Random(seed);
     let n = scene.masses.len();
@@ -44,8 +45,8 @@ pub fn loads(scene: &Scene, seed: u64, dt: f64) -> impl FnMut() -> Load {
     }
 }
 
-/// Tolerance of the comparison. Both sides round each step. Friction reduces earlier errors, so that the roundings do
-/// not add up.
+/// Tolerance of the comparison. Both sides round each step. Friction reduces earlier errors, so the rounding errors
+/// do not add up.
 const BAR: f64 = 3e-14;
 
 fn compare(text: &str, kind: Kind<'_>, steps: usize, bar: f64) {
@@ -59,8 +60,8 @@ fn compare(text: &str, kind: Kind<'_>, steps: usize, bar: f64) {
     }
     let (found, want) = (both.rig.work(), both.plain.work);
     let load = want.load - want.carried;
-    // The stepper counts the energy that the base's displacement stores in its springs both as stored energy and as
-    // work of the load. It therefore cancels in the difference.
+    // The stepper counts the energy that the base's displacement stores in its springs twice: as stored energy and as
+    // work of the load. This energy therefore cancels in the difference.
     let damping = (found.damping - want.damping).abs() / load.abs();
     let friction = (found.friction - want.friction).abs() / load.abs();
     println!(
@@ -79,7 +80,7 @@ fn compare(text: &str, kind: Kind<'_>, steps: usize, bar: f64) {
     assert!(damping < 10.0 * bar && friction < 10.0 * bar);
 }
 
-/// Compares with Coulomb's law, both kinds of input and all contacts.
+/// Compares runs with Coulomb's law, both kinds of input and all contacts.
 #[test]
 fn any_load() {
     for text in [WALL, BASE, PAIR, ONE, ONE_ON_BASE, WALL_BASE] {
@@ -91,8 +92,8 @@ fn any_load() {
     }
 }
 
-/// Damping relative to the moving base: contacts with the base, the wall and another mass, with springs to the wall or
-/// without, both kinds of input, and a kinetic friction force that depends on the speed.
+/// Compares runs with damping relative to the moving base: contacts with the base, the wall and another mass, with
+/// and without springs to the wall, both kinds of input, and a kinetic friction force that depends on the speed.
 #[test]
 fn damping_from_the_base() {
     let law: &[[f64; 2]] = &[[0.02, 0.7], [0.08, 0.5]];
@@ -108,14 +109,15 @@ fn damping_from_the_base() {
     }
 }
 
-/// The base jumps, with a velocity at each sample or without one. With linear input its cubic bends within a step. With
-/// held input the base jumps away from its contact, which may stay stuck.
+/// Compares runs with a base that jumps, with or without a velocity at each sample. With linear input the
+/// displacement is a cubic within a step. With held input the base jumps away from its contact, which may stay stuck.
 #[test]
 fn jumping_base() {
     for text in [BASE, ONE_ON_BASE, WALL_BASE] {
         for kind in [LINEAR, HOLD] {
             for (velocity, grip) in [(1.0, 0.5), (0.0, 0.5), (0.0, 10.0)] {
-                // With zero-order hold, a contact that sticks firmly keeps a mass at rest while the base only jumps.
+                // With zero-order hold, a contact that sticks firmly keeps a mass at rest while the base only jumps,
+                // so nothing can be compared.
                 if grip > 1.0 && kind.input == Input::Hold {
                     continue;
                 }
@@ -143,7 +145,7 @@ fn jumping_base() {
                     both.otherwise,
                     both.error()
                 );
-                // If an event lies on a sample, it may count in the step before or in the step after.
+                // The two sides may count an event at a sample in different steps.
                 assert!(both.otherwise <= 3, "{text}, {velocity}, {grip}");
                 assert!(
                     both.error() < 1e-12,
@@ -155,7 +157,8 @@ fn jumping_base() {
     }
 }
 
-/// If some masses are loaded in any order, or none, the motion must equal that with zero force on the other masses.
+/// Compares runs in which some masses are loaded, in any order, or none. The motion must equal that with zero force
+/// on the other masses.
 #[test]
 fn some_masses_loaded() {
     for text in [WALL, BASE, PAIR, WALL_BASE] {
@@ -208,8 +211,8 @@ fn some_masses_loaded() {
     }
 }
 
-/// The law falls and rises so steeply that it changes the motion faster than the spring does. A power series then
-/// converges only over a fraction of a step.
+/// Compares runs with a law that falls and rises so steeply that it changes the motion faster than the spring does. A
+/// power series then converges only over a fraction of a step.
 #[test]
 fn steep_law() {
     let law = &[[0.002, 0.2], [0.005, 1.1]];
@@ -220,7 +223,7 @@ fn steep_law() {
     }
 }
 
-/// Compares with a kinetic friction force that depends on the speed.
+/// Compares runs with a kinetic friction force that depends on the speed.
 #[test]
 fn stribeck() {
     let laws: [&[[f64; 2]]; 2] = [&[[0.02, 0.7], [0.08, 0.5]], &[[0.03, 0.6], [0.1, 0.9]]];

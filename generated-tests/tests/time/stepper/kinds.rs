@@ -1,5 +1,6 @@
 //! Compares the stepper in random scenes: all contacts and dampings, μ = 1 and above, 1 to 64 masses, both friction
-//! laws and both inputs. The plain integrator checks double precision, and double precision checks single precision.
+//! laws and both inputs. The plain integrator is the reference for double precision, and double precision for single
+//! precision.
 
 use crate::stepper::both::Both;
 use crate::stepper::independent::loads;
@@ -10,7 +11,7 @@ use frictiongen_model::scene::{Excitation, Node, Precision, Scene};
 use frictiongen_model::transient::excess_loss;
 use fuzzing::Random;
 
-/// Returns a random chain with contact and damping. With many masses the damping is below critical.
+/// Returns a random chain with contact and damping. With many masses the damping ratios are below 1.
 fn description(random: &mut Random, masses: usize) -> String {
     let names: Vec<String> = (0..masses).map(|i| format!("m{i}")).collect();
     let mut list = Vec::new();
@@ -86,7 +87,7 @@ fn parsed(text: &str) -> Option<Scene> {
     Some(system.ok()?.scene().clone())
 }
 
-/// Counts of the scenes by kind, and their errors.
+/// Numbers of scenes of each kind, and their errors.
 #[derive(Debug, Default)]
 struct Seen {
     scenes: u32,
@@ -104,7 +105,7 @@ struct Seen {
     lost: u32,
 }
 
-/// Returns true if a scene is refused because too many modes are beyond critical damping for a motion in time.
+/// Returns true if the model refuses a scene for motion in time because too many modes have critical damping or more.
 fn lost(scene: &Scene, precision: Precision) -> bool {
     let scene = Scene {
         precision,
@@ -189,7 +190,8 @@ fn check(seen: &Seen, bar: f64) {
     assert!(kinds.iter().all(|count| *count > 1), "{kinds:?}");
     assert!(seen.events > 100 && seen.otherwise == 0);
     assert!(seen.worst < bar, "{:e}", seen.worst);
-    // Single precision has 5e8 times the rounding error. In one scene of ten it may miss a grazing event.
+    // The rounding unit of single precision is 5e8 times as large. In one scene of ten it may miss an event that is
+    // barely reached.
     assert!(seen.single < 5e-3, "{:e}", seen.single);
     let mut singles = seen.singles.clone();
     singles.sort_by(f64::total_cmp);
@@ -198,8 +200,8 @@ fn check(seen: &Seen, bar: f64) {
     assert!(most < 2e-5, "{most:e}");
 }
 
-/// Below critical damping the modes of the chain with a stuck contact must keep their digits, however many masses there
-/// are. Above critical damping, pairs of real roots cost up to six digits with 8 masses.
+/// Checks that with damping ratios below 1 the modes of the chain with a stuck contact keep their digits, whatever
+/// the number of masses. With damping ratios above 1, pairs of real roots cost up to six digits with 8 masses.
 #[test]
 fn scenes_at_random() {
     check(&all(&[1, 2, 3, 5, 8], 40, 300), 1e-8);
@@ -213,9 +215,9 @@ fn more_scenes_at_random() {
     check(&all(&[16, 33, 64], 60, 300), 1e-12);
 }
 
-/// If many masses have only critically damped modes, the poles of the chain with a stuck contact lie close together
-/// between double roots. All functions for motion in time must refuse a scene that would lose half of its digits, with
-/// the same error. An accepted scene must keep its digits.
+/// Checks scenes of many masses whose modes are all critically damped. The poles of the chain with a stuck contact
+/// are then close together between double roots. All functions for motion in time must refuse a scene that would lose
+/// half of its digits, with the same error. An accepted scene must keep its digits.
 #[test]
 fn critical_damping_of_many_masses() {
     let mut refused = Vec::new();

@@ -1,8 +1,8 @@
-//! Tests that undamped chains keep their energy. The stored energy must equal the work of the load, over the number of
-//! steps that a device takes in a day.
+//! Tests that undamped chains keep their energy: the stored energy must equal the work of the load, over as many
+//! steps as a device takes in a day.
 //!
-//! The tables turn a mode by a product of shears, which conserves a quadratic form for any rounding of the tables. Only
-//! the rounding of the state changes the energy (docs/decisions/0001-passive-step.md).
+//! The tables turn a mode by a product of shears. This product conserves a quadratic form however the tables are
+//! rounded. Only the rounding of the state changes the energy (docs/decisions/0001-passive-step.md).
 
 use frictiongen::{StepLoad, Stepping, System, friction_system};
 use frictiongen_kernel::{Float, Plain, Scalar};
@@ -27,12 +27,12 @@ const CHAIN: &str = "struct Chain { masses: { a: 1, b: 0.5, c: 2 },
 const MASS: &str =
     "struct Mass { masses: { m: 2 }, springs: { base - m: 2 }, contact: m - wall, excitation: m }";
 
-/// Angles by which the mode turns in a step, in rad. Above 1 rad the stepper divides the step into two or three
-/// sub-intervals.
+/// Angles by which the mode turns in a step, in rad. For angles above 1 rad the stepper divides the step into two or
+/// three parts.
 const ANGLES: [f64; 7] = [0.03, 0.18, 0.59, 0.60, 1.16, 2.0, 2.9];
 
-/// Returns the drift: stored energy minus the work of the load, over the initial energy. The results are its largest
-/// size and its last value.
+/// Returns the drift: stored energy minus the work of the load, divided by the initial energy. The first result is
+/// its largest modulus, the second its last value.
 fn drift(
     mut stepper: impl Stepping<Scalar: Scalar>,
     energy: f64,
@@ -56,8 +56,8 @@ fn drift(
     [largest, last]
 }
 
-/// Returns the drift of a chain without a load. It is released with every mass at 1 mm, so that only the first spring
-/// is strained.
+/// Returns the drift of a chain without a load. The chain is released with every mass at 1 mm, so that only the first
+/// spring is strained.
 fn released<S: Plain>(text: &str, dt: f64, steps: u32) -> [f64; 2] {
     let system: System<S> = text.parse().expect("a scene");
     let scene = system.scene();
@@ -87,7 +87,7 @@ fn all(steps: u32, single: f64, double: f64) {
     }
 }
 
-/// Without a load the drift of the energy must stay within the tolerances, in both precisions.
+/// Checks that without a load the drift of the energy stays within the tolerances, in both precisions.
 #[test]
 fn without_load() {
     all(1_000_000, 3e-4, 1e-12);
@@ -99,7 +99,7 @@ fn without_load_over_a_hundred_million_steps() {
     all(100_000_000, 1e-3, 1e-9);
 }
 
-/// Constant tables, which are rounded once from double-double, must keep the energy as well.
+/// Checks that constant tables, which are rounded once from double-double, keep the energy as well.
 #[test]
 fn by_declared_tables() {
     let state = [1e-3; 3];
@@ -109,8 +109,8 @@ fn by_declared_tables() {
     assert!(off[0] < 3e-4, "{off:?}");
 }
 
-/// Tests the energy balance in two cases: under a force that continues, and after a force that has moved a chain whose
-/// contact then sticks.
+/// Checks the energy balance in two cases: under a force that continues, and after a force that has moved a chain
+/// whose contact then sticks.
 #[test]
 fn under_load() {
     let text = |input: &str| {
@@ -134,7 +134,7 @@ fn under_load() {
         ("driven, contact stuck", 1e6, &wave),
         ("shaken, contact stuck", 1e6, &push),
     ] {
-        // The drift is measured by the energy that 100 N store in the first spring.
+        // The drift is divided by the energy that 100 N store in the first spring.
         let energy = 0.5 * 1e4 / 3.3e5;
         let load = |step| [force(step), friction];
         let from = |system: &System<f32>| {
@@ -142,8 +142,8 @@ fn under_load() {
         };
         let declared = Declared::stepper(Declared::STEP).expect("its step");
         let held = [from(&hold), drift(declared, energy, 500_000, load)];
-        // The work of a piecewise linear force has its own weights. Their rounding errors add up to 2e-9 of the energy
-        // in a step, so that the tolerance is wider.
+        // The work of a piecewise linear force has its own weights. Their rounding errors add up to 2e-9 of the
+        // energy in a step, so the tolerance is wider.
         let straight = from(&linear);
         println!("{name}: {held:?}, in straight lines {straight:?}");
         assert!(
@@ -154,21 +154,22 @@ fn under_load() {
     }
 }
 
-/// A damped mode must lose the energy that damping takes, even if the loss in a step is less than a rounding. It must
-/// never gain energy.
+/// Checks that a damped mode loses the energy that damping takes, even if the loss in a step is less than a rounding
+/// unit. The mode must never gain energy.
 #[test]
 fn damped_modes_decay_by_their_damping() {
     for zeta in [1e-9, 1e-7, 1e-5, 1e-3] {
         let text = format!("{}, damping: modal({zeta}) }}", MASS.trim_end_matches(" }"));
         for angle in ANGLES {
-            // The run ends at a tenth of the energy. It ends earlier if the rounding of the tables would show before.
+            // The run ends at a tenth of the energy. It ends earlier if otherwise the rounding of the tables would
+            // show.
             let steps = (1.15 / (zeta * angle)).clamp(1000.0, 500_000.0) as u32;
             let [_, single] = released::<f32>(&text, angle, steps);
             let [_, double] = released::<f64>(&text, angle, steps);
             // At the end of the run the mass has a velocity. The quantity that decays exactly is y + ζu.
             let want = (-2.0 * zeta * angle * f64::from(steps)).exp_m1();
             println!("ζ {zeta:e}, {angle} rad: {single:.6}, {double:.6} for {want:.6}");
-            // Single precision does not resolve a loss of less than half a rounding in most steps.
+            // In most steps single precision does not resolve a loss of less than half a rounding unit.
             let unseen = if zeta < 1e-8 { -want } else { 0.0 };
             assert!(
                 (want - 1e-3..want + unseen + 1e-3).contains(&single),

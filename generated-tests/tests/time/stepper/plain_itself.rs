@@ -1,4 +1,5 @@
-//! Compares the plain integrator with the exact event-driven motion in time, and with itself.
+//! Compares the plain integrator with the exact event-driven motion in time, and with the plain integrator in shorter
+//! steps.
 
 use crate::stepper::plain::chain::Chain;
 use crate::stepper::plain::{Input, Plain};
@@ -7,8 +8,8 @@ use frictiongen::System;
 use fuzzing::Random;
 use std::f64::consts::TAU;
 
-/// Returns the largest difference from the exact motion, as a fraction of the base motion, and the number of events.
-/// The base motion consists of `steps` cubics in a cycle.
+/// Returns the largest difference from the exact motion, divided by the base's amplitude, and the number of events.
+/// `steps` cubics in a cycle approximate the base motion.
 fn off(text: &str, [r, beta]: [f64; 2], steps: i32) -> (f64, u64) {
     let system: System = text.parse().expect("a scene");
     let scene = system.scene();
@@ -48,11 +49,11 @@ fn off(text: &str, [r, beta]: [f64; 2], steps: i32) -> (f64, u64) {
 
 /// Measures the order of the error for a base motion that cubics interpolate.
 ///
-/// Cubics between instants approximate a cosine with an error of h⁴/384, with h in radians. Their second derivative has
-/// an error of h²/12, which a contact with the base feels. With μ > 1 a break-away is late by as much, and the force
-/// neglected in that time is not small. With μ = 1 it is small. The order is therefore 4 for a contact with the wall,
-/// and 3 for a contact with the base. With μ > 1 the order is 2, but the delay of a break-away changes its sign within
-/// a cubic.
+/// Cubics between instants approximate a cosine with an error of h⁴/384, where h is the step in radians. Their second
+/// derivative has an error of h²/12, which affects a contact with the base. With μ > 1 this error delays a break-away
+/// by as much, and the force that is neglected during the delay is not small. With μ = 1 it is small. The order is
+/// therefore 4 for a contact with the wall, and 3 for a contact with the base. With μ > 1 the order is 2, but the
+/// delay of a break-away changes its sign within a cubic.
 #[test]
 fn a_cosine_of_the_base() {
     for (text, at, mu, order, bar) in [
@@ -86,7 +87,8 @@ pub fn hermite([y0, v0]: [f64; 2], [y1, v1]: [f64; 2], dt: f64) -> [f64; 4] {
     ]
 }
 
-/// Checks the energy and compares with steps of half the length, for a law of the speed and forces on all masses.
+/// Checks the energy of the plain integrator. Compares it with steps of half the length, for a friction law that
+/// depends on the speed and forces on all masses.
 #[test]
 fn against_itself() {
     let laws: [&[[f64; 2]]; 2] = [&[], &[[0.2, 0.6], [0.5, 0.9]]];

@@ -28,8 +28,9 @@ fn state(stepper: &SystemStepper<'_>, masses: usize) -> [Vec<f64>; 2] {
     [of(|mass| mass.displacement()), of(|mass| mass.velocity())]
 }
 
-/// A stepper starts from the state and under the load of another stepper. If the other contact sticks, the new one must
-/// report sticking with the same force. If it slides, the new one must report sliding.
+/// Checks a stepper that starts from the state and under the load of another stepper. If the contact of the other
+/// stepper sticks, the new stepper must report sticking with the same force. If it slides, the new stepper must
+/// report sliding.
 #[test]
 fn sticks_with_its_force_or_slides() {
     for text in [WALL, BASE, PAIR, ONE, ONE_ON_BASE, WALL_BASE] {
@@ -51,8 +52,8 @@ fn sticks_with_its_force_or_slides() {
             let [x, v] = state(&stepper, masses);
             let mut again = system.stepper_from(dt, (&x, &v)).expect("a state");
             let (want, unloaded) = (stepper.contact(), again.contact());
-            // Before it is given a load, the new stepper assumes a base at rest. The two states then agree only if the
-            // contact does not rub on the base.
+            // Before the new stepper gets a load, it assumes a base at rest. The states of both contacts then agree
+            // only if the contact does not rub on the base.
             if !on_base {
                 assert_eq!(unloaded.is_sticking(), want.is_sticking(), "{text}");
             }
@@ -85,9 +86,9 @@ fn sticks_with_its_force_or_slides() {
     }
 }
 
-/// Many masses have random velocities, but both masses of the contact have the same one. The relative velocity is
-/// computed as a sum over modes, which leaves only rounding. This rounding is larger than the terms of the sum suggest.
-/// The contact must stick.
+/// Checks a state with random velocities of many masses, in which both masses of the contact have the same velocity.
+/// The relative velocity is a sum over modes, of which only rounding remains. This rounding is larger than the terms
+/// of the sum suggest. The contact must stick.
 #[test]
 fn a_given_state_sticks_but_for_its_rounding() {
     let names: Vec<String> = (0..40).map(|i| format!("m{i}")).collect();
@@ -122,8 +123,8 @@ fn a_given_state_sticks_but_for_its_rounding() {
     }
 }
 
-/// A contact at rest under more than its break-away force must slide at once, and the first step must count the
-/// break-away.
+/// Checks a contact at rest under more than its break-away force. It must slide immediately, and the first step must
+/// count the break-away.
 #[test]
 fn goes_at_once_beyond_the_grip() {
     let system: System = sticky(ONE, 1.5).parse().expect("a scene");

@@ -1,4 +1,4 @@
-//! Drives a stepper by a sampled cosine. Its motion must approach the steady state of `orbit`. From rest, it must
+//! Runs a stepper under a sampled cosine. The motion must approach the steady state of `orbit`. From rest, it must
 //! follow the event-driven motion in time. Both errors must have the order of the input's interpolation.
 
 use crate::stepper::rig::{HOLD, Kind, LINEAR, Load, Rig, advance, begin, rig};
@@ -55,15 +55,16 @@ impl Wave {
         }
     }
 
-    /// Takes step number `step`. With zero-order hold the input is that at the start of the step. With linear input it
-    /// is the value at the end of the step.
+    /// Takes the step with the number `step`. With zero-order hold the input is the sample at the start of the step.
+    /// With linear input it is the sample at the end of the step.
     fn drive(&self, rig: &mut Rig<f64>, kind: Kind<'_>, step: u32) {
         let hold = kind.input == frictiongen_kernel::stepper::Input::Hold;
         advance(rig, &self.at(if hold { step } else { step + 1 }));
     }
 }
 
-/// Returns the distance of the stepper's last cycle from the steady state, over the amplitude, and the number of stops.
+/// Returns the largest distance of the last cycle from the steady state, divided by the amplitude, and the number of
+/// stops.
 fn from_orbit(
     text: &str,
     kind: Kind<'_>,
@@ -98,8 +99,8 @@ fn from_orbit(
     (worst, stops, orbit.stops())
 }
 
-/// The runs have 50, 200 and 1000 steps in a cycle. The error must have order 2 with linear input and order 1 with
-/// zero-order hold. With the cubics of the base the order must be at least 2.
+/// Checks the order of the error with 50, 200 and 1000 steps in a cycle. The order must be 2 with linear input and 1
+/// with zero-order hold. With cubics for the base it must be at least 2.
 #[test]
 fn tends_to_the_steady_state() {
     for (text, at, mu) in [
@@ -133,7 +134,7 @@ fn tends_to_the_steady_state() {
     }
 }
 
-/// From rest, the stepper is compared at every step with the exact motion under the cosine itself.
+/// Compares the stepper from rest, at every step, with the exact motion under the cosine itself.
 #[test]
 fn follows_the_event_driven_motion() {
     for (text, at, mu) in [

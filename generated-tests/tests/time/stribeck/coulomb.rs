@@ -1,4 +1,4 @@
-//! Compares friction laws that equal Coulomb's law, exactly or nearly, with a constant kinetic friction force.
+//! Compares friction laws that equal or nearly equal Coulomb's law with a constant kinetic friction force.
 
 use crate::stepper::scenes::{BASE, ONE, ONE_ON_BASE, PAIR, TEN, WALL, WALL_BASE};
 use crate::stribeck::{follow, lined, scaled, units};
@@ -6,8 +6,8 @@ use frictiongen::System;
 
 const ALL: [&str; 7] = [WALL, BASE, PAIR, ONE, ONE_ON_BASE, WALL_BASE, TEN];
 
-/// Returns the largest difference of two runs over some cycles, relative to the largest displacement or velocity. Also
-/// returns the number of events in each run.
+/// Returns the largest difference of two runs over several cycles, divided by the largest displacement or velocity.
+/// Also returns the number of events in each run.
 fn apart(
     one: (&System, f64, f64),
     other: (&System, f64, f64),
@@ -39,8 +39,9 @@ fn apart(
     ((worst[0] / largest[0]).max(worst[1] / largest[1]), events)
 }
 
-/// A law with the level 1 at every speed, in five lines, is Coulomb's law. The power series must therefore agree with
-/// the closed form. Both round. Friction reduces earlier errors, except for a factor at each event.
+/// Compares Coulomb's law with a law of five lines whose level is 1 at every speed. The power series of the law must
+/// agree with the closed form. Both have rounding errors. Friction reduces earlier errors, but each event multiplies
+/// them by a factor.
 #[test]
 fn a_constant_level() {
     let mut compared = 0;
@@ -69,8 +70,8 @@ fn a_constant_level() {
     assert_eq!(compared, 56);
 }
 
-/// A friction force that falls to 0.8 F up to a small speed v is nearly Coulomb's law with 0.8 F and μ/0.8. The
-/// difference must be of the order of v.
+/// Compares a friction force that falls to 0.8 F between speed 0 and a small speed v with Coulomb's law for 0.8 F and
+/// μ/0.8. The difference must be of the order of v.
 #[test]
 fn a_sudden_fall() {
     let mut compared = 0;

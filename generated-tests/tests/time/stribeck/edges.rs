@@ -1,4 +1,5 @@
-//! Tests speeds that just reach a point of the law, extreme numbers, and refused numbers.
+//! Tests friction laws that depend on the speed: speeds that just reach a point of the law, extreme numbers, and
+//! refused numbers.
 
 use crate::stepper::scenes::{BASE, ONE, ONE_ON_BASE, PAIR, TEN, WALL, WALL_BASE};
 use crate::stribeck::{follow, lined, scaled, units};
@@ -20,16 +21,16 @@ fn peak(text: &str, law: &[[f64; 2]], [r, beta]: [f64; 2]) -> (f64, f64, usize) 
     (largest, run.run().mass(0).displacement(), calls)
 }
 
-/// The speed has its peak at a point of the law. If the point is shifted by roundings or a little more, the motion must
-/// change only by the effect of the shift.
+/// Checks a motion whose largest speed is that of a point of the law. If rounding or a little more shifts the point,
+/// the motion may change only by the effect of the shift.
 #[test]
 fn a_grazed_point() {
     let mut compared = 0;
     for text in [ONE, WALL, ONE_ON_BASE] {
         let at = [0.8, 0.3];
         let law = |v: f64| [[v, 0.7], [v + 0.5, 0.9]];
-        // The peak changes little with the point. A fixed-point iteration therefore finds a point that the peak just
-        // reaches.
+        // The largest speed depends little on the point. A fixed-point iteration therefore finds a point that this
+        // speed just reaches.
         let mut v = 0.5;
         for _ in 0..60 {
             v += 0.5 * (peak(text, &law(v), at).0 - v);
@@ -86,7 +87,7 @@ fn sound<S: Plain>(
 }
 
 /// Runs frequencies, friction forces and loads over many decades, in both precisions. No result may be NaN, the
-/// friction force must keep its bounds, and every call must end. One in `one_in` cases runs.
+/// friction force must stay within its bounds, and every call must end. The function runs one of `one_in` cases.
 fn far(one_in: usize) -> [usize; 3] {
     let (mut runs, mut refused, mut events) = (0, 0, 0);
     let mut turn = 0;
@@ -122,7 +123,7 @@ fn far(one_in: usize) -> [usize; 3] {
     [runs, events, refused]
 }
 
-/// Every eleventh case runs. Eleven shares no divisor with the numbers of cases in the loops, so that all kinds of
+/// Runs every eleventh case. Eleven has no common divisor with the numbers of cases in the loops, so all kinds of
 /// cases occur.
 #[test]
 fn extremes() {
@@ -158,12 +159,12 @@ fn refused() {
             OutOfDomain::LoadAmplitude(Given::of(amplitude))
         );
     }
-    // With this load amplitude, the quotient of a speed of the law and the load's speed overflows.
+    // With this load amplitude, the speed of a point of the law divided by the load's speed overflows.
     assert_eq!(
         refused(0.5, 0.3, 1e-320),
         OutOfDomain::LoadAmplitude(Given::Positive)
     );
-    // Under this load the speeds of the law are tiny compared with the motion, so that the law is too steep.
+    // Under this load the speeds of the law are tiny compared with the motion, so the law is too steep.
     assert_eq!(refused(0.5, 0.3, 1e308), OutOfDomain::Steepness);
     for r in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         let given = Given::of(r);
@@ -227,8 +228,9 @@ fn refused() {
     );
 }
 
-/// The contact of the initial state slides with the speed of a point of the law, and becomes slower or faster. The
-/// point itself must decide nothing. A point next to that speed must give the same motion, in a run and in a stepper.
+/// Checks a start in which the contact slides with the speed of a point of the law, and then becomes slower or
+/// faster. The point itself must decide nothing: a law with its point next to that speed must give the same motion,
+/// in a run and in a stepper.
 #[test]
 fn from_a_point() {
     let (x, v) = ([0.002], [0.01]);

@@ -4,7 +4,7 @@ use frictiongen::kernel::simulation::Segment;
 use frictiongen::kernel::{Float, Scalar};
 use frictiongen::{Given, OutOfDomain, Run, SimulatesUnder, System};
 
-/// A segment, and the numbers at its end as bits.
+/// A segment, and the bits of the numbers at its end.
 type Passed<S> = (Segment<S>, [u64; 5]);
 
 /// Returns a hundred segments of a run, each with the state of the contact and of a mass at its end.

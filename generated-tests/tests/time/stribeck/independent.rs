@@ -1,4 +1,4 @@
-//! Compares runs with an integrator that shares no code with them.
+//! Compares runs with a plain integrator that shares no code with them.
 
 use crate::stepper::plain::chain::Chain;
 use crate::stepper::scenes::{BASE, ONE, ONE_ON_BASE, PAIR, TEN, WALL, WALL_BASE};
@@ -7,8 +7,8 @@ use crate::stribeck::{follow, lined, scaled, units};
 use frictiongen::System;
 use frictiongen::study::scene::Excitation;
 
-/// Returns the difference of a run and the integrator, relative to the largest displacement or velocity. Also returns
-/// the numbers of events of both, and how often the speed reached a point of the law.
+/// Returns the difference of a run and the plain integrator, divided by the largest displacement or velocity. Also
+/// returns the numbers of events of both, and how often the speed reached a point of the law.
 fn apart(text: &str, law: &[[f64; 2]], [r, beta]: [f64; 2], steps: usize) -> (f64, [usize; 3]) {
     const CYCLES: usize = 12;
     let ([length, speed], amplitude) = units(&lined(text, 1.2, &[]), r);
@@ -49,11 +49,12 @@ fn apart(text: &str, law: &[[f64; 2]], [r, beta]: [f64; 2], steps: usize) -> (f6
     (worst, [events, plain.events, plain.crossed])
 }
 
-/// Compares runs with all contacts, damped and undamped. The points lie at a low frequency with many stops, near a
-/// resonance, and above it. One law falls, and the other falls and rises. One in `one_in` cases runs.
+/// Compares runs with all contacts, damped and undamped: at a low frequency with many stops, near a resonance, and
+/// above it. One law falls, and the other falls and rises. The function runs one of `one_in` cases.
 ///
-/// The remaining difference is the integrator's own error. With four times as many steps it must be a 256th. Exceptions
-/// are runs whose coarse steps missed an event, and runs in which rounding dominates, at some 1e-12 of the motion.
+/// The remaining difference is the error of the integrator. With four times as many steps it must be a 256th.
+/// Exceptions are runs whose coarse steps missed an event, and runs whose difference is mostly rounding, about 1e-12
+/// of the motion.
 fn runs(one_in: usize) -> [usize; 4] {
     let falls = [[0.3, 0.7], [0.8, 0.5]];
     let rises = [[0.2, 0.6], [0.7, 1.1]];
@@ -85,7 +86,7 @@ fn runs(one_in: usize) -> [usize; 4] {
     [compared, ordered, events, crossed]
 }
 
-/// Every fifth case runs, which covers all scenes, points and laws.
+/// Runs every fifth case, which covers all scenes, points and laws.
 #[test]
 fn runs_from_rest() {
     let [compared, _, events, crossed] = runs(5);

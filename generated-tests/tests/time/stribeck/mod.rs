@@ -15,8 +15,8 @@ use frictiongen::System;
 use frictiongen::kernel::Float;
 use frictiongen::study::scene::{Excitation, FrictionLaw, Provide, Scene};
 
-/// Returns a scene with μ and a friction law, whose points are in the scene's units. Without points the law is
-/// Coulomb's.
+/// Returns a scene with μ and a friction law, whose points are in the units of the scene. A list without points means
+/// Coulomb's law.
 pub fn lined(text: &str, mu: f64, law: &[[f64; 2]]) -> Scene {
     let system: System = sticky(text, mu).parse().expect("a scene");
     let mut scene = system.scene().clone();
@@ -27,8 +27,8 @@ pub fn lined(text: &str, mu: f64, law: &[[f64; 2]]) -> Scene {
     scene
 }
 
-/// Returns the factors from z̄ and dz̄/dτ to metres and metres per second at r. The load causes displacements of about
-/// a centimetre. Also returns the amplitude of that load.
+/// Returns the factors that convert z̄ and dz̄/dτ to metres and metres per second at r, and the amplitude of the
+/// load. This load causes displacements of about a centimetre.
 pub fn units(scene: &Scene, r: f64) -> ([f64; 2], f64) {
     const LENGTH: f64 = 0.01;
     let (k1, m1) = (scene.springs[0].stiffness, scene.masses[0].value);
@@ -39,7 +39,7 @@ pub fn units(scene: &Scene, r: f64) -> ([f64; 2], f64) {
     ([LENGTH, LENGTH * r * (k1 / m1).sqrt()], amplitude)
 }
 
-/// Returns a law in the units of a scene, from a law whose speeds are dz̄/dτ.
+/// Returns a friction law in the units of a scene, from a law whose speeds are values of dz̄/dτ.
 pub fn scaled(law: &[[f64; 2]], speed: f64) -> Vec<[f64; 2]> {
     law.iter().map(|[v, f]| [v * speed, *f]).collect()
 }

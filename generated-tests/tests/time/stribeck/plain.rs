@@ -138,8 +138,8 @@ impl Run {
         )
     }
 
-    /// Returns two distances that stay positive while the contact does not change its state: from the lower bound and
-    /// from the upper bound.
+    /// Returns two numbers that stay positive while the contact does not change its state: the distance from the
+    /// lower bound, and the distance from the upper bound.
     fn room(&self, state: &State, time: f64) -> [f64; 2] {
         match self.slip {
             Slip::Stuck => {

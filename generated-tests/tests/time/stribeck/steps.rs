@@ -16,7 +16,7 @@ fn system(text: &str, r: f64) -> (System, f64) {
     (scene.try_into().expect("a scene"), amplitude)
 }
 
-/// Events do not depend on the steps of a run, bit for bit.
+/// Checks that the events of a run do not depend, bit for bit, on the steps in which the caller advances it.
 #[test]
 fn steps_do_not_matter() {
     let mut compared = 0;
@@ -49,8 +49,8 @@ fn steps_do_not_matter() {
     assert!(100 < compared);
 }
 
-/// A run that starts from the state of another one, a cycle later, equals it. The lines of the law follow from the
-/// state.
+/// Checks that a run which starts from the state of another run, a cycle later, equals the other run. The lines of
+/// the law follow from the state.
 #[test]
 fn from_a_state() {
     let mut compared = 0;
@@ -74,8 +74,8 @@ fn from_a_state() {
             follow(&mut on, start + 1, 0.4);
             for mass in masses.clone() {
                 let (a, b) = (from.run().mass(mass), on.run().mass(mass));
-                // Both runs have rounding errors. In addition, a state of the masses does not say whether a contact at
-                // rest sticks.
+                // Both runs have rounding errors. In addition, the state of the masses does not tell whether a
+                // contact at rest sticks.
                 let off = (a.displacement() - b.displacement()).abs()
                     + (a.velocity() - b.velocity()).abs();
                 assert!(off < 1e-12, "{text}: {off:e}");
@@ -86,8 +86,8 @@ fn from_a_state() {
     assert_eq!(compared, 66);
 }
 
-/// The stepper under a sampled cosine differs from the run by the square of its step, because straight lines between
-/// samples miss h²/8 of the cosine.
+/// Compares the stepper under a sampled cosine with a run. The difference is of the order of the squared step,
+/// because straight lines between samples miss h²/8 of the cosine.
 #[test]
 fn beside_the_stepper() {
     let mut compared = 0;

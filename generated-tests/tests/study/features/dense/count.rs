@@ -1,10 +1,10 @@
-//! Compares sign changes between samples with the zeros that were found.
+//! Compares sign changes of a function between samples with the zeros that a search found.
 
 /// Relative distance below which two frequencies count as one.
 const NEAR: f64 = 1e-9;
 
-/// Finds the frequencies at which a function changes its sign without a pole, by bisection to rounding. At a zero its
-/// absolute value decreases.
+/// Finds the frequencies at which a function changes its sign without a pole, by bisection to rounding. At a zero the
+/// absolute value of the function decreases towards the frequency.
 pub fn sign_changes(places: &[f64], f: impl Fn(f64) -> f64) -> Vec<f64> {
     let mut found = Vec::new();
     for pair in places.windows(2) {
@@ -31,7 +31,7 @@ pub fn sign_changes(places: &[f64], f: impl Fn(f64) -> f64) -> Vec<f64> {
     found
 }
 
-/// Asserts that every frequency in `wanted` was found.
+/// Asserts that the list `found` contains every frequency in `wanted`.
 fn compare(found: &[f64], wanted: &[f64], what: &str) -> usize {
     for want in wanted {
         assert!(
@@ -42,7 +42,7 @@ fn compare(found: &[f64], wanted: &[f64], what: &str) -> usize {
     wanted.len()
 }
 
-/// Number of zeros that were compared, and number of zeros that are too close to each other for the samples.
+/// Number of compared zeros, and number of zeros that are too close to each other for the samples.
 #[derive(Default)]
 pub struct Count {
     pub compared: usize,
@@ -61,8 +61,8 @@ impl Count {
     ) {
         self.compared += compare(found, wanted, what);
         for place in found {
-            // At a zero the function changes its sign. Samples at this distance do not show the change if another zero
-            // or a pole is near.
+            // At a zero the function changes its sign. Samples at this distance do not show the change if another
+            // zero or a pole is even nearer.
             let beside = 1e-7;
             let crosses = |f: &dyn Fn(f64) -> f64| {
                 f(place * (1.0 - beside)) * f(place * (1.0 + beside)) < 0.0

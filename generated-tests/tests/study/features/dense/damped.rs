@@ -1,5 +1,5 @@
-//! Tests the regimes and crossings of damped chains, which are found by sampling. No range longer than a step may be
-//! missed.
+//! Tests the regimes and the crossings of damped chains, which the features find by sampling. They may miss no range
+//! that is longer than one of their steps.
 
 use super::dense;
 use crate::features::scenes::{random, shown};
@@ -32,7 +32,7 @@ fn regimes_of_damped_chains() {
         assert_eq!(certainty, Certainty::Sampled { steps });
         let mut found = ranges.iter();
         let mut own = found.next().unwrap();
-        // The loop counts consecutive samples in one regime, and samples whose regime differs from the list.
+        // The loop counts consecutive samples in one regime, and samples whose regime differs from that of the list.
         let (mut last, mut row, mut wrong) = (None, 0, 0);
         for r in dense(range, DENSE) {
             let limits = system.at(r).unwrap().limits();

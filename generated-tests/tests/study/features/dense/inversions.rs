@@ -1,4 +1,4 @@
-//! Tests the ranges in which friction enlarges a motion, against the computed growth.
+//! Tests the ranges in which friction enlarges a motion, against the directly computed growth.
 
 use super::dense;
 use crate::features::scenes::{random, shown};
@@ -6,8 +6,8 @@ use frictiongen::study::features::{Edge, InvariantQuantity};
 use frictiongen::{LimitsAt, Of};
 use fuzzing::Random;
 
-/// Checks that friction enlarges the motion within the ranges and not outside them. The growth of the estimate and of
-/// the fundamental is computed directly.
+/// Checks that friction enlarges the motion within the ranges and not outside them. The test computes directly how
+/// the amplitude estimate and the fundamental grow with friction.
 #[test]
 fn inversions() {
     let mut random_numbers = Random(23);

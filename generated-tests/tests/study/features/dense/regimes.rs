@@ -1,4 +1,4 @@
-//! Tests sliding ranges and regimes against the limits β_lim and β*_lim.
+//! Compares sliding ranges and regimes with the limits β_lim and β*_lim.
 
 use super::{DENSE, dense};
 use crate::features::scenes::{random, shown};
@@ -6,14 +6,15 @@ use frictiongen::study::features::{Certainty, RegimeEnd};
 use frictiongen::{FrictionSystem, LimitsAt, Regime};
 use fuzzing::Random;
 
-/// Returns true if a limit equals β at r to a relative 1e-9. A steep limit may instead cross β within a relative
-/// distance of 1e-12 in r.
+/// Returns true if a limit equals β at r to a relative 1e-9, or if a steep limit crosses β within a relative distance
+/// of 1e-12 from r.
 fn is_at(limit: impl Fn(f64) -> f64, r: f64, beta: f64) -> bool {
     let [left, right] = [1.0 - 1e-12, 1.0 + 1e-12].map(|factor| limit(r * factor) - beta);
     (limit(r) / beta - 1.0).abs() < 1e-9 || left * right <= 0.0
 }
 
-/// Checks at dense frequencies that the contact slides where β*_lim exceeds β, in damped and undamped chains.
+/// Checks at dense frequencies that the sliding ranges are those where β*_lim exceeds β, in damped and undamped
+/// chains.
 #[test]
 fn sliding_ranges() {
     let mut random_numbers = Random(24);
@@ -66,7 +67,7 @@ fn sliding_ranges() {
     assert!(bounds > 150 && seen > 150_000, "{bounds} {seen}");
 }
 
-/// Checks at dense frequencies that the regime is the one in the list.
+/// Checks at dense frequencies that the regime is that of the list.
 #[test]
 fn regimes() {
     let mut random_numbers = Random(25);

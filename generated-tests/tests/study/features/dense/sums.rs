@@ -2,8 +2,7 @@
 
 use frictiongen::study::System;
 
-/// Plain sums over modes, from frequencies and mode shapes only. They are V, H, U of the contact, and V, H, U of mass
-/// k.
+/// Plain sums over modes, from frequencies and mode shapes only: V, H and U of the contact, and V, H and U of mass k.
 pub struct Sums {
     pub v: f64,
     pub h: f64,

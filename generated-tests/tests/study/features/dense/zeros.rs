@@ -81,7 +81,7 @@ fn undamped_functions() {
             for function in &functions {
                 wanted.extend(sign_changes(&places, function));
             }
-            // Where the contact does not move without friction, there is no motion that could be invariant.
+            // If the contact does not move without friction, it has no motion that could be invariant.
             wanted.retain(|r| system.at(*r).unwrap().continuous_limit() > 1e-10);
             let found: Vec<f64> = points.iter().map(|point| point.r).collect();
             count.add(

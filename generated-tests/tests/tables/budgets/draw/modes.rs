@@ -1,4 +1,4 @@
-//! Draws arguments of a mode: x = 1/R, the damping ratio ζ, and the instant t = τ/π.
+//! Draws arguments of a mode's functions: x = 1/R = √λ/r, the damping ratio ζ, and the instant t = τ/π.
 
 use super::{Domain, Source, Span, power};
 
@@ -43,7 +43,7 @@ fn over(s: &mut Source, span: Span) -> f64 {
     }
 }
 
-/// Largest ζx at which a mode keeps the fraction e^−2 of its motion over a half period.
+/// Largest ζx for which a mode keeps at least the fraction e^−2 of its motion over a half period.
 const KEPT: f64 = 2.0 / core::f64::consts::PI;
 
 fn is_light(zeta: f64) -> bool {

@@ -1,4 +1,4 @@
-//! Tests the self-check of the emitted files: their known answers, and that it finds a wrong digit in each kind of
+//! Tests the self-check of emitted files: its known answers are right, and it finds a wrong digit in each kind of
 //! number.
 
 use super::{cc, folder, run, rustc, source, write_c};
@@ -20,7 +20,7 @@ const C_MAIN: &str = "#include <stdio.h>\n#include \"scene.h\"\nint main(void);\
 const RUST_MAIN: &str =
     "mod tables;\nfn main() {\n    println!(\"{:?}\", tables::self_check());\n}\n";
 
-/// Returns a text in which the last digit of the first number after `mark` is another one.
+/// Returns a text in which the last digit of the first number after `mark` is changed.
 fn with_a_wrong_digit(text: &str, mark: &str) -> String {
     let from = text.find(mark).unwrap_or_else(|| panic!("no {mark}")) + mark.len();
     let is_part = |letter: char| letter.is_ascii_digit() || letter == '.';
@@ -40,7 +40,8 @@ fn with_a_wrong_digit(text: &str, mark: &str) -> String {
     wrong
 }
 
-/// The known answers agree with the exact formulas of the run-time system, and every kind of motion is among them.
+/// Checks that the known answers agree with the exact formulas of the run-time system, and include every kind of
+/// motion.
 #[test]
 fn known_answers_are_right() {
     let system: System = SCENE.parse().expect("a scene");
@@ -49,7 +50,7 @@ fn known_answers_are_right() {
     assert!((1e-3..1.001e-3).contains(&tolerance), "{tolerance}");
     assert_eq!(known.len(), 10);
     let mut seen = [0; 3];
-    // Double precision keeps more than ten digits at these frequencies, where no answer depends on roundings.
+    // At these frequencies no answer depends on rounding, so double precision keeps more than ten digits.
     let close = |one: f64, other: f64, size: f64| {
         assert!((one - other).abs() <= 1e-10 * size, "{one} for {other}");
     };
@@ -79,11 +80,11 @@ fn known_answers_are_right() {
     assert!(seen.iter().all(|count| *count > 0), "{seen:?}");
 }
 
-/// File, change of its text, and the status that the self-check then returns.
+/// A file, a change of its text, and the status that the self-check must then return.
 type Wrong<'f> = (&'f str, &'f dyn Fn(&str) -> String, i32);
 
-/// A wrong digit in a number, or a wrong sign in a formula, is found in C. The number of the fault is that of the
-/// header.
+/// Checks that the self-check in C finds a wrong digit in a number, or a wrong sign in a formula. The status must be
+/// the number of the fault in the header.
 #[test]
 fn faults_in_c() {
     let system: System = SCENE.parse().expect("a scene");
@@ -155,7 +156,7 @@ fn faults_in_c() {
     }
 }
 
-/// A wrong digit in a number, or a wrong sign in a formula, is found in Rust. The error names the number or function.
+/// Checks that the self-check in Rust finds such faults. The error must name the number or the function.
 #[test]
 fn faults_in_rust() {
     let system: System = SCENE.parse().expect("a scene");

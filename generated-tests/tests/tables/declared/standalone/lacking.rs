@@ -1,4 +1,4 @@
-//! Tests the square root and the arc tangent of a Rust file that is built without std, against those of std.
+//! Compares the square root and the arc tangent of a Rust file that is built without std with those of std.
 
 use super::{folder, run, rustc, source};
 use frictiongen::System;
@@ -6,8 +6,8 @@ use frictiongen_codegen::standalone::rust_source;
 use frictiongen_kernel::Float;
 use std::process::Command;
 
-/// Program that compares the functions. The square root agrees in every bit, and the angle to two roundings of a
-/// radian.
+/// Program that compares the functions. Square roots must agree in every bit. Angles must agree to two rounding units
+/// of a radian.
 const MAIN: &str = r#"
 mod tables;
 use std::hint::black_box;

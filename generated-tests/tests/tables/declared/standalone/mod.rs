@@ -1,8 +1,8 @@
-//! Tests the C and Rust files that `frictiongen compile` writes. They are compiled and compared with the library bit
-//! for bit.
+//! Tests the C and Rust files that `frictiongen compile` writes. The tests compile the files, and compare their
+//! results with those of the library bit for bit.
 //!
-//! Phases use another arc tangent, and agree to eight roundings of a radian. These tests fail on a machine without `cc`
-//! or `rustc`.
+//! Phases use another arc tangent, so they agree only to eight rounding units of a radian. These tests fail on a
+//! machine without `cc` or `rustc`.
 
 mod check;
 mod lacking;
@@ -42,7 +42,7 @@ fn run(command: &mut Command) -> String {
     String::from_utf8(output.stdout).expect("text")
 }
 
-/// Returns a scene with its tables, from a description that has no effect on the numbers.
+/// Returns a scene with its tables. The description in the result has no effect on the numbers.
 fn source<'a, S>(scene: &'a Scene, tables: &'a Tables<S>) -> Source<'a, S> {
     Source {
         scene,
@@ -65,7 +65,7 @@ fn write_c<S: Float>(folder: &Path, file: &str, source: &Source<'_, S>, name: &s
     write(&format!("{file}.c"), &code);
 }
 
-/// Compiles C99, and fails on any warning. Conversions and comparisons of numbers are among the warnings.
+/// Compiles C99. Any warning is an error, including warnings about conversions and comparisons of numbers.
 #[track_caller]
 fn cc(folder: &Path, arguments: &[&str]) {
     let flags = "-std=c99 -O2 -ffp-contract=off -Wall -Wextra -Werror -Wpedantic -Wconversion -Wfloat-equal -Wshadow -Wundef -Wmissing-prototypes";
@@ -76,7 +76,7 @@ fn cc(folder: &Path, arguments: &[&str]) {
         .args(arguments));
 }
 
-/// Compiles Rust, and fails if the compiler warns.
+/// Compiles Rust. Any warning is an error.
 #[track_caller]
 fn rustc(folder: &Path, arguments: &[&str]) {
     let mut command = Command::new("rustc");
@@ -86,7 +86,7 @@ fn rustc(folder: &Path, arguments: &[&str]) {
         .args(arguments));
 }
 
-/// Returns the frequency ratios at which the programs are compared.
+/// Returns the frequency ratios at which the tests compare the compiled files with the library.
 fn ratios<S: Float>() -> impl Iterator<Item = S> {
     let (low, high) = (S::constant(0.2), S::constant(2.5));
     let points = S::constant(f64::from(POINTS));

@@ -1,4 +1,4 @@
-//! Tests limits, and the contact's motion or the reason why it does not exist.
+//! Tests the limits, and the contact's motion or the reason why it does not exist, of emitted C and Rust files.
 
 use super::super::scenes::scene;
 use super::{POINTS, cc, folder, ratios, run, rustc, source, write_c};
@@ -8,17 +8,17 @@ use frictiongen_codegen::standalone::{c_source, rust_source};
 use frictiongen_kernel::Float;
 use std::process::Command;
 
-/// Friction ratios over each limit: far from it, within its accuracy on both sides, and on it.
+/// Tested β, divided by each limit: far from the limit, within the accuracy on both sides of it, and equal to it.
 const SHARES: [f64; 6] = [0.5, 0.98, 0.99999, 1.0, 1.00001, 1.5];
 
-/// Results at one r: r itself, both limits, and for each friction ratio the return code, amplitude and phase.
+/// Results at one r: r itself, both limits, and for each friction ratio the return code, the amplitude and the phase.
 struct Point {
     head: [f64; 3],
     answers: Vec<(i32, f64, f64)>,
 }
 
-/// Returns the library's results at the points of the programs. Also returns how often the code is 0, 1, 2, and 0 in a
-/// bistable regime.
+/// Returns the library's results at the compared points. Also returns how often the code is 0, how often 1, how often
+/// 2, and how often 0 in a bistable regime.
 fn expected<S: Float>(compiled: &CompiledSystem<'_, S>) -> (Vec<Point>, [usize; 4]) {
     let mut seen = [0; 4];
     let point = |r: S| {
@@ -139,7 +139,8 @@ fn main() {
 }
 "#;
 
-/// Compares a scene. Returns how often the library's code is 0, 1, 2, and 0 in a bistable regime.
+/// Compares a scene. Returns how often the library's code is 0, how often 1, how often 2, and how often 0 in a
+/// bistable regime.
 fn check<S: Float>(kind: &str, count: usize, damping: &str, stiction: &str) -> [usize; 4] {
     let single = S::EPSILON > 1e-10;
     let (scalar, real) = if single {

@@ -1,4 +1,4 @@
-//! Tests two tables of one scene in one program.
+//! Tests a program that contains two tables of one scene.
 
 use super::{cc, folder, run, source, write_c};
 use frictiongen::System;
@@ -39,7 +39,7 @@ fn two_accuracies_in_one_program() {
     assert!((numbers[0] / exact - 1.0).abs() < 1e-9, "{numbers:?}");
     let apart = (numbers[1] / exact - 1.0).abs();
     assert!(1e-9 < apart && apart < 1e-2, "{numbers:?}");
-    // If both have the same name, the second header must not be left out silently.
+    // If both tables have the same name, the preprocessor must not leave out the second header silently.
     both(["two_storey", "two_storey"]);
     let mut command = Command::new("cc");
     let refused = command.current_dir(&folder).args(["-c", "main.c"]).output();

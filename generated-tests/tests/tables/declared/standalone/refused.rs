@@ -1,4 +1,5 @@
-//! Tests that the emitted files refuse the same scenes as the macro, and with the same names.
+//! Tests that emitted C and Rust files refuse the same points as the macro's code, with the same names of the
+//! reasons.
 
 use super::{cc, folder, run, rustc, source, write_c};
 use frictiongen::study::table::Tables;
@@ -35,7 +36,7 @@ scene! { FEW: struct Few {
     range: { r: 0.3..2.5, beta: 0.1..0.4 },
 } }
 
-/// Returns the tables that the macro makes of a text, with its scene.
+/// Returns the scene of a text, and the tables that the macro builds for it.
 fn tables(text: &str) -> (frictiongen::study::scene::Scene, Tables<f64>) {
     let scene = parse_text(text, &SizeLimits::MACRO).expect("a scene").scene;
     match SceneTables::of(&scene).expect("tables") {
@@ -54,7 +55,7 @@ fn number<T>(answer: &Result<T, NotContinuous>) -> i32 {
     }
 }
 
-/// Returns the return codes of C and Rust at given points (r, β).
+/// Returns the return codes of the C file and of the Rust file at given points (r, β).
 fn answers(name: &str, text: &str, places: &[(f64, f64)]) -> [Vec<i32>; 2] {
     let (scene, tables) = tables(text);
     let folder = folder(&format!("refused_{name}"));
@@ -109,7 +110,7 @@ fn as_the_macro_refuses() {
     let (few, _) = tables(FEW);
     let few: System = System::try_from(few).expect("a scene");
     let mut ratios = vec![0.19, 0.2, 0.3, 0.7, 1.0, 1.0_f64.next_up(), 1.7, 2.5, 2.6];
-    // The points include the resonances of both scenes, as exact numbers.
+    // The points include the resonances of both scenes, which are exact numbers.
     ratios.extend(few.resonances());
     let pairs = |r: f64| betas.map(|beta| (r, beta));
     let places: Vec<(f64, f64)> = ratios.iter().flat_map(|r| pairs(*r)).collect();
@@ -148,7 +149,7 @@ fn as_the_macro_refuses() {
     }
 }
 
-/// Checks that the file names the load. On a base that moves by Y it is k₁Y.
+/// Checks that the file names the load: for a base that moves by Y it is k₁Y.
 #[test]
 fn the_load_is_named() {
     for (text, beta, other) in [(UNDAMPED, "F/P", "F/(k1 Y)"), (FEW, "F/(k1 Y)", "F/P")] {

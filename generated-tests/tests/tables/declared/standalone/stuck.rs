@@ -1,4 +1,4 @@
-//! Tests the stuck responses of the emitted files, bit for bit.
+//! Compares the stuck responses of emitted C and Rust files with those of the library, bit for bit.
 
 use super::{POINTS, cc, folder, ratios, run, rustc, source, write_c};
 use frictiongen::System;
@@ -53,7 +53,7 @@ fn main() {
 }
 "#;
 
-/// Checks the stuck responses of a scene. `resonant` is true if they have a resonance at r = 2.
+/// Checks the stuck responses of a scene. `resonant` tells whether they have a resonance at r = 2.
 fn check_stuck<S: Float>(name: &str, text: &str, resonant: bool) {
     let single = S::EPSILON > 1e-10;
     let (scalar, real) = if single {
@@ -135,7 +135,7 @@ fn stuck_responses() {
         &format!("{two}, damping: modal[0.02, 1.5]"),
         false,
     );
-    // The scene has names of masses that lints reject, and a name that is a function of the files.
+    // The scene has names of masses that lints reject, and one name that is also a function of the files.
     let rubbing = "masses: { Lower: 1, times: 2, a__b: 1 }, springs: { base - Lower: 1, Lower - times: 1, times - a__b: 2 }, contact: Lower - times, excitation: a__b";
     check_stuck::<f64>("rubbing", rubbing, false);
     check_stuck::<f64>(
@@ -148,8 +148,8 @@ fn stuck_responses() {
         &format!("{rubbing}, damping: modal(0.03)"),
         false,
     );
-    // Every response has its own poles. The first mass has none, the other masses have those of the chain above the
-    // contact, and the force has all poles.
+    // Every response has its own poles. The first mass has none. The other masses have the poles of the chain above
+    // the contact. The force has all poles.
     let moving = "masses: { a: 1, b: 2, c: 1 }, springs: { base - a: 1, a - b: 1, b - c: 1 }, contact: b - base, excitation: base";
     check_stuck::<f64>("moving", moving, false);
     check_stuck::<f64>(

@@ -105,8 +105,8 @@ impl Chain {
         }
     }
 
-    /// Returns the largest rate of any motion, including the effect of the law's slopes. These slopes are proportional
-    /// to F.
+    /// Returns the largest rate of any motion, in 1/s. It includes the effect of the friction law's slopes, which are
+    /// proportional to F.
     pub fn rate(&self, friction: f64) -> f64 {
         let slopes = self.law.windows(2).map(|ends| {
             let [[v0, f0], [v1, f1]] = [ends[0], ends[1]];

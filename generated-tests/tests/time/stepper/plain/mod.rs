@@ -1,8 +1,8 @@
 //! Integrates the motion in time, with an integrator that shares no code with this project.
 //!
-//! The displacements of the masses are Taylor series that follow from the equations of motion with dense matrices. The
-//! force in a stuck contact follows from the constraint. Events are zeros of polynomials. Bounds exclude intervals
-//! without a zero, so that no zero is missed.
+//! The displacements of the masses are Taylor series, which follow from the equations of motion with dense matrices.
+//! The force in a stuck contact follows from the constraint. Events are zeros of polynomials. Bounds prove that
+//! intervals have no zero, so the integrator misses none.
 //!
 //! A step is divided into sub-steps. The sub-steps are so short, and the series so long, that the remainder is below
 //! rounding.
@@ -15,11 +15,11 @@ use chain::Chain;
 use nalgebra::DVector;
 use zeros::{first, shifted, slope, value};
 
-/// Largest length of a sub-step, in radians of the fastest mode.
+/// Largest length of a sub-step, as the angle in rad by which the fastest mode turns.
 const PART: f64 = 0.4;
 
-/// Returns the number of terms of a series over a sub-step in which the fastest mode turns by `radians`. The remainder
-/// is below 1e-22 of the motion.
+/// Returns the number of terms of a series over a sub-step in which the fastest mode turns by `radians`. The
+/// remainder of the series is below 1e-22 of the motion.
 fn order(radians: f64) -> usize {
     let (mut term, mut order) = (1.0, 0);
     while term > 1e-22 || order < 5 {
@@ -74,16 +74,16 @@ pub struct Plain {
     pub events: u64,
     /// Contact force at the end of the last step.
     pub force: f64,
-    /// State of the contact. `held_at` is z while the contact sticks. `base_rate` is the velocity of the base at the
-    /// end of the last step. `wedged` is true if the force has reached the break-away level without a slip.
+    /// `held_at` is z while the contact sticks. `base_rate` is the velocity of the base at the end of the last step.
+    /// `wedged` is true if the force has reached the break-away level without a slip.
     held_at: f64,
     base_rate: f64,
-    /// Largest term in the sum for `base_rate`. It measures the rounding error of that velocity, which may itself be
+    /// Largest term in the sum for `base_rate`. It measures the rounding error of `base_rate`, which may itself be
     /// zero.
     base_rate_size: f64,
     wedged: bool,
     order: usize,
-    /// True if the run computes its work.
+    /// True if the run computes the work.
     pub metered: bool,
 }
 
@@ -136,7 +136,7 @@ impl Plain {
         0.5 * (kinetic + (&self.chain.k * &self.x).dot(&self.x))
     }
 
-    /// Returns the index of the line of the law at a speed.
+    /// Returns the index of the line of the friction law that contains this speed.
     fn piece(&self, speed: f64) -> usize {
         let law = &self.chain.law;
         law.iter()
@@ -144,8 +144,8 @@ impl Plain {
             .expect("the law starts at 0")
     }
 
-    /// Returns the kinetic friction force over F on a line of the law, as its value extrapolated to speed 0 and its
-    /// slope.
+    /// Returns the kinetic friction force, divided by F, on a line of the friction law. The results are the value of
+    /// the line at speed 0 and its slope.
     fn level(&self, piece: usize) -> [f64; 2] {
         let law = &self.chain.law;
         let [v0, f0] = law[piece];
@@ -160,7 +160,8 @@ impl Plain {
     pub fn advance(&mut self, input: &Input, dt: f64) {
         let [place, rate, ..] = input.base;
         let [z, relative] = self.relative([place, rate]);
-        // A jump of the base does not move the masses. A jump of the base's velocity may reverse the contact.
+        // A jump of the base's displacement does not move the masses. A jump of the base's velocity may reverse the
+        // contact.
         self.held_at = z;
         let jump = (rate - self.base_rate).abs();
         let jumps = jump > 1e-9 * rate.abs().max(self.base_rate_size);
@@ -171,8 +172,8 @@ impl Plain {
         self.advance_along(&input.base, &forces, input.friction, dt);
     }
 
-    /// Advances the run over a time `dt` under polynomials of the base's displacement and of the forces, which continue
-    /// those before.
+    /// Advances the run over a time `dt`. Polynomials give the base's displacement and the forces. They continue
+    /// those of the previous call without a jump.
     pub fn advance_along(&mut self, motion: &[f64], forces: &[Vec<f64>], friction: f64, dt: f64) {
         let radians = dt * self.chain.rate(friction);
         let parts = (radians / PART).ceil().max(1.0);
@@ -184,7 +185,7 @@ impl Plain {
             size.max((rate * dt.powi(power as i32)).abs())
         });
         for part in 0..parts as usize {
-            // The polynomials of the input are rewritten about the start of the sub-step.
+            // These are the polynomials of the input about the start of the sub-step.
             let from = dt * part as f64 / parts;
             let span = dt * (part + 1) as f64 / parts - from;
             let base = shifted(motion, from);
@@ -316,8 +317,8 @@ impl Plain {
         Series { x, z, force }
     }
 
-    /// Returns the time to the next event, and that event. If the contact has just left rest, `excess` is the excess of
-    /// the contact force over friction.
+    /// Returns the time to the next event, and the event. If the contact has just left rest, `excess` is the contact
+    /// force minus the friction force.
     fn next(&self, series: &Series, friction: f64, left: f64, excess: Option<f64>) -> (f64, Next) {
         let Slip::Slides(sign, piece) = self.slip else {
             let size = 1.0 + if self.wedged { 1e-13 } else { 0.0 };
@@ -336,8 +337,8 @@ impl Plain {
         let mut speed: Vec<f64> = slope(&series.z).iter().map(|rate| sign * rate).collect();
         let halt;
         if let Some(excess) = excess {
-            // After a rest the first coefficients are known exactly. The zero of the polynomial at the start is removed
-            // by a division by t or t².
+            // After a rest the first coefficients are known exactly. A division by t or t² removes the zero of the
+            // polynomial at the start.
             speed[0] = 0.0;
             speed[1] = self.chain.inverse_mass * excess;
             let lead = if excess > 0.0 { 1 } else { 2 };
@@ -358,8 +359,8 @@ impl Plain {
             } else if c[1] < 0.0 {
                 Some(0.0)
             } else {
-                // The speed is exactly that of a point of the law, and moves away from it along this line. The
-                // polynomial's zero at the start is divided out.
+                // The speed is exactly that of a point of the law, and moves away from it along this line. A division
+                // removes the zero of the polynomial at the start.
                 first(&c[1..], 0.0, best.0)
             };
             if let Some(at) = found.filter(|at| *at < best.0 || best.1 == Next::End) {
@@ -394,7 +395,7 @@ impl Plain {
     }
 }
 
-/// Event that ends a smooth piece of motion.
+/// What ends a piece of motion without events.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Next {
     End,

@@ -1,4 +1,4 @@
-//! The work over a piece of motion without events, by quadrature of the powers.
+//! Computes the work over a piece of motion without events, by quadrature of the powers.
 
 use super::zeros::{slope, value};
 use super::{Plain, Series};

@@ -1,5 +1,5 @@
-//! Finds the first zero of a polynomial, and misses none. A bound on all derivatives excludes intervals without a zero,
-//! and the other intervals are halved.
+//! Finds the first zero of a polynomial. A bound on all derivatives proves that an interval has no zero. All other
+//! intervals are halved, so no zero is missed.
 
 /// Returns the value of Σ c_k tᵏ.
 pub fn value(c: &[f64], t: f64) -> f64 {
@@ -12,7 +12,7 @@ pub fn slope(c: &[f64]) -> Vec<f64> {
     rest.map(|(k, c)| k as f64 * c).collect()
 }
 
-/// Returns the coefficients of the same polynomial about the point t.
+/// Returns the coefficients of the same polynomial in powers of the distance from the point t.
 pub fn shifted(c: &[f64], t: f64) -> Vec<f64> {
     let mut c = c.to_vec();
     for low in 0..c.len() {
@@ -23,8 +23,8 @@ pub fn shifted(c: &[f64], t: f64) -> Vec<f64> {
     c
 }
 
-/// Returns the first zero, between `from` and `to`, of a polynomial that is positive at `from`. A zero without a change
-/// of sign counts.
+/// Returns the first zero, between `from` and `to`, of a polynomial that is positive at `from`. A double zero, where
+/// the sign does not change, counts.
 pub fn first(c: &[f64], from: f64, to: f64) -> Option<f64> {
     let half = 0.5 * (to - from);
     let middle = from + half;
@@ -41,7 +41,7 @@ pub fn first(c: &[f64], from: f64, to: f64) -> Option<f64> {
     if about[0] > rest {
         return None;
     }
-    // If an interval is as short as a rounding and has no change of sign, it contains a double zero.
+    // An interval that is as short as a rounding unit and has no change of sign contains a double zero.
     if half <= 1e-15 * to.abs() || half < 1e-300 {
         return (about[0] <= rest).then_some(middle);
     }
