@@ -56,7 +56,7 @@ pub enum Excitation {
 /// mass that does not exist.
 ///
 /// ```
-/// use frictiongen_plot::{Contact, End, Excitation, Sketch, Spring};
+/// use frictiongen_plot::{SketchContact, End, Excitation, Sketch, Spring};
 /// let sketch = Sketch {
 ///     masses: vec!["*m*_1".into(), "*m*_2".into()],
 ///     values: Vec::new(),
@@ -65,7 +65,7 @@ pub enum Excitation {
 ///         Spring { between: (End::Mass(0), End::Mass(1)), label: "*k*_2".into() },
 ///     ],
 ///     dashpots: Vec::new(),
-///     contact: Some(Contact { between: (End::Mass(1), End::Wall), label: "*F*".into() }),
+///     contact: Some(SketchContact { between: (End::Mass(1), End::Wall), label: "*F*".into() }),
 ///     excitation: Excitation::Base { label: "*y*(*t*)".into() },
 /// };
 /// assert!(sketch.svg().is_some());
