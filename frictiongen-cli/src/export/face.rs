@@ -3,7 +3,7 @@
 
 /// Type of a number or a struct.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Kind {
+pub enum FieldType {
     /// The scene's scalar.
     Real,
     /// A signed number of 32 bits, for flags and enumerations.
@@ -20,18 +20,18 @@ pub enum Kind {
 
 /// A field of a struct.
 #[derive(Clone, Debug)]
-pub struct Field {
+pub struct StructField {
     /// Name in C and in Rust.
     pub name: String,
     /// Type.
-    pub kind: Kind,
+    pub kind: FieldType,
     /// Meaning and unit, for a comment.
     pub about: String,
 }
 
-impl Field {
+impl StructField {
     /// Returns a field.
-    pub fn new(name: impl Into<String>, kind: Kind, about: impl Into<String>) -> Self {
+    pub fn new(name: impl Into<String>, kind: FieldType, about: impl Into<String>) -> Self {
         Self {
             name: name.into(),
             kind,
@@ -42,24 +42,24 @@ impl Field {
 
 /// A struct of numbers.
 #[derive(Clone, Debug)]
-pub struct Record {
+pub struct ExportedStruct {
     /// Name in snake case, without the prefix.
     pub name: &'static str,
     /// Meaning, for a comment.
     pub about: String,
     /// The fields.
-    pub fields: Vec<Field>,
+    pub fields: Vec<StructField>,
 }
 
 /// The way in which a parameter is passed.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Passed {
     /// By value.
-    Value(Kind),
+    Value(FieldType),
     /// By a pointer to a constant struct.
     Input(&'static str),
     /// By a pointer to memory for the result.
-    Output(Kind),
+    Output(FieldType),
     /// By a pointer to memory for an opaque struct, which the function initialises.
     Fresh(&'static str),
     /// By a pointer to an opaque struct that the function changes.
@@ -70,7 +70,7 @@ pub enum Passed {
 
 /// A function.
 #[derive(Clone, Debug)]
-pub struct Function {
+pub struct ExportedFunction {
     /// Name without the prefix.
     pub name: &'static str,
     /// Meaning, for a comment.
@@ -81,7 +81,7 @@ pub struct Function {
     pub body: String,
 }
 
-impl Function {
+impl ExportedFunction {
     /// Returns a function.
     pub fn new(
         name: &'static str,
@@ -113,13 +113,13 @@ pub struct Opaque {
 
 /// All exported items of a scene.
 #[derive(Clone, Debug, Default)]
-pub struct Face {
+pub struct ExportedItems {
     /// The structs, each before the structs that contain it.
-    pub records: Vec<Record>,
+    pub records: Vec<ExportedStruct>,
     /// The opaque structs.
     pub opaque: Vec<Opaque>,
     /// The functions.
-    pub functions: Vec<Function>,
+    pub functions: Vec<ExportedFunction>,
 }
 
 /// Returns the name of a struct in Rust.

@@ -1,6 +1,6 @@
 //! Writes the header of an exported crate.
 
-use super::face::{Face, Function, Kind, Opaque, Passed, Record};
+use super::face::{ExportedFunction, ExportedItems, ExportedStruct, FieldType, Opaque, Passed};
 use super::status::STATUSES;
 use frictiongen::study::scene::{Provide, Scene};
 use frictiongen_codegen::standalone::{UnitConstants, c_text, scene_hash};
@@ -13,7 +13,11 @@ const CONTRACT: &str = "Every function returns a status.  Unless it is 0, no res
      * All functions are reentrant, allocate nothing and print nothing.";
 
 /// Writes the header.
-pub fn header(face: &Face, scene: &Scene, (prefix, origin, real): (&str, &str, &str)) -> String {
+pub fn header(
+    face: &ExportedItems,
+    scene: &Scene,
+    (prefix, origin, real): (&str, &str, &str),
+) -> String {
     let upper = prefix.to_uppercase();
     let records: String = face
         .records
@@ -88,22 +92,22 @@ fn constants(scene: &Scene, upper: &str) -> String {
     text
 }
 
-fn kind(kind: &Kind, prefix: &str, real: &str) -> String {
+fn kind(kind: &FieldType, prefix: &str, real: &str) -> String {
     match kind {
-        Kind::Real => real.to_owned(),
-        Kind::Int => "int32_t".to_owned(),
-        Kind::Count => "uint32_t".to_owned(),
-        Kind::Long => "uint64_t".to_owned(),
-        Kind::Record(name) => format!("struct {prefix}_{name}"),
-        Kind::Bytes(_) => "uint8_t".to_owned(),
+        FieldType::Real => real.to_owned(),
+        FieldType::Int => "int32_t".to_owned(),
+        FieldType::Count => "uint32_t".to_owned(),
+        FieldType::Long => "uint64_t".to_owned(),
+        FieldType::Record(name) => format!("struct {prefix}_{name}"),
+        FieldType::Bytes(_) => "uint8_t".to_owned(),
     }
 }
 
-fn record(of: &Record, prefix: &str, real: &str) -> String {
+fn record(of: &ExportedStruct, prefix: &str, real: &str) -> String {
     let fields = of.fields.iter().map(|field| {
         let kind = kind(&field.kind, prefix, real);
         let array = match field.kind {
-            Kind::Bytes(length) => format!("[{length}]"),
+            FieldType::Bytes(length) => format!("[{length}]"),
             _ => String::new(),
         };
         format!(
@@ -130,7 +134,7 @@ fn opaque(of: &Opaque, prefix: &str) -> String {
     )
 }
 
-fn function(of: &Function, prefix: &str, real: &str) -> String {
+fn function(of: &ExportedFunction, prefix: &str, real: &str) -> String {
     let parameters = of.parameters.iter().map(|(name, passed)| match passed {
         Passed::Value(of) => format!("{} {name}", kind(of, prefix, real)),
         Passed::Input(of) | Passed::Read(of) => format!("const struct {prefix}_{of} *{name}"),

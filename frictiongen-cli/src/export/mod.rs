@@ -19,7 +19,7 @@ use crate::compile::command;
 use crate::failure::{Failure, reason};
 use crate::file::{check, write_file};
 use crate::progress;
-use face::Face;
+use face::ExportedItems;
 use frictiongen::study::scene::{Precision, Provide, Scene};
 use frictiongen_codegen::standalone::Origin;
 use frictiongen_codegen::{Description, Limits};
@@ -28,7 +28,7 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 /// A checked request.
-struct Asked<'a> {
+struct ExportRequest<'a> {
     arguments: &'a ExportArguments,
     description: &'a Description,
     /// Prefix of all names in C.
@@ -46,7 +46,7 @@ pub fn run(arguments: &ExportArguments, _out: &mut dyn Write) -> Result<(), Fail
     check_facade(&description)?;
     let prefix = names::prefix(&description.scene, arguments.name.as_deref())?;
     let library = arguments.library.as_deref().map(library).transpose()?;
-    let (to, write): (_, fn(&Asked<'_>) -> _) = match arguments.to {
+    let (to, write): (_, fn(&ExportRequest<'_>) -> _) = match arguments.to {
         ExportTarget::C => ("c", write_c),
         ExportTarget::Fmu => ("fmu", fmu::run),
     };
@@ -54,7 +54,7 @@ pub fn run(arguments: &ExportArguments, _out: &mut dyn Write) -> Result<(), Fail
         "frictiongen export {} --to {to}",
         command::description(&arguments.file)
     );
-    write(&Asked {
+    write(&ExportRequest {
         arguments,
         description: &description,
         prefix: &prefix,
@@ -67,7 +67,7 @@ pub fn run(arguments: &ExportArguments, _out: &mut dyn Write) -> Result<(), Fail
 }
 
 /// Writes the crate with a C header.
-fn write_c(asked: &Asked<'_>) -> Result<(), Failure> {
+fn write_c(asked: &ExportRequest<'_>) -> Result<(), Failure> {
     let (prefix, folder) = (asked.prefix, &asked.arguments.output);
     let scene = &asked.description.scene;
     names::check_header(prefix)?;
@@ -117,7 +117,7 @@ fn same(one: &Path, other: &Path) -> bool {
 }
 
 /// Returns the names and texts of all files that the command overwrites.
-fn files(asked: &Asked<'_>, face: &Face) -> Vec<(PathBuf, String)> {
+fn files(asked: &ExportRequest<'_>, face: &ExportedItems) -> Vec<(PathBuf, String)> {
     let scene = &asked.description.scene;
     let (prefix, origin) = (asked.prefix, &asked.origin);
     let real = real(scene);
@@ -157,9 +157,9 @@ fn real(scene: &Scene) -> &'static str {
 }
 
 /// Collects the functions of the scene.
-fn face_of(description: &Description) -> Face {
+fn face_of(description: &Description) -> ExportedItems {
     let scene = &description.scene;
-    let mut face = Face::default();
+    let mut face = ExportedItems::default();
     steady::add(&mut face, scene);
     if scene.provides(&Provide::Simulation) {
         let name = description.name.to_string();

@@ -1,6 +1,6 @@
 //! Names of a scene in C.
 
-use super::face::{Field, Kind};
+use super::face::{FieldType, StructField};
 use crate::failure::Failure;
 use frictiongen::study::scene::Scene;
 use frictiongen_codegen::standalone::c_name;
@@ -63,13 +63,17 @@ pub fn of_masses(scene: &Scene, text: impl Fn(&str, &str) -> String) -> Vec<Stri
 }
 
 /// Returns a struct field for a mass, which contains the struct `record`.
-pub fn mass_field(scene: &Scene, index: usize, record: &'static str) -> Field {
+pub fn mass_field(scene: &Scene, index: usize, record: &'static str) -> StructField {
     let about = format!("mass {}", mass(scene, index));
-    Field::new(field(scene, index, "mass"), Kind::Record(record), about)
+    StructField::new(
+        field(scene, index, "mass"),
+        FieldType::Record(record),
+        about,
+    )
 }
 
 /// Returns such a field for each mass.
-pub fn mass_fields(scene: &Scene, record: &'static str) -> Vec<Field> {
+pub fn mass_fields(scene: &Scene, record: &'static str) -> Vec<StructField> {
     let masses = 0..scene.masses.len();
     masses
         .map(|index| mass_field(scene, index, record))

@@ -1,11 +1,13 @@
 //! Exported functions of steady states, with or without stops.
 
-use super::face::{Face, Field, Function, Kind, Passed, Record};
+use super::face::{
+    ExportedFunction, ExportedItems, ExportedStruct, FieldType, Passed, StructField,
+};
 use super::names::{mass_fields, of_masses};
 use frictiongen::study::scene::Scene;
 
-const R: (&str, Passed) = ("r", Passed::Value(Kind::Real));
-const BETA: (&str, Passed) = ("beta", Passed::Value(Kind::Real));
+const R: (&str, Passed) = ("r", Passed::Value(FieldType::Real));
+const BETA: (&str, Passed) = ("beta", Passed::Value(FieldType::Real));
 
 /// Writes the statements that fill the struct `orbit` from the steady state `found`.
 const WRITTEN: &str = "let count = |count: usize| u32::try_from(count).unwrap_or(u32::MAX);
@@ -23,10 +25,10 @@ Ok(())";
 
 /// Adds the functions that return the numbers of a steady state, for motion from rest and for motion from any state.
 /// `unit` is the unit of displacements.
-pub fn add(face: &mut Face, scene: &Scene, unit: &str) {
+pub fn add(face: &mut ExportedItems, scene: &Scene, unit: &str) {
     records(face, scene, unit);
-    let output = ("orbit", Passed::Output(Kind::Record("orbit")));
-    face.functions.push(Function {
+    let output = ("orbit", Passed::Output(FieldType::Record("orbit")));
+    face.functions.push(ExportedFunction {
         name: "orbit",
         about: "Returns the steady state that motion from rest reaches, in any regime.".to_owned(),
         parameters: vec![R, BETA, output.clone()],
@@ -35,7 +37,7 @@ pub fn add(face: &mut Face, scene: &Scene, unit: &str) {
         ),
     });
     let list = |of: &str| of_masses(scene, |field, _| format!("start.{field}.{of}")).join(", ");
-    face.functions.push(Function {
+    face.functions.push(ExportedFunction {
         name: "orbit_from",
         about: "Returns the steady state that motion from another state reaches. With mu > 1 several states may exist."
             .to_owned(),
@@ -46,25 +48,25 @@ pub fn add(face: &mut Face, scene: &Scene, unit: &str) {
             list("velocity")
         ),
     });
-    face.functions.push(Function {
+    face.functions.push(ExportedFunction {
         name: "orbit_multiplier",
         about: "Returns a Floquet multiplier of the steady state from rest: the factor by which a small deviation grows in a period. The index is less than the number of multipliers in struct orbit."
             .to_owned(),
         parameters: vec![
             R,
             BETA,
-            ("index", Passed::Value(Kind::Count)),
-            ("multiplier", Passed::Output(Kind::Record("complex"))),
+            ("index", Passed::Value(FieldType::Count)),
+            ("multiplier", Passed::Output(FieldType::Record("complex"))),
         ],
         body: "let found = Scene::at(r).map_err(domain)?.orbit(beta).map_err(no_orbit)?;\nlet index = usize::try_from(index).map_err(|_| NO_MULTIPLIER)?;\nlet found = found.multipliers().get(index).ok_or(NO_MULTIPLIER)?;\nmultiplier.write(complex(*found));\nOk(())"
             .to_owned(),
     });
 }
 
-fn records(face: &mut Face, scene: &Scene, unit: &str) {
-    let flag = |name: &str, about: &str| Field::new(name, Kind::Int, about);
-    let number = |name: &str, about: &str| Field::new(name, Kind::Count, about);
-    face.records.push(Record {
+fn records(face: &mut ExportedItems, scene: &Scene, unit: &str) {
+    let flag = |name: &str, about: &str| StructField::new(name, FieldType::Int, about);
+    let number = |name: &str, about: &str| StructField::new(name, FieldType::Count, about);
+    face.records.push(ExportedStruct {
         name: "orbit",
         about: "A steady state in any regime.".to_owned(),
         fields: vec![
@@ -84,14 +86,14 @@ fn records(face: &mut Face, scene: &Scene, unit: &str) {
                 "is_marginal",
                 "1 if the state is one of a continuum, or is approached only algebraically",
             ),
-            Field::new(
+            StructField::new(
                 "stuck_fraction",
-                Kind::Real,
+                FieldType::Real,
                 "fraction of the period in which the contact sticks",
             ),
         ],
     });
-    face.records.push(Record {
+    face.records.push(ExportedStruct {
         name: "orbit_start",
         about: format!("State of all masses at a maximum of the excitation, over {unit}."),
         fields: mass_fields(scene, "instant"),

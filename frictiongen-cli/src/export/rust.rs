@@ -1,10 +1,16 @@
 //! Writes the Rust file of an exported crate.
 
-use super::face::{Face, Function, Kind, Opaque, Passed, Record, type_name};
+use super::face::{
+    ExportedFunction, ExportedItems, ExportedStruct, FieldType, Opaque, Passed, type_name,
+};
 use super::status;
 
 /// Writes `src/lib.rs`.  `name` is the scene's type, `prefix` begins the names in C.
-pub fn library(face: &Face, head: &str, (prefix, name, scalar): (&str, &str, &str)) -> String {
+pub fn library(
+    face: &ExportedItems,
+    head: &str,
+    (prefix, name, scalar): (&str, &str, &str),
+) -> String {
     let records: String = face
         .records
         .iter()
@@ -32,7 +38,7 @@ pub fn library(face: &Face, head: &str, (prefix, name, scalar): (&str, &str, &st
 }
 
 /// Writes the functions that several exported functions call.
-fn helpers(face: &Face, prefix: &str, scalar: &str) -> String {
+fn helpers(face: &ExportedItems, prefix: &str, scalar: &str) -> String {
     let has = |name: &str| face.records.iter().any(|record| record.name == name);
     let mut text = format!(
         "    fn status(answer: impl FnOnce() -> Result<(), i32>) -> i32 {{\n        \
@@ -61,18 +67,18 @@ fn helpers(face: &Face, prefix: &str, scalar: &str) -> String {
     text
 }
 
-fn kind(kind: &Kind, scalar: &str) -> String {
+fn kind(kind: &FieldType, scalar: &str) -> String {
     match kind {
-        Kind::Real => scalar.to_owned(),
-        Kind::Int => "i32".to_owned(),
-        Kind::Count => "u32".to_owned(),
-        Kind::Long => "u64".to_owned(),
-        Kind::Record(name) => type_name(name),
-        Kind::Bytes(length) => format!("[u8; {length}]"),
+        FieldType::Real => scalar.to_owned(),
+        FieldType::Int => "i32".to_owned(),
+        FieldType::Count => "u32".to_owned(),
+        FieldType::Long => "u64".to_owned(),
+        FieldType::Record(name) => type_name(name),
+        FieldType::Bytes(length) => format!("[u8; {length}]"),
     }
 }
 
-fn record(record: &Record, scalar: &str) -> String {
+fn record(record: &ExportedStruct, scalar: &str) -> String {
     let fields = record.fields.iter();
     let fields = fields.map(|field| {
         format!(
@@ -112,7 +118,7 @@ fn opaque(of: &Opaque) -> String {
     )
 }
 
-fn function(of: &Function, prefix: &str, scalar: &str) -> String {
+fn function(of: &ExportedFunction, prefix: &str, scalar: &str) -> String {
     let parameters = of.parameters.iter().map(|(name, passed)| {
         let written = match passed {
             Passed::Value(of) => kind(of, scalar),

@@ -2,7 +2,7 @@
 
 /// Cause of an error: its name and number in C, its meaning, and the error in Rust to which it corresponds.
 #[derive(Debug)]
-pub struct Status {
+pub struct StatusCode {
     /// Name without the prefix.
     pub name: &'static str,
     /// Number, which stays the same in every version and for every scene.
@@ -18,8 +18,8 @@ const fn status(
     number: i32,
     about: &'static str,
     pattern: Option<&'static str>,
-) -> Status {
-    Status {
+) -> StatusCode {
+    StatusCode {
         name,
         number,
         about,
@@ -28,7 +28,7 @@ const fn status(
 }
 
 /// All causes in the order of their numbers.
-pub const STATUSES: [Status; 35] = [
+pub const STATUSES: [StatusCode; 35] = [
     status("OK", 0, "success", None),
     status("NULL_POINTER", 1, "a pointer is null", None),
     status(

@@ -1,51 +1,57 @@
 //! Functions that take a frequency ratio: limits, regimes, continuous motions, stuck responses and steady states.
 
-use super::face::{Face, Field, Function, Kind, Passed, Record};
+use super::face::{
+    ExportedFunction, ExportedItems, ExportedStruct, FieldType, Passed, StructField,
+};
 use super::names::{field, mass, mass_field, mass_fields, of_masses};
 use frictiongen::study::scene::{Excitation, Provide, Scene};
 
-const R: (&str, Passed) = ("r", Passed::Value(Kind::Real));
-const BETA: (&str, Passed) = ("beta", Passed::Value(Kind::Real));
+const R: (&str, Passed) = ("r", Passed::Value(FieldType::Real));
+const BETA: (&str, Passed) = ("beta", Passed::Value(FieldType::Real));
 
 /// Adds the functions of the items of `provide` that depend on the frequency ratio.
-pub fn add(face: &mut Face, scene: &Scene) {
+pub fn add(face: &mut ExportedItems, scene: &Scene) {
     if scene.needs_frequency() {
-        face.records.push(Record {
+        face.records.push(ExportedStruct {
             name: "oscillation",
             about: format!("A steady motion, over {}.", unit(scene)),
             fields: vec![
-                Field::new("amplitude", Kind::Real, "exact maximum of the displacement"),
-                Field::new(
+                StructField::new(
+                    "amplitude",
+                    FieldType::Real,
+                    "exact maximum of the displacement",
+                ),
+                StructField::new(
                     "phase",
-                    Kind::Real,
+                    FieldType::Real,
                     "lag of the maximum behind the excitation's, rad",
                 ),
             ],
         });
-        face.records.push(Record {
+        face.records.push(ExportedStruct {
             name: "complex",
             about: format!(
                 "A complex amplitude X over {}: x = Re(X e^(i omega t)).",
                 unit(scene)
             ),
             fields: vec![
-                Field::new("re", Kind::Real, "real component"),
-                Field::new("im", Kind::Real, "imaginary component"),
+                StructField::new("re", FieldType::Real, "real component"),
+                StructField::new("im", FieldType::Real, "imaginary component"),
             ],
         });
     }
     if scene.needs_frequency() || scene.provides(&Provide::Simulation) {
-        face.records.push(Record {
+        face.records.push(ExportedStruct {
             name: "instant",
             about: format!(
                 "Displacement and velocity at an instant, over {}.",
                 unit(scene)
             ),
             fields: vec![
-                Field::new("displacement", Kind::Real, "displacement"),
-                Field::new(
+                StructField::new("displacement", FieldType::Real, "displacement"),
+                StructField::new(
                     "velocity",
-                    Kind::Real,
+                    FieldType::Real,
                     "derivative with respect to tau = omega t",
                 ),
             ],
@@ -82,7 +88,7 @@ pub fn add(face: &mut Face, scene: &Scene) {
         motion.add(face, scene);
     }
     if scene.provides(&Provide::SelfCheck) {
-        face.functions.push(Function {
+        face.functions.push(ExportedFunction {
             name: "self_check",
             about: "Compares all constants with their checksums, and answers with known answers."
                 .to_owned(),
@@ -100,19 +106,19 @@ pub fn unit(scene: &Scene) -> &'static str {
     }
 }
 
-fn limits(face: &mut Face) {
-    face.records.push(Record {
+fn limits(face: &mut ExportedItems) {
+    face.records.push(ExportedStruct {
         name: "limits",
         about: "Both limits of the friction ratio beta.".to_owned(),
         fields: vec![
-            Field::new(
+            StructField::new(
                 "continuous",
-                Kind::Real,
+                FieldType::Real,
                 "beta_lim: below it a motion slides all the time",
             ),
-            Field::new(
+            StructField::new(
                 "sliding",
-                Kind::Real,
+                FieldType::Real,
                 "beta*_lim: from it on a stuck state exists",
             ),
         ],
@@ -121,7 +127,7 @@ fn limits(face: &mut Face) {
     let question = |name, about: &str, kind, parameters: &[(&'static str, Passed)], rest: &str| {
         let mut parameters = parameters.to_vec();
         parameters.push((name, Passed::Output(kind)));
-        Function {
+        ExportedFunction {
             name,
             about: about.to_owned(),
             parameters,
@@ -131,21 +137,21 @@ fn limits(face: &mut Face) {
     face.functions.push(question(
         "limits",
         "Returns both limits at the frequency ratio r = omega sqrt(m1/k1).",
-        Kind::Record("limits"),
+        FieldType::Record("limits"),
         &[R],
         "let found = at.limits();\nlimits.write(Limits { continuous: found.continuous, sliding: found.sliding });\nOk(())",
     ));
     face.functions.push(question(
         "regime",
         "Returns the regime at r and at the friction ratio beta: 0 continuous, 1 stick-slip, 2 stuck, 3 bistable.",
-        Kind::Int,
+        FieldType::Int,
         &[R, BETA],
         "let number = match at.regime(beta).map_err(domain)? {\n    Regime::Continuous => 0,\n    Regime::StickSlip => 1,\n    Regime::Stuck => 2,\n    Regime::Bistable => 3,\n    _ => return Err(OTHER),\n};\nregime.write(number);\nOk(())",
     ));
     face.functions.push(question(
         "margin",
         "Returns beta over the smaller limit, minus 1. Below 0 the contact slides all the time.",
-        Kind::Real,
+        FieldType::Real,
         &[R, BETA],
         "margin.write(at.margin(beta).map_err(domain)?);\nOk(())",
     ));
@@ -161,10 +167,10 @@ struct Motions {
 
 impl Motions {
     /// Returns the fields of a struct with one entry for the contact and for each mass.
-    fn fields(&self, scene: &Scene, record: &'static str) -> Vec<Field> {
-        let contact = Field::new(
+    fn fields(&self, scene: &Scene, record: &'static str) -> Vec<StructField> {
+        let contact = StructField::new(
             "contact",
-            Kind::Record(record),
+            FieldType::Record(record),
             "relative motion in the contact",
         );
         let masses = self.masses.iter();
@@ -183,7 +189,7 @@ impl Motions {
         std::iter::once(contact).chain(masses).collect()
     }
 
-    fn add(&self, face: &mut Face, scene: &Scene) {
+    fn add(&self, face: &mut ExportedItems, scene: &Scene) {
         let questions = [
             (
                 "",
@@ -197,14 +203,14 @@ impl Motions {
                 "complex",
                 "harmonic",
                 "harmonics of order n, with t from a maximum of the excitation",
-                Some(("n", Passed::Value(Kind::Count))),
+                Some(("n", Passed::Value(FieldType::Count))),
             ),
             (
                 "_at",
                 "instant",
                 "instant",
                 "displacements and velocities at tau after a maximum of the contact's motion",
-                Some(("tau", Passed::Value(Kind::Real))),
+                Some(("tau", Passed::Value(FieldType::Real))),
             ),
         ];
         for (ending, record, function, what, more) in questions {
@@ -216,7 +222,7 @@ impl Motions {
                 (_, "_harmonic") => "orbit_harmonic",
                 _ => "orbit_at",
             };
-            face.records.push(Record {
+            face.records.push(ExportedStruct {
                 name: whole,
                 about: format!("{}: {what}.", self.about),
                 fields: self.fields(scene, record),
@@ -224,7 +230,7 @@ impl Motions {
             let written = self.written(scene, function);
             let mut parameters = vec![R, BETA];
             parameters.extend(more);
-            parameters.push(("result", Passed::Output(Kind::Record(whole))));
+            parameters.push(("result", Passed::Output(FieldType::Record(whole))));
             let given = match ending {
                 "_harmonic" => {
                     "macro_rules! harmonic {\n    ($of:expr) => { complex($of.harmonic(n)) };\n}\n"
@@ -239,7 +245,7 @@ impl Motions {
                     "macro_rules! oscillation {\n    ($of:expr) => {{ let (amplitude, phase) = ($of.amplitude(), $of.phase()); Oscillation { amplitude, phase } }};\n}\n"
                 }
             };
-            face.functions.push(Function {
+            face.functions.push(ExportedFunction {
                 name: whole,
                 about: format!("Returns {what}. {}.", self.about),
                 parameters,
@@ -253,8 +259,8 @@ impl Motions {
     }
 }
 
-fn stuck(face: &mut Face, scene: &Scene) {
-    face.records.push(Record {
+fn stuck(face: &mut ExportedItems, scene: &Scene) {
+    face.records.push(ExportedStruct {
         name: "stuck",
         about: "Complex amplitudes while the contact is stuck.".to_owned(),
         fields: mass_fields(scene, "complex"),
@@ -263,10 +269,10 @@ fn stuck(face: &mut Face, scene: &Scene) {
         format!("{field}: complex(found.{name}()), ")
     });
     let written = written.concat();
-    face.functions.push(Function {
+    face.functions.push(ExportedFunction {
         name: "stuck",
         about: "Returns the response while the contact is stuck.".to_owned(),
-        parameters: vec![R, ("stuck", Passed::Output(Kind::Record("stuck")))],
+        parameters: vec![R, ("stuck", Passed::Output(FieldType::Record("stuck")))],
         body: format!(
             "let found = Scene::at(r).map_err(domain)?.stuck().map_err(|_| STUCK_RESONANCE)?;\nstuck.write(Stuck {{ {written}}});\nOk(())"
         ),

@@ -1,6 +1,8 @@
 //! Functions of the stepper.
 
-use super::face::{Face, Field, Function, Kind, Opaque, Passed, Record};
+use super::face::{
+    ExportedFunction, ExportedItems, ExportedStruct, FieldType, Opaque, Passed, StructField,
+};
 use super::names::{field, mass, mass_fields, of_masses};
 use super::room;
 use frictiongen::kernel::stepper::image_bytes;
@@ -13,7 +15,7 @@ const CHANGED: (&str, Passed) = ("stepper", Passed::Changed(STATE));
 const READ: (&str, Passed) = ("stepper", Passed::Read(STATE));
 
 /// Adds the stepper with its structs.  `name` is the scene's type in Rust.
-pub fn add(face: &mut Face, scene: &Scene, name: &str) {
+pub fn add(face: &mut ExportedItems, scene: &Scene, name: &str) {
     let shape = StepperShape::of(scene);
     let [words, saved] = room::words(&shape, scene.precision);
     let scalar = match scene.precision {
@@ -40,10 +42,13 @@ pub fn add(face: &mut Face, scene: &Scene, name: &str) {
 }
 
 /// Returns the fields of an input in C, with the fields of the Rust type.
-pub fn inputs(scene: &Scene, shape: &StepperShape) -> Vec<(Field, String)> {
+pub fn inputs(scene: &Scene, shape: &StepperShape) -> Vec<(StructField, String)> {
     let mut fields = Vec::new();
     let mut add = |name: String, inner: &str, about: String| {
-        fields.push((Field::new(name, Kind::Real, about), inner.to_owned()));
+        fields.push((
+            StructField::new(name, FieldType::Real, about),
+            inner.to_owned(),
+        ));
     };
     if shape.on_base {
         add(
@@ -73,79 +78,79 @@ pub fn inputs(scene: &Scene, shape: &StepperShape) -> Vec<(Field, String)> {
     fields
 }
 
-fn records(face: &mut Face, scene: &Scene, shape: &StepperShape) {
+fn records(face: &mut ExportedItems, scene: &Scene, shape: &StepperShape) {
     let inputs = inputs(scene, shape).into_iter();
-    face.records.push(Record {
+    face.records.push(ExportedStruct {
         name: "input",
         about: "Input at the end of a step (`input: linear`) or during the step (`input: hold`)."
             .to_owned(),
         fields: inputs.map(|(field, _)| field).collect(),
     });
     let sliding = || {
-        Field::new(
+        StructField::new(
             "sliding",
-            Kind::Int,
+            FieldType::Int,
             "0 while the contact sticks, otherwise the sign of its velocity",
         )
     };
-    face.records.push(Record {
+    face.records.push(ExportedStruct {
         name: "stepped",
         about: "Result of a step.".to_owned(),
         fields: vec![
-            Field::new(
+            StructField::new(
                 "force",
-                Kind::Real,
+                FieldType::Real,
                 "force in the contact at the end of the step, N",
             ),
             sliding(),
-            Field::new(
+            StructField::new(
                 "events",
-                Kind::Count,
+                FieldType::Count,
                 "number of stops, break-aways and reversals",
             ),
-            Field::new(
+            StructField::new(
                 "exceeded",
-                Kind::Int,
+                FieldType::Int,
                 "1 if the step reached the bound on events",
             ),
         ],
     });
-    face.records.push(Record {
+    face.records.push(ExportedStruct {
         name: "mass_now",
         about: "Motion of a mass at the end of the last step.".to_owned(),
         fields: vec![
-            Field::new("displacement", Kind::Real, "m"),
-            Field::new("velocity", Kind::Real, "m/s"),
+            StructField::new("displacement", FieldType::Real, "m"),
+            StructField::new("velocity", FieldType::Real, "m/s"),
         ],
     });
-    face.records.push(Record {
+    face.records.push(ExportedStruct {
         name: "masses",
         about: "Motions of all masses.".to_owned(),
         fields: mass_fields(scene, "mass_now"),
     });
-    face.records.push(Record {
+    face.records.push(ExportedStruct {
         name: "contact",
         about: "The contact at the end of the last step.".to_owned(),
         fields: vec![
-            Field::new("displacement", Kind::Real, "relative displacement, m"),
-            Field::new("velocity", Kind::Real, "relative velocity, m/s"),
-            Field::new(
+            StructField::new("displacement", FieldType::Real, "relative displacement, m"),
+            StructField::new("velocity", FieldType::Real, "relative velocity, m/s"),
+            StructField::new(
                 "force",
-                Kind::Real,
+                FieldType::Real,
                 "friction force, or the force that holds a stuck contact, N",
             ),
             sliding(),
         ],
     });
-    face.records.push(Record {
+    face.records.push(ExportedStruct {
         name: "work",
         about: "Energy balance since the start, J.".to_owned(),
         fields: ["load", "friction", "damping", "stored"]
             .into_iter()
             .map(|name| {
-                Field::new(
+                StructField::new(
                     name,
-                    Kind::Real,
+                    FieldType::Real,
                     match name {
                         "load" => "work of the forces and of the base",
                         "friction" => "dissipated by friction",
@@ -156,31 +161,31 @@ fn records(face: &mut Face, scene: &Scene, shape: &StepperShape) {
             })
             .collect(),
     });
-    face.records.push(Record {
+    face.records.push(ExportedStruct {
         name: "progress",
         about: "Steps and time since the start.".to_owned(),
         fields: vec![
-            Field::new("steps", Kind::Long, "number of steps"),
-            Field::new(
+            StructField::new("steps", FieldType::Long, "number of steps"),
+            StructField::new(
                 "exceeded",
-                Kind::Long,
+                FieldType::Long,
                 "number of steps that reached the bound on events",
             ),
-            Field::new("time", Kind::Real, "time since the start, s"),
-            Field::new("dt", Kind::Real, "length of a step, s"),
-            Field::new(
+            StructField::new("time", FieldType::Real, "time since the start, s"),
+            StructField::new("dt", FieldType::Real, "length of a step, s"),
+            StructField::new(
                 "stiction",
-                Kind::Real,
+                FieldType::Real,
                 "mu, static over kinetic friction force",
             ),
         ],
     });
 }
 
-fn control(face: &mut Face, scene: &Scene, shape: &StepperShape, name: &str) {
-    let dt = ("dt", Passed::Value(Kind::Real));
+fn control(face: &mut ExportedItems, scene: &Scene, shape: &StepperShape, name: &str) {
+    let dt = ("dt", Passed::Value(FieldType::Real));
     let fresh = ("stepper", Passed::Fresh(STATE));
-    face.functions.push(Function::new(
+    face.functions.push(ExportedFunction::new(
         "stepper_start",
         "Starts a stepper with the step dt, s, from rest without load.",
         vec![fresh.clone(), dt.clone()],
@@ -191,7 +196,7 @@ fn control(face: &mut Face, scene: &Scene, shape: &StepperShape, name: &str) {
         let values = of_masses(scene, |field, _| format!("masses.{field}.{of}"));
         format!("[{}]", values.join(", "))
     };
-    face.functions.push(Function::new(
+    face.functions.push(ExportedFunction::new(
         "stepper_start_from",
         "Starts a stepper from the displacement and velocity of every mass.",
         vec![fresh, dt, ("masses", Passed::Input("masses"))],
@@ -206,42 +211,42 @@ fn control(face: &mut Face, scene: &Scene, shape: &StepperShape, name: &str) {
         .map(|(field, inner)| format!("{inner}: input.{}, ", field.name))
         .collect();
     let input = format!("let input = super::{name}Input {{ {fields}}};\n");
-    face.functions.push(Function::new(
+    face.functions.push(ExportedFunction::new(
         "stepper_begin",
         "Sets the input at the start of the first step.  Without this call that input is 0.",
         vec![CHANGED, ("input", Passed::Input("input"))],
         format!("{input}stepper.change()?.begin(input).map_err(domain)"),
     ));
-    face.functions.push(Function::new(
+    face.functions.push(ExportedFunction::new(
         "stepper_advance",
         "Takes a step.  After an error the stepper keeps its state.",
-        vec![CHANGED, ("input", Passed::Input("input")), ("stepped", Passed::Output(Kind::Record("stepped")))],
+        vec![CHANGED, ("input", Passed::Input("input")), ("stepped", Passed::Output(FieldType::Record("stepped")))],
         format!(
             "{input}let found = stepper.change()?.advance(input).map_err(domain)?;\nstepped.write(Stepped {{\n    force: found.force,\n    sliding: sliding(found.contact),\n    events: found.events,\n    exceeded: i32::from(found.exceeded),\n}});\nOk(())"
         ),
     ));
-    face.functions.push(Function::new(
+    face.functions.push(ExportedFunction::new(
         "stepper_set_stiction",
         "Sets mu, the ratio of static to kinetic friction force, from the next step on.",
-        vec![CHANGED, ("mu", Passed::Value(Kind::Real))],
+        vec![CHANGED, ("mu", Passed::Value(FieldType::Real))],
         "stepper.change()?.set_stiction(mu).map_err(domain)".to_owned(),
     ));
 }
 
-fn read_outs(face: &mut Face, scene: &Scene) {
+fn read_outs(face: &mut ExportedItems, scene: &Scene) {
     let masses = of_masses(scene, |field, name| {
         format!("{field}: mass_now(&found.{name}()), ")
     });
     let masses = masses.concat();
     let found = "let found = stepper.read()?;\n";
-    let output = |name, record| (name, Passed::Output(Kind::Record(record)));
-    face.functions.push(Function::new(
+    let output = |name, record| (name, Passed::Output(FieldType::Record(record)));
+    face.functions.push(ExportedFunction::new(
         "stepper_masses",
         "Returns the motions of all masses.",
         vec![READ, output("masses", "masses")],
         format!("{found}masses.write(Masses {{ {masses}}});\nOk(())"),
     ));
-    face.functions.push(Function::new(
+    face.functions.push(ExportedFunction::new(
         "stepper_contact",
         "Returns motion, force and state of the contact.",
         vec![READ, output("contact", "contact")],
@@ -249,7 +254,7 @@ fn read_outs(face: &mut Face, scene: &Scene) {
             "{found}let now = found.contact();\ncontact.write(Contact {{\n    displacement: now.displacement(),\n    velocity: now.velocity(),\n    force: now.force(),\n    sliding: sliding(now.contact()),\n}});\nOk(())"
         ),
     ));
-    face.functions.push(Function::new(
+    face.functions.push(ExportedFunction::new(
         "stepper_work",
         "Returns the energy balance.",
         vec![READ, output("work", "work")],
@@ -257,7 +262,7 @@ fn read_outs(face: &mut Face, scene: &Scene) {
             "{found}let now = found.work();\nwork.write(Work {{ load: now.load, friction: now.friction, damping: now.damping, stored: now.stored }});\nOk(())"
         ),
     ));
-    face.functions.push(Function::new(
+    face.functions.push(ExportedFunction::new(
         "stepper_progress",
         "Returns the numbers of steps, and the time.",
         vec![READ, output("progress", "progress")],
@@ -267,32 +272,32 @@ fn read_outs(face: &mut Face, scene: &Scene) {
     ));
 }
 
-fn storage(face: &mut Face, shape: &StepperShape, precision: Precision) {
+fn storage(face: &mut ExportedItems, shape: &StepperShape, precision: Precision) {
     let scalar = match precision {
         Precision::F64 => 8,
         Precision::F32 => 4,
     };
     let length = image_bytes(scalar, shape.modes, shape.held, shape.inputs);
-    face.records.push(Record {
+    face.records.push(ExportedStruct {
         name: "stepper_image",
         about: "State of a stepper for a file or for flash memory.".to_owned(),
-        fields: vec![Field::new(
+        fields: vec![StructField::new(
             "bytes",
-            Kind::Bytes(length),
+            FieldType::Bytes(length),
             "version, hash of the scene, step, state and checksum",
         )],
     });
-    face.functions.push(Function::new(
+    face.functions.push(ExportedFunction::new(
         "stepper_image",
         "Writes the state as bytes, which a later run of the program reads.",
         vec![
             READ,
-            ("image", Passed::Output(Kind::Record("stepper_image"))),
+            ("image", Passed::Output(FieldType::Record("stepper_image"))),
         ],
         "let bytes = stepper.read()?.image();\nimage.write(StepperImage { bytes });\nOk(())"
             .to_owned(),
     ));
-    face.functions.push(Function::new(
+    face.functions.push(ExportedFunction::new(
         "stepper_start_from_image",
         "Starts a stepper with the step and the state of an image.  A changed bit gives a status.",
         vec![
@@ -302,13 +307,13 @@ fn storage(face: &mut Face, shape: &StepperShape, precision: Precision) {
         "let found = Scene::stepper_from_image(&image.bytes).map_err(domain)?;\nstepper.write(StepperMemory::new(found));\nOk(())"
             .to_owned(),
     ));
-    face.functions.push(Function::new(
+    face.functions.push(ExportedFunction::new(
         "stepper_save",
         "Saves the state of a stepper.",
         vec![READ, ("saved", Passed::Fresh(SAVED))],
         "saved.write(StepperSavedMemory::new(stepper.read()?.save()));\nOk(())".to_owned(),
     ));
-    face.functions.push(Function::new(
+    face.functions.push(ExportedFunction::new(
         "stepper_restore",
         "Restores a saved state, with which the stepper continues to the last bit.",
         vec![CHANGED, ("saved", Passed::Read(SAVED))],

@@ -1,6 +1,6 @@
 //! Writes `modelDescription.xml`.
 
-use super::variables::{Kind, Variables};
+use super::variables::{Variability, Variables};
 use frictiongen::study::scene::Scene;
 
 /// Units with their exponents of kg, m and s.
@@ -63,9 +63,9 @@ fn listed(variables: &Variables) -> (String, std::ops::Range<usize>) {
     );
     for (index, of) in variables.settable.iter().enumerate() {
         let causality = match of.kind {
-            Kind::Input => "causality=\"input\" variability=\"continuous\"",
-            Kind::Tunable => "causality=\"parameter\" variability=\"tunable\"",
-            Kind::Initial => "causality=\"parameter\" variability=\"fixed\"",
+            Variability::Input => "causality=\"input\" variability=\"continuous\"",
+            Variability::Tunable => "causality=\"parameter\" variability=\"tunable\"",
+            Variability::Initial => "causality=\"parameter\" variability=\"fixed\"",
         };
         let least = of
             .least

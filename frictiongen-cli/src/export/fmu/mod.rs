@@ -8,7 +8,7 @@ mod sources;
 mod tests;
 mod variables;
 
-use super::{Asked, files, same};
+use super::{ExportRequest, files, same};
 use crate::failure::{Failure, reason};
 use crate::file::{check, write_file, write_with};
 use crate::progress;
@@ -22,7 +22,7 @@ use std::process::{Command, Stdio};
 use variables::Variables;
 
 /// Writes the FMU of a scene.
-pub fn run(asked: &Asked<'_>) -> Result<(), Failure> {
+pub fn run(asked: &ExportRequest<'_>) -> Result<(), Failure> {
     let scene = &asked.description.scene;
     let output = &asked.arguments.output;
     let step = step(scene)?;

@@ -1,6 +1,6 @@
 //! Writes the crate of an FMU.
 
-use super::variables::{Kind, Variables};
+use super::variables::{Variability, Variables};
 use frictiongen::study::scene::{Excitation, Precision, Scene, StepInput};
 
 /// Files that are the same for every scene.
@@ -31,9 +31,9 @@ pub fn scene(scene: &Scene, variables: &Variables, (name, token): (&str, &str)) 
     let inputs = variables.fields.len();
     let settable = variables.settable.iter().map(|of| {
         let kind = match of.kind {
-            Kind::Input => "Input",
-            Kind::Tunable => "Tunable",
-            Kind::Initial => "Initial",
+            Variability::Input => "Input",
+            Variability::Tunable => "Tunable",
+            Variability::Initial => "Initial",
         };
         let least = of
             .least

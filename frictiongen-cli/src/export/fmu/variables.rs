@@ -7,7 +7,7 @@ use frictiongen_codegen::standalone::StepperShape;
 
 /// Time at which the importer may set a variable.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
+pub enum Variability {
     /// Before each step.
     Input,
     /// Before each step. The value seldom changes.
@@ -26,7 +26,7 @@ pub struct Settable {
     /// Meaning.
     pub about: String,
     /// Time at which the importer may set the number.
-    pub kind: Kind,
+    pub kind: Variability,
     /// Value if the importer does not set the number.
     pub start: f64,
     /// Smallest value.
@@ -82,7 +82,7 @@ impl Variables {
                 name,
                 unit,
                 about,
-                kind: Kind::Input,
+                kind: Variability::Input,
                 start: 0.0,
                 least,
             }
@@ -92,7 +92,7 @@ impl Variables {
             name: "stiction".to_owned(),
             unit: "",
             about: "mu, static over kinetic friction force".to_owned(),
-            kind: Kind::Tunable,
+            kind: Variability::Tunable,
             start: scene.stiction,
             least: Some(1.0),
         });
@@ -110,7 +110,7 @@ fn initial(mass: &str) -> [Settable; 2] {
         name: format!("{mass}.initial_{what}"),
         unit,
         about: format!("{what} of mass {mass} at the start"),
-        kind: Kind::Initial,
+        kind: Variability::Initial,
         start: 0.0,
         least: None,
     })
