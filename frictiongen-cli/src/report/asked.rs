@@ -1,6 +1,6 @@
 //! Contents of the report page: from the user's options, or from defaults where the user gives no option.
 
-use super::words::Words;
+use super::words::PageUnits;
 use crate::args::ReportArguments;
 use crate::asked::{self, Part};
 use crate::failure::Failure;
@@ -26,13 +26,13 @@ const FRACTIONS: [f64; 3] = [0.1, 0.3, 0.7];
 const PLACES: usize = 401;
 
 /// Scene, range, units and motions that the report page shows.
-pub struct Asked {
+pub struct ReportRequest {
     /// The system of the results.
     pub system: System,
     /// Range of frequencies of the results.
     pub band: Band,
     /// The units of the numbers on the page.
-    pub words: Words,
+    pub words: PageUnits,
     /// The contact and masses whose motions the page shows.
     pub parts: Vec<Part>,
     /// Friction ratios β that the user gave. `None` for the default frictions.
@@ -41,7 +41,7 @@ pub struct Asked {
     pub chosen: Vec<String>,
 }
 
-impl Asked {
+impl ReportRequest {
     /// Reads the options, and chooses everything that they do not set.
     pub fn of(arguments: &ReportArguments, system: System) -> Result<Self, Failure> {
         let measure = measure::constant(&arguments.load, &system)?;
@@ -61,7 +61,7 @@ impl Asked {
                 "a page needs a range a:b, without a step, because the page chooses its own points",
             ));
         }
-        let words = Words {
+        let words = PageUnits {
             scales: picture::scales(&system, band.is_physical(), &measure),
             in_hertz: band.is_physical(),
             measure,

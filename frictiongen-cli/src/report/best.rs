@@ -1,8 +1,8 @@
 //! Finds the best friction for each mass that the page shows.
 
-use super::asked::Asked;
+use super::asked::ReportRequest;
 use super::found::at_once;
-use super::words::{Words, digits, number, object};
+use super::words::{PageUnits, digits, number, object};
 use crate::asked::Part;
 use crate::measure::Dimension;
 use frictiongen::Of;
@@ -38,7 +38,7 @@ pub struct Best {
 
 /// Searches for the friction with the smallest peak of each motion. Returns an error with the reason if the page has no
 /// search.
-pub fn search(asked: &Asked) -> Result<Vec<Best>, String> {
+pub fn search(asked: &ReportRequest) -> Result<Vec<Best>, String> {
     let masses = asked.system.scene().masses.len();
     if MOST_MASSES < masses {
         return Err(format!(
@@ -104,7 +104,7 @@ pub fn worst(best: &Result<Vec<Best>, String>) -> Option<(&Best, &Optimum)> {
 }
 
 /// Returns the equivalent damping ratio ζ_eq of the contact at the highest peak, with the best friction.
-fn damping(optimum: &Optimum, asked: &Asked) -> Option<f64> {
+fn damping(optimum: &Optimum, asked: &ReportRequest) -> Option<f64> {
     let peak = optimum.peaks.first()?;
     let response = asked.system.at(peak.r).ok()?.response(optimum.beta).ok()?;
     response.largest(Of::Contact, Size::Damping)
@@ -130,7 +130,7 @@ pub fn kind(optimum: &Optimum) -> &'static str {
 }
 
 /// Returns the section of the page as HTML.
-pub fn html(best: &Result<Vec<Best>, String>, asked: &Asked) -> Markup {
+pub fn html(best: &Result<Vec<Best>, String>, asked: &ReportRequest) -> Markup {
     let words = &asked.words;
     html! {
         section #best {
@@ -169,7 +169,7 @@ pub fn html(best: &Result<Vec<Best>, String>, asked: &Asked) -> Markup {
 }
 
 /// Formats an amplitude, which may be zero or unbounded.
-pub fn bound(words: &Words, ratio: f64) -> String {
+pub fn bound(words: &PageUnits, ratio: f64) -> String {
     match ratio {
         0.0 => "at rest".to_owned(),
         ratio if ratio.is_finite() => words.length(ratio),
@@ -177,7 +177,7 @@ pub fn bound(words: &Words, ratio: f64) -> String {
     }
 }
 
-fn row(best: &Best, asked: &Asked) -> Markup {
+fn row(best: &Best, asked: &ReportRequest) -> Markup {
     let words = &asked.words;
     html! {
         tr {
@@ -214,7 +214,7 @@ fn row(best: &Best, asked: &Asked) -> Markup {
 }
 
 /// Returns the section as JSON data.
-pub fn data(best: &Result<Vec<Best>, String>, asked: &Asked) -> Json {
+pub fn data(best: &Result<Vec<Best>, String>, asked: &ReportRequest) -> Json {
     let words = &asked.words;
     let one = |best: &Best| match &best.found {
         Err(error) => json!({ "of": best.part.name, "none": error }),

@@ -1,7 +1,7 @@
 //! Cost and accuracy of the emitted code. The module counts operations in the code, and compares results with the same
 //! results in double-double.
 
-use super::asked::Asked;
+use super::asked::ReportRequest;
 use super::words::{digits, number};
 use crate::emitted::{self, Function};
 use frictiongen::System;
@@ -24,7 +24,7 @@ const DECLARED: f64 = 1e-4;
 const STEPS_OF_A_PERIOD: f64 = 20.0;
 
 /// Largest differences between results and the same results in double-double.
-struct Measured {
+struct MeasuredErrors {
     precision: &'static str,
     continuous: f64,
     sliding: f64,
@@ -34,7 +34,7 @@ struct Measured {
 }
 
 /// Tables with a declared accuracy.
-struct Tabled {
+struct TableCosts {
     pieces: usize,
     bytes: usize,
     error: f64,
@@ -44,7 +44,7 @@ struct Tabled {
 }
 
 /// Upper bounds on evaluations, memory and operations of the solvers, from the numbers of masses and modes.
-struct Bounds {
+struct SolverBounds {
     /// Largest number of evaluations of the modal sum in a search for β_lim.
     limit: Option<u32>,
     /// Largest number of evaluations of the modal sum in a search for an amplitude.
@@ -57,17 +57,17 @@ struct Bounds {
 }
 
 /// Contents of the section about cost and accuracy.
-pub struct Cost {
-    bounds: Option<Bounds>,
+pub struct CostSection {
+    bounds: Option<SolverBounds>,
     functions: Result<Vec<Function>, String>,
-    measured: Result<Vec<Measured>, String>,
-    tabled: Result<Tabled, String>,
+    measured: Result<Vec<MeasuredErrors>, String>,
+    tabled: Result<TableCosts, String>,
     precision: &'static str,
 }
 
-impl Cost {
+impl CostSection {
     /// Computes the contents of the section for a description.
-    pub fn of(text: &str, asked: &Asked) -> Self {
+    pub fn of(text: &str, asked: &ReportRequest) -> Self {
         let scene = asked.system.scene();
         Self {
             bounds: bounds(asked),
@@ -145,7 +145,7 @@ impl Cost {
             all.iter().map(one).collect()
         });
         let measured = self.measured.as_ref().map_or_else(none, |all| {
-            let one = |one: &Measured| {
+            let one = |one: &MeasuredErrors| {
                 json!({
                     "precision": one.precision,
                     "continuous_limit": number(one.continuous),
@@ -184,7 +184,7 @@ impl Cost {
     }
 }
 
-impl Bounds {
+impl SolverBounds {
     fn html(&self, precision: &str) -> Markup {
         html! {
             dl.facts {
@@ -207,7 +207,7 @@ impl Bounds {
     }
 }
 
-fn bounds(asked: &Asked) -> Option<Bounds> {
+fn bounds(asked: &ReportRequest) -> Option<SolverBounds> {
     let system = &asked.system;
     let most = system.at(asked.band.from).ok()?.most_evaluations();
     let size = match system.scene().precision {
@@ -224,7 +224,7 @@ fn bounds(asked: &Asked) -> Option<Bounds> {
         let cost = system.stepper(seconds).ok()?.cost();
         Some((seconds, cost.tables, cost.one_event))
     });
-    Some(Bounds {
+    Some(SolverBounds {
         limit: (!asked.is_elastic()).then_some(most.limit),
         amplitude: most.amplitude,
         orbit: size * frictiongen::kernel::orbit::numbers_of(modes, state),
@@ -246,7 +246,7 @@ fn functions(text: &str) -> Result<Vec<Function>, String> {
     Ok(found)
 }
 
-fn measured(text: &str, asked: &Asked) -> Result<Vec<Measured>, String> {
+fn measured(text: &str, asked: &ReportRequest) -> Result<Vec<MeasuredErrors>, String> {
     if MOST_COMPARED < asked.system.scene().masses.len() {
         return Err(format!(
             "The page does not compare the results of more than {MOST_COMPARED} masses with longer arithmetic."
@@ -266,9 +266,9 @@ fn compared<S: Float>(
     precision: &'static str,
     system: &System<S>,
     reference: &System<Dd>,
-    asked: &Asked,
-) -> Measured {
-    let mut measured = Measured {
+    asked: &ReportRequest,
+) -> MeasuredErrors {
+    let mut measured = MeasuredErrors {
         precision,
         continuous: 0.0,
         sliding: 0.0,
@@ -307,7 +307,7 @@ fn compared<S: Float>(
     measured
 }
 
-fn tabled(asked: &Asked) -> Result<Tabled, String> {
+fn tabled(asked: &ReportRequest) -> Result<TableCosts, String> {
     let scene = asked.system.scene();
     if scene.stiffness.is_some() {
         return Err("Tables need a rigid contact.".to_owned());
@@ -334,8 +334,8 @@ fn tabled(asked: &Asked) -> Result<Tabled, String> {
     }
 }
 
-fn figures<S: Float>(tables: &frictiongen::study::table::Tables<S>) -> Tabled {
-    Tabled {
+fn figures<S: Float>(tables: &frictiongen::study::table::Tables<S>) -> TableCosts {
+    TableCosts {
         pieces: tables.pieces.len(),
         bytes: tables.report.bytes,
         error: tables.report.worst.error,

@@ -1,6 +1,6 @@
 //! Computes the motion at one frequency and one friction. Also runs several computations in parallel.
 
-use super::asked::Asked;
+use super::asked::ReportRequest;
 use frictiongen::study::{
     response::{Swing, SystemResponse},
     units,
@@ -11,11 +11,11 @@ use frictiongen::{Error, Of, Regime};
 pub const STUCK: f64 = 1e9;
 
 /// Regime, amplitude and phase, or the reason why no motion was found.
-pub type Found = Result<(Regime, Swing), Error>;
+pub type FoundMotion = Result<(Regime, Swing), Error>;
 
 /// Returns the motion at the frequency ratio `r` and the friction ratio `beta`. If `beta` is [`STUCK`], the contact is
 /// stuck at every frequency.
-pub fn found(asked: &Asked, r: f64, beta: f64, of: Of) -> Found {
+pub fn found(asked: &ReportRequest, r: f64, beta: f64, of: Of) -> FoundMotion {
     let at = asked.system.at(r)?;
     let rest = Swing::REST;
     // For a stuck elastic contact the closed form is a response, because the contact moves with its spring.

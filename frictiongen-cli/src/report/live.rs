@@ -1,6 +1,6 @@
 //! The playground in the report, which answers for numbers that the reader changes.
 
-use super::asked::Asked;
+use super::asked::ReportRequest;
 use crate::play;
 use maud::{Markup, html};
 use serde_json::json;
@@ -12,7 +12,7 @@ pub const POLICY: &str = "default-src 'none'; style-src 'unsafe-inline'; script-
 
 /// Returns the page of the playground with the description, the range of frequencies and the best friction ratio of the
 /// report.
-pub fn start(page: &str, text: &str, asked: &Asked, best: Option<f64>) -> String {
+pub fn start(page: &str, text: &str, asked: &ReportRequest, best: Option<f64>) -> String {
     let [from, to] = [asked.band.from, asked.band.to];
     play::with(
         page,

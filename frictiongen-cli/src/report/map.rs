@@ -1,7 +1,7 @@
 //! Computes and draws the regimes over frequency and friction, with β_lim and β*_lim.
 
-use super::asked::Asked;
-use super::plot::{Across, Axes, Plot, Series};
+use super::asked::ReportRequest;
+use super::plot::{Axes, HorizontalAxis, Plot, PlotCurve};
 use super::words::{digits, number, object, rounded};
 use crate::failure::Failure;
 use crate::interrupt;
@@ -60,7 +60,11 @@ fn cells(masses: usize) -> Option<(usize, usize)> {
 impl Regimes {
     /// Computes the map over the range, up to a friction above all `levels`. `known` contains the extreme values of
     /// β_lim and β*_lim if a search has already found them.
-    pub fn of(asked: &Asked, levels: &[f64], known: Option<(f64, f64)>) -> Result<Self, Failure> {
+    pub fn of(
+        asked: &ReportRequest,
+        levels: &[f64],
+        known: Option<(f64, f64)>,
+    ) -> Result<Self, Failure> {
         let system = &asked.system;
         let (from, to) = (asked.band.from, asked.band.to);
         let lines = system.limit_lines(from, to, LINES).map_err(Failure::new)?;
@@ -133,7 +137,7 @@ impl Regimes {
     }
 
     /// Returns the picture of the map.
-    pub fn plot(&self, asked: &Asked) -> Plot {
+    pub fn plot(&self, asked: &ReportRequest) -> Plot {
         let scales = &asked.words.scales;
         let mut panel = match &self.map {
             Some(map) => map_panel("", map, &self.lines, &[], Shade::Regime, scales),
@@ -162,7 +166,7 @@ impl Regimes {
         let [continuous, sliding] = limit_lines(&self.lines, self.top, scales, Colour::Black);
         let series = |name: &str, line: frictiongen_plot::Line| {
             let layers = [Layer::from(line)];
-            Series::of(&name.into(), Colour::Black, &layers, false)
+            PlotCurve::of(&name.into(), Colour::Black, &layers, false)
         };
         let mut series = vec![
             series("limit of continuous motion", continuous),
@@ -183,7 +187,7 @@ impl Regimes {
                 ""
             },
         };
-        let across = Across {
+        let across = HorizontalAxis {
             name: if asked.words.in_hertz {
                 "frequency"
             } else {
@@ -203,7 +207,7 @@ impl Regimes {
     }
 
     /// Returns the regime of each cell, row by row from the smallest friction upwards.
-    fn cells(&self, asked: &Asked) -> Json {
+    fn cells(&self, asked: &ReportRequest) -> Json {
         let Some(map) = &self.map else {
             return Json::Null;
         };
@@ -242,7 +246,7 @@ impl Regimes {
     }
 
     /// Returns the section of the page as HTML.
-    pub fn html(&self, plot: &Plot, asked: &Asked) -> Markup {
+    pub fn html(&self, plot: &Plot, asked: &ReportRequest) -> Markup {
         let words = &asked.words;
         html! {
             section #regimes {
@@ -294,7 +298,7 @@ impl Regimes {
     }
 
     /// Returns the limits as JSON data, with the points of `frictiongen limits --json`.
-    pub fn data(&self, asked: &Asked) -> Json {
+    pub fn data(&self, asked: &ReportRequest) -> Json {
         let words = &asked.words;
         let limit = |beta: f64| object(words.friction_json(beta));
         let columns = table(asked).columns();
@@ -310,7 +314,7 @@ impl Regimes {
 }
 
 /// Returns the table of β_lim and β*_lim in the units of the page.
-fn table(asked: &Asked) -> LimitsTable<'_> {
+fn table(asked: &ReportRequest) -> LimitsTable<'_> {
     LimitsTable {
         setting: Setting {
             system: &asked.system,

@@ -20,10 +20,10 @@ use crate::failure::Failure;
 use crate::file;
 use crate::interrupt;
 use crate::play;
-use asked::Asked;
+use asked::ReportRequest;
 use frictiongen::System;
 use frictiongen_codegen::{Limits, parse_text};
-use page::Page;
+use page::ReportPage;
 use std::io::Write;
 
 /// Runs `frictiongen report`.
@@ -46,22 +46,22 @@ pub fn run(arguments: &ReportArguments, out: &mut dyn Write) -> Result<(), Failu
     })?;
     let documentation = description.documentation();
     let system = System::try_from(description.scene).map_err(Failure::new)?;
-    let mut asked = Asked::of(arguments, system)?;
+    let mut asked = ReportRequest::of(arguments, system)?;
     interrupt::watch();
     let best = best::search(&asked);
     let best_beta = best::worst(&best).map(|(_, optimum)| optimum.beta);
     let levels = asked.levels(best_beta);
     let responses = response::Responses::of(&asked, &levels, best_beta)?;
-    let features = features::Features::of(&asked, &levels, best_beta);
+    let features = features::FeatureSection::of(&asked, &levels, best_beta);
     let live = playground.map(|page| live::start(&page, &text, &asked, best_beta));
-    let page = Page {
+    let page = ReportPage {
         file: &name,
         documentation: &documentation,
-        modes: modes::Modes::of(&asked),
+        modes: modes::ModeSection::of(&asked),
         responses,
         regimes: map::Regimes::of(&asked, &levels, best::limits(&best))?,
         features,
-        cost: cost::Cost::of(&text, &asked),
+        cost: cost::CostSection::of(&text, &asked),
         best,
         live,
         asked,

@@ -1,8 +1,8 @@
 //! Section about the modes: frequencies, damping, shapes, and participation of load and contact.
 
-use super::asked::Asked;
-use super::plot::{Across, Axes, Plot, Series};
-use super::words::{Words, digits, number};
+use super::asked::ReportRequest;
+use super::plot::{Axes, HorizontalAxis, Plot, PlotCurve};
+use super::words::{PageUnits, digits, number};
 use frictiongen_plot::{
     Across as At, Axis, Colour, Figure, Guide, Label, Line, Marker, Markers, Panel, Stroke,
 };
@@ -17,7 +17,7 @@ const MOST_LISTED: usize = 16;
 const NONE: f64 = 1e-12;
 
 /// A vibration mode of the chain, as the page shows it.
-struct Mode {
+struct ModeRow {
     r: f64,
     hertz: f64,
     zeta: f64,
@@ -29,11 +29,11 @@ struct Mode {
 }
 
 /// Contents of the section about modes.
-pub struct Modes(Vec<Mode>);
+pub struct ModeSection(Vec<ModeRow>);
 
-impl Modes {
+impl ModeSection {
     /// Collects the modes of a system.
-    pub fn of(asked: &Asked) -> Self {
+    pub fn of(asked: &ReportRequest) -> Self {
         let system = &asked.system;
         let modal = system.modal();
         let zeta = modal.damping_ratios.iter().map(|zeta| zeta.hi);
@@ -48,26 +48,28 @@ impl Modes {
         let modes = modes.zip(parts).zip(thresholds);
         Self(
             modes
-                .map(|((((r, zeta), shape), (load, contact)), threshold)| Mode {
-                    r: *r,
-                    hertz: system.hertz(*r),
-                    zeta,
-                    shape: normalised(&shape),
-                    load,
-                    contact,
-                    threshold,
-                })
+                .map(
+                    |((((r, zeta), shape), (load, contact)), threshold)| ModeRow {
+                        r: *r,
+                        hertz: system.hertz(*r),
+                        zeta,
+                        shape: normalised(&shape),
+                        load,
+                        contact,
+                        threshold,
+                    },
+                )
                 .collect(),
         )
     }
 
     /// Returns the resonance frequencies as text.
-    pub fn resonances(&self, words: &Words) -> Vec<String> {
+    pub fn resonances(&self, words: &PageUnits) -> Vec<String> {
         self.0.iter().map(|mode| words.frequency(mode.r)).collect()
     }
 
     /// Returns the picture of the mode shapes.
-    pub fn plot(&self, asked: &Asked) -> Plot {
+    pub fn plot(&self, asked: &ReportRequest) -> Plot {
         let masses = asked.system.scene().masses.len();
         let x = Axis::new(
             "mass, in the order of the description",
@@ -89,12 +91,12 @@ impl Modes {
             ));
             let colour = Colour::Series(index);
             let line = Line::new(name.clone(), colour, Stroke::Solid, vec![points.clone()]);
-            series.push(Series::of(&name, colour, &[line.clone().into()], false));
+            series.push(PlotCurve::of(&name, colour, &[line.clone().into()], false));
             panel = panel
                 .with(line)
                 .with(Markers::unnamed(colour, Marker::Dot, points));
         }
-        let across = Across {
+        let across = HorizontalAxis {
             name: "mass",
             unit: "",
         };
@@ -122,11 +124,11 @@ impl Modes {
     }
 
     /// Returns the section of the page as HTML.
-    pub fn html(&self, plot: &Plot, asked: &Asked) -> Markup {
+    pub fn html(&self, plot: &Plot, asked: &ReportRequest) -> Markup {
         let scene = asked.system.scene();
         let words = &asked.words;
         let listed = self.0.iter().take(MOST_LISTED).enumerate();
-        let largest = |read: fn(&Mode) -> f64| {
+        let largest = |read: fn(&ModeRow) -> f64| {
             self.0
                 .iter()
                 .map(|mode| read(mode).abs())

@@ -1,11 +1,11 @@
 //! Assembles the page: its head, its sections and its data.
 
-use super::asked::Asked;
+use super::asked::ReportRequest;
 use super::best::{self, Best};
-use super::cost::Cost;
-use super::features::Features;
+use super::cost::CostSection;
+use super::features::FeatureSection;
 use super::map::Regimes;
-use super::modes::Modes;
+use super::modes::ModeSection;
 use super::response::Responses;
 use super::{live, scene, summary};
 use crate::measure;
@@ -23,30 +23,30 @@ const SCRIPT: &str = include_str!("read.js");
 const SCRIPT_HASH: &str = include_str!("read.js.sha256");
 
 /// Contents of the page.
-pub struct Page<'a> {
+pub struct ReportPage<'a> {
     /// Name of the description.
     pub file: &'a str,
     /// Doc comments of the description.
     pub documentation: &'a str,
     /// Content of the page, from the user's options and the defaults.
-    pub asked: Asked,
+    pub asked: ReportRequest,
     /// Contents of the section about modes.
-    pub modes: Modes,
+    pub modes: ModeSection,
     /// Amplitudes and phases.
     pub responses: Responses,
     /// Limits and regimes.
     pub regimes: Regimes,
     /// Features of the response.
-    pub features: Features,
+    pub features: FeatureSection,
     /// Best friction of each motion, or the reason why the command made no search.
     pub best: Result<Vec<Best>, String>,
     /// Cost of the emitted code.
-    pub cost: Cost,
+    pub cost: CostSection,
     /// The page of the playground with the description, if the user asks for it.
     pub live: Option<String>,
 }
 
-impl Page<'_> {
+impl ReportPage<'_> {
     /// Returns the HTML of the page.
     pub fn html(&self) -> String {
         let asked = &self.asked;

@@ -10,7 +10,7 @@ use serde_json::{Value as Json, json};
 const STRAYS: [f64; 2] = [5e-4, 2e-5];
 
 /// A curve of a panel in the units of the axes.
-pub struct Series {
+pub struct PlotCurve {
     name: String,
     colour: Colour,
     /// Pieces of the curve. Each has a regime, or `None`.
@@ -20,7 +20,7 @@ pub struct Series {
 /// Points of each piece. Lines join the points of one piece.
 type Pieces = Vec<Vec<(f64, f64)>>;
 
-impl Series {
+impl PlotCurve {
     /// Creates a series from the layers that draw one curve. If `by_regime` is true, the stroke of a layer gives its
     /// regime.
     pub fn of(name: &Label, colour: Colour, layers: &[Layer], by_regime: bool) -> Self {
@@ -124,7 +124,7 @@ pub struct Axes<'a> {
 }
 
 /// Name and unit of the horizontal axis.
-pub struct Across<'a> {
+pub struct HorizontalAxis<'a> {
     /// Name of the axis.
     pub name: &'a str,
     /// Unit of the axis, which may be empty.
@@ -138,8 +138,8 @@ impl Plot {
         id: &str,
         title: &str,
         figure: Figure,
-        across: &Across<'_>,
-        curves: &[(Axes<'_>, Vec<Series>)],
+        across: &HorizontalAxis<'_>,
+        curves: &[(Axes<'_>, Vec<PlotCurve>)],
         more: Json,
     ) -> Self {
         let figure = Figure {
@@ -156,7 +156,7 @@ impl Plot {
                 fields.insert("log".to_owned(), (panel.y.scale == Scale::Log).into());
                 fields.insert(
                     "series".to_owned(),
-                    series.iter().map(Series::data).collect(),
+                    series.iter().map(PlotCurve::data).collect(),
                 );
             }
             data

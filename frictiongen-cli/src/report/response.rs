@@ -1,9 +1,9 @@
 //! Computes and draws amplitudes and phases over frequency, at several frictions and with the contact stuck.
 
-use super::asked::Asked;
-use super::found::{Found, STUCK, at_once, found, line_styles};
-use super::plot::{Across, Axes, Plot, Series};
-use super::words::{Words, object};
+use super::asked::ReportRequest;
+use super::found::{FoundMotion, STUCK, at_once, found, line_styles};
+use super::plot::{Axes, HorizontalAxis, Plot, PlotCurve};
+use super::words::{PageUnits, object};
 
 use crate::failure::Failure;
 use crate::features::draw::marks;
@@ -29,7 +29,7 @@ const WORK: usize = 60_000;
 const DECADES: f64 = 1e-4;
 
 /// A curve at one friction, with its name.
-struct Level {
+struct FrictionCurve {
     name: String,
     beta: f64,
     colour: Colour,
@@ -38,14 +38,18 @@ struct Level {
 
 /// Contents of the section about responses.
 pub struct Responses {
-    levels: Vec<Level>,
+    levels: Vec<FrictionCurve>,
     /// Motions in the table: for each frequency, a list for each friction, with one entry for each contact or mass.
-    rows: Vec<(f64, Vec<Vec<Found>>)>,
+    rows: Vec<(f64, Vec<Vec<FoundMotion>>)>,
 }
 
 impl Responses {
     /// Computes the curves at the given frictions.
-    pub fn of(asked: &Asked, frictions: &[f64], best: Option<f64>) -> Result<Self, Failure> {
+    pub fn of(
+        asked: &ReportRequest,
+        frictions: &[f64],
+        best: Option<f64>,
+    ) -> Result<Self, Failure> {
         let words = &asked.words;
         let of: Vec<Of> = asked.parts.iter().map(|part| part.of).collect();
         let request = CurveRequest {
@@ -79,7 +83,7 @@ impl Responses {
             if beta == STUCK {
                 curve.pieces.retain(|piece| piece.regime == Regime::Stuck);
             }
-            Ok(Level {
+            Ok(FrictionCurve {
                 name,
                 beta,
                 colour,
@@ -87,7 +91,7 @@ impl Responses {
             })
         });
         let levels = levels.into_iter().collect::<Result<Vec<_>, Failure>>()?;
-        let cells = |r: f64, level: &Level| -> Vec<Found> {
+        let cells = |r: f64, level: &FrictionCurve| -> Vec<FoundMotion> {
             of.iter()
                 .map(|of| found(asked, r, level.beta, *of))
                 .collect()
@@ -123,7 +127,7 @@ impl Responses {
     }
 
     /// Returns one picture for each motion, with its features marked.
-    pub fn plots(&self, asked: &Asked, features: &[FeatureLine]) -> Vec<Plot> {
+    pub fn plots(&self, asked: &ReportRequest, features: &[FeatureLine]) -> Vec<Plot> {
         let parts = asked.parts.iter().enumerate();
         parts
             .map(|(index, part)| {
@@ -133,7 +137,7 @@ impl Responses {
             .collect()
     }
 
-    fn plot(&self, part: usize, name: &str, asked: &Asked, marked: Vec<Markers>) -> Plot {
+    fn plot(&self, part: usize, name: &str, asked: &ReportRequest, marked: Vec<Markers>) -> Plot {
         let words = &asked.words;
         let scales = &words.scales;
         let (from, to) = (
@@ -162,7 +166,7 @@ impl Responses {
                     colour: level.colour,
                 };
                 let layers = lines(&drawn, part, reading, scales);
-                series.push(Series::of(&label, level.colour, &layers, true));
+                series.push(PlotCurve::of(&label, level.colour, &layers, true));
                 panel.layers.extend(layers);
             }
         }
@@ -189,7 +193,7 @@ impl Responses {
             ),
         ];
         let title = format!("Amplitude and phase of {name} over frequency");
-        let across = Across {
+        let across = HorizontalAxis {
             name: if words.in_hertz {
                 "frequency"
             } else {
@@ -209,14 +213,14 @@ impl Responses {
 
     /// Returns the bounds of the amplitude axis. All finite values lie within the bounds. If an amplitude is unbounded,
     /// the upper bound is a fixed multiple of the amplitudes at evenly spaced frequencies.
-    fn ends(&self, part: usize, words: &Words) -> (f64, f64) {
-        let sizes = |level: &Level| -> Vec<f64> {
+    fn ends(&self, part: usize, words: &PageUnits) -> (f64, f64) {
+        let sizes = |level: &FrictionCurve| -> Vec<f64> {
             let points = level.curve.pieces.iter().flat_map(|piece| &piece.points);
             let size = points.filter_map(|point| Some(point.movements.get(part)?.swing.amplitude));
             size.filter(|size| size.is_finite() && 0.0 < *size)
                 .collect()
         };
-        let unbounded = |level: &Level| {
+        let unbounded = |level: &FrictionCurve| {
             let mut pieces = level.curve.pieces.iter();
             pieces.any(|piece| piece.start == End::Pole || piece.end == End::Pole)
         };
@@ -246,7 +250,7 @@ impl Responses {
     }
 
     /// Returns the section of the page as HTML.
-    pub fn html(&self, plots: &[Plot], asked: &Asked) -> Markup {
+    pub fn html(&self, plots: &[Plot], asked: &ReportRequest) -> Markup {
         let words = &asked.words;
         html! {
             section #responses {
@@ -274,7 +278,7 @@ impl Responses {
     }
 
     /// Returns the largest amplitude of a curve, with its frequency ratio r and its regime.
-    fn peak(level: &Level, part: usize) -> Option<(f64, f64, Regime)> {
+    fn peak(level: &FrictionCurve, part: usize) -> Option<(f64, f64, Regime)> {
         let points = level.curve.pieces.iter().flat_map(|piece| &piece.points);
         let sizes = points.filter_map(|point| {
             let size = point.movements.get(part)?.swing.amplitude;
@@ -283,12 +287,12 @@ impl Responses {
         sizes.max_by(|a, b| a.0.total_cmp(&b.0))
     }
 
-    fn pole(level: &Level) -> bool {
+    fn pole(level: &FrictionCurve) -> bool {
         let mut pieces = level.curve.pieces.iter();
         pieces.any(|piece| piece.start == End::Pole || piece.end == End::Pole)
     }
 
-    fn peaks(&self, asked: &Asked) -> Markup {
+    fn peaks(&self, asked: &ReportRequest) -> Markup {
         let words = &asked.words;
         html! {
             div.scroll tabindex="0" role="region" aria-label="The largest amplitudes" {
@@ -316,7 +320,7 @@ impl Responses {
         }
     }
 
-    fn table(&self, part: usize, asked: &Asked) -> Markup {
+    fn table(&self, part: usize, asked: &ReportRequest) -> Markup {
         let words = &asked.words;
         html! {
             div.scroll tabindex="0" role="region" aria-label="Values over frequency" {
@@ -332,7 +336,7 @@ impl Responses {
                                 Err(error) => (words::no_answer(*error)),
                                 Ok((_, swing)) => {
                                     (words.length(swing.amplitude))
-                                    @if let Some(phase) = swing.phase { ", " (Words::angle(phase)) }
+                                    @if let Some(phase) = swing.phase { ", " (PageUnits::angle(phase)) }
                                 }
                             } }
                         }
@@ -343,9 +347,9 @@ impl Responses {
     }
 
     /// Returns the table and the peaks as JSON data.
-    pub fn data(&self, asked: &Asked) -> Json {
+    pub fn data(&self, asked: &ReportRequest) -> Json {
         let words = &asked.words;
-        let cell = |found: &Found| match found {
+        let cell = |found: &FoundMotion| match found {
             Err(error) => json!({ "none": words::no_answer(*error) }),
             Ok((regime, swing)) => {
                 let phase = words.measure.name("phase", Dimension::Angle);

@@ -1,6 +1,6 @@
 //! Section about the scene: a drawing and the values.
 
-use super::asked::Asked;
+use super::asked::ReportRequest;
 use super::words::digits;
 use frictiongen::study::scene::{Damping, DampingFrom, Excitation, Node, Scene};
 use frictiongen::study::units::Load;
@@ -14,7 +14,7 @@ fn node(scene: &Scene, node: Node) -> &str {
 }
 
 /// Returns the sketch with its values, or `None` for a long chain.
-fn drawing(asked: &Asked) -> Option<String> {
+fn drawing(asked: &ReportRequest) -> Option<String> {
     let scene = asked.system.scene();
     let plain = desk::sketch(scene, true);
     let values = scene.masses.iter();
@@ -65,7 +65,7 @@ fn damping(scene: &Scene) -> String {
 }
 
 /// Describes the load in words.
-fn load(asked: &Asked) -> String {
+fn load(asked: &ReportRequest) -> String {
     let scene = asked.system.scene();
     let place = match scene.excitation {
         Excitation::Base => "motion of the base".to_owned(),
@@ -85,7 +85,7 @@ fn load(asked: &Asked) -> String {
 }
 
 /// Returns the section of the page as HTML.
-pub fn html(asked: &Asked) -> Markup {
+pub fn html(asked: &ReportRequest) -> Markup {
     let scene = asked.system.scene();
     let contact = (
         node(scene, scene.contact.from),
@@ -137,7 +137,7 @@ pub fn html(asked: &Asked) -> Markup {
 }
 
 /// Returns the scene as JSON data.
-pub fn data(asked: &Asked) -> Json {
+pub fn data(asked: &ReportRequest) -> Json {
     let scene = asked.system.scene();
     let masses = scene.masses.iter();
     let springs = scene.springs.iter();

@@ -1,9 +1,9 @@
 //! Summary at the top of the page, with the main results.
 
-use super::asked::Asked;
+use super::asked::ReportRequest;
 use super::best::{self, Best};
 use super::map::Spread;
-use super::modes::Modes;
+use super::modes::ModeSection;
 use super::response::Responses;
 use super::words::digits;
 use frictiongen::study::scene::Excitation;
@@ -18,8 +18,8 @@ const MOST_NAMED: usize = 4;
 
 /// Returns the first lines of the page as HTML.
 pub fn html(
-    asked: &Asked,
-    modes: &Modes,
+    asked: &ReportRequest,
+    modes: &ModeSection,
     spread: &Spread,
     best: &Result<Vec<Best>, String>,
     responses: &Responses,

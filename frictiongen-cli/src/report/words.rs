@@ -9,7 +9,7 @@ use serde_json::Value as Json;
 
 /// Units in which the page shows its numbers.
 #[derive(Clone, Copy, Debug)]
-pub struct Words {
+pub struct PageUnits {
     /// Units of the axes of pictures.
     pub scales: Scales,
     /// True if the page shows frequencies in Hz.
@@ -62,7 +62,7 @@ pub fn rounded(value: f64) -> f64 {
     format!("{value:.5e}").parse().unwrap_or(value)
 }
 
-impl Words {
+impl PageUnits {
     /// Returns the unit of displacements.
     pub fn length_unit(&self) -> &'static str {
         match (self.measure.scale(), self.measure.is_base_motion()) {

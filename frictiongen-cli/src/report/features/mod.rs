@@ -2,7 +2,7 @@
 
 mod tables;
 
-use super::asked::Asked;
+use super::asked::ReportRequest;
 use crate::features::report::{FeaturesReport, table};
 use crate::number::Exact as _;
 use crate::output::Table as _;
@@ -19,24 +19,24 @@ const ALL_FRICTIONS: usize = 4;
 const MOST_ROWS: usize = 24;
 
 /// Contents of the section about features.
-pub struct Features {
+pub struct FeatureSection {
     /// Friction ratios β of the features that depend on friction.
     frictions: Vec<f64>,
     lines: Result<Vec<FeatureLine>, String>,
 }
 
 /// A table of the section.
-struct Table {
+struct SectionTable {
     title: String,
     says: String,
     heads: Vec<&'static str>,
     rows: Vec<Vec<String>>,
 }
 
-impl Features {
+impl FeatureSection {
     /// Finds the features at the frictions `levels`, or at the best friction if the user has given no friction. For a
     /// chain of more than [`MOST_MASSES`] masses the page refers to the command instead.
-    pub fn of(asked: &Asked, levels: &[f64], best: Option<f64>) -> Self {
+    pub fn of(asked: &ReportRequest, levels: &[f64], best: Option<f64>) -> Self {
         let masses = asked.system.scene().masses.len();
         if MOST_MASSES < masses {
             return Self {
@@ -91,7 +91,7 @@ impl Features {
 
     /// Returns the features as `frictiongen features` prints them. Each feature names the parameter to which its first
     /// number is most sensitive.
-    fn report<'a>(&self, asked: &'a Asked) -> FeaturesReport<'a> {
+    fn report<'a>(&self, asked: &'a ReportRequest) -> FeaturesReport<'a> {
         FeaturesReport {
             system: &asked.system,
             band: asked.band.clone(),
@@ -101,7 +101,7 @@ impl Features {
     }
 
     /// Returns the section of the page as HTML.
-    pub fn html(&self, asked: &Asked) -> Markup {
+    pub fn html(&self, asked: &ReportRequest) -> Markup {
         let damped = asked.system.modal().is_damped();
         html! {
             section #features {
@@ -128,7 +128,7 @@ impl Features {
 
     /// Returns the section as JSON data. It contains the lines of `frictiongen features --json`, but only one
     /// derivative in each line.
-    pub fn data(&self, asked: &Asked) -> Json {
+    pub fn data(&self, asked: &ReportRequest) -> Json {
         if let Err(reason) = &self.lines {
             return json!({ "none": reason });
         }
@@ -147,7 +147,7 @@ impl Features {
     }
 }
 
-impl Table {
+impl SectionTable {
     /// Removes the column with this heading from the table.
     fn leave_out(&mut self, head: &str) {
         let Some(place) = self.heads.iter().position(|other| *other == head) else {

@@ -1,13 +1,13 @@
 //! Builds the tables of the section about features.
 
-use super::super::asked::Asked;
-use super::super::words::{Words, digits};
-use super::{Features, Table};
+use super::super::asked::ReportRequest;
+use super::super::words::{PageUnits, digits};
+use super::{FeatureSection, SectionTable};
 use frictiongen::study::columns::FeatureLine;
 
-impl Features {
+impl FeatureSection {
     /// Returns the tables that have at least one row.
-    pub(super) fn tables(&self, asked: &Asked) -> Vec<Table> {
+    pub(super) fn tables(&self, asked: &ReportRequest) -> Vec<SectionTable> {
         let mut tables = self.about_the_chain(asked);
         if !asked.system.modal().is_damped() {
             tables.extend(self.without_damping(&asked.words));
@@ -17,7 +17,7 @@ impl Features {
         tables
     }
 
-    fn about_the_chain(&self, asked: &Asked) -> Vec<Table> {
+    fn about_the_chain(&self, asked: &ReportRequest) -> Vec<SectionTable> {
         let words = &asked.words;
         let report = self.report(asked);
         let moved = |line: &FeatureLine| match line.strongest() {
@@ -104,20 +104,20 @@ impl Features {
             })
         });
         vec![
-            Table {
+            SectionTable {
                 title: "Resonances and their thresholds".to_owned(),
                 says: says.to_owned(),
                 heads,
                 rows: resonances.collect(),
             },
-            Table {
+            SectionTable {
                 title: "Resonances of the chain with its contact stuck".to_owned(),
                 says: "With too much friction the peak of the response is at these frequencies. If the contact slides there at any friction, no friction can lock it."
                     .to_owned(),
                 heads: vec!["at", "the contact there", "frequency moves most"],
                 rows: stuck.collect(),
             },
-            Table {
+            SectionTable {
                 title: "At the ends of the frequency axis".to_owned(),
                 says: "Behaviour of the contact under a very slow and a very fast load.".to_owned(),
                 heads: vec!["where", "the contact"],
@@ -126,7 +126,7 @@ impl Features {
         ]
     }
 
-    fn without_damping(&self, words: &Words) -> Vec<Table> {
+    fn without_damping(&self, words: &PageUnits) -> Vec<SectionTable> {
         let points = self.named("invariant point").map(|line| {
             vec![
                 line.of.clone(),
@@ -150,7 +150,7 @@ impl Features {
             .named("antiresonance")
             .map(|line| vec![line.of.clone(), place(words, line)]);
         vec![
-            Table {
+            SectionTable {
                 title: "Invariant points".to_owned(),
                 says: "At these frequencies friction does not change the amplitude, as long as the contact slides all the time. \
                        There, more friction does not lower the curve, and a measurement does not determine the friction."
@@ -158,13 +158,13 @@ impl Features {
                 heads: vec!["of", "at", "amplitude there", "for friction up to", "what is invariant"],
                 rows: points.collect(),
             },
-            Table {
+            SectionTable {
                 title: "Where friction makes it worse".to_owned(),
                 says: "Between these frequencies more friction makes the motion larger.".to_owned(),
                 heads: vec!["of", "from … to", "from and to what", "what grows"],
                 rows: inversions.collect(),
             },
-            Table {
+            SectionTable {
                 title: "Antiresonances".to_owned(),
                 says: "Without friction the amplitude of these motions is zero at these frequencies.".to_owned(),
                 heads: vec!["of", "at"],
@@ -173,7 +173,7 @@ impl Features {
         ]
     }
 
-    fn at_frictions(&self, asked: &Asked) -> Vec<Table> {
+    fn at_frictions(&self, asked: &ReportRequest) -> Vec<SectionTable> {
         let words = &asked.words;
         let forces: Vec<String> = self
             .frictions
@@ -228,7 +228,7 @@ impl Features {
             ]
         });
         let mut tables = vec![
-            Table {
+            SectionTable {
                 title: format!("Peaks{at}"),
                 says: "The table compares the largest amplitude about each resonance, over all regimes, with the estimate for small damping. \
                        A resonance that is not listed has no peak."
@@ -236,7 +236,7 @@ impl Features {
                 heads: vec!["friction", "of", "mode", "peak at", "amplitude", "estimate", "the contact there"],
                 rows: peaks.collect(),
             },
-            Table {
+            SectionTable {
                 title: format!("Where the contact slides{at}"),
                 says: "In these ranges the contact slides, all the time or between stops, with this friction and with every smaller one. \
                        Outside them the contact is stuck."
@@ -244,19 +244,19 @@ impl Features {
                 heads: vec!["friction", "from … to"],
                 rows: slides.collect(),
             },
-            Table {
+            SectionTable {
                 title: format!("What the contact does{at}"),
                 says: "From low to high frequencies.".to_owned(),
                 heads: vec!["friction", "from … to", "the contact"],
                 rows: regimes.collect(),
             },
-            Table {
+            SectionTable {
                 title: format!("The quasi-static start{at}"),
                 says: "Amplitude of each mass under a very slow load. The curves begin there.".to_owned(),
                 heads: vec!["friction", "of", "amplitude"],
                 rows: starts.collect(),
             },
-            Table {
+            SectionTable {
                 title: "The same amplitude with two frictions".to_owned(),
                 says: "At these frequencies the exact curves of two frictions cross.".to_owned(),
                 heads: vec!["of", "at", "amplitude", "which"],
@@ -274,11 +274,11 @@ impl Features {
     }
 }
 
-fn place(words: &Words, line: &FeatureLine) -> String {
+fn place(words: &PageUnits, line: &FeatureLine) -> String {
     line.r.map_or_else(String::new, |r| words.frequency(r))
 }
 
-fn range(words: &Words, line: &FeatureLine) -> String {
+fn range(words: &PageUnits, line: &FeatureLine) -> String {
     match (line.r, line.to) {
         (Some(from), Some(to)) => {
             format!("{} … {}", words.frequency(from), words.frequency(to))
@@ -288,7 +288,7 @@ fn range(words: &Words, line: &FeatureLine) -> String {
 }
 
 /// Formats a friction, which may be infinite.
-fn limit(words: &Words, force: f64) -> String {
+fn limit(words: &PageUnits, force: f64) -> String {
     if force.is_infinite() {
         "any friction".to_owned()
     } else {
@@ -297,7 +297,7 @@ fn limit(words: &Words, force: f64) -> String {
 }
 
 /// Formats the amplitude of a line. With a load, this amplitude is in m.
-fn amplitude(words: &Words, line: &FeatureLine) -> String {
+fn amplitude(words: &PageUnits, line: &FeatureLine) -> String {
     match line.amplitude {
         None => String::new(),
         Some(size) if size.is_infinite() => "unbounded".to_owned(),
