@@ -45,13 +45,13 @@ pub struct Difference {
 }
 
 /// Natural frequencies of both scenes in Hz, mode by mode.
-pub type Modes = Vec<(Option<f64>, Option<f64>)>;
+pub type NaturalFrequencies = Vec<(Option<f64>, Option<f64>)>;
 
 /// Comparison of the results of two scenes.
 #[derive(Clone, Debug, Default)]
 pub struct Answers {
     /// Natural frequencies.
-    pub modes: Modes,
+    pub modes: NaturalFrequencies,
     /// Lowest and highest compared frequency, in Hz.
     pub band: Option<(f64, f64)>,
     /// True if a declared `range` bounds the compared frequencies.
@@ -184,7 +184,7 @@ fn unshared(old: &System, new: &System) -> Option<String> {
 }
 
 /// Values of one result over the frequencies.
-struct Series {
+struct ResultSeries {
     name: String,
     unit: &'static str,
     left_out_by: &'static str,
@@ -192,7 +192,7 @@ struct Series {
     values: Vec<(f64, f64, f64)>,
 }
 
-impl Series {
+impl ResultSeries {
     fn new(name: impl Into<String>, unit: &'static str, where_both: &'static str) -> Self {
         Self {
             name: name.into(),
@@ -264,7 +264,7 @@ fn differences(old: &System, new: &System, band: &[f64]) -> Vec<Difference> {
     let (length, length_new) = (scale.length(), scale_new.length());
     let (of_force, of_length) = if on_base { ("N/m", "") } else { ("", "m/N") };
     let load = if on_base { "Y" } else { "P" };
-    let limit = |name: &str| Series::new(format!("{name}/{load}"), of_force, FINITE);
+    let limit = |name: &str| ResultSeries::new(format!("{name}/{load}"), of_force, FINITE);
     let mut continuous = limit("limit of continuous motion F_lim");
     let mut sliding = limit("limit of sliding F*_lim");
     let names = new.scene().masses.iter().map(|mass| &mass.name);
@@ -272,13 +272,13 @@ fn differences(old: &System, new: &System, band: &[f64]) -> Vec<Difference> {
     let shared = old.scene().masses.iter().map(|mass| &mass.name);
     let shared: Vec<&String> = shared.filter(|name| names.contains(name)).collect();
     let names = shared.iter().map(|name| Some(name.as_str()));
-    let mut motions: Vec<Series> = std::iter::once(None)
+    let mut motions: Vec<ResultSeries> = std::iter::once(None)
         .chain(names)
         .map(|mass| {
             let name = format!("amplitude of {} over {load}", mass.unwrap_or("contact"));
-            Series {
+            ResultSeries {
                 left_out_by: left_out_by(old.scene(), new.scene(), mass),
-                ..Series::new(name, of_length, CONTINUOUS)
+                ..ResultSeries::new(name, of_length, CONTINUOUS)
             }
         })
         .collect();
@@ -317,5 +317,5 @@ fn differences(old: &System, new: &System, band: &[f64]) -> Vec<Difference> {
         }
     }
     let all = [continuous, sliding].into_iter().chain(motions);
-    all.filter_map(Series::difference).collect()
+    all.filter_map(ResultSeries::difference).collect()
 }

@@ -13,7 +13,7 @@ use code::Code;
 use frictiongen::System;
 use frictiongen::study::scene::{Accuracy, Precision, Scene};
 use frictiongen_codegen::{Limits, parse_text};
-use parameters::{Change, Field};
+use parameters::{DescriptionField, FieldChange};
 use serde_json::{Value as Json, json};
 use similar::TextDiff;
 use std::io::Write;
@@ -21,7 +21,7 @@ use std::io::Write;
 /// All differences between two descriptions.
 struct Differences {
     names: [String; 2],
-    changes: Vec<Change>,
+    changes: Vec<FieldChange>,
     /// Sentences about results of the emitted code that the comparison does not cover, such as results from tables.
     notes: Vec<String>,
     answers: Answers,
@@ -319,9 +319,9 @@ impl Differences {
     fn json(&self) -> Json {
         let [old, new] = &self.names;
         let number = |value: f64| Cell::from(value).json();
-        let field = |field: &Option<Field>| match field {
+        let field = |field: &Option<DescriptionField>| match field {
             None => Json::Null,
-            Some(Field {
+            Some(DescriptionField {
                 number: Some(value),
                 ..
             }) => number(*value),

@@ -7,7 +7,7 @@ use frictiongen::study::scene::{
 
 /// A field of a description, as text and, if possible, as a number.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Field {
+pub struct DescriptionField {
     /// Name of the field, with the name of its mass or spring.
     pub name: String,
     /// Value in the notation of a description.
@@ -18,16 +18,16 @@ pub struct Field {
 
 /// A field with different values in two descriptions. The value is `None` if a description does not contain the field.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Change {
+pub struct FieldChange {
     /// Name of the field.
     pub name: String,
     /// Value in the old description.
-    pub old: Option<Field>,
+    pub old: Option<DescriptionField>,
     /// Value in the new description.
-    pub new: Option<Field>,
+    pub new: Option<DescriptionField>,
 }
 
-impl Change {
+impl FieldChange {
     /// Returns the change relative to the old number. Returns `None` unless both values are numbers.
     pub fn relative(&self) -> Option<f64> {
         let (old, new) = (self.old.as_ref()?.number?, self.new.as_ref()?.number?);
@@ -37,7 +37,7 @@ impl Change {
 
 /// Returns the old scene with new names for some masses, and a change for each new name. A mass gets a new name under
 /// two conditions: both scenes have the same number of masses, and each of the two names occurs in only one scene.
-pub fn renamed(old: &Scene, new: &Scene) -> (Scene, Vec<Change>) {
+pub fn renamed(old: &Scene, new: &Scene) -> (Scene, Vec<FieldChange>) {
     let (mut scene, mut changes) = (old.clone(), Vec::new());
     if old.masses.len() != new.masses.len() {
         return (scene, changes);
@@ -47,7 +47,7 @@ pub fn renamed(old: &Scene, new: &Scene) -> (Scene, Vec<Change>) {
     for (number, (mass, other)) in (1..).zip(masses) {
         if !has(new, &mass.name) && !has(old, &other.name) {
             let name = format!("name of mass {number}");
-            changes.push(Change {
+            changes.push(FieldChange {
                 old: Some(word(&name, mass.name.clone())),
                 new: Some(word(&name, other.name.clone())),
                 name,
@@ -59,29 +59,30 @@ pub fn renamed(old: &Scene, new: &Scene) -> (Scene, Vec<Change>) {
 }
 
 /// Returns the fields that differ, in the order of the old description.
-pub fn changes(old: &Scene, new: &Scene) -> Vec<Change> {
+pub fn changes(old: &Scene, new: &Scene) -> Vec<FieldChange> {
     let (old, new) = (fields(old), fields(new));
-    let find =
-        |fields: &[Field], name: &str| fields.iter().find(|field| field.name == name).cloned();
-    let kept = old.iter().map(|field| Change {
+    let find = |fields: &[DescriptionField], name: &str| {
+        fields.iter().find(|field| field.name == name).cloned()
+    };
+    let kept = old.iter().map(|field| FieldChange {
         name: field.name.clone(),
         old: Some(field.clone()),
         new: find(&new, &field.name),
     });
     let added = new.iter().filter(|field| find(&old, &field.name).is_none());
-    let added = added.map(|field| Change {
+    let added = added.map(|field| FieldChange {
         name: field.name.clone(),
         old: None,
         new: Some(field.clone()),
     });
-    let text = |field: &Option<Field>| field.as_ref().map(|field| field.text.clone());
+    let text = |field: &Option<DescriptionField>| field.as_ref().map(|field| field.text.clone());
     kept.chain(added)
         .filter(|change| text(&change.old) != text(&change.new))
         .collect()
 }
 
 /// Returns every field of a scene that has no default, or whose value is not the default.
-fn fields(scene: &Scene) -> Vec<Field> {
+fn fields(scene: &Scene) -> Vec<DescriptionField> {
     let mut fields = vec![word("name", scene.name.clone())];
     for mass in &scene.masses {
         fields.push(number(format!("mass {}", mass.name), mass.value));
@@ -158,7 +159,7 @@ fn fields(scene: &Scene) -> Vec<Field> {
     fields
 }
 
-fn damping(damping: &Damping, fields: &mut Vec<Field>) {
+fn damping(damping: &Damping, fields: &mut Vec<DescriptionField>) {
     match damping {
         Damping::None => fields.push(word("damping", "none")),
         Damping::Uniform(ratio) => {
@@ -180,7 +181,7 @@ fn damping(damping: &Damping, fields: &mut Vec<Field>) {
 }
 
 /// Adds the fields of tables with a declared accuracy.
-fn tables(scene: &Scene, fields: &mut Vec<Field>) {
+fn tables(scene: &Scene, fields: &mut Vec<DescriptionField>) {
     let declared = &scene.declared;
     if let Accuracy::Relative(accuracy) = declared.accuracy {
         fields.push(number("accuracy".to_owned(), accuracy));
@@ -203,16 +204,16 @@ fn tables(scene: &Scene, fields: &mut Vec<Field>) {
     }
 }
 
-fn number(name: String, value: f64) -> Field {
-    Field {
+fn number(name: String, value: f64) -> DescriptionField {
+    DescriptionField {
         name,
         text: format!("{value:?}"),
         number: Some(value),
     }
 }
 
-fn word(name: &str, text: impl Into<String>) -> Field {
-    Field {
+fn word(name: &str, text: impl Into<String>) -> DescriptionField {
+    DescriptionField {
         name: name.to_owned(),
         text: text.into(),
         number: None,

@@ -7,7 +7,7 @@ use crate::layout::Layout;
 use crate::output::{self, Table, Visitor};
 #[cfg(feature = "pictures")]
 use crate::picture::short;
-use crate::time::asked::{Asked as Length, state};
+use crate::time::asked::{TimeRequest as Length, state};
 use frictiongen::study::columns::{Column, Frequency, JoinedEventRow, JoinedSample};
 use frictiongen::study::joined::JoinedHistory;
 use frictiongen::study::scene::Scene;

@@ -1,6 +1,6 @@
 //! The option `--keep` of `frictiongen optimum`, which sets upper bounds on amplitudes: `--keep 'roof-base <= 5mm'`.
 
-use super::valued::Valued;
+use super::valued::QuantityArgument;
 use crate::asked::Part;
 use crate::failure::Failure;
 use crate::measure::Measure;
@@ -14,28 +14,28 @@ pub fn parsed(
     system: &System,
     texts: &[String],
     measure: &Measure,
-) -> Result<Vec<Valued>, Failure> {
+) -> Result<Vec<QuantityArgument>, Failure> {
     texts
         .iter()
         .map(|text| one(system, text, measure))
         .collect()
 }
 
-fn one(system: &System, text: &str, measure: &Measure) -> Result<Valued, Failure> {
+fn one(system: &System, text: &str, measure: &Measure) -> Result<QuantityArgument, Failure> {
     let wrong =
         |problem: &dyn std::fmt::Display| Failure::new(format_args!("--keep `{text}`: {problem}"));
     let (name, limit) = text
         .split_once("<=")
         .or_else(|| text.split_once('≤'))
         .ok_or_else(|| wrong(&"a quantity and its bound are needed, as in roof-base <= 5mm"))?;
-    Valued::parsed(system, (name, limit), measure, &wrong)
+    QuantityArgument::parsed(system, (name, limit), measure, &wrong)
 }
 
 /// Finds the best friction within the bounds, and returns the lines of the answer.
 pub fn lines(
     table: &OptimumTable<'_>,
     request: &OptimumRequest,
-    bounds: &[Valued],
+    bounds: &[QuantityArgument],
     watch: &(dyn Fn() -> bool + Sync),
 ) -> Result<Vec<OptimumLine>, Failure> {
     let (system, measure) = (table.setting.system, &table.setting.measure);

@@ -23,7 +23,7 @@ use frictiongen::study::optimum::{
 use frictiongen_codegen::Limits;
 use std::io::Write;
 use std::sync::Mutex;
-use valued::Valued;
+use valued::QuantityArgument;
 
 /// Runs `frictiongen optimum`.
 pub fn run(arguments: &OptimumArguments, out: &mut dyn Write) -> Result<(), Failure> {
@@ -97,7 +97,11 @@ pub fn run(arguments: &OptimumArguments, out: &mut dyn Write) -> Result<(), Fail
 
 impl OptimumArguments {
     /// Parses the quantities of `--of`, if there are several. The list is empty for a single quantity.
-    fn several(&self, system: &System, measure: &Measure) -> Result<Vec<Valued>, Failure> {
+    fn several(
+        &self,
+        system: &System,
+        measure: &Measure,
+    ) -> Result<Vec<QuantityArgument>, Failure> {
         if self.of.len() < 2 {
             return Ok(Vec::new());
         }
@@ -114,7 +118,7 @@ impl OptimumArguments {
     }
 
     /// Returns the only quantity, or the first of several.
-    fn first(&self, system: &System, several: &[Valued]) -> Result<Part, Failure> {
+    fn first(&self, system: &System, several: &[QuantityArgument]) -> Result<Part, Failure> {
         match several.first() {
             Some(valued) => Ok(valued.part.clone()),
             None => asked::part(system, self.of.first().map_or("", String::as_str)),

@@ -10,7 +10,7 @@ use frictiongen::study::response::Size;
 use std::fmt::Display;
 
 /// A quantity and its value, as the command line gives them.
-pub struct Valued {
+pub struct QuantityArgument {
     /// Name of the quantity.
     pub name: String,
     /// Text of the value.
@@ -20,7 +20,7 @@ pub struct Valued {
     pub value: f64,
 }
 
-impl Valued {
+impl QuantityArgument {
     /// Parses a name and a value. `wrong` converts a problem to a failure whose message names the option and its text.
     pub fn parsed(
         system: &System,

@@ -1,7 +1,7 @@
 //! The option `--of` of `frictiongen optimum` with several quantities, each divided by its own value: `--of roof/5mm
 //! --of 'accel(roof)/2m/s2'`.
 
-use super::valued::Valued;
+use super::valued::QuantityArgument;
 use crate::asked::Part;
 use crate::failure::Failure;
 use crate::measure::Measure;
@@ -14,7 +14,7 @@ pub fn parsed(
     system: &System,
     texts: &[String],
     measure: &Measure,
-) -> Result<Vec<Valued>, Failure> {
+) -> Result<Vec<QuantityArgument>, Failure> {
     let one = |text: &String| {
         let wrong = |problem: &dyn std::fmt::Display| {
             Failure::new(format_args!("--of `{text}`: {problem}"))
@@ -22,7 +22,7 @@ pub fn parsed(
         let (name, value) = text.split_once('/').ok_or_else(|| {
             wrong(&"each of several quantities needs a value to divide it by, as in roof/5mm")
         })?;
-        let valued = Valued::parsed(system, (name, value), measure, &wrong)?;
+        let valued = QuantityArgument::parsed(system, (name, value), measure, &wrong)?;
         if !(0.0 < valued.value) {
             return Err(wrong(&"the value must be above 0"));
         }
@@ -36,7 +36,7 @@ pub fn parsed(
 pub fn lines<'a>(
     table: &dyn Fn(&'a Part) -> OptimumTable<'a>,
     request: &OptimumRequest,
-    all: &'a [Valued],
+    all: &'a [QuantityArgument],
     watch: &(dyn Fn() -> bool + Sync),
 ) -> Result<Vec<OptimumLine>, Failure> {
     let weighted: Vec<Weighted> = all

@@ -47,7 +47,7 @@ pub fn run(arguments: &PeriodicArguments, out: &mut dyn Write) -> Result<(), Fai
             "--motion prints one motion: give one force with --friction",
         ));
     }
-    let asked = Asked {
+    let asked = PeriodicQuestion {
         table: PeriodicTable {
             system: &system,
             parts: &parts,
@@ -99,13 +99,13 @@ fn scene(arguments: &PeriodicArguments) -> Result<System, Failure> {
 }
 
 /// Arguments of the command, after parsing.
-struct Asked<'a> {
+struct PeriodicQuestion<'a> {
     table: PeriodicTable<'a>,
     request: PeriodicRequest,
     forces: Vec<f64>,
 }
 
-impl Asked<'_> {
+impl PeriodicQuestion<'_> {
     /// Finds the steady state at one friction force.
     fn row(&self, friction: f64) -> Result<PeriodicRow, Failure> {
         let request = PeriodicRequest {
@@ -123,7 +123,7 @@ impl Asked<'_> {
 }
 
 /// Writes one steady state for each friction force.
-struct StatesReport<'a>(&'a Asked<'a>);
+struct StatesReport<'a>(&'a PeriodicQuestion<'a>);
 
 impl Table for StatesReport<'_> {
     type Row = PeriodicRow;
@@ -144,7 +144,7 @@ impl Table for StatesReport<'_> {
 
 /// Writes the motion over a period.
 struct MotionReport<'a> {
-    asked: &'a Asked<'a>,
+    asked: &'a PeriodicQuestion<'a>,
     row: &'a PeriodicRow,
 }
 

@@ -1,6 +1,6 @@
 //! `frictiongen identify --decay`: finds friction in a free vibration.
 
-use super::lines::Lines;
+use super::lines::ResultLines;
 use super::read;
 use crate::args::IdentifyArguments;
 use crate::failure::Failure;
@@ -8,7 +8,10 @@ use frictiongen::System;
 use frictiongen::measure::columns::decay_lines;
 
 /// Identifies friction from the only recording, and returns the result as lines.
-pub fn lines<'a>(arguments: &IdentifyArguments, system: &'a System) -> Result<Lines<'a>, Failure> {
+pub fn lines<'a>(
+    arguments: &IdentifyArguments,
+    system: &'a System,
+) -> Result<ResultLines<'a>, Failure> {
     let files = &arguments.recordings;
     let recordings = files.recordings()?;
     let ([recording], [path]) = (recordings.as_slice(), files.recordings.as_slice()) else {
@@ -22,7 +25,7 @@ pub fn lines<'a>(arguments: &IdentifyArguments, system: &'a System) -> Result<Li
     let found = system
         .free_decay(recording, known)
         .map_err(|error| read::told(path, &error))?;
-    Ok(Lines {
+    Ok(ResultLines {
         system,
         lines: decay_lines(&found),
         said: Vec::new(),

@@ -1,7 +1,7 @@
 //! Draws the residuals of an identification, and the motion under a recorded input.
 
 use super::driven::DrivenReport;
-use super::spectrum::SpectrumReport;
+use super::spectrum::ResponseSpectrumReport;
 use crate::asked::Part;
 use crate::destination::Form;
 use crate::failure::Failure;
@@ -83,7 +83,7 @@ pub fn driven(
 /// Draws pseudo-acceleration and displacement against the period, with the natural periods of the scene.
 pub fn spectrum(
     system: &System,
-    spectrum: &SpectrumReport<'_>,
+    spectrum: &ResponseSpectrumReport<'_>,
     form: Form,
     out: &mut dyn Write,
 ) -> Result<(), Failure> {

@@ -3,7 +3,7 @@
 use super::driven::DrivenReport;
 use super::joined;
 use super::read;
-use super::spectrum::SpectrumReport;
+use super::spectrum::ResponseSpectrumReport;
 use crate::args::DriveArguments;
 use crate::asked::{number_that, parts, without_rates};
 use crate::destination::Destination;
@@ -39,7 +39,7 @@ pub fn run(arguments: &DriveArguments, out: &mut dyn Write) -> Result<(), Failur
             |zeta| (0.0..1.0).contains(&zeta),
             needed,
         )?;
-        let spectrum = SpectrumReport::of(&system, files, zeta)?;
+        let spectrum = ResponseSpectrumReport::of(&system, files, zeta)?;
         let summary = Summary::of(&system, true, Measure::groups(&system));
         return destination.write(out, |out| {
             #[cfg(feature = "pictures")]
@@ -50,7 +50,7 @@ pub fn run(arguments: &DriveArguments, out: &mut dyn Write) -> Result<(), Failur
         });
     }
     if system.scene().is_joined() {
-        let driven = joined::Asked::of(&system, &arguments.of, friction)?;
+        let driven = joined::DriveRequest::of(&system, &arguments.of, friction)?;
         return destination.write(out, |out| driven.write(files, form, out));
     }
     let mut parts = parts(&system, &arguments.of)?;

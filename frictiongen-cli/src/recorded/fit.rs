@@ -1,6 +1,6 @@
 //! `frictiongen fit`: fits a scene's parameters to a sweep without friction.
 
-use super::lines::Lines;
+use super::lines::ResultLines;
 use super::read;
 use crate::args::FitArguments;
 use crate::destination::Destination;
@@ -30,13 +30,13 @@ pub fn run(arguments: &FitArguments, out: &mut dyn Write) -> Result<(), Failure>
     })
 }
 
-fn lines<'a>(system: &'a System, found: &SweepFit, points: usize) -> Lines<'a> {
+fn lines<'a>(system: &'a System, found: &SweepFit, points: usize) -> ResultLines<'a> {
     let mut said = Vec::new();
     if !found.is_explained() {
         let note = "the description does not explain the sweep: residuals exceed the deviations; check the chain, the damping and that friction was off";
         said.push(("verdict", note.to_owned()));
     }
-    Lines {
+    ResultLines {
         system,
         lines: fit_lines(system, found, points),
         said,

@@ -1,6 +1,6 @@
 //! `frictiongen identify`: finds the friction force from recordings.
 
-use super::lines::Lines;
+use super::lines::ResultLines;
 use super::{decay, read};
 use crate::args::{Also, By, IdentifyArguments};
 use crate::asked;
@@ -96,7 +96,11 @@ fn between(text: &str) -> Result<(f64, f64), Failure> {
     })
 }
 
-fn lines<'a>(system: &'a System, observations: &[Observation], found: &Identified) -> Lines<'a> {
+fn lines<'a>(
+    system: &'a System,
+    observations: &[Observation],
+    found: &Identified,
+) -> ResultLines<'a> {
     let mut said = vec![("verdict", found.verdict.to_string())];
     let open = found.undetermined();
     if !open.is_empty() {
@@ -109,7 +113,7 @@ fn lines<'a>(system: &'a System, observations: &[Observation], found: &Identifie
             ),
         ));
     }
-    Lines {
+    ResultLines {
         system,
         lines: identify_lines(system, observations, found),
         said,

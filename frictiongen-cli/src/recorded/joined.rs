@@ -26,14 +26,14 @@ use serde_json::{Value as Json, json};
 use std::io::Write;
 
 /// Motions and friction that the user requests.
-pub struct Asked<'s> {
+pub struct DriveRequest<'s> {
     system: &'s System,
     joined: Joined<'s>,
     parts: Vec<JoinedPart>,
     friction: Option<f64>,
 }
 
-impl<'s> Asked<'s> {
+impl<'s> DriveRequest<'s> {
     /// Finds the motions with the names of `--of`. Without names, these are all contacts and all masses. If the base
     /// moves, the displacements of the masses are then relative to the base.
     pub fn of(
@@ -83,7 +83,7 @@ impl<'s> Asked<'s> {
     ) -> Result<(), Failure> {
         let recording = files.inputs()?;
         let inputs = read::drive(files, &recording, self.system, self.friction)?;
-        let report = Report {
+        let report = DriveReport {
             asked: self,
             motion: self.motion(&inputs)?,
         };
@@ -161,12 +161,12 @@ fn named(system: &System, name: &str, contacts: &[String]) -> Result<Part, Failu
 }
 
 /// Motion under a recorded input, with the settings for its output.
-struct Report<'a, 's> {
-    asked: &'a Asked<'s>,
+struct DriveReport<'a, 's> {
+    asked: &'a DriveRequest<'s>,
     motion: JoinedDriven,
 }
 
-impl Report<'_, '_> {
+impl DriveReport<'_, '_> {
     /// Returns the energy that friction has dissipated in each contact, with the name of the contact.
     fn energies(&self) -> Vec<(String, f64)> {
         let last: &[JoinedContactNow] = self.motion.contacts.last().map_or(&[], Vec::as_slice);
@@ -222,7 +222,7 @@ impl Report<'_, '_> {
     }
 }
 
-impl<'d> Table for &'d Report<'_, '_> {
+impl<'d> Table for &'d DriveReport<'_, '_> {
     type Row = JoinedDrivenRow<'d>;
 
     fn len(&self) -> usize {

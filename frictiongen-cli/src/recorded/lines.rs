@@ -8,7 +8,7 @@ use frictiongen::study::columns::Column;
 use serde_json::Value as Json;
 
 /// The quantities of a result, and texts for the lines above them.
-pub struct Lines<'a> {
+pub struct ResultLines<'a> {
     /// The system of the results.
     pub system: &'a System,
     /// The quantities of the result, one for each line.
@@ -19,7 +19,7 @@ pub struct Lines<'a> {
     pub keys: Vec<(&'static str, &'static str)>,
 }
 
-impl Table for Lines<'_> {
+impl Table for ResultLines<'_> {
     type Row = QuantityLine;
 
     fn len(&self) -> usize {

@@ -14,14 +14,14 @@ use frictiongen::study::units::hertz;
 use serde_json::{Value as Json, json};
 
 /// The response spectrum of a record.
-pub struct SpectrumReport<'s> {
+pub struct ResponseSpectrumReport<'s> {
     system: &'s System,
     zeta: f64,
     /// The peak responses: first those at the natural periods of the scene, then those over the whole range of periods.
     pub rows: Vec<SpectrumRow>,
 }
 
-impl<'s> SpectrumReport<'s> {
+impl<'s> ResponseSpectrumReport<'s> {
     /// Computes the spectrum for the damping ratio ζ.
     pub fn of(system: &'s System, files: &RecordingArguments, zeta: f64) -> Result<Self, Failure> {
         if system.scene().excitation != Excitation::Base {
@@ -57,7 +57,7 @@ impl<'s> SpectrumReport<'s> {
     }
 }
 
-impl Table for SpectrumReport<'_> {
+impl Table for ResponseSpectrumReport<'_> {
     type Row = SpectrumRow;
 
     fn len(&self) -> usize {

@@ -1,6 +1,6 @@
 //! Parses the options of a motion over time: its length and its initial state.
 
-use super::course::Course;
+use super::course::RunSettings;
 use crate::args::TimeArguments;
 use crate::asked::whole;
 use crate::failure::Failure;
@@ -13,7 +13,7 @@ const MOST: u32 = MOST_SAMPLES as u32;
 
 /// Length and form of the motion that the user requests.
 #[derive(Clone, Copy, Debug)]
-pub struct Asked {
+pub struct TimeRequest {
     /// Number of cycles in the output.
     pub cycles: u32,
     /// Number of cycles before the first cycle of the output.
@@ -26,7 +26,7 @@ pub struct Asked {
     pub spectrum: bool,
 }
 
-impl Asked {
+impl TimeRequest {
     /// Reads the options of the command.
     pub fn parse(arguments: &TimeArguments) -> Result<Self, Failure> {
         let number = |option, text: &Option<String>, least, default| match text {
@@ -52,10 +52,14 @@ impl Asked {
 }
 
 /// Displacements and velocities of all masses, as non-dimensional groups.
-pub type Start = (Vec<f64>, Vec<f64>);
+pub type InitialState = (Vec<f64>, Vec<f64>);
 
 /// Parses the state of `--from`. With a load, the state is in the units of the load.
-pub fn start(text: &str, system: &System, course: &Course<'_>) -> Result<Start, Failure> {
+pub fn start(
+    text: &str,
+    system: &System,
+    course: &RunSettings<'_>,
+) -> Result<InitialState, Failure> {
     state(text, system, course.measure.scale(), course.frequency.omega)
 }
 
@@ -65,7 +69,7 @@ pub fn state(
     system: &System,
     scale: Option<LoadScale>,
     omega: f64,
-) -> Result<Start, Failure> {
+) -> Result<InitialState, Failure> {
     let refuse = |why: &str| Failure::new(format_args!("--from `{text}`: {why}"));
     let halves: Vec<&str> = text.split(';').collect();
     let [displacements, velocities] = *halves else {

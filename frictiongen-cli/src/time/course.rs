@@ -6,7 +6,7 @@ use frictiongen::System;
 use frictiongen::study::columns::{Frequency, FrequencyUnit, Friction, HistoryTable, Setting};
 
 /// Settings of a motion over time: frequency, friction, units, and the contact and masses.
-pub struct Course<'a> {
+pub struct RunSettings<'a> {
     /// The system that the answers describe.
     pub system: &'a System,
     /// Unit in which the user gave the frequency.
@@ -23,7 +23,7 @@ pub struct Course<'a> {
     pub in_seconds: bool,
 }
 
-impl Course<'_> {
+impl RunSettings<'_> {
     /// Returns the tables of the motion.
     pub fn table(&self) -> HistoryTable<'_> {
         HistoryTable {

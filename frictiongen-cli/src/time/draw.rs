@@ -1,6 +1,6 @@
 //! Draws motions over time and spectra.
 
-use super::motion::Motion;
+use super::motion::RunMotion;
 use super::spectrum::spectra;
 use crate::destination::Form;
 use crate::failure::Failure;
@@ -13,7 +13,7 @@ use std::io::Write;
 /// Draws the motion or its spectrum.
 pub fn draw(
     system: &System,
-    motion: &Motion<'_>,
+    motion: &RunMotion<'_>,
     spectrum: bool,
     form: Form,
     out: &mut dyn Write,

@@ -20,12 +20,12 @@ use crate::joined;
 use crate::measure;
 use crate::output;
 use crate::summary::Summary;
-use asked::{Asked, start};
-use course::Course;
+use asked::{TimeRequest, start};
+use course::RunSettings;
 use frictiongen::System;
 use frictiongen::study::scene::FrictionLaw;
 use frictiongen_codegen::Limits;
-use motion::Motion;
+use motion::RunMotion;
 use samples::{EventsReport, SamplesReport};
 use spectrum::{SpectrumReport, spectra};
 use std::io::Write;
@@ -39,7 +39,7 @@ pub fn run(arguments: &TimeArguments, out: &mut dyn Write) -> Result<(), Failure
         !arguments.events,
     )?;
     let form = destination.form;
-    let asked = Asked::parse(arguments)?;
+    let asked = TimeRequest::parse(arguments)?;
     let frequencies = Frequencies::parse(&arguments.point.frequency, true)?;
     let frictions = Frictions::parse(&arguments.point.friction, Some(&frequencies))?;
     let file = &arguments.point.file;
@@ -73,7 +73,7 @@ pub fn run(arguments: &TimeArguments, out: &mut dyn Write) -> Result<(), Failure
     let frequency = frequencies.only(&system)?;
     let friction = frictions.only()?;
     let summary = Summary::of(&system, frequencies.are_physical(), measure);
-    let course = Course {
+    let course = RunSettings {
         system: &system,
         unit: frequencies.unit(),
         frequency,
@@ -84,7 +84,7 @@ pub fn run(arguments: &TimeArguments, out: &mut dyn Write) -> Result<(), Failure
     };
     let from = arguments.from.as_deref();
     let from = from.map(|text| start(text, &system, &course)).transpose()?;
-    let motion = Motion::of(course, &asked, from)?;
+    let motion = RunMotion::of(course, &asked, from)?;
     let write = |out: &mut dyn Write| {
         #[cfg(feature = "pictures")]
         if matches!(form, Form::Svg | Form::Png) {

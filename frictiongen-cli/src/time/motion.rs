@@ -1,7 +1,7 @@
 //! A motion over time in non-dimensional groups, with the units of the output.
 
-use super::asked::{Asked, Start};
-use super::course::Course;
+use super::asked::{InitialState, TimeRequest};
+use super::course::RunSettings;
 use crate::asked::MOST_HARMONICS;
 use crate::failure::Failure;
 use crate::number::{Cell, Exact as _, computed};
@@ -13,9 +13,9 @@ use frictiongen::{NoOrbit, Of};
 use serde_json::{Value as Json, json};
 
 /// A motion over time.
-pub struct Motion<'a> {
+pub struct RunMotion<'a> {
     /// Frequency, friction, units, and the contact and masses.
-    pub course: Course<'a>,
+    pub course: RunSettings<'a>,
     /// Samples and events of the motion.
     pub history: History,
     /// Exact spectrum of each motion. The list is empty unless the user has requested the spectrum of a steady state.
@@ -26,9 +26,13 @@ pub struct Motion<'a> {
     regime: Option<&'static str>,
 }
 
-impl<'a> Motion<'a> {
+impl<'a> RunMotion<'a> {
     /// Computes the motion.
-    pub fn of(course: Course<'a>, asked: &Asked, from: Option<Start>) -> Result<Self, Failure> {
+    pub fn of(
+        course: RunSettings<'a>,
+        asked: &TimeRequest,
+        from: Option<InitialState>,
+    ) -> Result<Self, Failure> {
         let system = course.system;
         let (r, beta) = (course.frequency.r, course.friction.beta);
         let of: Vec<Of> = course.parts.iter().map(|part| part.of).collect();

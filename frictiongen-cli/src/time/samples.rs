@@ -1,6 +1,6 @@
 //! Tables of the samples and of the events of a motion.
 
-use super::motion::Motion;
+use super::motion::RunMotion;
 use crate::failure::Failure;
 use crate::layout::Layout;
 use crate::output::{Table, Visitor};
@@ -10,13 +10,13 @@ use serde_json::Value as Json;
 /// Table of the samples of a motion.
 pub struct SamplesReport<'m> {
     /// The motion over time.
-    pub motion: &'m Motion<'m>,
+    pub motion: &'m RunMotion<'m>,
 }
 
 /// Table of the events of a motion.
 pub struct EventsReport<'m> {
     /// The motion over time.
-    pub motion: &'m Motion<'m>,
+    pub motion: &'m RunMotion<'m>,
 }
 
 impl<'m> Table for SamplesReport<'m> {

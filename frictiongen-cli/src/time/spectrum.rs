@@ -1,6 +1,6 @@
 //! Table of the spectra of a motion.
 
-use super::motion::Motion;
+use super::motion::RunMotion;
 use crate::failure::Failure;
 use crate::layout::Layout;
 use crate::output::{Table, Visitor};
@@ -12,13 +12,13 @@ use std::borrow::Cow;
 /// Table of the spectra of a motion.
 pub struct SpectrumReport<'m> {
     /// The motion over time.
-    pub motion: &'m Motion<'m>,
+    pub motion: &'m RunMotion<'m>,
     /// Spectra of the contact and masses in the output.
     pub spectra: &'m [Spectrum],
 }
 
 /// Returns the exact spectra of a steady state. For a run, computes the spectra of its samples.
-pub fn spectra<'m>(motion: &'m Motion<'_>) -> Cow<'m, [Spectrum]> {
+pub fn spectra<'m>(motion: &'m RunMotion<'_>) -> Cow<'m, [Spectrum]> {
     if !motion.exact.is_empty() {
         return Cow::Borrowed(&*motion.exact);
     }
