@@ -13,15 +13,15 @@ pub const MOST_HARMONICS: u32 = 9999;
 
 /// A mass that the user has requested.
 #[derive(Clone, Debug)]
-pub struct Mass {
+pub struct RequestedMass {
     /// Index of the mass in the description.
     pub index: usize,
     /// Name of the mass.
     pub name: String,
 }
 
-impl From<Mass> for Part {
-    fn from(mass: Mass) -> Self {
+impl From<RequestedMass> for Part {
+    fn from(mass: RequestedMass) -> Self {
         Self {
             of: Of::Mass(mass.index),
             size: Size::Displacement,
@@ -76,11 +76,15 @@ pub fn whole(option: &str, text: &str, range: RangeInclusive<u32>) -> Result<u32
 
 /// Returns the named masses. Each occurs once. Without names, returns all masses. Messages contain the name of the
 /// option.
-pub fn masses(system: &System, option: &str, names: &[String]) -> Result<Vec<Mass>, Failure> {
+pub fn masses(
+    system: &System,
+    option: &str,
+    names: &[String],
+) -> Result<Vec<RequestedMass>, Failure> {
     if names.is_empty() {
         return Ok(known(system).collect());
     }
-    let mut masses: Vec<Mass> = Vec::new();
+    let mut masses: Vec<RequestedMass> = Vec::new();
     for name in names {
         let mass = mass(system, option, name)?;
         if masses.iter().all(|known| known.index != mass.index) {
@@ -124,16 +128,16 @@ pub fn parts(system: &System, names: &[String]) -> Result<Vec<Part>, Failure> {
 }
 
 /// Returns all masses of the system.
-fn known(system: &System) -> impl Iterator<Item = Mass> + '_ {
+fn known(system: &System) -> impl Iterator<Item = RequestedMass> + '_ {
     let masses = system.scene().masses.iter().enumerate();
-    masses.map(|(index, mass)| Mass {
+    masses.map(|(index, mass)| RequestedMass {
         index,
         name: mass.name.clone(),
     })
 }
 
 /// Finds a mass by its name.
-fn mass(system: &System, option: &str, name: &str) -> Result<Mass, Failure> {
+fn mass(system: &System, option: &str, name: &str) -> Result<RequestedMass, Failure> {
     known(system).find(|mass| mass.name == name).ok_or_else(|| {
         let (name, known) = (name.to_owned(), known(system).map(|mass| mass.name));
         let known = known.collect();

@@ -3,7 +3,7 @@
 use crate::args::FormatArguments;
 use crate::failure::Failure;
 use crate::file;
-use crate::fit::Fit;
+use crate::fit::TableLayout;
 use std::io::Write;
 use std::path::Path;
 
@@ -18,9 +18,9 @@ pub struct Extras {
 
 /// The format of an output.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Form {
+pub enum OutputFormat {
     /// A printed table for people, within the available width.
-    Table(Fit),
+    Table(TableLayout),
     /// Comma-separated values.
     Csv(Extras),
     /// One JSON object.
@@ -40,14 +40,14 @@ impl FormatArguments {
     }
 
     /// Returns the available width of a printed table.
-    fn fit(&self) -> Fit {
+    fn fit(&self) -> TableLayout {
         match self.width {
-            None => Fit::of_output(self.groups),
-            Some(0) => Fit {
+            None => TableLayout::of_output(self.groups),
+            Some(0) => TableLayout {
                 width: None,
                 groups: self.groups,
             },
-            Some(width) => Fit {
+            Some(width) => TableLayout {
                 width: Some(usize::from(width)),
                 groups: self.groups,
             },
@@ -55,10 +55,10 @@ impl FormatArguments {
     }
 
     /// Returns an error if an option for CSV is given with another format.
-    fn check(&self, form: Form) -> Result<(), Failure> {
+    fn check(&self, form: OutputFormat) -> Result<(), Failure> {
         let asked = [(self.unit_row, "--unit-row"), (self.comments, "--comments")];
         match (form, asked.iter().find(|(asked, _)| *asked)) {
-            (Form::Csv(_), _) | (_, None) => Ok(()),
+            (OutputFormat::Csv(_), _) | (_, None) => Ok(()),
             (_, Some((_, option))) => Err(Failure::new(format_args!(
                 "{option} applies only to CSV; give --csv, or a file whose name ends in .csv"
             ))),
@@ -66,16 +66,16 @@ impl FormatArguments {
     }
 
     /// Returns the format that the options select, for standard output.
-    pub fn checked(&self) -> Result<Form, Failure> {
+    pub fn checked(&self) -> Result<OutputFormat, Failure> {
         self.check(self.form()).map(|()| self.form())
     }
 
     /// Returns the format that the options select.
-    fn form(&self) -> Form {
+    fn form(&self) -> OutputFormat {
         match (self.json, self.csv) {
-            (true, _) => Form::Json,
-            (_, true) => Form::Csv(self.extras()),
-            _ => Form::Table(self.fit()),
+            (true, _) => OutputFormat::Json,
+            (_, true) => OutputFormat::Csv(self.extras()),
+            _ => OutputFormat::Table(self.fit()),
         }
     }
 }
@@ -84,7 +84,7 @@ impl FormatArguments {
 #[derive(Debug)]
 pub struct Destination<'a> {
     /// Format of the answer: table, CSV, JSON or picture.
-    pub form: Form,
+    pub form: OutputFormat,
     /// The file, and the path of the description, which the command must not overwrite. `None` is standard output.
     file: Option<(&'a Path, Option<&'a Path>)>,
 }
@@ -111,10 +111,10 @@ impl<'a> Destination<'a> {
             .map(|ending| ending.to_string_lossy().to_lowercase());
         let pictures = draws && cfg!(feature = "pictures");
         let form = match ending.as_deref() {
-            Some("csv") => Form::Csv(format.extras()),
-            Some("json") => Form::Json,
-            Some("svg") if pictures => Form::Svg,
-            Some("png") if pictures && cfg!(feature = "png") => Form::Png,
+            Some("csv") => OutputFormat::Csv(format.extras()),
+            Some("json") => OutputFormat::Json,
+            Some("svg") if pictures => OutputFormat::Svg,
+            Some("png") if pictures && cfg!(feature = "png") => OutputFormat::Png,
             Some("png") if pictures => {
                 return Err(Failure::new(format_args!(
                     "--output `{shown}`: this program writes .svg but not .png; for .png build it with `--features png`"
@@ -133,8 +133,8 @@ impl<'a> Destination<'a> {
                 )));
             }
         };
-        if !matches!(asked, Form::Table(_)) && asked != form {
-            let option = if matches!(asked, Form::Csv(_)) {
+        if !matches!(asked, OutputFormat::Table(_)) && asked != form {
+            let option = if matches!(asked, OutputFormat::Csv(_)) {
                 "--csv"
             } else {
                 "--json"

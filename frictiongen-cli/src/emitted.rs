@@ -2,7 +2,7 @@
 
 /// An emitted function.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Function {
+pub struct EmittedFunction {
     /// Name of the function.
     pub name: String,
     /// First line of its documentation.
@@ -12,7 +12,7 @@ pub struct Function {
 }
 
 /// Returns the functions whose documentation states a number of operations.
-pub fn functions(source: &str) -> Vec<Function> {
+pub fn functions(source: &str) -> Vec<EmittedFunction> {
     let (mut found, mut about, mut operations) = (Vec::new(), String::new(), None);
     for line in source.lines().map(str::trim) {
         if let Some(words) = line.strip_prefix("///").map(str::trim) {
@@ -28,7 +28,7 @@ pub fn functions(source: &str) -> Vec<Function> {
             .and_then(|(_, rest)| rest.split_once(['(', '<']))
             && let Some(operations) = operations.take()
         {
-            found.push(Function {
+            found.push(EmittedFunction {
                 name: name.to_owned(),
                 about: about.clone(),
                 operations,

@@ -18,7 +18,7 @@ pub fn write_with(
 ) -> Result<(), Failure> {
     check(path, description)?;
     let refused = |error: &io::Error| refusal(path, error);
-    let place = Place::of(path);
+    let place = OutputPath::of(path);
     let file = place.open().map_err(|error| refused(&error))?;
     let mut out = Noting { file, error: None };
     let written = match write(&mut out) {
@@ -93,12 +93,12 @@ fn is_same(one: &Path, other: &Path) -> bool {
 
 /// Final path of a file, and a temporary path for its contents. A final path that is not a regular file, such as a
 /// device, has no temporary path.
-struct Place {
+struct OutputPath {
     last: PathBuf,
     first: Option<PathBuf>,
 }
 
-impl Place {
+impl OutputPath {
     fn of(path: &Path) -> Self {
         // If the path is a symbolic link, the link stays, and its target is replaced.
         let last = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());

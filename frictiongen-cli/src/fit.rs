@@ -15,14 +15,14 @@ const GAP: usize = 2;
 
 /// Available width of a printed table, and the choice of its optional columns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Fit {
+pub struct TableLayout {
     /// Largest width in characters. `None` for a table of any width.
     pub width: Option<usize>,
     /// True if the table contains the columns r and β in addition to Hz and N.
     pub groups: bool,
 }
 
-impl Fit {
+impl TableLayout {
     /// Returns the available width on standard output: 100 characters on a terminal, otherwise any width.
     pub fn of_output(groups: bool) -> Self {
         let width = io::stdout().is_terminal().then_some(WIDTH);
@@ -52,7 +52,7 @@ impl Fit {
             } else {
                 let title = heading(column, layout);
                 let title: Vec<&str> = title.iter().map(String::as_str).collect();
-                table::Column::of(column, &title).width() + GAP
+                table::PrintedColumn::of(column, &title).width() + GAP
             };
             if (used + wide <= width || *rank == 0)
                 && let Some(kept) = kept.get_mut(place)
@@ -227,9 +227,9 @@ fn own_width<R>(columns: &[Column<'_, R>], column: &Column<'_, R>) -> usize {
     let own = columns.iter().find(|other| other.part.as_ref() == first);
     let is_first = own.is_some_and(|own| own.key() == column.key());
     let name = if is_first {
-        table::Column::words(&["motion"], names).width() + GAP
+        table::PrintedColumn::words(&["motion"], names).width() + GAP
     } else {
         0
     };
-    table::Column::of(column, &title).width() + GAP + name
+    table::PrintedColumn::of(column, &title).width() + GAP + name
 }

@@ -2,7 +2,7 @@
 
 use crate::args::FrequencyArguments;
 use crate::failure::Failure;
-use crate::grid::{self, Quantity};
+use crate::grid::{self, GridQuantity};
 use crate::measure::Measure;
 use crate::number::survives;
 use frictiongen::System;
@@ -99,7 +99,7 @@ fn given(arguments: &FrequencyArguments) -> Result<(&str, Unit), Failure> {
     }
 }
 
-fn too_far(quantity: Quantity, given: f64) -> Failure {
+fn too_far(quantity: GridQuantity, given: f64) -> Failure {
     Failure::new(format_args!(
         "{} `{given:?}`: its frequency ratio is too small or too large to compute with",
         quantity.option()
@@ -108,14 +108,14 @@ fn too_far(quantity: Quantity, given: f64) -> Failure {
 
 /// Returns the quantity that tells the parser how to read frequencies in this unit. If `in_time` is true, a frequency
 /// must be above 0 and finite.
-fn quantity(unit: Unit, in_time: bool) -> Quantity {
+fn quantity(unit: Unit, in_time: bool) -> GridQuantity {
     match (unit, in_time) {
-        (Unit::Ratio | Unit::RatioUnderLoad, false) => Quantity::FrequencyRatio,
-        (Unit::Ratio | Unit::RatioUnderLoad, true) => Quantity::FrequencyRatioInTime,
-        (Unit::Hertz, false) => Quantity::Hertz,
-        (Unit::Hertz, true) => Quantity::HertzInTime,
-        (Unit::AngularFrequency, false) => Quantity::Omega,
-        (Unit::AngularFrequency, true) => Quantity::OmegaInTime,
+        (Unit::Ratio | Unit::RatioUnderLoad, false) => GridQuantity::FrequencyRatio,
+        (Unit::Ratio | Unit::RatioUnderLoad, true) => GridQuantity::FrequencyRatioInTime,
+        (Unit::Hertz, false) => GridQuantity::Hertz,
+        (Unit::Hertz, true) => GridQuantity::HertzInTime,
+        (Unit::AngularFrequency, false) => GridQuantity::Omega,
+        (Unit::AngularFrequency, true) => GridQuantity::OmegaInTime,
     }
 }
 
@@ -125,7 +125,7 @@ pub struct Frequencies {
     given: Vec<f64>,
     unit: Unit,
     /// Quantity with which the parser read the frequencies.
-    pub quantity: Quantity,
+    pub quantity: GridQuantity,
 }
 
 impl Frequencies {

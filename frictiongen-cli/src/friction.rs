@@ -3,7 +3,7 @@
 use crate::args::FrictionArguments;
 use crate::failure::Failure;
 use crate::frequency::Frequencies;
-use crate::grid::{self, GridError, MOST_POINTS, Quantity};
+use crate::grid::{self, GridError, GridQuantity, MOST_POINTS};
 use crate::measure::{self, Measure};
 use crate::number::survives;
 use frictiongen::study::columns::Friction;
@@ -13,7 +13,7 @@ use frictiongen::study::units::LoadScale;
 #[derive(Clone, Debug)]
 pub struct Frictions {
     given: Vec<f64>,
-    quantity: Quantity,
+    quantity: GridQuantity,
     scale: Option<LoadScale>,
 }
 
@@ -38,11 +38,11 @@ impl Frictions {
     fn read(
         arguments: &FrictionArguments,
         frequencies: Option<&Frequencies>,
-        grid: fn(&str, Quantity) -> Result<Vec<f64>, GridError>,
+        grid: fn(&str, GridQuantity) -> Result<Vec<f64>, GridError>,
     ) -> Result<Self, Failure> {
         let (text, quantity) = match (&arguments.beta, &arguments.friction) {
-            (Some(beta), _) => (beta, Quantity::FrictionRatio),
-            (_, Some(friction)) => (friction, Quantity::FrictionForce),
+            (Some(beta), _) => (beta, GridQuantity::FrictionRatio),
+            (_, Some(friction)) => (friction, GridQuantity::FrictionForce),
             (None, None) => return Err(Failure::new("give --beta or --friction")),
         };
         let given = grid(text, quantity).map_err(Failure::new)?;
@@ -101,7 +101,7 @@ impl Frictions {
 
     /// Returns true if the user gave frictions as forces.
     pub fn are_forces(&self) -> bool {
-        self.quantity == Quantity::FrictionForce
+        self.quantity == GridQuantity::FrictionForce
     }
 
     /// Returns the only friction, or an error if there are several.

@@ -13,7 +13,7 @@ pub const STEPS: u32 = 100;
 
 /// Physical quantity of the numbers in a grid.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Quantity {
+pub enum GridQuantity {
     /// Frequency ratio r; 0 and infinity are allowed.
     FrequencyRatio,
     /// Frequency ratio r of a motion in time. It must be above 0 and finite, so that the excitation has a cycle.
@@ -33,7 +33,7 @@ pub enum Quantity {
     FrictionForce,
 }
 
-impl Quantity {
+impl GridQuantity {
     /// Returns the command-line option for the quantity.
     pub fn option(self) -> &'static str {
         match self {
@@ -97,17 +97,17 @@ impl fmt::Display for GridError {
 
 /// Parses a grid. Returns at least one point, in the order of the text. A range `a:b` of frequencies has [`STEPS`]
 /// steps.
-pub fn parse(text: &str, quantity: Quantity) -> Result<Vec<f64>, GridError> {
+pub fn parse(text: &str, quantity: GridQuantity) -> Result<Vec<f64>, GridError> {
     points(text, quantity, quantity.is_frequency())
 }
 
 /// Parses a grid as [`parse`] does. Ranges `a:b` are also allowed for frictions.
-pub fn parse_ranges(text: &str, quantity: Quantity) -> Result<Vec<f64>, GridError> {
+pub fn parse_ranges(text: &str, quantity: GridQuantity) -> Result<Vec<f64>, GridError> {
     points(text, quantity, true)
 }
 
 /// Parses a grid. If `open` is true, ranges without a step are allowed.
-fn points(text: &str, quantity: Quantity, open: bool) -> Result<Vec<f64>, GridError> {
+fn points(text: &str, quantity: GridQuantity, open: bool) -> Result<Vec<f64>, GridError> {
     let mut points = Vec::new();
     for entry in text.split(',').map(str::trim) {
         extend(&mut points, entry, quantity, open).map_err(|problem| GridError {
@@ -120,11 +120,11 @@ fn points(text: &str, quantity: Quantity, open: bool) -> Result<Vec<f64>, GridEr
 }
 
 /// Parses a range a:b or a:step:b. Returns its end points, and the step or 0.
-pub fn band(text: &str, quantity: Quantity) -> Result<[f64; 3], GridError> {
+pub fn band(text: &str, quantity: GridQuantity) -> Result<[f64; 3], GridError> {
     let parts: Vec<&str> = text.split(':').collect();
     let ends = |first: &str, step: &str, last: &str| -> Result<[f64; 3], String> {
         let [first, last] = [number(first, quantity)?, number(last, quantity)?];
-        let step = number(step, Quantity::FrictionRatio)?;
+        let step = number(step, GridQuantity::FrictionRatio)?;
         admit(first, quantity)?;
         admit(last, quantity)?;
         if last < first {
@@ -159,7 +159,7 @@ pub fn band(text: &str, quantity: Quantity) -> Result<[f64; 3], GridError> {
 }
 
 /// Returns the error for a grid of several points, for a command that needs a single point.
-pub fn several(quantity: Quantity, points: usize) -> Failure {
+pub fn several(quantity: GridQuantity, points: usize) -> Failure {
     Failure::new(format_args!(
         "{}: one {} is needed, but this is a grid of {points}",
         quantity.option(),
@@ -171,7 +171,7 @@ pub fn several(quantity: Quantity, points: usize) -> Failure {
 fn extend(
     points: &mut Vec<f64>,
     entry: &str,
-    quantity: Quantity,
+    quantity: GridQuantity,
     open: bool,
 ) -> Result<(), String> {
     let mut parts = entry.split(':');
@@ -184,8 +184,8 @@ fn extend(
         }
         (Some(first), Some(step), Some(last), None) => {
             let texts = [first, step, last];
-            let [first, step, last] = texts.map(|text| number(text, Quantity::FrictionRatio));
-            let range = Range::new(first?, step?, last?, quantity)?;
+            let [first, step, last] = texts.map(|text| number(text, GridQuantity::FrictionRatio));
+            let range = GridRange::new(first?, step?, last?, quantity)?;
             let count = room(points.len(), range.steps + 1.0)?;
             match decimals(texts) {
                 Some(exact) => {
@@ -198,12 +198,12 @@ fn extend(
             }
         }
         (Some(first), Some(last), None, None) if open => {
-            let [low, high] = [first, last].map(|text| number(text, Quantity::FrictionRatio));
+            let [low, high] = [first, last].map(|text| number(text, GridQuantity::FrictionRatio));
             let (low, high) = (low?, high?);
             if low == high {
                 return Err(format!("the range from {low:?} to {high:?} has no width"));
             }
-            let range = Range::new(low, (high - low) / f64::from(STEPS), high, quantity)?;
+            let range = GridRange::new(low, (high - low) / f64::from(STEPS), high, quantity)?;
             let count = room(points.len(), f64::from(STEPS) + 1.0)?;
             let exact = Decimal::parse(first).zip(Decimal::parse(last));
             match exact.and_then(|(first, last)| Decimals::hundredths(first, last)) {
@@ -242,7 +242,7 @@ fn room(already: usize, more: f64) -> Result<usize, String> {
 }
 
 /// A range of floating-point numbers with its number of steps.
-struct Range {
+struct GridRange {
     first: f64,
     step: f64,
     last: f64,
@@ -250,8 +250,8 @@ struct Range {
     ends_at_last: bool,
 }
 
-impl Range {
-    fn new(first: f64, step: f64, last: f64, quantity: Quantity) -> Result<Self, String> {
+impl GridRange {
+    fn new(first: f64, step: f64, last: f64, quantity: GridQuantity) -> Result<Self, String> {
         if !(first.is_finite() && step.is_finite() && last.is_finite()) {
             return Err("a range needs finite numbers".to_owned());
         }
@@ -293,7 +293,7 @@ impl Range {
 }
 
 /// Parses a number and replaces −0 by 0.
-fn number(text: &str, quantity: Quantity) -> Result<f64, String> {
+fn number(text: &str, quantity: GridQuantity) -> Result<f64, String> {
     let text = text.trim();
     let value: f64 = text.parse().map_err(|_| {
         if text.is_empty() {
@@ -316,7 +316,7 @@ fn number(text: &str, quantity: Quantity) -> Result<f64, String> {
 }
 
 /// Fails if the quantity cannot have this value.
-fn admit(value: f64, quantity: Quantity) -> Result<(), String> {
+fn admit(value: f64, quantity: GridQuantity) -> Result<(), String> {
     let (article, name) = (quantity.article(), quantity.name());
     if value < 0.0 {
         Err(format!("{article} {name} must not be negative"))

@@ -1,7 +1,7 @@
 //! Writes an output as one JSON object. The program writes each point, on a line of its own, as soon as it has computed
 //! it.
 
-use crate::number::{Cell, Exact as _};
+use crate::number::{Cell, Lossless as _};
 use crate::summary::Summary;
 use serde_json::Value as Json;
 use std::io::{self, Write};
@@ -10,12 +10,12 @@ use std::io::{self, Write};
 const VERSION: u32 = 1;
 
 /// Writes a JSON object step by step.
-pub struct Writer<'a> {
+pub struct JsonWriter<'a> {
     out: &'a mut dyn Write,
     empty: bool,
 }
 
-impl<'a> Writer<'a> {
+impl<'a> JsonWriter<'a> {
     /// Begins the object and writes all its fields before the points.
     pub fn begin(
         out: &'a mut dyn Write,

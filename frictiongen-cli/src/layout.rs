@@ -1,6 +1,6 @@
 //! Arranges the cells of a row for the output: as lines of text, or as objects in JSON.
 
-use crate::number::{Cell, Exact as _};
+use crate::number::{Cell, Lossless as _};
 use crate::table;
 use frictiongen::study::columns::{CONTACT, Column, Kind};
 use serde_json::{Map, Value as Json};
@@ -25,7 +25,7 @@ const MOTION: &str = "motion";
 
 impl Layout {
     /// Returns the columns of a printed table.
-    pub fn titles<R>(self, columns: &[Column<'_, R>]) -> Vec<table::Column> {
+    pub fn titles<R>(self, columns: &[Column<'_, R>]) -> Vec<table::PrintedColumn> {
         let first = columns.iter().find_map(|column| column.part.as_ref());
         let shown = columns.iter().filter(|column| column.is_in_text());
         let mut titles = Vec::new();
@@ -33,20 +33,22 @@ impl Layout {
         for column in shown {
             let title = column.title.iter().map(String::as_str);
             match (&column.part, self) {
-                (None, _) => titles.push(table::Column::of(column, &title.collect::<Vec<_>>())),
+                (None, _) => {
+                    titles.push(table::PrintedColumn::of(column, &title.collect::<Vec<_>>()))
+                }
                 (part, Self::Lines | Self::Joints) => {
                     if !parts {
                         let names = columns.iter().filter_map(|column| column.part.as_deref());
-                        titles.push(table::Column::words(&[MOTION], names));
+                        titles.push(table::PrintedColumn::words(&[MOTION], names));
                         parts = true;
                     }
                     if part.as_ref() == first {
-                        titles.push(table::Column::of(column, &title.collect::<Vec<_>>()));
+                        titles.push(table::PrintedColumn::of(column, &title.collect::<Vec<_>>()));
                     }
                 }
                 (Some(part), _) => {
                     let title: Vec<&str> = std::iter::once(part.as_str()).chain(title).collect();
-                    titles.push(table::Column::of(column, &title));
+                    titles.push(table::PrintedColumn::of(column, &title));
                 }
             }
         }

@@ -4,7 +4,7 @@ use crate::args::LimitsArguments;
 use crate::failure::Failure;
 use crate::frequency::Frequencies;
 use crate::measure::{self, Measure};
-use crate::output::{self, Table, Visitor};
+use crate::output::{self, ResultTable, Visitor};
 use crate::summary::Summary;
 use frictiongen::System;
 use frictiongen::study::columns::{Column, LimitsAsked, LimitsRow, LimitsTable, Setting};
@@ -51,7 +51,7 @@ impl LimitsReport {
     }
 }
 
-impl Table for LimitsReport {
+impl ResultTable for LimitsReport {
     type Row = LimitsRow;
 
     fn len(&self) -> usize {

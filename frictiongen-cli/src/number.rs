@@ -9,14 +9,14 @@ pub fn word(flag: bool) -> &'static str {
 }
 
 /// A value that programs can read without loss.
-pub trait Exact {
+pub trait Lossless {
     /// Formats a value with as few digits as possible, so that a program reads the same number again.
     fn exact(&self) -> Cow<'_, str>;
     /// Converts a value to JSON.
     fn json(&self) -> serde_json::Value;
 }
 
-impl Exact for Cell<'_> {
+impl Lossless for Cell<'_> {
     fn exact(&self) -> Cow<'_, str> {
         match self {
             Self::Number(value) | Self::Within { value, .. } => Cow::Owned(format!("{value:?}")),
@@ -107,7 +107,7 @@ pub fn decimals(value: f64) -> usize {
 
 #[cfg(test)]
 mod tests {
-    use super::{Cell, Exact as _, computed, decimals, given, within};
+    use super::{Cell, Lossless as _, computed, decimals, given, within};
 
     #[test]
     fn for_people() {

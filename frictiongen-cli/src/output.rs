@@ -1,10 +1,10 @@
 //! Writes the results of a command in the requested format, point by point.
 
-use crate::destination::Form;
+use crate::destination::OutputFormat;
 use crate::failure::Failure;
-use crate::fit::Fit;
+use crate::fit::TableLayout;
 use crate::layout::Layout;
-use crate::number::{Cell, Exact as _};
+use crate::number::{Cell, Lossless as _};
 use crate::progress::Progress;
 use crate::summary::Summary;
 use crate::{csv, json, table};
@@ -15,7 +15,7 @@ use std::io::{BufWriter, Write};
 pub type Visitor<'a, P> = &'a mut dyn FnMut(&P) -> Result<(), Failure>;
 
 /// A table of results: its rows and columns, and their layout.
-pub trait Table {
+pub trait ResultTable {
     /// The type of a row.
     type Row;
 
@@ -57,17 +57,17 @@ pub trait Table {
 }
 
 /// Writes a table of results in the requested format.
-pub fn write<T: Table>(
+pub fn write<T: ResultTable>(
     report: &T,
     summary: &Summary,
-    form: Form,
+    form: OutputFormat,
     out: &mut dyn Write,
 ) -> Result<(), Failure> {
     let mut out = BufWriter::with_capacity(1 << 16, out);
     let mut progress = Progress::new(report.len(), "points");
     let (columns, layout) = (report.columns(), report.layout());
-    if form == Form::Json {
-        let mut writer = json::Writer::begin(&mut out, summary, &report.head())?;
+    if form == OutputFormat::Json {
+        let mut writer = json::JsonWriter::begin(&mut out, summary, &report.head())?;
         report.each(&mut |row| {
             progress.step();
             let motions = report.has_motions(row);
@@ -78,7 +78,7 @@ pub fn write<T: Table>(
             Ok(writer.point(&point)?)
         })?;
         writer.end()?;
-    } else if let Form::Csv(extras) = form {
+    } else if let OutputFormat::Csv(extras) = form {
         if extras.comments {
             summary.comment(&mut out, &report.preamble())?;
         }
@@ -96,8 +96,8 @@ pub fn write<T: Table>(
         })?;
     } else {
         let fit = match form {
-            Form::Table(fit) => fit,
-            _ => Fit::of_output(false),
+            OutputFormat::Table(fit) => fit,
+            _ => TableLayout::of_output(false),
         };
         let mut head = Vec::new();
         summary.write(&mut head, &report.preamble())?;

@@ -1,7 +1,7 @@
 //! Draws pictures and writes their files.
 
 use crate::asked::Part;
-use crate::destination::Form;
+use crate::destination::OutputFormat;
 use crate::failure::Failure;
 use crate::measure::{self, Measure};
 use frictiongen::System;
@@ -113,7 +113,7 @@ pub fn part_name(part: &Part) -> Label {
 pub fn write(
     figure: Figure,
     system: &System,
-    form: Form,
+    form: OutputFormat,
     out: &mut dyn Write,
 ) -> Result<(), Failure> {
     write_with(figure, sketch(system.scene(), true), form, out)
@@ -123,17 +123,21 @@ pub fn write(
 pub fn write_with(
     figure: Figure,
     sketch: Sketch,
-    form: Form,
+    form: OutputFormat,
     out: &mut dyn Write,
 ) -> Result<(), Failure> {
     write_alone(&figure.with_sketch(sketch), form, out)
 }
 
 /// Writes a figure as it is.
-pub fn write_alone(figure: &Figure, form: Form, out: &mut dyn Write) -> Result<(), Failure> {
+pub fn write_alone(
+    figure: &Figure,
+    form: OutputFormat,
+    out: &mut dyn Write,
+) -> Result<(), Failure> {
     let bytes = match form {
         #[cfg(feature = "png")]
-        Form::Png => figure.png(SCALE).map_err(Failure::new)?,
+        OutputFormat::Png => figure.png(SCALE).map_err(Failure::new)?,
         _ => figure.svg().into_bytes(),
     };
     out.write_all(&bytes)?;

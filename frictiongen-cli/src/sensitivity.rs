@@ -3,14 +3,14 @@
 
 use crate::args::SensitivityArguments;
 use crate::asked;
-use crate::destination::Form;
+use crate::destination::OutputFormat;
 use crate::failure::Failure;
 use crate::frequency::Frequencies;
 use crate::friction::Frictions;
 use crate::grids::Grids;
 use crate::joined;
 use crate::measure;
-use crate::output::{self, Table, Visitor};
+use crate::output::{self, ResultTable, Visitor};
 use crate::summary::Summary;
 use frictiongen::study::StudyError;
 use frictiongen::study::columns::{Column, SensitivityRow, SensitivityTable};
@@ -49,7 +49,7 @@ pub fn run(arguments: &SensitivityArguments, out: &mut dyn Write) -> Result<(), 
             measure,
             parts: vec![part],
         },
-        with_answers: matches!(form, Form::Table(_)),
+        with_answers: matches!(form, OutputFormat::Table(_)),
     };
     output::write(&report, &summary, form, out)
 }
@@ -68,7 +68,7 @@ impl SensitivityReport {
     }
 }
 
-impl Table for SensitivityReport {
+impl ResultTable for SensitivityReport {
     type Row = SensitivityRow;
 
     fn len(&self) -> usize {

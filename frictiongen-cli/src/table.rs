@@ -19,7 +19,7 @@ enum Style {
 
 /// A column of a printed table, with its title, format and width.
 #[derive(Clone, Debug)]
-pub struct Column {
+pub struct PrintedColumn {
     title: Vec<String>,
     style: Style,
     width: usize,
@@ -28,7 +28,7 @@ pub struct Column {
 /// Width of most computed numbers, such as -1234.567891 or -1.23457e-10.
 const COMPUTED_WIDTH: usize = 12;
 
-impl Column {
+impl PrintedColumn {
     fn new(title: &[&str], style: Style, width: usize) -> Self {
         let title: Vec<String> = title.iter().map(|line| (*line).to_owned()).collect();
         let widest = title.iter().map(|line| line.chars().count()).max();
@@ -100,7 +100,7 @@ impl Column {
 }
 
 /// Writes the column titles and a rule under them.
-pub fn header(out: &mut dyn Write, columns: &[Column]) -> io::Result<()> {
+pub fn header(out: &mut dyn Write, columns: &[PrintedColumn]) -> io::Result<()> {
     let lines = columns.iter().map(|column| column.title.len()).max();
     for line in 0..lines.unwrap_or(0) {
         let titles = columns
@@ -112,7 +112,7 @@ pub fn header(out: &mut dyn Write, columns: &[Column]) -> io::Result<()> {
 }
 
 /// Writes a line of values.
-pub fn row(out: &mut dyn Write, columns: &[Column], values: &[Cell<'_>]) -> io::Result<()> {
+pub fn row(out: &mut dyn Write, columns: &[PrintedColumn], values: &[Cell<'_>]) -> io::Result<()> {
     let cells = columns.iter().zip(values);
     write_line(
         out,

@@ -82,7 +82,7 @@ pub struct CurveArguments {
 
 /// The quantity that the colours of a map show.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-pub enum Shade {
+pub enum ShadeArgument {
     /// The regime, and the number of stops of the contact in a cycle.
     #[default]
     Regime,
@@ -107,7 +107,7 @@ pub struct MapArguments {
     pub boundaries: Option<String>,
     /// Quantity that the colours of a picture show
     #[arg(long, value_enum, default_value_t)]
-    pub shade: Shade,
+    pub shade: ShadeArgument,
     /// Write to this file; the file extension sets the format: .csv, .json, .svg; .png with the feature png
     #[arg(short, long, value_name = "OUT")]
     pub output: Option<PathBuf>,

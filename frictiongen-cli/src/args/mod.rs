@@ -21,7 +21,7 @@ pub use desk::{
     StartFrom, TimeArguments,
 };
 #[cfg(feature = "pictures")]
-pub use desk::{LogAxes, Shade};
+pub use desk::{LogAxes, ShadeArgument};
 use help::{
     CURVES, DIFFERENCES, EXPORTS, FEATURES, GRIDS, GRIDS_IN_TIME, LIMITS, MAPS, ONE_POINT, OPTIMA,
     ORBITS, RANGES, RESPONSES, SENSITIVITIES, STATES, TABLES, TIMES, UNITS,

@@ -1,7 +1,7 @@
 //! Draws the curves of `frictiongen curve`.
 
 use super::report::CurveReport;
-use crate::destination::Form;
+use crate::destination::OutputFormat;
 use crate::failure::Failure;
 use crate::picture;
 use frictiongen::Of;
@@ -12,7 +12,7 @@ use frictiongen_plot::{Colour, Label};
 use std::io::Write;
 
 /// Draws amplitude and phase of each motion over frequency.
-pub fn draw(report: &CurveReport, form: Form, out: &mut dyn Write) -> Result<(), Failure> {
+pub fn draw(report: &CurveReport, form: OutputFormat, out: &mut dyn Write) -> Result<(), Failure> {
     let scales = picture::scales(&report.system, report.band.is_physical(), &report.measure);
     let scales = scales.with_log(report.log.frequency(), report.log.amplitude());
     let curves = report.curves.iter().enumerate();

@@ -7,7 +7,7 @@ mod report;
 use crate::args::{CurveArguments, StartFrom};
 use crate::asked::{self, Part};
 use crate::destination::Destination;
-use crate::destination::Form;
+use crate::destination::OutputFormat;
 use crate::failure::Failure;
 use crate::frequency::{Band, Frequencies};
 use crate::friction::Frictions;
@@ -40,7 +40,8 @@ pub fn run(arguments: &CurveArguments, out: &mut dyn Write) -> Result<(), Failur
         Some(highest) => (1..=highest).collect(),
         None => Vec::new(),
     };
-    if arguments.log.is_some() && !matches!(destination.form, Form::Svg | Form::Png) {
+    if arguments.log.is_some() && !matches!(destination.form, OutputFormat::Svg | OutputFormat::Png)
+    {
         return Err(Failure::new(
             "--log: only a picture has axes; write one by -o curve.svg, or leave --log out",
         ));
@@ -58,7 +59,7 @@ pub fn run(arguments: &CurveArguments, out: &mut dyn Write) -> Result<(), Failur
         let asked = joined::Asked::of(&arguments.point, frequencies, frictions, &arguments.of);
         return destination.write(out, |out| match destination.form {
             #[cfg(feature = "pictures")]
-            form @ (Form::Svg | Form::Png) => {
+            form @ (OutputFormat::Svg | OutputFormat::Png) => {
                 let log = arguments.log.unwrap_or_default();
                 let picture = joined::Picture::Curve(log.frequency(), log.amplitude());
                 asked.draw(description.scene, picture, form, out)
@@ -118,7 +119,7 @@ pub fn run(arguments: &CurveArguments, out: &mut dyn Write) -> Result<(), Failur
     };
     destination.write(out, |out| match destination.form {
         #[cfg(feature = "pictures")]
-        Form::Svg | Form::Png => draw::draw(&report, destination.form, out),
+        OutputFormat::Svg | OutputFormat::Png => draw::draw(&report, destination.form, out),
         form => output::write(&report, &summary, form, out),
     })?;
     if done < all {

@@ -8,7 +8,7 @@ use crate::frequency::Band;
 use crate::friction::Frictions;
 use crate::layout::Layout;
 use crate::measure::Measure;
-use crate::output::{Table, Visitor};
+use crate::output::{ResultTable, Visitor};
 use frictiongen::System;
 use frictiongen::study::columns::{Column, CurveRow, CurveTable, Friction, Setting};
 use frictiongen::study::curve::{Curve, CurveRequest};
@@ -57,7 +57,7 @@ impl CurveReport {
     }
 }
 
-impl Table for CurveReport {
+impl ResultTable for CurveReport {
     type Row = CurveRow;
 
     fn len(&self) -> usize {

@@ -7,7 +7,7 @@ mod parameters;
 use crate::args::{DiffArguments, FileArgument};
 use crate::failure::Failure;
 use crate::json::object;
-use crate::number::{Cell, Exact as _, computed};
+use crate::number::{Cell, Lossless as _, computed};
 use answers::{Answers, Difference, FREQUENCIES};
 use code::Code;
 use frictiongen::System;

@@ -2,7 +2,7 @@
 
 use super::report::FeaturesReport;
 use crate::asked::Part;
-use crate::destination::Form;
+use crate::destination::OutputFormat;
 use crate::failure::Failure;
 use crate::measure::Measure;
 use crate::picture;
@@ -56,7 +56,7 @@ pub fn draw(
     report: &FeaturesReport<'_>,
     parts: &[Part],
     frictions: &[f64],
-    form: Form,
+    form: OutputFormat,
     out: &mut dyn Write,
 ) -> Result<(), Failure> {
     let scales = picture::scales(report.system, report.band.is_physical(), &report.measure);

@@ -9,7 +9,7 @@ use crate::args::{FeaturesArguments, FrequencyArguments, FrictionArguments};
 use crate::asked;
 use crate::destination::Destination;
 #[cfg(feature = "pictures")]
-use crate::destination::Form;
+use crate::destination::OutputFormat;
 use crate::failure::Failure;
 use crate::frequency::Band;
 use crate::friction::Frictions;
@@ -98,7 +98,9 @@ pub fn run(arguments: &FeaturesArguments, out: &mut dyn Write) -> Result<(), Fai
     };
     destination.write(out, |out| match destination.form {
         #[cfg(feature = "pictures")]
-        Form::Svg | Form::Png => draw::draw(&report, &parts, &frictions, destination.form, out),
+        OutputFormat::Svg | OutputFormat::Png => {
+            draw::draw(&report, &parts, &frictions, destination.form, out)
+        }
         form => output::write(&report, &summary, form, out),
     })
 }

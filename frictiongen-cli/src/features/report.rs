@@ -3,8 +3,8 @@
 use crate::failure::Failure;
 use crate::frequency::Band;
 use crate::measure::Measure;
-use crate::number::{Cell, Exact as _, computed};
-use crate::output::{Table, Visitor};
+use crate::number::{Cell, Lossless as _, computed};
+use crate::output::{ResultTable, Visitor};
 use frictiongen::System;
 use frictiongen::study::columns::{Column, FeatureLine, FeatureTable, Part, Setting};
 use frictiongen::study::features::Sensed;
@@ -61,7 +61,7 @@ impl FeaturesReport<'_> {
     }
 }
 
-impl Table for FeaturesReport<'_> {
+impl ResultTable for FeaturesReport<'_> {
     type Row = FeatureLine;
 
     fn len(&self) -> usize {

@@ -1,12 +1,12 @@
 //! Tests the parser of grids.
 
-use super::{MOST_POINTS, Quantity, parse};
+use super::{GridQuantity, MOST_POINTS, parse};
 
 fn ratios(text: &str) -> Vec<f64> {
-    parse(text, Quantity::FrequencyRatio).expect("a grid")
+    parse(text, GridQuantity::FrequencyRatio).expect("a grid")
 }
 
-fn error(text: &str, quantity: Quantity) -> String {
+fn error(text: &str, quantity: GridQuantity) -> String {
     parse(text, quantity).expect_err("no grid").to_string()
 }
 
@@ -111,12 +111,12 @@ fn as_many_points_as_there_may_be() {
         "0:5e-324:1e308",
     ] {
         assert_eq!(
-            error(text, Quantity::FrequencyRatio),
+            error(text, GridQuantity::FrequencyRatio),
             format!("--r `{text}`: {most}")
         );
     }
     assert_eq!(
-        error("1:1:10000000,4", Quantity::FrequencyRatio),
+        error("1:1:10000000,4", GridQuantity::FrequencyRatio),
         format!("--r `4`: {most}")
     );
 }
@@ -160,18 +160,18 @@ fn bad_grids() {
         ),
     ];
     for (text, message) in cases {
-        assert_eq!(error(text, Quantity::FrequencyRatio), message);
+        assert_eq!(error(text, GridQuantity::FrequencyRatio), message);
     }
 }
 
 #[test]
 fn friction_ratios_are_finite() {
     assert_eq!(
-        error("0,inf", Quantity::FrictionRatio),
+        error("0,inf", GridQuantity::FrictionRatio),
         "--beta `inf`: a friction ratio must be finite"
     );
     assert_eq!(
-        error("-0.1", Quantity::FrictionRatio),
+        error("-0.1", GridQuantity::FrictionRatio),
         "--beta `-0.1`: a friction ratio must not be negative"
     );
 }

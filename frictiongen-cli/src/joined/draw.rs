@@ -1,8 +1,8 @@
 //! Draws pictures of scenes with several contacts.
 
 use super::Question;
-use crate::args::Shade;
-use crate::destination::Form;
+use crate::args::ShadeArgument;
+use crate::destination::OutputFormat;
 use crate::failure::Failure;
 use crate::interrupt;
 use crate::picture;
@@ -26,7 +26,7 @@ pub enum Picture {
     /// Amplitudes over frequency, with a logarithmic frequency axis and logarithmic amplitude axes on request.
     Curve(bool, bool),
     /// A map of regimes, or of the amplitude of the first mass.
-    Map(Shade),
+    Map(ShadeArgument),
 }
 
 /// Draws a motion over time.
@@ -34,7 +34,7 @@ pub fn motion(
     question: &Question<'_>,
     (history, frequency): (&JoinedHistory, Frequency),
     caption: &str,
-    (form, out): (Form, &mut dyn Write),
+    (form, out): (OutputFormat, &mut dyn Write),
 ) -> Result<(), Failure> {
     let mut scales = picture::scales(question.system, false, &question.measure);
     let in_seconds = question.frequencies.are_physical() || question.measure.scale().is_some();
@@ -79,7 +79,7 @@ pub fn motion(
 pub fn steady(
     question: &Question<'_>,
     picture: Picture,
-    (form, out): (Form, &mut dyn Write),
+    (form, out): (OutputFormat, &mut dyn Write),
 ) -> Result<(), Failure> {
     let frequencies: Vec<Frequency> = question.frequencies.all(question.system).collect();
     let frictions: Vec<Friction> = question.frictions.all().collect();
@@ -183,11 +183,11 @@ fn curves(
 fn cells(
     question: &Question<'_>,
     rows: &[(Friction, Vec<JoinedRow>)],
-    shade: Shade,
+    shade: ShadeArgument,
     scales: &Scales,
 ) -> JoinedCells {
     let all = rows.iter().flat_map(|(_, line)| line);
-    if shade == Shade::Amplitude {
+    if shade == ShadeArgument::Amplitude {
         let contacts = question.joined.contact_names().len();
         let name = question.table().parts().get(contacts).cloned();
         let sizes = all.map(|row| {

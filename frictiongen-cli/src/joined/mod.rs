@@ -10,7 +10,7 @@ mod time;
 
 use crate::args::PointArguments;
 use crate::asked;
-use crate::destination::Form;
+use crate::destination::OutputFormat;
 use crate::failure::Failure;
 use crate::frequency::Frequencies;
 use crate::friction::Frictions;
@@ -128,7 +128,7 @@ impl<'a> Asked<'a> {
         self,
         scene: Scene,
         states: bool,
-        form: Form,
+        form: OutputFormat,
         out: &mut dyn Write,
     ) -> Result<(), Failure> {
         self.question(scene, |question| {
@@ -142,7 +142,7 @@ impl<'a> Asked<'a> {
         self,
         scene: Scene,
         of: &str,
-        form: Form,
+        form: OutputFormat,
         out: &mut dyn Write,
     ) -> Result<(), Failure> {
         self.question(scene, |question| {
@@ -150,7 +150,7 @@ impl<'a> Asked<'a> {
             let report = SensitivityReport {
                 question,
                 of: &of,
-                with_answers: matches!(form, Form::Table(_)),
+                with_answers: matches!(form, OutputFormat::Table(_)),
             };
             output::write(&report, &question.summary(), form, out)
         })
@@ -162,7 +162,7 @@ impl<'a> Asked<'a> {
         self,
         scene: Scene,
         picture: Picture,
-        form: Form,
+        form: OutputFormat,
         out: &mut dyn Write,
     ) -> Result<(), Failure> {
         self.question(scene, |question| {

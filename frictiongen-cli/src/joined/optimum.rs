@@ -9,7 +9,7 @@ use crate::interrupt;
 use crate::layout::Layout;
 use crate::measure;
 use crate::number::computed;
-use crate::output::{self, Table, Visitor};
+use crate::output::{self, ResultTable, Visitor};
 use crate::progress::Progress;
 use crate::summary::Summary;
 use crate::vary::Vary;
@@ -167,7 +167,7 @@ impl OptimumReport<'_> {
     }
 }
 
-impl Table for OptimumReport<'_> {
+impl ResultTable for OptimumReport<'_> {
     type Row = JoinedRow;
 
     fn len(&self) -> usize {

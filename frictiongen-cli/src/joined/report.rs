@@ -3,7 +3,7 @@
 use super::Question;
 use crate::failure::Failure;
 use crate::layout::Layout;
-use crate::output::{Table, Visitor};
+use crate::output::{ResultTable, Visitor};
 use frictiongen::study::columns::{Column, JoinedRow};
 
 /// Steady states, with the settings for their output.
@@ -14,7 +14,7 @@ pub struct JoinedReport<'q> {
     pub states: bool,
 }
 
-impl Table for JoinedReport<'_> {
+impl ResultTable for JoinedReport<'_> {
     type Row = JoinedRow;
 
     fn len(&self) -> usize {

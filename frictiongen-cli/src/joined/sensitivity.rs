@@ -2,7 +2,7 @@
 
 use super::Question;
 use crate::failure::Failure;
-use crate::output::{Table, Visitor};
+use crate::output::{ResultTable, Visitor};
 use crate::sensitivity::each_row;
 use frictiongen::System;
 use frictiongen::study::columns::{
@@ -48,7 +48,7 @@ impl SensitivityReport<'_> {
     }
 }
 
-impl Table for SensitivityReport<'_> {
+impl ResultTable for SensitivityReport<'_> {
     type Row = JoinedSensitivityRow;
 
     fn len(&self) -> usize {

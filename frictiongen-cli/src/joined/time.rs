@@ -1,10 +1,10 @@
 //! Writes motions over time of a scene with several contacts.
 
 use super::{Asked, Question};
-use crate::destination::Form;
+use crate::destination::OutputFormat;
 use crate::failure::Failure;
 use crate::layout::Layout;
-use crate::output::{self, Table, Visitor};
+use crate::output::{self, ResultTable, Visitor};
 #[cfg(feature = "pictures")]
 use crate::picture::short;
 use crate::time::asked::{TimeRequest as Length, state};
@@ -29,14 +29,14 @@ impl Asked<'_> {
         self,
         scene: Scene,
         time: &OfTime<'_>,
-        form: Form,
+        form: OutputFormat,
         out: &mut dyn Write,
     ) -> Result<(), Failure> {
         self.question(scene, |question| {
             let (history, frequency) = history(question, time)?;
             let omega = frequency.omega;
             #[cfg(feature = "pictures")]
-            if matches!(form, Form::Svg | Form::Png) {
+            if matches!(form, OutputFormat::Svg | OutputFormat::Png) {
                 let caption = caption(question, time, frequency)?;
                 let motion = (&history, frequency);
                 return super::draw::motion(question, motion, &caption, (form, out));
@@ -129,7 +129,7 @@ struct EventsReport<'m> {
     omega: f64,
 }
 
-impl<'m> Table for SamplesReport<'m> {
+impl<'m> ResultTable for SamplesReport<'m> {
     type Row = JoinedSample<'m>;
 
     fn len(&self) -> usize {
@@ -155,7 +155,7 @@ impl<'m> Table for SamplesReport<'m> {
     }
 }
 
-impl<'m> Table for EventsReport<'m> {
+impl<'m> ResultTable for EventsReport<'m> {
     type Row = JoinedEventRow<'m>;
 
     fn len(&self) -> usize {

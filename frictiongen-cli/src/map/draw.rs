@@ -1,8 +1,8 @@
 //! Draws the map of `frictiongen map`.
 
 use super::points::MapReport;
-use crate::args::Shade;
-use crate::destination::Form;
+use crate::args::ShadeArgument;
+use crate::destination::OutputFormat;
 use crate::failure::Failure;
 use crate::picture;
 use frictiongen::study::map::Boundary;
@@ -17,8 +17,8 @@ const LINES: f64 = 2e-4;
 pub fn draw(
     report: &MapReport<'_>,
     boundaries: &[Boundary],
-    shade: Shade,
-    form: Form,
+    shade: ShadeArgument,
+    form: OutputFormat,
     out: &mut dyn Write,
 ) -> Result<(), Failure> {
     let (map, grids) = (report.map, &report.grids);
@@ -38,9 +38,9 @@ pub fn draw(
         .limit_lines(ends.0, ends.1, LINES)
         .map_err(Failure::new)?;
     let shade = match shade {
-        Shade::Regime => desk::Shade::Regime,
-        Shade::Stuck => desk::Shade::Stuck,
-        Shade::Amplitude => desk::Shade::Amplitude(0),
+        ShadeArgument::Regime => desk::Shade::Regime,
+        ShadeArgument::Stuck => desk::Shade::Stuck,
+        ShadeArgument::Amplitude => desk::Shade::Amplitude(0),
     };
     let scales = picture::scales(
         &grids.system,

@@ -4,11 +4,11 @@
 mod draw;
 mod points;
 
-use crate::args::{MapArguments, Shade};
+use crate::args::{MapArguments, ShadeArgument};
 use crate::asked;
 use crate::destination::Destination;
 #[cfg(feature = "pictures")]
-use crate::destination::Form;
+use crate::destination::OutputFormat;
 use crate::failure::Failure;
 use crate::frequency::Frequencies;
 use crate::friction::Frictions;
@@ -48,12 +48,12 @@ pub fn run(arguments: &MapArguments, out: &mut dyn Write) -> Result<(), Failure>
     if description.scene.is_joined() {
         joined::refused(&[
             (digits.is_some(), "--boundaries"),
-            (arguments.shade == Shade::Stuck, "--shade stuck"),
+            (arguments.shade == ShadeArgument::Stuck, "--shade stuck"),
         ])?;
         let asked = joined::Asked::of(&arguments.point, frequencies, frictions, &arguments.of);
         return destination.write(out, |out| match destination.form {
             #[cfg(feature = "pictures")]
-            form @ (Form::Svg | Form::Png) => {
+            form @ (OutputFormat::Svg | OutputFormat::Png) => {
                 let picture = joined::Picture::Map(arguments.shade);
                 asked.draw(description.scene, picture, form, out)
             }
@@ -100,7 +100,7 @@ pub fn run(arguments: &MapArguments, out: &mut dyn Write) -> Result<(), Failure>
     };
     destination.write(out, |out| match (destination.form, boundaries) {
         #[cfg(feature = "pictures")]
-        (form @ (Form::Svg | Form::Png), boundaries) => {
+        (form @ (OutputFormat::Svg | OutputFormat::Png), boundaries) => {
             let boundaries = boundaries.unwrap_or_default();
             draw::draw(&report, &boundaries, arguments.shade, form, out)
         }

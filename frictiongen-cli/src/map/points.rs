@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use crate::grids::Grids;
-use crate::output::{Table, Visitor};
+use crate::output::{ResultTable, Visitor};
 use frictiongen::study::columns::{BoundaryRow, Column, MapRow, MapTable};
 use frictiongen::study::map::{Boundary, Map};
 
@@ -29,7 +29,7 @@ impl MapReport<'_> {
     }
 }
 
-impl<'m> Table for MapReport<'m> {
+impl<'m> ResultTable for MapReport<'m> {
     type Row = MapRow<'m>;
 
     fn len(&self) -> usize {
@@ -48,7 +48,7 @@ impl<'m> Table for MapReport<'m> {
     }
 }
 
-impl Table for BoundaryReport<'_> {
+impl ResultTable for BoundaryReport<'_> {
     type Row = BoundaryRow;
 
     fn len(&self) -> usize {

@@ -11,7 +11,7 @@ use crate::frequency::Band;
 use crate::interrupt;
 use crate::joined;
 use crate::measure::{self, Measure};
-use crate::output::{self, Table, Visitor};
+use crate::output::{self, ResultTable, Visitor};
 use crate::progress::Progress;
 use crate::summary::Summary;
 use crate::vary::Vary;
@@ -150,7 +150,7 @@ struct OptimumReport<'a> {
     lines: Vec<OptimumLine>,
 }
 
-impl Table for OptimumReport<'_> {
+impl ResultTable for OptimumReport<'_> {
     type Row = OptimumLine;
 
     fn len(&self) -> usize {

@@ -4,7 +4,7 @@
 use crate::failure::Failure;
 use crate::grids::Grids;
 use crate::layout::Layout;
-use crate::output::{Table, Visitor};
+use crate::output::{ResultTable, Visitor};
 use frictiongen::study::columns::{Column, OrbitRow, OrbitTable};
 
 /// The steady states, with the settings for their output.
@@ -27,7 +27,7 @@ impl OrbitReport {
     }
 }
 
-impl Table for OrbitReport {
+impl ResultTable for OrbitReport {
     type Row = OrbitRow;
 
     fn len(&self) -> usize {

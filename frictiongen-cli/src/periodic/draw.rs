@@ -1,6 +1,6 @@
 //! Draws the motion over a period of a steady state, and the hysteresis loop of the contact.
 
-use crate::destination::Form;
+use crate::destination::OutputFormat;
 use crate::failure::Failure;
 use crate::number::computed;
 use crate::picture;
@@ -15,7 +15,7 @@ use std::io::Write;
 pub fn motion(
     table: &PeriodicTable<'_>,
     row: &PeriodicRow,
-    form: Form,
+    form: OutputFormat,
     out: &mut dyn Write,
 ) -> Result<(), Failure> {
     let (system, state) = (table.system, &row.state);

@@ -6,11 +6,11 @@ mod load;
 
 use crate::args::{FileArgument, PeriodicArguments};
 use crate::asked::{parts, without_rates};
-use crate::destination::{Destination, Form};
+use crate::destination::{Destination, OutputFormat};
 use crate::failure::Failure;
-use crate::grid::{self, Quantity};
+use crate::grid::{self, GridQuantity};
 use crate::measure::Measure;
-use crate::output::{self, Table, Visitor};
+use crate::output::{self, ResultTable, Visitor};
 use crate::summary::Summary;
 use frictiongen::study::columns::{Column, PeriodicRow, PeriodicSample, PeriodicTable};
 use frictiongen::study::periodic::PeriodicRequest;
@@ -24,7 +24,7 @@ pub fn run(arguments: &PeriodicArguments, out: &mut dyn Write) -> Result<(), Fai
     let (scene_file, output) = (&arguments.scene, arguments.output.as_deref());
     let destination = Destination::of(output, Some(scene_file), &arguments.format, true)?;
     let form = destination.form;
-    if matches!(form, Form::Svg | Form::Png) && !arguments.motion {
+    if matches!(form, OutputFormat::Svg | OutputFormat::Png) && !arguments.motion {
         return Err(Failure::new(
             "a picture shows the motion over a period: add --motion",
         ));
@@ -41,7 +41,8 @@ pub fn run(arguments: &PeriodicArguments, out: &mut dyn Write) -> Result<(), Fai
         }
     }
     let load = load::of(arguments, &system)?;
-    let forces = grid::parse(&arguments.friction, Quantity::FrictionForce).map_err(Failure::new)?;
+    let forces =
+        grid::parse(&arguments.friction, GridQuantity::FrictionForce).map_err(Failure::new)?;
     if arguments.motion && forces.len() != 1 {
         return Err(Failure::new(
             "--motion prints one motion: give one force with --friction",
@@ -67,7 +68,7 @@ pub fn run(arguments: &PeriodicArguments, out: &mut dyn Write) -> Result<(), Fai
         let force = asked.forces.first().copied().unwrap_or_default();
         let row = asked.row(force)?;
         #[cfg(feature = "pictures")]
-        if matches!(form, Form::Svg | Form::Png) {
+        if matches!(form, OutputFormat::Svg | OutputFormat::Png) {
             return draw::motion(&asked.table, &row, form, out);
         }
         output::write(
@@ -125,7 +126,7 @@ impl PeriodicQuestion<'_> {
 /// Writes one steady state for each friction force.
 struct StatesReport<'a>(&'a PeriodicQuestion<'a>);
 
-impl Table for StatesReport<'_> {
+impl ResultTable for StatesReport<'_> {
     type Row = PeriodicRow;
 
     fn len(&self) -> usize {
@@ -148,7 +149,7 @@ struct MotionReport<'a> {
     row: &'a PeriodicRow,
 }
 
-impl<'a> Table for MotionReport<'a> {
+impl<'a> ResultTable for MotionReport<'a> {
     type Row = PeriodicSample<'a>;
 
     fn len(&self) -> usize {

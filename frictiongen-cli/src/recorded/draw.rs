@@ -3,7 +3,7 @@
 use super::driven::DrivenReport;
 use super::spectrum::ResponseSpectrumReport;
 use crate::asked::Part;
-use crate::destination::Form;
+use crate::destination::OutputFormat;
 use crate::failure::Failure;
 use crate::picture::{self, over_time};
 use frictiongen::System;
@@ -24,7 +24,7 @@ pub fn residuals(
     system: &System,
     observations: &[Observation],
     found: &Identified,
-    form: Form,
+    form: OutputFormat,
     out: &mut dyn Write,
 ) -> Result<(), Failure> {
     let (mut real, mut imaginary) = (Vec::new(), Vec::new());
@@ -67,7 +67,7 @@ pub fn residuals(
 pub fn driven(
     system: &System,
     driven: &DrivenReport<'_>,
-    form: Form,
+    form: OutputFormat,
     out: &mut dyn Write,
 ) -> Result<(), Failure> {
     let motions = driven.parts.iter().zip(&driven.motion.motions);
@@ -84,7 +84,7 @@ pub fn driven(
 pub fn spectrum(
     system: &System,
     spectrum: &ResponseSpectrumReport<'_>,
-    form: Form,
+    form: OutputFormat,
     out: &mut dyn Write,
 ) -> Result<(), Failure> {
     let acceleration = |peak: &PeakResponse| peak.displacement * peak.omega() * peak.omega();

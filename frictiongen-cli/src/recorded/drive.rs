@@ -8,7 +8,7 @@ use crate::args::DriveArguments;
 use crate::asked::{number_that, parts, without_rates};
 use crate::destination::Destination;
 #[cfg(feature = "pictures")]
-use crate::destination::Form;
+use crate::destination::OutputFormat;
 use crate::failure::Failure;
 use crate::joined::refused;
 use crate::measure::Measure;
@@ -43,7 +43,7 @@ pub fn run(arguments: &DriveArguments, out: &mut dyn Write) -> Result<(), Failur
         let summary = Summary::of(&system, true, Measure::groups(&system));
         return destination.write(out, |out| {
             #[cfg(feature = "pictures")]
-            if matches!(form, Form::Svg | Form::Png) {
+            if matches!(form, OutputFormat::Svg | OutputFormat::Png) {
                 return super::draw::spectrum(&system, &spectrum, form, out);
             }
             output::write(&spectrum, &summary, form, out)
@@ -66,7 +66,7 @@ pub fn run(arguments: &DriveArguments, out: &mut dyn Write) -> Result<(), Failur
     let summary = Summary::of(&system, true, Measure::groups(&system));
     destination.write(out, |out| {
         #[cfg(feature = "pictures")]
-        if matches!(form, Form::Svg | Form::Png) {
+        if matches!(form, OutputFormat::Svg | OutputFormat::Png) {
             return super::draw::driven(&system, &driven, form, out);
         }
         output::write(&&driven, &summary, form, out)

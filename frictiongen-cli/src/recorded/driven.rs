@@ -3,7 +3,7 @@
 use crate::asked::Part;
 use crate::failure::Failure;
 use crate::number::computed;
-use crate::output::{Table, Visitor};
+use crate::output::{ResultTable, Visitor};
 use frictiongen::System;
 use frictiongen::answer::Work;
 use frictiongen::measure::Inputs;
@@ -91,7 +91,7 @@ impl<'s> DrivenReport<'s> {
     }
 }
 
-impl<'d> Table for &'d DrivenReport<'_> {
+impl<'d> ResultTable for &'d DrivenReport<'_> {
     type Row = DrivenRow<'d>;
 
     fn len(&self) -> usize {

@@ -75,7 +75,7 @@ pub fn run(arguments: &IdentifyArguments, out: &mut dyn Write) -> Result<(), Fai
         #[cfg(feature = "pictures")]
         if matches!(
             destination.form,
-            crate::destination::Form::Svg | crate::destination::Form::Png
+            crate::destination::OutputFormat::Svg | crate::destination::OutputFormat::Png
         ) {
             return super::draw::residuals(&system, &observations, &found, destination.form, out);
         }

@@ -3,11 +3,11 @@
 use super::read;
 use crate::args::RecordingArguments;
 use crate::asked::{Part, without_rates};
-use crate::destination::Form;
+use crate::destination::OutputFormat;
 use crate::failure::Failure;
 use crate::measure::Measure;
 use crate::number::computed;
-use crate::output::{self, Table, Visitor};
+use crate::output::{self, ResultTable, Visitor};
 #[cfg(feature = "pictures")]
 use crate::picture;
 use crate::summary::Summary;
@@ -78,7 +78,7 @@ impl<'s> DriveRequest<'s> {
     pub fn write(
         &self,
         files: &RecordingArguments,
-        form: Form,
+        form: OutputFormat,
         out: &mut dyn Write,
     ) -> Result<(), Failure> {
         let recording = files.inputs()?;
@@ -88,7 +88,7 @@ impl<'s> DriveRequest<'s> {
             motion: self.motion(&inputs)?,
         };
         #[cfg(feature = "pictures")]
-        if matches!(form, Form::Svg | Form::Png) {
+        if matches!(form, OutputFormat::Svg | OutputFormat::Png) {
             let title = Label::verbatim(&self.system.scene().name);
             let figure = joined_motion_figure(title, &report.drawn());
             let (what, energy) = report.energy();
@@ -222,7 +222,7 @@ impl DriveReport<'_, '_> {
     }
 }
 
-impl<'d> Table for &'d DriveReport<'_, '_> {
+impl<'d> ResultTable for &'d DriveReport<'_, '_> {
     type Row = JoinedDrivenRow<'d>;
 
     fn len(&self) -> usize {

@@ -1,7 +1,7 @@
 //! Table of results with one quantity in each line: its value with an interval, and its unit.
 
 use crate::failure::Failure;
-use crate::output::{Table, Visitor};
+use crate::output::{ResultTable, Visitor};
 use frictiongen::System;
 use frictiongen::measure::columns::{QuantityLine, line_columns};
 use frictiongen::study::columns::Column;
@@ -19,7 +19,7 @@ pub struct ResultLines<'a> {
     pub keys: Vec<(&'static str, &'static str)>,
 }
 
-impl Table for ResultLines<'_> {
+impl ResultTable for ResultLines<'_> {
     type Row = QuantityLine;
 
     fn len(&self) -> usize {

@@ -4,7 +4,7 @@ use super::read;
 use crate::args::RecordingArguments;
 use crate::failure::Failure;
 use crate::number::computed;
-use crate::output::{Table, Visitor};
+use crate::output::{ResultTable, Visitor};
 use frictiongen::System;
 use frictiongen::measure::columns::{SpectrumRow, spectrum_columns};
 use frictiongen::measure::{PeakResponse, periods, response_spectrum};
@@ -57,7 +57,7 @@ impl<'s> ResponseSpectrumReport<'s> {
     }
 }
 
-impl Table for ResponseSpectrumReport<'_> {
+impl ResultTable for ResponseSpectrumReport<'_> {
     type Row = SpectrumRow;
 
     fn len(&self) -> usize {

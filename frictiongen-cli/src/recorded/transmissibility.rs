@@ -5,7 +5,7 @@ use crate::args::TransmissibilityArguments;
 use crate::destination::Destination;
 use crate::failure::Failure;
 use crate::measure::Measure;
-use crate::output::{self, Table, Visitor};
+use crate::output::{self, ResultTable, Visitor};
 use crate::summary::Summary;
 use frictiongen::System;
 use frictiongen::measure::Measured;
@@ -32,7 +32,7 @@ struct TransmissibilityReport {
     measured: Vec<Measured>,
 }
 
-impl Table for TransmissibilityReport {
+impl ResultTable for TransmissibilityReport {
     type Row = Measured;
 
     fn len(&self) -> usize {

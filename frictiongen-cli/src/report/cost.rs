@@ -3,7 +3,7 @@
 
 use super::asked::ReportRequest;
 use super::words::{digits, number};
-use crate::emitted::{self, Function};
+use crate::emitted::{self, EmittedFunction};
 use frictiongen::System;
 use frictiongen::scalar::{Dd, Float};
 use frictiongen::study::scene::{Accuracy, Precision, Range, Scene};
@@ -59,7 +59,7 @@ struct SolverBounds {
 /// Contents of the section about cost and accuracy.
 pub struct CostSection {
     bounds: Option<SolverBounds>,
-    functions: Result<Vec<Function>, String>,
+    functions: Result<Vec<EmittedFunction>, String>,
     measured: Result<Vec<MeasuredErrors>, String>,
     tabled: Result<TableCosts, String>,
     precision: &'static str,
@@ -141,7 +141,7 @@ impl CostSection {
     pub fn data(&self) -> Json {
         let none = |reason: &String| json!({ "none": reason });
         let functions = self.functions.as_ref().map_or_else(none, |all| {
-            let one = |function: &Function| json!({ "name": function.name, "operations": function.operations });
+            let one = |function: &EmittedFunction| json!({ "name": function.name, "operations": function.operations });
             all.iter().map(one).collect()
         });
         let measured = self.measured.as_ref().map_or_else(none, |all| {
@@ -233,7 +233,7 @@ fn bounds(asked: &ReportRequest) -> Option<SolverBounds> {
 }
 
 /// Returns the emitted functions whose documentation states a number of operations.
-fn functions(text: &str) -> Result<Vec<Function>, String> {
+fn functions(text: &str) -> Result<Vec<EmittedFunction>, String> {
     let description = parse_text(text, &Limits::CHECK).map_err(|_| {
         "The macro does not accept this description; “frictiongen check” lists the errors."
             .to_owned()

@@ -1,7 +1,7 @@
 //! Formats the numbers of the page with four digits and their unit.
 
 use crate::measure::{Dimension, Measure};
-use crate::number::Exact as _;
+use crate::number::Lossless as _;
 use frictiongen::System;
 use frictiongen::study::units;
 use frictiongen_plot::desk::Scales;

@@ -4,7 +4,7 @@
 use crate::failure::Failure;
 use crate::grids::Grids;
 use crate::layout::Layout;
-use crate::output::{Table, Visitor};
+use crate::output::{ResultTable, Visitor};
 use frictiongen::study::columns::{Column, ResponseRow, ResponseTable};
 
 /// The responses, with the settings for their output.
@@ -25,7 +25,7 @@ impl ResponseReport {
     }
 }
 
-impl Table for ResponseReport {
+impl ResultTable for ResponseReport {
     type Row = ResponseRow;
 
     fn len(&self) -> usize {

@@ -2,7 +2,7 @@
 
 use super::motion::RunMotion;
 use super::spectrum::spectra;
-use crate::destination::Form;
+use crate::destination::OutputFormat;
 use crate::failure::Failure;
 use crate::picture;
 use frictiongen::System;
@@ -15,7 +15,7 @@ pub fn draw(
     system: &System,
     motion: &RunMotion<'_>,
     spectrum: bool,
-    form: Form,
+    form: OutputFormat,
     out: &mut dyn Write,
 ) -> Result<(), Failure> {
     let course = &motion.course;

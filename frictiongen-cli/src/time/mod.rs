@@ -12,7 +12,7 @@ use crate::args::TimeArguments;
 use crate::asked::{parts, without_rates};
 use crate::destination::Destination;
 #[cfg(feature = "pictures")]
-use crate::destination::Form;
+use crate::destination::OutputFormat;
 use crate::failure::Failure;
 use crate::frequency::Frequencies;
 use crate::friction::Frictions;
@@ -87,7 +87,7 @@ pub fn run(arguments: &TimeArguments, out: &mut dyn Write) -> Result<(), Failure
     let motion = RunMotion::of(course, &asked, from)?;
     let write = |out: &mut dyn Write| {
         #[cfg(feature = "pictures")]
-        if matches!(form, Form::Svg | Form::Png) {
+        if matches!(form, OutputFormat::Svg | OutputFormat::Png) {
             return draw::draw(&system, &motion, arguments.spectrum, form, out);
         }
         if arguments.events {

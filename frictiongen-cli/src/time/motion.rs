@@ -4,7 +4,7 @@ use super::asked::{InitialState, TimeRequest};
 use super::course::RunSettings;
 use crate::asked::MOST_HARMONICS;
 use crate::failure::Failure;
-use crate::number::{Cell, Exact as _, computed};
+use crate::number::{Cell, Lossless as _, computed};
 use frictiongen::study::{
     history::{History, HistoryError, HistoryRequest, Spectrum},
     words,

@@ -3,7 +3,7 @@
 use super::motion::RunMotion;
 use crate::failure::Failure;
 use crate::layout::Layout;
-use crate::output::{Table, Visitor};
+use crate::output::{ResultTable, Visitor};
 use frictiongen::study::columns::{Column, EventRow, SampleRow};
 use serde_json::Value as Json;
 
@@ -19,7 +19,7 @@ pub struct EventsReport<'m> {
     pub motion: &'m RunMotion<'m>,
 }
 
-impl<'m> Table for SamplesReport<'m> {
+impl<'m> ResultTable for SamplesReport<'m> {
     type Row = SampleRow<'m>;
 
     fn len(&self) -> usize {
@@ -48,7 +48,7 @@ impl<'m> Table for SamplesReport<'m> {
     }
 }
 
-impl<'m> Table for EventsReport<'m> {
+impl<'m> ResultTable for EventsReport<'m> {
     type Row = EventRow<'m>;
 
     fn len(&self) -> usize {

@@ -3,7 +3,7 @@
 use super::motion::RunMotion;
 use crate::failure::Failure;
 use crate::layout::Layout;
-use crate::output::{Table, Visitor};
+use crate::output::{ResultTable, Visitor};
 use frictiongen::study::columns::{Column, SpectrumRow};
 use frictiongen::study::history::Spectrum;
 use serde_json::Value as Json;
@@ -27,7 +27,7 @@ pub fn spectra<'m>(motion: &'m RunMotion<'_>) -> Cow<'m, [Spectrum]> {
     Cow::Owned(spectra.collect())
 }
 
-impl<'m> Table for SpectrumReport<'m> {
+impl<'m> ResultTable for SpectrumReport<'m> {
     type Row = SpectrumRow<'m>;
 
     fn len(&self) -> usize {

@@ -4,8 +4,8 @@ mod tables;
 
 use super::asked::ReportRequest;
 use crate::features::report::{FeaturesReport, table};
-use crate::number::Exact as _;
-use crate::output::Table as _;
+use crate::number::Lossless as _;
+use crate::output::ResultTable as _;
 use frictiongen::study::columns::{FeatureLine, FeaturesAsked};
 use maud::{Markup, html};
 use serde_json::{Value as Json, json};
