@@ -106,7 +106,7 @@ fn responses() -> Result<(), Error> {
 
 /// Prints an excerpt of the emitted Rust, and compares results of the emitted code with those of the run-time system.
 fn emitted() -> Result<(), Box<dyn StdError>> {
-    let limits = frictiongen_codegen::Limits::MACRO;
+    let limits = frictiongen_codegen::SizeLimits::MACRO;
     let source = frictiongen_codegen::pretty(&frictiongen_codegen::parse_text(TEXT, &limits)?)?;
     let lines: Vec<&str> = source.lines().collect();
     let start = lines

@@ -6,13 +6,13 @@ use crate::compile::command;
 use crate::failure::Failure;
 use crate::file::write_file;
 use frictiongen_codegen::standalone::Origin;
-use frictiongen_codegen::{Limits, pretty};
+use frictiongen_codegen::{SizeLimits, pretty};
 use std::io::Write;
 
 /// Runs `frictiongen expand`.
 pub fn run(arguments: &ExpandArguments, out: &mut dyn Write) -> Result<(), Failure> {
     // The command rejects every description that the macro rejects.
-    let description = arguments.file.description(&Limits::MACRO)?;
+    let description = arguments.file.description(&SizeLimits::MACRO)?;
     let source = pretty(&description).map_err(|error| {
         Failure::new(format_args!(
             "a defect of frictiongen: the emitted code is not valid Rust: {error}"

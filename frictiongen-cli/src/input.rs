@@ -3,7 +3,7 @@
 use crate::args::FileArgument;
 use crate::failure::{Failure, reason};
 use frictiongen::study::scene::FrictionLaw;
-use frictiongen_codegen::{Description, Limits, parse_text};
+use frictiongen_codegen::{Description, SizeLimits, parse_text};
 
 use std::fs::File;
 use std::io::{self, Read};
@@ -48,19 +48,23 @@ impl FileArgument {
     }
 
     /// Reads and parses the description. Fails for a scene with several contacts or dashpots.
-    pub fn description(&self, limits: &Limits) -> Result<Description, Failure> {
+    pub fn description(&self, limits: &SizeLimits) -> Result<Description, Failure> {
         self.single(self.parsed(&self.text()?, limits)?)
     }
 
     /// Reads and parses the description of a scene that may have several contacts and dashpots. Fails unless the
     /// kinetic friction is constant.
-    pub fn any(&self, limits: &Limits) -> Result<Description, Failure> {
+    pub fn any(&self, limits: &SizeLimits) -> Result<Description, Failure> {
         self.maybe_joined(limits, true)
     }
 
     /// Reads and parses the description of a scene that may have several contacts and dashpots. If `constant` is true, it
     /// fails unless the kinetic friction is constant.
-    pub fn maybe_joined(&self, limits: &Limits, constant: bool) -> Result<Description, Failure> {
+    pub fn maybe_joined(
+        &self,
+        limits: &SizeLimits,
+        constant: bool,
+    ) -> Result<Description, Failure> {
         let description = self.parsed(&self.text()?, limits)?;
         if constant {
             self.check_constant(&description)?;
@@ -79,7 +83,7 @@ impl FileArgument {
         )))
     }
 
-    fn parsed(&self, text: &str, limits: &Limits) -> Result<Description, Failure> {
+    fn parsed(&self, text: &str, limits: &SizeLimits) -> Result<Description, Failure> {
         parse_text(text, limits).map_err(|diagnostics| {
             let name = self.name();
             let lines = diagnostics.list.into_iter();
@@ -100,14 +104,14 @@ impl FileArgument {
 
     /// Reads and parses a description for a command that requires constant kinetic friction. Fails for any other
     /// friction law.
-    pub fn constant_level(&self, limits: &Limits) -> Result<Description, Failure> {
+    pub fn constant_level(&self, limits: &SizeLimits) -> Result<Description, Failure> {
         Ok(self.constant_level_with_text(limits)?.0)
     }
 
     /// Reads and parses a description as [`constant_level`](Self::constant_level) does. Also returns its text.
     pub fn constant_level_with_text(
         &self,
-        limits: &Limits,
+        limits: &SizeLimits,
     ) -> Result<(Description, String), Failure> {
         let text = self.text()?;
         let description = self.single(self.parsed(&text, limits)?)?;
@@ -116,7 +120,7 @@ impl FileArgument {
     }
 
     /// Reads and parses a description for a command that needs the code of the macro. Also returns its text.
-    pub fn exported(&self, limits: &Limits) -> Result<(Description, String), Failure> {
+    pub fn exported(&self, limits: &SizeLimits) -> Result<(Description, String), Failure> {
         let text = self.text()?;
         let description = self.single(self.parsed(&text, limits)?)?;
         Ok((description, text))

@@ -8,13 +8,13 @@ use crate::output::{self, ResultTable, Visitor};
 use crate::summary::Summary;
 use frictiongen::System;
 use frictiongen::study::columns::{Column, LimitsAsked, LimitsRow, LimitsTable, Setting};
-use frictiongen_codegen::Limits;
+use frictiongen_codegen::SizeLimits;
 use std::io::Write;
 
 /// Runs `frictiongen limits`.
 pub fn run(arguments: &LimitsArguments, out: &mut dyn Write) -> Result<(), Failure> {
     let frequencies = Frequencies::parse(&arguments.frequency, false)?;
-    let description = arguments.file.constant_level(&Limits::RUN_TIME)?;
+    let description = arguments.file.constant_level(&SizeLimits::RUN_TIME)?;
     let system = System::try_from(description.scene).map_err(Failure::new)?;
     frequencies.check(&system)?;
     let measure = measure::of(&arguments.load, &system)?;

@@ -3,7 +3,7 @@
 use crate::args::PlayArguments;
 use crate::failure::{Failure, reason};
 use crate::file;
-use frictiongen_codegen::{Limits, parse_text};
+use frictiongen_codegen::{SizeLimits, parse_text};
 use serde_json::{Value as Json, json};
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -23,7 +23,7 @@ pub fn run(arguments: &PlayArguments, out: &mut dyn Write) -> Result<(), Failure
     }
     let name = arguments.file.name();
     let text = arguments.file.text()?;
-    parse_text(&text, &Limits::RUN_TIME).map_err(|diagnostics| {
+    parse_text(&text, &SizeLimits::RUN_TIME).map_err(|diagnostics| {
         let lines = diagnostics.list.into_iter();
         Failure::Lines(lines.map(|line| format!("{name}:{line}")).collect())
     })?;

@@ -15,14 +15,14 @@ use crate::summary::Summary;
 use frictiongen::study::StudyError;
 use frictiongen::study::columns::{Column, SensitivityRow, SensitivityTable};
 use frictiongen::{Of, System};
-use frictiongen_codegen::Limits;
+use frictiongen_codegen::SizeLimits;
 use std::io::Write;
 
 /// Runs `frictiongen sensitivity`.
 pub fn run(arguments: &SensitivityArguments, out: &mut dyn Write) -> Result<(), Failure> {
     let frequencies = Frequencies::parse(&arguments.point.frequency, true)?;
     let frictions = Frictions::parse(&arguments.point.friction, Some(&frequencies))?;
-    let description = arguments.point.file.any(&Limits::RUN_TIME)?;
+    let description = arguments.point.file.any(&SizeLimits::RUN_TIME)?;
     if description.scene.is_joined() {
         let asked = joined::Asked::of(&arguments.point, frequencies, frictions, &[]);
         let form = arguments.format.checked()?;

@@ -4,7 +4,7 @@
 //! `scripts/emitted-sizes [FOLDER]` runs this program. With a folder, the program also writes the emitted files
 //! there.
 
-use frictiongen_codegen::{Limits, parse_text, pretty};
+use frictiongen_codegen::{SizeLimits, parse_text, pretty};
 use std::collections::BTreeSet;
 use std::error::Error;
 use std::fmt::Write;
@@ -69,7 +69,7 @@ fn text((name, masses, fields): (&str, usize, &str), stiffness: f64) -> String {
 }
 
 fn emitted(scene: (&str, usize, &str), stiffness: f64) -> Result<String, Box<dyn Error>> {
-    let description = parse_text(&text(scene, stiffness), &Limits::MACRO)
+    let description = parse_text(&text(scene, stiffness), &SizeLimits::MACRO)
         .map_err(|errors| format!("{}: {errors}", scene.0))?;
     Ok(pretty(&description)?)
 }

@@ -8,7 +8,7 @@ use quote::quote_spanned;
 
 /// Errors of a macro call whose tokens are not a valid scene.
 #[derive(Debug)]
-pub struct Failure {
+pub struct MacroErrors {
     /// All errors, each on the token that caused it.
     pub errors: Errors,
     /// The fields of the description that could be read in spite of the errors.

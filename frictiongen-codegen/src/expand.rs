@@ -3,8 +3,8 @@
 //! If the description has errors, the macro also emits a type with the same methods. The user's crate then has no
 //! follow-up errors.
 
-use crate::diagnostics::{Failure, Partial, compile_error};
-use crate::lower::{Description, Limits, parse_text, parse_tokens};
+use crate::diagnostics::{MacroErrors, Partial, compile_error};
+use crate::lower::{Description, SizeLimits, parse_text, parse_tokens};
 use crate::{Diagnostics, emit, quoted};
 use frictiongen_model::scene::{
     Contact, Damping, DampingFrom, Declared, Excitation, FrictionLaw, Joints, Mass, Node, Provide,
@@ -18,7 +18,7 @@ use std::path::{Path, PathBuf};
 pub fn expand(input: TokenStream) -> TokenStream {
     match file(&input) {
         Some((path, relative)) => expand_file(&path, &relative),
-        None => match parse_tokens(input, &Limits::MACRO) {
+        None => match parse_tokens(input, &SizeLimits::MACRO) {
             Ok(description) => emit(&description),
             Err(failure) => emit_failure(failure),
         },
@@ -59,14 +59,14 @@ fn expand_file(path: &Literal, relative: &str) -> TokenStream {
         }
     };
     let mut tokens = tracked(relative);
-    match parse_text(&text, &Limits::MACRO) {
+    match parse_text(&text, &SizeLimits::MACRO) {
         Ok(description) => tokens.extend(emit(&description)),
         Err(diagnostics) => {
             tokens.extend(file_errors(path.span(), relative, &diagnostics));
             // With the fields that could be read, the macro emits a replacement type. It prevents follow-up errors in
             // the user's crate.
             let partial = text.parse().ok().and_then(|tokens| {
-                parse_tokens(tokens, &Limits::MACRO)
+                parse_tokens(tokens, &SizeLimits::MACRO)
                     .err()
                     .map(|failure| failure.partial)
             });
@@ -101,7 +101,7 @@ fn file_errors(path: Span, relative: &str, diagnostics: &Diagnostics) -> TokenSt
 }
 
 /// Emits the errors, and a replacement type with the methods of the described scene.
-fn emit_failure(failure: Failure) -> TokenStream {
+fn emit_failure(failure: MacroErrors) -> TokenStream {
     let mut tokens = failure.errors.to_compile_error();
     tokens.extend(stand_in(failure.partial));
     tokens
@@ -123,7 +123,7 @@ fn stand_in(partial: Partial) -> Option<TokenStream> {
         has_step,
     } = partial;
     let name = name?;
-    mass_names.truncate(Limits::MACRO.masses);
+    mass_names.truncate(SizeLimits::MACRO.masses);
     if mass_names.is_empty() {
         mass_names.push(Ident::new("unnamed", Span::mixed_site()));
     }

@@ -32,7 +32,7 @@ const WRAPS: f64 = 3.0;
 
 /// Request for known answers of a scene: the ranges, the tolerance and the kinds of answers.
 #[derive(Clone, Copy, Debug)]
-pub struct Question {
+pub struct AnswersRequest {
     /// Precision in which r and β are given.
     pub precision: Precision,
     /// Range of frequency ratios.
@@ -49,7 +49,7 @@ pub struct Question {
 
 /// The kind of motion at a friction ratio.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Outcome {
+pub enum MotionKind {
     /// The contact slides all the time.
     Continuous,
     /// The contact alternately sticks and slides.
@@ -60,7 +60,7 @@ pub enum Outcome {
 
 /// Known answers at one frequency ratio.
 #[derive(Clone, Debug)]
-pub struct Known {
+pub struct KnownAnswers {
     /// Frequency ratio.
     pub r: f64,
     /// β_lim.
@@ -68,7 +68,7 @@ pub struct Known {
     /// β*_lim.
     pub sliding: f64,
     /// The motion at one friction ratio, if the question includes it.
-    pub motion: Option<KnownMotion>,
+    pub motion: Option<MotionAnswers>,
     /// Real and imaginary part of the response of each mass while the contact is stuck, then of the force that keeps
     /// the contact stuck. The list is empty if these responses are not requested.
     pub stuck: Vec<[f64; 2]>,
@@ -76,11 +76,11 @@ pub struct Known {
 
 /// Known answers at one friction ratio.
 #[derive(Clone, Debug)]
-pub struct KnownMotion {
+pub struct MotionAnswers {
     /// Friction ratio.
     pub beta: f64,
     /// Kind of the motion.
-    pub outcome: Outcome,
+    pub outcome: MotionKind,
     /// Amplitude and phase of the contact. Both are 0 if the contact does not slide all the time.
     pub contact: [f64; 2],
     /// Displacement and velocity of each mass at τ = [`TAU`]. Both are 0 if the contact does not slide all the time.
@@ -90,10 +90,10 @@ pub struct KnownMotion {
 /// Returns the known answers at up to [`POINTS`] frequency ratios of the range, in ascending order. The function leaves
 /// out frequency ratios at which the answers depend on rounding.
 #[must_use]
-pub fn known(modal: &Modal, question: &Question) -> Vec<Known> {
+pub fn known(modal: &Modal, question: &AnswersRequest) -> Vec<KnownAnswers> {
     let exact = modal.reduced(|value| value);
     let (low, high) = question.r;
-    let mut found: Vec<Known> = Vec::new();
+    let mut found: Vec<KnownAnswers> = Vec::new();
     let modes = u32::try_from(exact.modes.len().max(1)).unwrap_or(TRIED);
     for tried in 0..(TRIED / modes).max(TRIED_AT_LEAST) {
         if found.len() == POINTS {
@@ -107,7 +107,7 @@ pub fn known(modal: &Modal, question: &Question) -> Vec<Known> {
     found
 }
 
-impl Question {
+impl AnswersRequest {
     #[allow(clippy::cast_possible_truncation, reason = "the scalar is f32")]
     fn rounded(&self, value: f64) -> f64 {
         match self.precision {
@@ -125,7 +125,12 @@ impl Question {
 }
 
 /// Returns the answers at r, or `None` if they depend on rounding. `place` is the number of answers found so far.
-fn answers(exact: &Reduced<Dd>, question: &Question, r: f64, place: usize) -> Option<Known> {
+fn answers(
+    exact: &Reduced<Dd>,
+    question: &AnswersRequest,
+    r: f64,
+    place: usize,
+) -> Option<KnownAnswers> {
     let limits = limits(exact, r)?;
     let beta = question.motion.then(|| beta(question, limits, place));
     let here = answer(exact, question, (r, limits), beta)?;
@@ -138,7 +143,7 @@ fn answers(exact: &Reduced<Dd>, question: &Question, r: f64, place: usize) -> Op
     )?;
     let allowed = SENSITIVE * question.tolerance;
     let is_near = |one: f64, other: f64, size: f64| (one - other).abs() <= allowed * size;
-    let numbers = |known: &Known| {
+    let numbers = |known: &KnownAnswers| {
         let motion = known.motion.iter().flat_map(|motion| {
             let [amplitude, phase] = motion.contact;
             let mut all = vec![(amplitude, amplitude), (phase, 1.0)];
@@ -166,7 +171,7 @@ fn answers(exact: &Reduced<Dd>, question: &Question, r: f64, place: usize) -> Op
 
 /// Returns a friction ratio within the range of the question. The function is called for successive places. Two of
 /// three friction ratios are below β_lim. The third is usually above β_lim and β*_lim, and sometimes between them.
-fn beta(question: &Question, [continuous, sliding]: [f64; 2], place: usize) -> f64 {
+fn beta(question: &AnswersRequest, [continuous, sliding]: [f64; 2], place: usize) -> f64 {
     let wanted = match place % 3 {
         0 => 0.5 * continuous,
         1 => 0.8 * continuous,
@@ -192,10 +197,10 @@ fn limits(exact: &Reduced<Dd>, r: f64) -> Option<[f64; 2]> {
 /// or if β is close to a limit.
 fn answer(
     exact: &Reduced<Dd>,
-    question: &Question,
+    question: &AnswersRequest,
     (r, [continuous, sliding]): (f64, [f64; 2]),
     beta: Option<f64>,
-) -> Option<Known> {
+) -> Option<KnownAnswers> {
     let mut stuck = Vec::new();
     if question.stuck {
         let at = At::new(exact, Dd::from(r)).ok()?;
@@ -221,7 +226,7 @@ fn answer(
         None => None,
         Some(beta) => Some(motion(exact, r, beta, [continuous, sliding])?),
     };
-    Some(Known {
+    Some(KnownAnswers {
         r,
         continuous,
         sliding,
@@ -235,25 +240,25 @@ fn motion(
     r: f64,
     beta: f64,
     [continuous, sliding]: [f64; 2],
-) -> Option<KnownMotion> {
+) -> Option<MotionAnswers> {
     let near = |limit: f64| (beta / limit - 1.0).abs() < APART;
     if near(continuous) || near(sliding) {
         return None;
     }
     let masses = exact.shapes.len() / exact.modes.len().max(1);
-    let mut known = KnownMotion {
+    let mut known = MotionAnswers {
         beta,
         outcome: if beta < continuous {
-            Outcome::Continuous
+            MotionKind::Continuous
         } else if beta < sliding {
-            Outcome::StickSlip
+            MotionKind::StickSlip
         } else {
-            Outcome::Stuck
+            MotionKind::Stuck
         },
         contact: [0.0; 2],
         masses: vec![[0.0; 2]; masses],
     };
-    if known.outcome == Outcome::Continuous {
+    if known.outcome == MotionKind::Continuous {
         let at = At::new(exact, Dd::from(r)).ok()?;
         let motion = at.motion(Dd::from(beta)).ok()?;
         let largest = motion.contact().largest();

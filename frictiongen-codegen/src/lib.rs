@@ -22,11 +22,11 @@ mod quoted;
 pub mod standalone;
 mod tokens;
 
-pub use diagnostics::{Errors, Failure, Partial};
+pub use diagnostics::{Errors, MacroErrors, Partial};
 pub use emit::{PASSES_FROM, emit, emit_in_passes, traces};
 pub use expand::expand;
 pub use frictiongen_syntax::{Diagnostic, Diagnostics, warnings};
-pub use lower::{Description, Limits, ProofAt, SceneTables, parse_text, parse_tokens};
+pub use lower::{Description, ProofAt, SceneTables, SizeLimits, parse_text, parse_tokens};
 
 #[cfg(feature = "pretty")]
 /// Returns the emitted code of a description as formatted source text.

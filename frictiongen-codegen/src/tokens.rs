@@ -10,11 +10,11 @@ use proc_macro2::{Group, Ident, Literal, Punct, Spacing, Span, TokenStream, Toke
 /// The compiler's tokens. A [`TokenPosition`] is an index in this list. The list is empty for a text.
 #[derive(Default)]
 pub(crate) struct Sources {
-    list: Vec<Source>,
+    list: Vec<TokenSource>,
 }
 
 /// The span of one token of the compiler, and the token itself if it is a word or a literal.
-struct Source {
+struct TokenSource {
     span: Span,
     tree: Option<TokenTree>,
 }
@@ -44,7 +44,7 @@ impl Sources {
             .map_or_else(Span::call_site, |source| source.span)
     }
 
-    fn source(&self, place: TokenPosition) -> Option<&Source> {
+    fn source(&self, place: TokenPosition) -> Option<&TokenSource> {
         self.list.get(place.token?)
     }
 
@@ -90,7 +90,7 @@ impl Sources {
     /// Stores a token and returns its position.
     fn place(&mut self, span: Span, tree: Option<TokenTree>) -> TokenPosition {
         let start = span.start();
-        self.list.push(Source { span, tree });
+        self.list.push(TokenSource { span, tree });
         TokenPosition {
             line: start.line,
             column: start.column + 1,

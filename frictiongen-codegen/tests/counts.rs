@@ -7,7 +7,7 @@
     reason = "a test may fail"
 )]
 
-use frictiongen_codegen::{Limits, emit, parse_text};
+use frictiongen_codegen::{SizeLimits, emit, parse_text};
 use std::collections::BTreeSet;
 use syn::visit::Visit;
 use syn::{Attribute, BinOp, Block, Expr, ImplItemFn, Lit, Local, Meta, Pat, UnOp};
@@ -194,7 +194,7 @@ fn counts_are_those_of_the_text() {
                             "struct S {{ {chain}, contact: {contact}, excitation: {excitation},
                              damping: {damping}, stiction: {stiction}, provide: [limits, motion, stuck] }}"
                         );
-                        let description = parse_text(&text, &Limits::CHECK).expect("a scene");
+                        let description = parse_text(&text, &SizeLimits::CHECK).expect("a scene");
                         let file = syn::parse2(emit(&description)).expect("Rust");
                         let mut functions = Functions::default();
                         functions.visit_file(&file);

@@ -2,14 +2,14 @@
 #![allow(clippy::expect_used, reason = "a test may fail")]
 
 use frictiongen_codegen::standalone::{Origin, Source, c_source};
-use frictiongen_codegen::{Limits, SceneTables, emit, parse_text, pretty};
+use frictiongen_codegen::{SceneTables, SizeLimits, emit, parse_text, pretty};
 use std::collections::HashSet;
 
 /// Returns the fingerprint in the code of a description.
 fn fingerprint(text: &str) -> String {
-    let limits = Limits {
+    let limits = SizeLimits {
         tables: false,
-        ..Limits::CHECK
+        ..SizeLimits::CHECK
     };
     let code = emit(&parse_text(text, &limits).expect(text)).to_string();
     let (_, rest) = code.split_once("from scene ").expect("a fingerprint");
@@ -123,7 +123,7 @@ fn the_table_has_one_checksum() {
     let text = "struct S { masses: { a: 1, b: 2 }, springs: { base - a: 1, a - b: 1 }, contact: b - wall, \
         excitation: base, damping: modal(0.05), scalar: f32, provide: [limits, motion(b)], \
         accuracy: 1e-2, range: { r: 0.4..2.0 } }";
-    let description = parse_text(text, &Limits::MACRO).expect("a valid scene");
+    let description = parse_text(text, &SizeLimits::MACRO).expect("a valid scene");
     let Some(SceneTables::Single(tables)) = &description.tables else {
         panic!("tables in f32");
     };

@@ -7,7 +7,7 @@
     reason = "a test may fail"
 )]
 
-use frictiongen_codegen::{Limits, emit, parse_text};
+use frictiongen_codegen::{SizeLimits, emit, parse_text};
 use frictiongen_kernel::emitted::locals::NAMES;
 use std::collections::BTreeSet;
 use std::fmt::Write;
@@ -60,7 +60,7 @@ fn scene(masses: usize, contact: &str, excitation: &str, rest: &str) -> String {
 /// its own.
 fn check(text: &str, emitted: &mut BTreeSet<String>) -> usize {
     let description =
-        parse_text(text, &Limits::MACRO).unwrap_or_else(|told| panic!("{told}\n{text}"));
+        parse_text(text, &SizeLimits::MACRO).unwrap_or_else(|told| panic!("{told}\n{text}"));
     let file: syn::File = syn::parse2(emit(&description)).expect("emitted Rust");
     let mut seen = Seen::default();
     seen.visit_file(&file);

@@ -6,7 +6,7 @@
     reason = "a test may fail"
 )]
 
-use frictiongen_codegen::{Description, Limits, parse_text, parse_tokens};
+use frictiongen_codegen::{Description, SizeLimits, parse_text, parse_tokens};
 use frictiongen_model::scene::{
     Accuracy, Contact, Damping, Excitation, FrictionLaw, Node, Precision, Provide, Scene, Spring,
     StepInput, Stepping,
@@ -15,9 +15,10 @@ use syn::parse::Parser;
 
 /// Reads a text with both parsers.
 fn read(text: &str) -> Description {
-    let from_text = parse_text(text, &Limits::MACRO).unwrap_or_else(|errors| panic!("{errors}"));
+    let from_text =
+        parse_text(text, &SizeLimits::MACRO).unwrap_or_else(|errors| panic!("{errors}"));
     let tokens = text.parse().expect("the text is made of tokens");
-    let from_tokens = parse_tokens(tokens, &Limits::MACRO).expect("the tokens are sound");
+    let from_tokens = parse_tokens(tokens, &SizeLimits::MACRO).expect("the tokens are sound");
     assert_eq!(from_text.scene, from_tokens.scene);
     assert_eq!(from_text.mass_names, from_tokens.mass_names);
     assert_eq!(from_text.name, from_tokens.name);
@@ -193,7 +194,7 @@ fn odd_layout_and_comments_change_nothing() {
     let odd = "\u{feff}// a /* comment\r\n/* and /* another */ */ /**/ pub(in crate::here)struct\tS{\
         stiction\n:\n1.5,damping:modal(0.01,),excitation:a,contact:b-/* the */wall,\
         masses:{a:1,b:2,},springs:{base-a:1,// k\n\na-b:1,},}";
-    let odd = parse_text(odd, &Limits::MACRO).expect("only the layout is odd");
+    let odd = parse_text(odd, &SizeLimits::MACRO).expect("only the layout is odd");
     assert_eq!(odd.scene, tidy);
     let visibility: syn::Visibility = syn::parse2(odd.visibility).expect("a visibility");
     assert!(matches!(visibility, syn::Visibility::Restricted(_)));
@@ -292,11 +293,11 @@ fn a_macro_takes_sixty_four_masses_and_a_text_a_thousand() {
     };
     read(&chain(64));
     let tokens = chain(65).parse().expect("the text is made of tokens");
-    let failure = parse_tokens(tokens, &Limits::MACRO).expect_err("one too many");
+    let failure = parse_tokens(tokens, &SizeLimits::MACRO).expect_err("one too many");
     assert_eq!(
         failure.errors.to_string(),
         "the scene has 65 masses, but at most 64 are possible here; lump neighbouring masses together"
     );
-    assert!(parse_text(&chain(1000), &Limits::RUN_TIME).is_ok());
-    assert!(parse_text(&chain(1001), &Limits::RUN_TIME).is_err());
+    assert!(parse_text(&chain(1000), &SizeLimits::RUN_TIME).is_ok());
+    assert!(parse_text(&chain(1001), &SizeLimits::RUN_TIME).is_err());
 }

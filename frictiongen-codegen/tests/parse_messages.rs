@@ -2,7 +2,7 @@
 //! position, the other bound of a range.
 #![allow(clippy::expect_used, reason = "a test may fail")]
 
-use frictiongen_codegen::{Limits, parse_text, parse_tokens};
+use frictiongen_codegen::{SizeLimits, parse_text, parse_tokens};
 
 const FRAME: &str = "\
 /// A frame.
@@ -22,10 +22,10 @@ fn errors(changes: &[(&str, &str)]) -> Vec<String> {
         assert!(text.contains(from), "{from} is not in the frame");
         text.replacen(from, to, 1)
     });
-    let diagnostics = parse_text(&text, &Limits::MACRO).expect_err("the text is faulty");
+    let diagnostics = parse_text(&text, &SizeLimits::MACRO).expect_err("the text is faulty");
     // A text that does not consist of Rust tokens never reaches the token parser.
     if let Ok(tokens) = text.parse() {
-        let failure = parse_tokens(tokens, &Limits::MACRO).expect_err("the tokens are faulty");
+        let failure = parse_tokens(tokens, &SizeLimits::MACRO).expect_err("the tokens are faulty");
         let errors = failure.errors.list.into_iter();
         let messages: Vec<_> = errors.map(|(_, message)| message).collect();
         let expected: Vec<_> = diagnostics

@@ -1,7 +1,7 @@
 //! Tests that names and attributes of a text are those that `syn` reads.
 #![allow(clippy::expect_used, reason = "a test may fail")]
 
-use frictiongen_codegen::{Limits, parse_text, parse_tokens};
+use frictiongen_codegen::{SizeLimits, parse_text, parse_tokens};
 use frictiongen_syntax::read_scene;
 use std::collections::BTreeSet;
 use syn::ext::IdentExt;
@@ -107,9 +107,9 @@ fn attributes_of_every_form() {
     ] {
         let text = format!("{attribute} {scene}");
         let tokens = text.parse().expect("the text is made of tokens");
-        let from_text = parse_text(&text, &Limits::MACRO);
+        let from_text = parse_text(&text, &SizeLimits::MACRO);
         let told = |text: String| format!("this attribute cannot be read: {text}");
-        match parse_tokens(tokens, &Limits::MACRO) {
+        match parse_tokens(tokens, &SizeLimits::MACRO) {
             Ok(from_tokens) => {
                 let from_text = from_text.expect("both read the attribute");
                 let [text, tokens] =
@@ -151,9 +151,9 @@ fn paths_are_alike_in_a_text_and_in_tokens() {
             "pub(in {path}) struct S {{ crate: {path}, masses: {{ a: 1 }}, springs: {{ base - a: 1 }}, \
              contact: a - wall, excitation: a }}"
         );
-        let from_text = parse_text(&text, &Limits::MACRO).expect("a scene");
+        let from_text = parse_text(&text, &SizeLimits::MACRO).expect("a scene");
         let tokens = text.parse().expect("the text is made of tokens");
-        let from_tokens = parse_tokens(tokens, &Limits::MACRO).expect("a scene");
+        let from_tokens = parse_tokens(tokens, &SizeLimits::MACRO).expect("a scene");
         let [text, tokens] = [from_text, from_tokens].map(|description| {
             (
                 description.visibility.to_string(),

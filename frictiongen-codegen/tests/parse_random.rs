@@ -6,7 +6,7 @@
     reason = "a test may fail"
 )]
 
-use frictiongen_codegen::{Limits, parse_text, parse_tokens};
+use frictiongen_codegen::{SizeLimits, parse_text, parse_tokens};
 use fuzzing::Random;
 
 const VALID: &str = "/// Doc.
@@ -52,7 +52,7 @@ fn mutate(text: &mut Vec<char>, random: &mut Random) {
 
 /// Checks that neither parser panics. Both must give the same verdict on a text of Rust tokens.
 fn check(text: &str) -> bool {
-    let from_text = parse_text(text, &Limits::RUN_TIME);
+    let from_text = parse_text(text, &SizeLimits::RUN_TIME);
     if let Err(diagnostics) = &from_text {
         assert!(!diagnostics.list.is_empty());
         for one in &diagnostics.list {
@@ -65,7 +65,7 @@ fn check(text: &str) -> bool {
     let Ok(tokens) = text.parse() else {
         return from_text.is_ok();
     };
-    match (parse_tokens(tokens, &Limits::RUN_TIME), &from_text) {
+    match (parse_tokens(tokens, &SizeLimits::RUN_TIME), &from_text) {
         (Ok(tokens), Ok(text)) => assert_eq!(tokens.scene, text.scene),
         (Err(_), Err(_)) => {}
         (tokens, from_text) => panic!("{text}\n{tokens:?}\n{from_text:?}"),
@@ -129,8 +129,8 @@ fn depth_and_length_are_bounded() {
         "1 + (",
     ] {
         let heap = sign.repeat(200_000);
-        assert!(parse_text(&heap, &Limits::RUN_TIME).is_err());
+        assert!(parse_text(&heap, &SizeLimits::RUN_TIME).is_err());
         let inside = format!("struct S {{ masses: {{ a: {heap} 1");
-        assert!(parse_text(&inside, &Limits::RUN_TIME).is_err());
+        assert!(parse_text(&inside, &SizeLimits::RUN_TIME).is_err());
     }
 }

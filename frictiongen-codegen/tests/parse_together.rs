@@ -7,11 +7,11 @@
     reason = "a test may fail"
 )]
 
-use frictiongen_codegen::{Failure, Limits, parse_text, parse_tokens};
+use frictiongen_codegen::{MacroErrors, SizeLimits, parse_text, parse_tokens};
 use frictiongen_model::scene::Precision;
 
 fn errors(text: &str) -> Vec<String> {
-    let diagnostics = parse_text(text, &Limits::MACRO).expect_err("the text is faulty");
+    let diagnostics = parse_text(text, &SizeLimits::MACRO).expect_err("the text is faulty");
     // `Display` prints the list, one error in a line.
     let printed: Vec<_> = diagnostics.to_string().lines().map(str::to_owned).collect();
     let listed: Vec<_> = diagnostics.list.iter().map(ToString::to_string).collect();
@@ -19,9 +19,9 @@ fn errors(text: &str) -> Vec<String> {
     printed
 }
 
-fn failure(text: &str) -> Failure {
+fn failure(text: &str) -> MacroErrors {
     let tokens = text.parse().expect("the text is made of tokens");
-    parse_tokens(tokens, &Limits::MACRO).expect_err("the text is faulty")
+    parse_tokens(tokens, &SizeLimits::MACRO).expect_err("the text is faulty")
 }
 
 const FAULTY: &str = "struct Frame {
@@ -196,7 +196,7 @@ fn groups_without_brackets_are_read_as_a_macro_means_them() {
             excitation: #name,
         }
     };
-    let description = parse_tokens(tokens, &Limits::MACRO).expect("the tokens are sound");
+    let description = parse_tokens(tokens, &SizeLimits::MACRO).expect("the tokens are sound");
     assert_eq!(description.scene.masses[0].value, 6.0);
     assert_eq!(description.scene.springs[0].stiffness, 5.0);
     let visibility: syn::Visibility = syn::parse2(description.visibility).expect("a visibility");

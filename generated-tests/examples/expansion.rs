@@ -2,7 +2,7 @@
 //! for 1 to 10 masses. `scripts/expansion-times` builds this program without optimisation, as a user's build builds
 //! the macro.
 
-use frictiongen_codegen::{Limits, SceneTables, emit, parse_text};
+use frictiongen_codegen::{SceneTables, SizeLimits, emit, parse_text};
 use frictiongen_model::modal::Modal;
 use frictiongen_model::table::Tables;
 use std::fmt::Write;
@@ -35,7 +35,7 @@ fn main() {
         for masses in [1, 8, 64] {
             let text = scene(masses, damping);
             let clock = Instant::now();
-            let description = parse_text(&text, &Limits::MACRO).expect("a valid scene");
+            let description = parse_text(&text, &SizeLimits::MACRO).expect("a valid scene");
             let parsed = clock.elapsed();
             let tokens = emit(&description).to_string().len();
             println!(
@@ -66,7 +66,7 @@ fn tabled(masses: usize, damping: &str, provide: &str) -> String {
 fn told_with_stuck(masses: usize, damping: &str) {
     let text = tabled(masses, damping, "limits, stuck");
     let clock = Instant::now();
-    let description = parse_text(&text, &Limits::MACRO).expect("a valid scene");
+    let description = parse_text(&text, &SizeLimits::MACRO).expect("a valid scene");
     let tokens = emit(&description).to_string().len();
     println!(
         "{masses:3} masses, damping {damping:11}, limits and stuck responses to 1e-4: {:8.1?}, {} kB of tokens",
@@ -78,7 +78,7 @@ fn told_with_stuck(masses: usize, damping: &str) {
 fn limits_and_proof(masses: usize, damping: &str) {
     let text = tabled(masses, damping, "limits");
     let clock = Instant::now();
-    let description = parse_text(&text, &Limits::MACRO).expect("a valid scene");
+    let description = parse_text(&text, &SizeLimits::MACRO).expect("a valid scene");
     let told = clock.elapsed();
     let Some(SceneTables::Double(tables)) = &description.tables else {
         return;
@@ -99,7 +99,7 @@ fn limits_and_proof(masses: usize, damping: &str) {
 fn proven_whole(masses: usize, damping: &str) {
     let text = tabled(masses, damping, "limits").replace("2.5 }", "2.5 }, proof: whole");
     let clock = Instant::now();
-    let description = parse_text(&text, &Limits::MACRO).expect("a valid scene");
+    let description = parse_text(&text, &SizeLimits::MACRO).expect("a valid scene");
     let told = clock.elapsed();
     let Some(SceneTables::Double(tables)) = &description.tables else {
         return;

@@ -1,7 +1,7 @@
 //! Writes a crate that compares straight-line code with loops over the modes ("passes"). `scripts/passes-trial` runs
 //! this program.
 
-use frictiongen_codegen::{Limits, emit_in_passes, formatted, parse_text};
+use frictiongen_codegen::{SizeLimits, emit_in_passes, formatted, parse_text};
 use std::fmt::Write;
 use std::path::PathBuf;
 
@@ -48,7 +48,7 @@ fn main() {
             for (way, passes_from) in [("Lines", usize::MAX), ("Passes", 1)] {
                 let name = format!("{kind}{masses}{way}");
                 let text = scene(&name, masses, damping);
-                let description = parse_text(&text, &Limits::MACRO).expect("a valid scene");
+                let description = parse_text(&text, &SizeLimits::MACRO).expect("a valid scene");
                 let emitted = formatted(emit_in_passes(&description, passes_from)).expect("Rust");
                 write!(source, "mod {} {{\n{emitted}\n}}\n", name.to_lowercase())
                     .expect("a string");

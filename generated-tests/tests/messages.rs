@@ -21,7 +21,7 @@ mod sources;
 
 use case::{Case, Door, cases};
 use frictiongen::System;
-use frictiongen_codegen::{Limits, expand, parse_text};
+use frictiongen_codegen::{SizeLimits, expand, parse_text};
 use frictiongen_model::scene::{
     Contact, Damping, Declared, Excitation, FrictionLaw, Mass, Node, Precision, Provide, Scene,
     Spring, Stepping,
@@ -35,19 +35,19 @@ use std::path::Path;
 fn of_a_text() {
     for case in cases() {
         if case.door.takes_text() {
-            let told = parse_text(&case.faulty, &Limits::MACRO)
+            let told = parse_text(&case.faulty, &SizeLimits::MACRO)
                 .expect_err(&case.name)
                 .to_string();
             assert_eq!(told, case.told.join("\n"), "{}", case.name);
         } else if case.door == Door::Macro {
             // The macro must refuse the faulty text too. It reads texts with its own limits.
-            parse_text(&case.faulty, &Limits::MACRO).expect_err(&case.name);
+            parse_text(&case.faulty, &SizeLimits::MACRO).expect_err(&case.name);
         }
         if case.door.is_description() {
             // The cure may be a scene with several contacts for a `System` at run time, of which the macro emits less.
-            let limits = Limits {
+            let limits = SizeLimits {
                 joints: true,
-                ..Limits::MACRO
+                ..SizeLimits::MACRO
             };
             parse_text(&case.cured, &limits)
                 .unwrap_or_else(|told| panic!("the cure of {} is none:\n{told}", case.name));

@@ -3,14 +3,14 @@
 #[path = "snapshots/wrong_digits.rs"]
 mod wrong_digits;
 
-use frictiongen_codegen::{Limits, parse_text, pretty};
+use frictiongen_codegen::{SizeLimits, parse_text, pretty};
 use generated_tests::shown::SCENES;
 
 #[test]
 fn emitted_source() {
     assert!(SCENES.len() >= 12);
     for (name, text) in SCENES {
-        let description = parse_text(text, &Limits::MACRO).expect("a valid scene");
+        let description = parse_text(text, &SizeLimits::MACRO).expect("a valid scene");
         let source = pretty(&description).expect("emitted Rust");
         // The snapshots are Rust files, so that a review page highlights them.
         insta::with_settings!({ description => *text, omit_expression => true }, {
@@ -71,7 +71,7 @@ const TABLED: [(&str, &str); 3] = [
 #[test]
 fn emitted_tables() {
     for (name, text) in TABLED {
-        let description = parse_text(text, &Limits::MACRO).expect("a valid scene");
+        let description = parse_text(text, &SizeLimits::MACRO).expect("a valid scene");
         let source = pretty(&description).expect("emitted Rust");
         insta::with_settings!({ description => text, omit_expression => true }, {
             insta::assert_binary_snapshot!(&format!("{name}.rs"), source.into_bytes());
@@ -100,7 +100,7 @@ const JOINED: (&str, &str) = (
 #[test]
 fn emitted_source_of_several_contacts() {
     let (name, text) = JOINED;
-    let description = parse_text(text, &Limits::MACRO).expect("a valid scene");
+    let description = parse_text(text, &SizeLimits::MACRO).expect("a valid scene");
     let source = pretty(&description).expect("emitted Rust");
     insta::with_settings!({ description => text, omit_expression => true }, {
         insta::assert_binary_snapshot!(&format!("{name}.rs"), source.into_bytes());
@@ -112,7 +112,7 @@ fn emitted_source_of_several_contacts() {
 fn emission_is_deterministic() {
     for (_, text) in SCENES {
         let read = |text: &str| {
-            let description = parse_text(text, &Limits::MACRO).expect("a valid scene");
+            let description = parse_text(text, &SizeLimits::MACRO).expect("a valid scene");
             let source = pretty(&description).expect("emitted Rust");
             let (before, rest) = source.split_once("/// ```text\n").expect("a description");
             let (_, after) = rest.split_once("/// ```\n").expect("an end");
@@ -133,7 +133,7 @@ fn specialised_away() {
             .iter()
             .find(|(name, _)| *name == wanted)
             .expect("a scene");
-        pretty(&parse_text(text, &Limits::MACRO).expect("a valid scene")).expect("emitted Rust")
+        pretty(&parse_text(text, &SizeLimits::MACRO).expect("a valid scene")).expect("emitted Rust")
     };
     for undamped in [
         "SdofWall",
@@ -176,7 +176,7 @@ fn local_names_are_shielded() {
     let shielded = include_str!("../../frictiongen-kernel/src/emitted/locals.rs");
     let shielded: Vec<&str> = shielded.split_whitespace().collect();
     for (name, text) in SCENES {
-        let source = pretty(&parse_text(text, &Limits::MACRO).expect("a valid scene"))
+        let source = pretty(&parse_text(text, &SizeLimits::MACRO).expect("a valid scene"))
             .expect("emitted Rust");
         let bindings = source
             .lines()

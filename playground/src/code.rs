@@ -1,14 +1,14 @@
 //! The Rust code that the macro emits.
 
 use crate::question::Question;
-use frictiongen_codegen::{Limits, parse_text, pretty};
+use frictiongen_codegen::{SizeLimits, parse_text, pretty};
 use serde_json::{Value, json};
 
 /// Returns the emitted code.
 pub fn answer(question: &Question) -> Result<Value, String> {
     // The page refuses long chains and long texts here too.
     question.system()?;
-    let description = parse_text(&question.text, &Limits::MACRO).map_err(|faults| {
+    let description = parse_text(&question.text, &SizeLimits::MACRO).map_err(|faults| {
         let lines = faults.list.into_iter();
         let lines: Vec<String> = lines.map(|fault| fault.to_string()).collect();
         lines.join("\n")

@@ -2,7 +2,7 @@
 
 use crate::methods::Method;
 use crate::scenes::Label;
-use frictiongen_codegen::{Limits, emit, parse_text};
+use frictiongen_codegen::{SizeLimits, emit, parse_text};
 
 /// Number of operations from r to both limits, without those of a search.
 #[derive(Clone, Copy, Debug, Default)]
@@ -28,7 +28,7 @@ pub fn of(label: &Label, method: Method) -> Option<Operations> {
     ) {
         return None;
     }
-    let description = parse_text(label.text, &Limits::MACRO).ok()?;
+    let description = parse_text(label.text, &SizeLimits::MACRO).ok()?;
     let code = emit(&description).to_string();
     let stage = list(&code, "functions").or_else(|| list(&code, "frequency_stage"))?;
     if method == Method::WithoutSearch {

@@ -1,6 +1,6 @@
 //! Shows how a change of the scene, or of frictiongen, changes a user's solver: see docs/snapshots.md.
 
-use frictiongen_codegen::{Limits, parse_text, pretty};
+use frictiongen_codegen::{SizeLimits, parse_text, pretty};
 use snapshots::{Mount, transmissibility};
 use std::fmt::Write;
 
@@ -8,7 +8,7 @@ use std::fmt::Write;
 #[test]
 fn emitted() {
     let text = include_str!("../scenes/mount.friction");
-    let description = parse_text(text, &Limits::MACRO).expect("the scene is sound");
+    let description = parse_text(text, &SizeLimits::MACRO).expect("the scene is sound");
     let source = pretty(&description).expect("Rust");
     insta::assert_binary_snapshot!("emitted.rs", source.into_bytes());
 }

@@ -7,7 +7,7 @@ use crate::args::CheckArguments;
 use crate::failure::Failure;
 use crate::progress;
 use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
-use frictiongen_codegen::{Diagnostic, Limits, parse_text, warnings};
+use frictiongen_codegen::{Diagnostic, SizeLimits, parse_text, warnings};
 use serde_json::{Value as Json, json};
 use std::io::Write;
 use std::ops::Range;
@@ -18,7 +18,7 @@ pub fn run(arguments: &CheckArguments, out: &mut dyn Write) -> Result<(), Failur
     let text = arguments.file.text()?;
     // The command rejects every description that the macro rejects. Scenes with several contacts or dashpots are the
     // exception: the command accepts all valid ones.
-    let description = parse_text(&text, &Limits::CHECK).map_err(|diagnostics| {
+    let description = parse_text(&text, &SizeLimits::CHECK).map_err(|diagnostics| {
         if arguments.json {
             let answer =
                 json!({ "file": name, "errors": listed(&diagnostics.list), "warnings": [] });

@@ -3,7 +3,7 @@
 use frictiongen::kernel::table::{Factor, Root};
 use frictiongen::study::scene::{Scene, Side};
 use frictiongen::study::table::{HeldForm, Product, Proof, Tables};
-use frictiongen_codegen::known::{Known, KnownMotion, Outcome};
+use frictiongen_codegen::known::{KnownAnswers, MotionAnswers, MotionKind};
 use frictiongen_codegen::standalone::{NOTICE, Source, UnitConstants, known_answers, scene_hash};
 use serde_json::{Value, json};
 
@@ -42,20 +42,20 @@ fn units<S: frictiongen::scalar::Float>(scene: &Scene) -> Value {
 /// Converts the known answers to JSON.
 fn known<S: frictiongen::scalar::Float>(source: &Source<'_, S>) -> Value {
     let (tolerance, all) = known_answers(source);
-    let motion = |motion: &KnownMotion| {
-        let answers = (motion.outcome == Outcome::Continuous).then_some(motion.contact);
+    let motion = |motion: &MotionAnswers| {
+        let answers = (motion.outcome == MotionKind::Continuous).then_some(motion.contact);
         json!({
             "beta": motion.beta,
             "regime": match motion.outcome {
-                Outcome::Continuous => "continuous",
-                Outcome::StickSlip => "stick-slip",
-                Outcome::Stuck => "stuck",
+                MotionKind::Continuous => "continuous",
+                MotionKind::StickSlip => "stick-slip",
+                MotionKind::Stuck => "stuck",
             },
             "amplitude": answers.map(|[amplitude, _]| amplitude),
             "phase": answers.map(|[_, phase]| phase),
         })
     };
-    let points = all.iter().map(|known: &Known| {
+    let points = all.iter().map(|known: &KnownAnswers| {
         let (force, masses) = known.stuck.split_last().unzip();
         json!({
             "r": known.r,

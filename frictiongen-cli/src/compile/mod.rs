@@ -16,15 +16,15 @@ use frictiongen::study::table::{Evidence, FINEST_PROVEN, Proof, ProofWork, Table
 use frictiongen_codegen::standalone::{
     Origin, Source, c_header, c_name, c_source, c_tables, c_tables_name, left_out, rust_source,
 };
-use frictiongen_codegen::{Limits, SceneTables};
+use frictiongen_codegen::{SceneTables, SizeLimits};
 use std::io::Write;
 use std::path::Path;
 
 /// Limits that the macro sets for a description, but without tables. The command builds the tables itself, according to
 /// its options.
-const LIMITS: Limits = Limits {
+const LIMITS: SizeLimits = SizeLimits {
     tables: false,
-    ..Limits::MACRO
+    ..SizeLimits::MACRO
 };
 
 /// Error message if the accuracy of the tables is missing.

@@ -23,7 +23,7 @@ use frictiongen::study::{
     curve::{Curve, CurveRequest, CurveStart},
     words,
 };
-use frictiongen_codegen::Limits;
+use frictiongen_codegen::SizeLimits;
 use report::CurveReport;
 use std::io::Write;
 use std::sync::Mutex;
@@ -47,7 +47,7 @@ pub fn run(arguments: &CurveArguments, out: &mut dyn Write) -> Result<(), Failur
         ));
     }
     let frictions = Frictions::parse(&arguments.point.friction, None)?;
-    let description = arguments.point.file.any(&Limits::RUN_TIME)?;
+    let description = arguments.point.file.any(&SizeLimits::RUN_TIME)?;
     if description.scene.is_joined() {
         joined::refused(&[
             (!orders.is_empty(), "--harmonics"),

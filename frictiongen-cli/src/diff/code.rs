@@ -1,7 +1,7 @@
 //! Differences of the code that the macro emits for two descriptions.
 
 use crate::emitted::functions;
-use frictiongen_codegen::{Description, Limits, SceneTables, parse_text, pretty};
+use frictiongen_codegen::{Description, SceneTables, SizeLimits, parse_text, pretty};
 use similar::{ChangeTag, TextDiff};
 
 /// Sizes of the emitted code of two descriptions (old, new), and its differences.
@@ -62,7 +62,7 @@ pub fn compare(old: &str, new: &str) -> Result<Code, String> {
 
 /// Returns the emitted source and the size of its tables in bytes.
 fn emitted(text: &str, which: &str) -> Result<(String, usize), String> {
-    let description = parse_text(text, &Limits::MACRO).map_err(|diagnostics| {
+    let description = parse_text(text, &SizeLimits::MACRO).map_err(|diagnostics| {
         let first = diagnostics.list.first();
         let first = first.map_or_else(String::new, |error| format!(": {}", error.message));
         format!("the macro refuses the {which} description{first}")

@@ -12,7 +12,7 @@ use answers::{Answers, Difference, FREQUENCIES};
 use code::Code;
 use frictiongen::System;
 use frictiongen::study::scene::{Accuracy, Precision, Scene};
-use frictiongen_codegen::{Limits, parse_text};
+use frictiongen_codegen::{SizeLimits, parse_text};
 use parameters::{DescriptionField, FieldChange};
 use serde_json::{Value as Json, json};
 use similar::TextDiff;
@@ -62,7 +62,7 @@ fn compare(names: [String; 2], texts: &[String; 2]) -> Result<Differences, Failu
     let mut errors = Vec::new();
     let mut systems = Vec::new();
     for (name, text) in names.iter().zip(texts) {
-        match parse_text(text, &Limits::RUN_TIME) {
+        match parse_text(text, &SizeLimits::RUN_TIME) {
             Err(diagnostics) => {
                 let list = diagnostics.list.iter();
                 errors.extend(list.map(|error| format!("{name}:{error}")));

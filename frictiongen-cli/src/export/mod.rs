@@ -22,7 +22,7 @@ use crate::progress;
 use face::ExportedItems;
 use frictiongen::study::scene::{Precision, Provide, Scene};
 use frictiongen_codegen::standalone::Origin;
-use frictiongen_codegen::{Description, Limits};
+use frictiongen_codegen::{Description, SizeLimits};
 use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -42,7 +42,7 @@ struct ExportRequest<'a> {
 /// Runs `frictiongen export`.
 pub fn run(arguments: &ExportArguments, _out: &mut dyn Write) -> Result<(), Failure> {
     // The command rejects every description that the macro rejects, because the exported crate calls the macro.
-    let (description, text) = arguments.file.exported(&Limits::MACRO)?;
+    let (description, text) = arguments.file.exported(&SizeLimits::MACRO)?;
     check_facade(&description)?;
     let prefix = names::prefix(&description.scene, arguments.name.as_deref())?;
     let library = arguments.library.as_deref().map(library).transpose()?;

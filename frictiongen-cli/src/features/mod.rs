@@ -18,7 +18,7 @@ use crate::output;
 use crate::summary::Summary;
 use frictiongen::study::columns::FeaturesAsked;
 use frictiongen::{Of, System};
-use frictiongen_codegen::Limits;
+use frictiongen_codegen::SizeLimits;
 use report::FeaturesReport;
 use std::io::Write;
 
@@ -47,7 +47,7 @@ pub fn run(arguments: &FeaturesArguments, out: &mut dyn Write) -> Result<(), Fai
             "at most {MOST_FRICTIONS} frictions are possible, because each has its own list"
         )));
     }
-    let description = arguments.file.constant_level(&Limits::RUN_TIME)?;
+    let description = arguments.file.constant_level(&SizeLimits::RUN_TIME)?;
     let system = System::try_from(description.scene).map_err(Failure::new)?;
     let frequency = FrequencyArguments {
         r: arguments.r.clone(),

@@ -21,7 +21,7 @@ use crate::progress::Progress;
 use crate::summary::Summary;
 use frictiongen::System;
 use frictiongen::study::map::MapRequest;
-use frictiongen_codegen::Limits;
+use frictiongen_codegen::SizeLimits;
 use points::{BoundaryReport, MapReport};
 use std::io::Write;
 use std::sync::Mutex;
@@ -44,7 +44,7 @@ pub fn run(arguments: &MapArguments, out: &mut dyn Write) -> Result<(), Failure>
         .transpose()?;
     let frequencies = Frequencies::parse(&arguments.point.frequency, false)?;
     let frictions = Frictions::of_map(&arguments.point.friction, &frequencies)?;
-    let description = arguments.point.file.any(&Limits::RUN_TIME)?;
+    let description = arguments.point.file.any(&SizeLimits::RUN_TIME)?;
     if description.scene.is_joined() {
         joined::refused(&[
             (digits.is_some(), "--boundaries"),

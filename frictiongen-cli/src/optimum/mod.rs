@@ -20,14 +20,14 @@ use frictiongen::study::columns::{Column, OptimumLine, OptimumTable, Setting, Tu
 use frictiongen::study::optimum::{
     FrequencyBand, Optimum, OptimumError, OptimumRequest, Tunable, TunedOptimum, Tuning,
 };
-use frictiongen_codegen::Limits;
+use frictiongen_codegen::SizeLimits;
 use std::io::Write;
 use std::sync::Mutex;
 use valued::QuantityArgument;
 
 /// Runs `frictiongen optimum`.
 pub fn run(arguments: &OptimumArguments, out: &mut dyn Write) -> Result<(), Failure> {
-    let description = arguments.file.any(&Limits::RUN_TIME)?;
+    let description = arguments.file.any(&SizeLimits::RUN_TIME)?;
     if description.scene.is_joined() {
         return joined::optimum(arguments, description.scene, out);
     }

@@ -13,7 +13,7 @@ use crate::measure;
 use crate::output;
 use crate::summary::Summary;
 use frictiongen::System;
-use frictiongen_codegen::Limits;
+use frictiongen_codegen::SizeLimits;
 use report::OrbitReport;
 use std::io::Write;
 
@@ -25,7 +25,7 @@ pub fn run(arguments: &OrbitArguments, out: &mut dyn Write) -> Result<(), Failur
         Some(highest) => (0..=highest).collect(),
         None => Vec::new(),
     };
-    let description = arguments.point.file.any(&Limits::RUN_TIME)?;
+    let description = arguments.point.file.any(&SizeLimits::RUN_TIME)?;
     if description.scene.is_joined() {
         joined::refused(&[(!orders.is_empty(), "--harmonics")])?;
         let asked = joined::Asked::of(&arguments.point, frequencies, frictions, &arguments.of);

@@ -16,7 +16,7 @@ use frictiongen::study::columns::{Column, PeriodicRow, PeriodicSample, PeriodicT
 use frictiongen::study::periodic::PeriodicRequest;
 use frictiongen::study::scene::{Excitation, Provide, StepInput};
 use frictiongen::{Of, System};
-use frictiongen_codegen::Limits;
+use frictiongen_codegen::SizeLimits;
 use std::io::Write;
 
 /// Runs `frictiongen periodic`.
@@ -88,7 +88,7 @@ fn scene(arguments: &PeriodicArguments) -> Result<System, Failure> {
     let file = FileArgument {
         file: Some(arguments.scene.clone()),
     };
-    let mut description = file.description(&Limits::RUN_TIME)?;
+    let mut description = file.description(&SizeLimits::RUN_TIME)?;
     if arguments.hold {
         description.scene.stepping.input = StepInput::Hold;
         // A description may set the input only if it provides a stepper.

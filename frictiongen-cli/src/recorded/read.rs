@@ -5,7 +5,7 @@ use crate::asked::number_that;
 use crate::failure::{Failure, reason};
 use frictiongen::System;
 use frictiongen::measure::{Column, CsvRequest, Inputs, MeasureError, Measured, Recording, Unit};
-use frictiongen_codegen::Limits;
+use frictiongen_codegen::SizeLimits;
 use std::fs;
 use std::path::Path;
 
@@ -14,7 +14,7 @@ pub fn scene(path: &Path) -> Result<System, Failure> {
     let file = FileArgument {
         file: Some(path.to_owned()),
     };
-    let description = file.description(&Limits::RUN_TIME)?;
+    let description = file.description(&SizeLimits::RUN_TIME)?;
     System::try_from(description.scene).map_err(Failure::new)
 }
 
@@ -24,7 +24,7 @@ pub fn any_scene(path: &Path) -> Result<System, Failure> {
     let file = FileArgument {
         file: Some(path.to_owned()),
     };
-    let description = file.maybe_joined(&Limits::RUN_TIME, false)?;
+    let description = file.maybe_joined(&SizeLimits::RUN_TIME, false)?;
     System::try_from(description.scene).map_err(Failure::new)
 }
 

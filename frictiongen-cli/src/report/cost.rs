@@ -7,7 +7,7 @@ use crate::emitted::{self, EmittedFunction};
 use frictiongen::System;
 use frictiongen::scalar::{Dd, Float};
 use frictiongen::study::scene::{Accuracy, Precision, Range, Scene};
-use frictiongen_codegen::{Limits, SceneTables, parse_text, pretty};
+use frictiongen_codegen::{SceneTables, SizeLimits, parse_text, pretty};
 use maud::{Markup, html};
 use serde_json::{Value as Json, json};
 
@@ -234,7 +234,7 @@ fn bounds(asked: &ReportRequest) -> Option<SolverBounds> {
 
 /// Returns the emitted functions whose documentation states a number of operations.
 fn functions(text: &str) -> Result<Vec<EmittedFunction>, String> {
-    let description = parse_text(text, &Limits::CHECK).map_err(|_| {
+    let description = parse_text(text, &SizeLimits::CHECK).map_err(|_| {
         "The macro does not accept this description; “frictiongen check” lists the errors."
             .to_owned()
     })?;

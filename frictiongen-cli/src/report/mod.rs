@@ -22,7 +22,7 @@ use crate::interrupt;
 use crate::play;
 use asked::ReportRequest;
 use frictiongen::System;
-use frictiongen_codegen::{Limits, parse_text};
+use frictiongen_codegen::{SizeLimits, parse_text};
 use page::ReportPage;
 use std::io::Write;
 
@@ -40,7 +40,7 @@ pub fn run(arguments: &ReportArguments, out: &mut dyn Write) -> Result<(), Failu
     };
     let name = arguments.file.name();
     let text = arguments.file.text()?;
-    let description = parse_text(&text, &Limits::RUN_TIME).map_err(|diagnostics| {
+    let description = parse_text(&text, &SizeLimits::RUN_TIME).map_err(|diagnostics| {
         let lines = diagnostics.list.into_iter();
         Failure::Lines(lines.map(|line| format!("{name}:{line}")).collect())
     })?;

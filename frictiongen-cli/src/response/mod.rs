@@ -13,7 +13,7 @@ use crate::measure;
 use crate::output;
 use crate::summary::Summary;
 use frictiongen::System;
-use frictiongen_codegen::Limits;
+use frictiongen_codegen::SizeLimits;
 use report::ResponseReport;
 use std::io::Write;
 
@@ -25,7 +25,7 @@ pub fn run(arguments: &ResponseArguments, out: &mut dyn Write) -> Result<(), Fai
         Some(highest) => (1..=highest).step_by(2).collect(),
         None => Vec::new(),
     };
-    let description = arguments.point.file.any(&Limits::RUN_TIME)?;
+    let description = arguments.point.file.any(&SizeLimits::RUN_TIME)?;
     if description.scene.is_joined() {
         joined::refused(&[(!orders.is_empty(), "--harmonics")])?;
         let asked = joined::Asked::of(&arguments.point, frequencies, frictions, &arguments.of);

@@ -24,7 +24,7 @@ use asked::{TimeRequest, start};
 use course::RunSettings;
 use frictiongen::System;
 use frictiongen::study::scene::FrictionLaw;
-use frictiongen_codegen::Limits;
+use frictiongen_codegen::SizeLimits;
 use motion::RunMotion;
 use samples::{EventsReport, SamplesReport};
 use spectrum::{SpectrumReport, spectra};
@@ -43,7 +43,7 @@ pub fn run(arguments: &TimeArguments, out: &mut dyn Write) -> Result<(), Failure
     let frequencies = Frequencies::parse(&arguments.point.frequency, true)?;
     let frictions = Frictions::parse(&arguments.point.friction, Some(&frequencies))?;
     let file = &arguments.point.file;
-    let description = file.maybe_joined(&Limits::RUN_TIME, arguments.steady)?;
+    let description = file.maybe_joined(&SizeLimits::RUN_TIME, arguments.steady)?;
     if description.scene.is_joined() {
         joined::refused(&[(arguments.spectrum, "--spectrum")])?;
         let point = joined::Asked::of(&arguments.point, frequencies, frictions, &arguments.of);

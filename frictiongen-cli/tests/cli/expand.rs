@@ -13,7 +13,7 @@ fn temporary(name: &str) -> PathBuf {
 fn prints_the_library_s_own_text() {
     let text = output("", &["expand", FRAME]);
     let source = fs::read_to_string(FRAME).unwrap();
-    let limits = frictiongen_codegen::Limits::MACRO;
+    let limits = frictiongen_codegen::SizeLimits::MACRO;
     let description = frictiongen_codegen::parse_text(&source, &limits).unwrap();
     let code = frictiongen_codegen::pretty(&description).unwrap();
     let (head, rest) = text.split_once("\n\n").unwrap();

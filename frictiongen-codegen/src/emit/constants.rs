@@ -1,7 +1,7 @@
 //! Emits the scene's type and all constants that do not depend on the frequency.
 
 use super::about;
-use super::emission::{Checked, Emission, Part, rounded};
+use super::emission::{Checked, Emission, EmittedCode, rounded};
 use super::fields::fields;
 use super::names::TypeNames;
 use super::units;
@@ -9,7 +9,7 @@ use frictiongen_kernel::modal_sum::search::MAX_EVALUATIONS;
 use frictiongen_kernel::oscillator::mode::{Kind, Mode};
 use proc_macro2::{Literal, TokenStream};
 
-pub(super) fn emit(emission: &Emission<'_>) -> Part {
+pub(super) fn emit(emission: &Emission<'_>) -> EmittedCode {
     let Emission {
         description,
         scene,
@@ -94,11 +94,11 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
 
             #conversions
     };
-    let mut part = Part {
+    let mut part = EmittedCode {
         types,
         associated,
         constants,
-        ..Part::default()
+        ..EmittedCode::default()
     };
     if scene.needs_frequency() {
         part.join(at_frequency(emission));
@@ -107,7 +107,7 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
 }
 
 /// Emits the constants of the frequency stage and the constructor `at`.
-fn at_frequency(emission: &Emission<'_>) -> Part {
+fn at_frequency(emission: &Emission<'_>) -> EmittedCode {
     let Emission {
         scene,
         scalar,
@@ -207,11 +207,11 @@ fn at_frequency(emission: &Emission<'_>) -> Part {
         /// The trait `FrictionSystem`, by which generic code calls any scene.
         #facade::emitted_system!(#name, #at, #scalar, [#(#names),*]);
     };
-    Part {
+    EmittedCode {
         associated,
         items,
         constants,
-        ..Part::default()
+        ..EmittedCode::default()
     }
 }
 

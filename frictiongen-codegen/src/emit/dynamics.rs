@@ -11,7 +11,7 @@ use frictiongen_model::transient::Transient;
 use proc_macro2::{Literal, TokenStream};
 
 /// Emitted constants of the time-domain solvers, with the sizes of their arrays.
-pub(super) struct Constants {
+pub(super) struct DynamicsConstants {
     pub associated: TokenStream,
     /// Number of scalars in a state of a steady motion: two for each mode that the contact drives, and the force of an
     /// elastic contact.
@@ -24,7 +24,7 @@ pub(super) struct Constants {
     pub sum: u32,
 }
 
-pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> Constants {
+pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> DynamicsConstants {
     let Emission {
         scene,
         modal,
@@ -110,7 +110,7 @@ pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> Constants {
     // because its spring can still deform.
     let lost = if elastic { 0 } else { LOST_MODES };
     let driven = transient.held.len() + lost;
-    Constants {
+    DynamicsConstants {
         associated,
         state: 2 * driven + usize::from(elastic),
         held: transient.held.len(),

@@ -1,4 +1,4 @@
-//! Defines `Emission`, the data that all emitted items share, and `Part`, the code that one file of this folder
+//! Defines `Emission`, the data that all emitted items share, and `EmittedCode`, the code that one file of this folder
 //! emits.
 
 use super::names::{TypeNames, local};
@@ -277,7 +277,7 @@ pub(super) fn rounded(value: Dd, precision: Precision) -> f64 {
 
 /// Code that one file of this folder emits.
 #[derive(Default)]
-pub(super) struct Part {
+pub(super) struct EmittedCode {
     /// Types in the user's module.
     pub types: TokenStream,
     /// Items in the single `impl` of the scene's type.
@@ -317,7 +317,7 @@ impl Checked {
     }
 }
 
-impl Part {
+impl EmittedCode {
     pub fn join(&mut self, other: Self) {
         self.types.extend(other.types);
         self.associated.extend(other.associated);

@@ -4,7 +4,7 @@ use super::emission::Emission;
 use super::mode;
 use super::names::{field, local};
 use super::trace::{Tracer, contact_outputs, mode_outputs, symbolic_sum};
-use crate::graph::count::Count;
+use crate::graph::count::OperationCount;
 use crate::graph::{Expr, Operand};
 use frictiongen_kernel::contact::quadrature::Quadrature;
 use frictiongen_kernel::contact::sums::Chain;
@@ -101,7 +101,7 @@ const FROM_BASE: [&str; 3] = [
 
 /// Returns the documentation line with the number of operations of a function. The line does not count operations
 /// whose operands are all constants.
-pub(super) fn operations_about(operations: &Count) -> String {
+pub(super) fn operations_about(operations: &OperationCount) -> String {
     format!(" Operations: {operations}.")
 }
 
@@ -115,7 +115,7 @@ const TAKEN: [&str; 3] = ["inverse_r", "contact", "modes"];
 
 /// Emits the frequency stage of a scene with one mode. The common scale E of the modes is then the `size` of this
 /// mode.
-fn single(emission: &Emission<'_>) -> (TokenStream, Count) {
+fn single(emission: &Emission<'_>) -> (TokenStream, OperationCount) {
     let graph = emission.graph(1);
     let tracer = Tracer::over_constants(&graph, &emission.modal, emission.precision);
     let with_g = |g| graph.where_asked(mode::WITH_G, g);
@@ -141,7 +141,7 @@ fn single(emission: &Emission<'_>) -> (TokenStream, Count) {
 
 /// Emits the frequency stage of a scene with several modes as straight-line code: the response of each mode at r,
 /// then the sums V, H, U, G and H_c over the modes.
-fn straight(emission: &Emission<'_>) -> (TokenStream, Count) {
+fn straight(emission: &Emission<'_>) -> (TokenStream, OperationCount) {
     let graph = emission.graph(emission.modes());
     let tracer = Tracer::over_constants(&graph, &emission.modal, emission.precision);
     if emission.in_sums() && emission.reduced.quadratures.is_empty() {
@@ -172,12 +172,12 @@ fn straight(emission: &Emission<'_>) -> (TokenStream, Count) {
 
 /// Emits the response of each mode at r, then for each mode a call of the kernel function that adds the mode to the
 /// sums V, H, U, G and H_c. The compiler inlines these calls, so the compiled code is that of straight-line code.
-fn summed(emission: &Emission<'_>) -> (TokenStream, Count) {
+fn summed(emission: &Emission<'_>) -> (TokenStream, OperationCount) {
     let (calls, blocks, count) = blocks(emission);
     let graph = emission.graph(emission.modes());
     let tracer = Tracer::over_constants(&graph, &emission.modal, emission.precision);
     let outputs = contact_outputs(&tracer.joined());
-    let count = count.and(&Count::of(&graph, &outputs));
+    let count = count.and(&OperationCount::of(&graph, &outputs));
     let with_g = if emission.damped() {
         code!(WITH_G)
     } else {
@@ -213,8 +213,8 @@ fn summed(emission: &Emission<'_>) -> (TokenStream, Count) {
 
 /// Emits the response of each mode at r, the common scale E, and each response multiplied by E for the sums over the
 /// modes.
-fn blocks(emission: &Emission<'_>) -> (TokenStream, TokenStream, Count) {
-    let mut count = Count::default();
+fn blocks(emission: &Emission<'_>) -> (TokenStream, TokenStream, OperationCount) {
+    let mut count = OperationCount::default();
     let (mut calls, mut body) = (TokenStream::new(), TokenStream::new());
     let names = emission.mode_names();
     for (index, name) in names.iter().enumerate() {
@@ -232,7 +232,7 @@ fn blocks(emission: &Emission<'_>) -> (TokenStream, TokenStream, Count) {
     let constants = &tracer.reduced.modes;
     let sizes = responses.iter().map(|response| response.size);
     let scale = Chain::scale(constants.iter().zip(sizes));
-    count = count.and(&Count::of(&graph, &[scale.operand()]));
+    count = count.and(&OperationCount::of(&graph, &[scale.operand()]));
     let in_contact = names.iter().zip(&emission.reduced.modes);
     let in_contact = in_contact.filter(|(_, mode)| mode.in_contact);
     let in_contact: Vec<&Ident> = in_contact.map(|(name, _)| name).collect();
@@ -250,7 +250,7 @@ fn blocks(emission: &Emission<'_>) -> (TokenStream, TokenStream, Count) {
         let modes = [#(Self::CHAIN.at_scale(&#names, scale)),*];
     });
     let scaled = chain.scaled(&tracer.response("mode"), graph.input("scale"), false, 0);
-    let operations = Count::of(&graph, &mode_outputs(&scaled)).times(names.len());
+    let operations = OperationCount::of(&graph, &mode_outputs(&scaled)).times(names.len());
     count = count.and(&operations);
     let at_names = (1..=names.len()).map(|mode| local(&format!("at_{mode}")));
     body.extend(code!(let [#(#at_names),*] = &modes;));
@@ -284,7 +284,7 @@ fn mode_structure(outputs: &[TokenStream]) -> TokenStream {
 }
 
 /// Emits the frequency stage as two loops over the array of modes. The body of each loop is the formula of one mode.
-fn passes(emission: &Emission<'_>, kind: Kind) -> (TokenStream, Count) {
+fn passes(emission: &Emission<'_>, kind: Kind) -> (TokenStream, OperationCount) {
     let Emission {
         precision, scalar, ..
     } = emission;
@@ -296,7 +296,7 @@ fn passes(emission: &Emission<'_>, kind: Kind) -> (TokenStream, Count) {
     let symbolic = mode::symbolic(&graph, kind);
 
     let first = symbolic.response(graph.input("inverse_r"), 0);
-    let first_count = Count::of(&graph, &mode::outputs(&first));
+    let first_count = OperationCount::of(&graph, &mode::outputs(&first));
     let function = mode::function_of(kind, &code!(true));
     let every_mode = emission.reduced.modes.iter().all(|mode| mode.in_contact);
     let smallest = code!(scale = Scalar::min(scale, response.size););
@@ -354,7 +354,7 @@ fn passes(emission: &Emission<'_>, kind: Kind) -> (TokenStream, Count) {
     let (at, sums) = second.outputs.split_at(5);
     let at = mode_structure(at);
     let [v_re, v_im, u, g, reversal, h_re, h_im] = sums else {
-        return (TokenStream::new(), Count::default());
+        return (TokenStream::new(), OperationCount::default());
     };
     let imaginary = damped.then(|| {
         code! {

@@ -1,7 +1,7 @@
 //! Emits the tables and functions that compute the stuck responses of a scene with a declared accuracy.
 
 use super::checksum;
-use super::emission::{Checked, Emission, Part};
+use super::emission::{Checked, Emission, EmittedCode};
 use super::names::TypeNames;
 use super::table::{counted, factors, quotient_over};
 use crate::lower::SceneTables;
@@ -14,15 +14,15 @@ use quote::format_ident;
 
 /// Emits the stuck responses, in the form of products of factors, as constants, and the functions that evaluate the
 /// products. Emits nothing for a scene without a declared accuracy.
-pub(super) fn emit(emission: &Emission<'_>) -> Part {
+pub(super) fn emit(emission: &Emission<'_>) -> EmittedCode {
     match &emission.description.tables {
-        None => Part::default(),
+        None => EmittedCode::default(),
         Some(SceneTables::Double(tables)) => tabled(emission, tables),
         Some(SceneTables::Single(tables)) => tabled(emission, tables),
     }
 }
 
-fn tabled<S: Float + Listed<S>>(emission: &Emission<'_>, tables: &Tables<S>) -> Part {
+fn tabled<S: Float + Listed<S>>(emission: &Emission<'_>, tables: &Tables<S>) -> EmittedCode {
     let Emission {
         scalar,
         names: TypeNames { name, stuck, .. },
@@ -36,9 +36,9 @@ fn tabled<S: Float + Listed<S>>(emission: &Emission<'_>, tables: &Tables<S>) -> 
                 type Sticking = #stuck;
             }
         };
-        return Part {
+        return EmittedCode {
             items,
-            ..Part::default()
+            ..EmittedCode::default()
         };
     };
     let poles = Poles::of(held);
@@ -112,11 +112,11 @@ fn tabled<S: Float + Listed<S>>(emission: &Emission<'_>, tables: &Tables<S>) -> 
             }
         }
     };
-    Part {
+    EmittedCode {
         items,
         tables,
         constants,
-        ..Part::default()
+        ..EmittedCode::default()
     }
 }
 

@@ -4,7 +4,7 @@ use super::emission::Emission;
 use super::frequency::operations_about;
 use super::trace::Tracer;
 use crate::graph::Expr;
-use crate::graph::count::Count;
+use crate::graph::count::OperationCount;
 use crate::graph::print::Printed;
 use proc_macro2::TokenStream;
 
@@ -41,7 +41,10 @@ pub(super) fn formulas(emission: &Emission<'_>) -> TokenStream {
     let is_one =
         reduced.quadratures.is_empty() && reduced.chain.sliding_limit_is_one(&reduced.modes);
     let (given, (sliding, sliding_count)) = if is_one {
-        (code!(_), (code!(1.0), operations_about(&Count::default())))
+        (
+            code!(_),
+            (code!(1.0), operations_about(&OperationCount::default())),
+        )
     } else {
         (code!(contact), formula(chain.sliding_limit(&contact)))
     };

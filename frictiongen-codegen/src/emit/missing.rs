@@ -1,11 +1,11 @@
 //! Emits placeholder methods for everything that the scene does not provide. A call does not compile, and the compiler
 //! message says what to add to `provide`.
 
-use super::emission::{Emission, Part, Wanted};
+use super::emission::{Emission, EmittedCode, Wanted};
 use super::names::TypeNames;
 use proc_macro2::{Ident, TokenStream};
 
-pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> Part {
+pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> EmittedCode {
     let Emission {
         facade,
         names: TypeNames {
@@ -57,8 +57,8 @@ pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> Part {
             });
         }
     }
-    Part {
+    EmittedCode {
         items,
-        ..Part::default()
+        ..EmittedCode::default()
     }
 }

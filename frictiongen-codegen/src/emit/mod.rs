@@ -33,7 +33,7 @@ mod trace;
 mod units;
 
 use crate::Description;
-use emission::{Checked, Emission, Part};
+use emission::{Checked, Emission, EmittedCode};
 use names::TypeNames;
 use proc_macro2::{Ident, TokenStream};
 use quote::format_ident;
@@ -147,19 +147,19 @@ fn pi(items: &TokenStream, scalar: &TokenStream) -> TokenStream {
 }
 
 /// Emitted code of one group of methods, with the names of its types.
-struct Group {
+struct MethodGroup {
     types: Vec<Ident>,
-    part: Part,
+    part: EmittedCode,
 }
 
 /// Returns the groups of methods that the scene provides, in the order of the emitted code.
-fn groups(emission: &Emission<'_>) -> Vec<Group> {
+fn groups(emission: &Emission<'_>) -> Vec<MethodGroup> {
     let wanted = emission.wanted();
     let names = &emission.names;
     let mut groups = Vec::new();
-    let mut add = |types: &[&Ident], part: Part| {
+    let mut add = |types: &[&Ident], part: EmittedCode| {
         let types = types.iter().copied().cloned().collect();
-        groups.push(Group { types, part });
+        groups.push(MethodGroup { types, part });
     };
     add(&[&names.name], constants::emit(emission));
     if emission.scene.needs_frequency() {
@@ -176,14 +176,14 @@ fn groups(emission: &Emission<'_>) -> Vec<Group> {
     }
     if wanted.simulation || wanted.orbit || wanted.stepper {
         let dynamics = dynamics::emit(emission, &wanted);
-        let constants = Part {
+        let constants = EmittedCode {
             associated: dynamics.associated.clone(),
             constants: vec![Checked::of_sum(
                 "DYNAMICS",
                 code!(&Self::DYNAMICS),
                 dynamics.sum,
             )],
-            ..Part::default()
+            ..EmittedCode::default()
         };
         add(&[], constants);
         if wanted.simulation {
@@ -206,7 +206,7 @@ fn groups(emission: &Emission<'_>) -> Vec<Group> {
         let constants = groups.iter().flat_map(|group| &group.part.constants);
         let constants: Vec<&Checked> = constants.collect();
         let part = self_check::emit(emission, &wanted, &constants);
-        groups.push(Group {
+        groups.push(MethodGroup {
             types: Vec::new(),
             part,
         });
@@ -215,12 +215,12 @@ fn groups(emission: &Emission<'_>) -> Vec<Group> {
 }
 
 /// Returns the names of the types of all groups.
-fn types_of(groups: &[Group]) -> impl Iterator<Item = &Ident> {
+fn types_of(groups: &[MethodGroup]) -> impl Iterator<Item = &Ident> {
     groups.iter().flat_map(|group| &group.types)
 }
 
 /// Returns all emitted code: the types, then the hidden items.
-fn joined(emission: &Emission<'_>, groups: &[Group]) -> (TokenStream, TokenStream) {
+fn joined(emission: &Emission<'_>, groups: &[MethodGroup]) -> (TokenStream, TokenStream) {
     let parts = || groups.iter().map(|group| &group.part);
     let types = parts().map(|part| part.types.clone()).collect();
     let associated = parts().map(|part| &part.associated);

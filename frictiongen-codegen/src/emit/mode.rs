@@ -5,7 +5,7 @@ use super::emission::Emission;
 use super::frequency::operations_about;
 use super::names::{field, local};
 use super::trace::Tracer;
-use crate::graph::count::Count;
+use crate::graph::count::OperationCount;
 use crate::graph::{Expr, Graph, Operand};
 use frictiongen_kernel::oscillator::mode::{Kind, Mode, ModeResponse};
 use proc_macro2::TokenStream;
@@ -100,18 +100,18 @@ pub(super) fn function_of(kind: Kind, with_g: &TokenStream) -> TokenStream {
 }
 
 /// Emits the call of the function for one mode. Also returns the number of operations of the call.
-pub(super) fn call(emission: &Emission<'_>, index: usize) -> (TokenStream, Count) {
+pub(super) fn call(emission: &Emission<'_>, index: usize) -> (TokenStream, OperationCount) {
     let Some(mode) = emission.reduced.modes.get(index) else {
-        return (TokenStream::new(), Count::default());
+        return (TokenStream::new(), OperationCount::default());
     };
     // The count uses the numbers of this mode, because operations on them fold where the function is inlined.
     let graph = emission.graph(1);
     let tracer = Tracer::over_constants(&graph, &emission.modal, emission.precision);
     let Some(constants) = tracer.reduced.modes.get(index) else {
-        return (TokenStream::new(), Count::default());
+        return (TokenStream::new(), OperationCount::default());
     };
     let response = constants.response(graph.input("inverse_r"), 0);
-    let count = Count::of(&graph, &outputs(&response));
+    let count = OperationCount::of(&graph, &outputs(&response));
     let function = function_of(mode.kind, &code!(WITH_G));
     let constants = local(&format!("constants_{}", index + 1));
     (code!(Self::#function(#constants, inverse_r)), count)

@@ -1,12 +1,12 @@
 //! Emits the code that computes the continuous motion of the contact and of the masses that the scene provides.
 
 use super::arm::{self, Arm};
-use super::emission::{Emission, Part};
+use super::emission::{Emission, EmittedCode};
 use super::frequency::operations_about;
 use super::names::{TypeNames, field, local};
 use super::trace::Tracer;
 use crate::graph::alternatives::{self, Alternative};
-use crate::graph::count::Count;
+use crate::graph::count::OperationCount;
 use crate::graph::print::Printed;
 use crate::graph::{Expr, Operand};
 use frictiongen_kernel::response::coefficients::{Fundamental, ModalCoefficients};
@@ -25,7 +25,7 @@ const TAKEN: [&str; 8] = [
 ];
 
 /// Emits the type of the motion, with a method for each mass.
-pub(super) fn emit(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> Part {
+pub(super) fn emit(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> EmittedCode {
     let Emission {
         description,
         facade,
@@ -109,10 +109,10 @@ pub(super) fn emit(emission: &Emission<'_>, masses: &[(usize, &Ident)]) -> Part 
             #(#methods)*
         }
     };
-    Part {
+    EmittedCode {
         types,
         items,
-        ..Part::default()
+        ..EmittedCode::default()
     }
 }
 
@@ -208,7 +208,7 @@ fn waves_about(emission: &Emission<'_>) -> String {
     )
 }
 
-fn of_contact(emission: &Emission<'_>, tracer: &Tracer<'_>) -> (TokenStream, Count) {
+fn of_contact(emission: &Emission<'_>, tracer: &Tracer<'_>) -> (TokenStream, OperationCount) {
     let contact = tracer.contact("contact");
     let friction = tracer.friction();
     let chain = &tracer.reduced.chain;
@@ -243,7 +243,7 @@ fn of_masses(
     emission: &Emission<'_>,
     tracer: &Tracer<'_>,
     masses: &[usize],
-) -> (TokenStream, Count) {
+) -> (TokenStream, OperationCount) {
     let motions = masses.iter().map(|mass| {
         let coefficients = of_mass(tracer, *mass);
         let alternative = Alternative::of(tracer.graph, coefficients.outputs());

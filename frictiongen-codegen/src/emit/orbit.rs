@@ -1,11 +1,11 @@
 //! Emits the type of the steady state in any regime, with the code that computes it.
 
-use super::dynamics::{Constants, count};
-use super::emission::{Emission, Part};
+use super::dynamics::{DynamicsConstants, count};
+use super::emission::{Emission, EmittedCode};
 use super::names::TypeNames;
 use frictiongen_kernel::orbit::{MAX_STEPS, numbers_of};
 
-pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
+pub(super) fn emit(emission: &Emission<'_>, constants: &DynamicsConstants) -> EmittedCode {
     let Emission {
         description,
         scene,
@@ -88,9 +88,9 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
             #(#methods)*
         }
     };
-    Part {
+    EmittedCode {
         types,
         items,
-        ..Part::default()
+        ..EmittedCode::default()
     }
 }

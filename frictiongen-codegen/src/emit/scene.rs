@@ -1,11 +1,11 @@
 //! Emits the implementation of the kernel's trait `Scene`: constants and specialised formulas.
 
-use super::emission::{Checked, Emission, Part, Wanted};
+use super::emission::{Checked, Emission, EmittedCode, Wanted};
 use super::names::TypeNames;
 use super::{frequency, limits, mode, shapes};
 use proc_macro2::{Literal, TokenStream};
 
-pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> Part {
+pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> EmittedCode {
     let Emission {
         scalar,
         facade,
@@ -88,11 +88,11 @@ pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>) -> Part {
             #formulas
         }
     };
-    Part {
+    EmittedCode {
         associated,
         items,
         constants,
-        ..Part::default()
+        ..EmittedCode::default()
     }
 }
 

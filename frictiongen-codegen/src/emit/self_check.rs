@@ -1,9 +1,9 @@
 //! Emits the self-check: checksums of all constants, and known answers with the code that compares answers with them.
 
 use super::checksum;
-use super::emission::{Checked, Emission, Part, Wanted};
+use super::emission::{Checked, Emission, EmittedCode, Wanted};
 use super::fields::fields;
-use crate::known::{Known, Outcome, POINTS, Question, TAU, known};
+use crate::known::{AnswersRequest, KnownAnswers, MotionKind, POINTS, TAU, known};
 use crate::standalone;
 use frictiongen_kernel::emitted::check::{self, Listed};
 use frictiongen_kernel::number::dd::Dd;
@@ -32,7 +32,11 @@ pub(super) fn sum_of_rounded(numbers: &impl Listed<Dd>, precision: Precision) ->
 }
 
 /// Emits the function `self_check` and its known answers. `constants` has all other emitted constants.
-pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>, constants: &[&Checked]) -> Part {
+pub(super) fn emit(
+    emission: &Emission<'_>,
+    wanted: &Wanted<'_>,
+    constants: &[&Checked],
+) -> EmittedCode {
     let scalar = &emission.scalar;
     let at_frequency = emission.scene.needs_frequency();
     let (tolerance, all) = if at_frequency {
@@ -69,10 +73,10 @@ pub(super) fn emit(emission: &Emission<'_>, wanted: &Wanted<'_>, constants: &[&C
 
         #compared
     };
-    Part {
+    EmittedCode {
         associated,
         tables,
-        ..Part::default()
+        ..EmittedCode::default()
     }
 }
 
@@ -83,7 +87,7 @@ fn hexadecimal(sum: u32) -> TokenStream {
 
 /// Returns the largest allowed error of an answer, and the known answers with which the emitted code compares its
 /// answers.
-fn answers(emission: &Emission<'_>, wanted: &Wanted<'_>) -> (f64, Vec<Known>) {
+fn answers(emission: &Emission<'_>, wanted: &Wanted<'_>) -> (f64, Vec<KnownAnswers>) {
     use crate::lower::SceneTables;
     let scene = emission.scene;
     let (epsilon, largest) = match emission.precision {
@@ -107,7 +111,7 @@ fn answers(emission: &Emission<'_>, wanted: &Wanted<'_>) -> (f64, Vec<Known>) {
         }
     };
     let tolerance = accuracy + ROUNDINGS * epsilon;
-    let question = Question {
+    let question = AnswersRequest {
         precision: emission.precision,
         r,
         beta,
@@ -122,7 +126,7 @@ fn answers(emission: &Emission<'_>, wanted: &Wanted<'_>) -> (f64, Vec<Known>) {
 fn known_answers(
     emission: &Emission<'_>,
     wanted: &Wanted<'_>,
-    all: &[Known],
+    all: &[KnownAnswers],
 ) -> (TokenStream, Option<Checked>) {
     if all.is_empty() {
         return (TokenStream::new(), None);
@@ -165,7 +169,7 @@ fn sizes(emission: &Emission<'_>, wanted: &Wanted<'_>) -> [Literal; 2] {
 }
 
 /// Returns displacement and velocity of the provided masses.
-fn moving(wanted: &Wanted<'_>, known: &Known) -> Vec<[f64; 2]> {
+fn moving(wanted: &Wanted<'_>, known: &KnownAnswers) -> Vec<[f64; 2]> {
     let motion = known.motion.iter().flat_map(|motion| &motion.masses);
     let all: Vec<[f64; 2]> = motion.copied().collect();
     let masses = wanted.motion.iter().flatten();
@@ -176,7 +180,7 @@ fn moving(wanted: &Wanted<'_>, known: &Known) -> Vec<[f64; 2]> {
 
 /// Returns the numbers of a known answer as values of the scene's scalar type, in the order in which the kernel lists
 /// them.
-fn numbers(emission: &Emission<'_>, wanted: &Wanted<'_>, known: &Known) -> Vec<f64> {
+fn numbers(emission: &Emission<'_>, wanted: &Wanted<'_>, known: &KnownAnswers) -> Vec<f64> {
     let mut numbers = vec![known.r, known.continuous, known.sliding];
     if let Some(motion) = &known.motion {
         numbers.push(motion.beta);
@@ -188,7 +192,12 @@ fn numbers(emission: &Emission<'_>, wanted: &Wanted<'_>, known: &Known) -> Vec<f
     numbers.into_iter().map(round).collect()
 }
 
-fn row(emission: &Emission<'_>, wanted: &Wanted<'_>, known: &Known, first: bool) -> TokenStream {
+fn row(
+    emission: &Emission<'_>,
+    wanted: &Wanted<'_>,
+    known: &KnownAnswers,
+    first: bool,
+) -> TokenStream {
     let facade = emission.facade;
     let pairs = |pairs: &[[f64; 2]]| {
         let pairs = pairs.iter().map(|pair| emission.list(*pair));
@@ -197,9 +206,9 @@ fn row(emission: &Emission<'_>, wanted: &Wanted<'_>, known: &Known, first: bool)
     let motion = known.motion.as_ref().map(|motion| {
         let error = code!(#facade::NotContinuous);
         let error = match motion.outcome {
-            Outcome::Continuous => code!(None),
-            Outcome::StickSlip => code!(Some(#error::StickSlip)),
-            Outcome::Stuck => code!(Some(#error::Stuck)),
+            MotionKind::Continuous => code!(None),
+            MotionKind::StickSlip => code!(Some(#error::StickSlip)),
+            MotionKind::Stuck => code!(Some(#error::Stuck)),
         };
         let fields = fields(
             first,
@@ -304,7 +313,7 @@ fn compared(emission: &Emission<'_>, wanted: &Wanted<'_>, tolerance: f64) -> Tok
     }
 }
 
-fn about(all: &[Known], wanted: &Wanted<'_>) -> Vec<String> {
+fn about(all: &[KnownAnswers], wanted: &Wanted<'_>) -> Vec<String> {
     let mut about = vec![
         " Compares the checksums of all constants with those that the generator wrote, for example at power-up.".to_owned(),
     ];

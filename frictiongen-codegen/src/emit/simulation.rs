@@ -1,7 +1,7 @@
 //! Emits the type that simulates the exact motion in time, with its constructors.
 
-use super::dynamics::{Constants, count};
-use super::emission::{Checked, Emission, Part, rounded};
+use super::dynamics::{DynamicsConstants, count};
+use super::emission::{Checked, Emission, EmittedCode, rounded};
 use super::names::TypeNames;
 use frictiongen_kernel::number::dd::Dd;
 use frictiongen_kernel::simulation::{MAX_STEPS, MAX_STRETCHES};
@@ -9,7 +9,7 @@ use frictiongen_model::scene::FrictionLaw;
 use frictiongen_model::stepping::StepperSettings;
 use proc_macro2::{Literal, TokenStream};
 
-pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
+pub(super) fn emit(emission: &Emission<'_>, constants: &DynamicsConstants) -> EmittedCode {
     let Emission {
         description,
         scene,
@@ -98,12 +98,12 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
             }
         }
     };
-    Part {
+    EmittedCode {
         types,
         associated: starts,
         items,
         constants,
-        ..Part::default()
+        ..EmittedCode::default()
     }
 }
 

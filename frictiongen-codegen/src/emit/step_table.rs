@@ -85,7 +85,7 @@ fn table<const D: usize>(
     }
     modes.iter_mut().for_each(without_noise_of_mode);
     held.iter_mut().for_each(without_noise_of_held);
-    let write = Writer(emission);
+    let write = DdWriter(emission);
     let terms = match emission.precision {
         Precision::F64 => terms::<f64>(emission, step),
         Precision::F32 => terms::<f32>(emission, step),
@@ -198,9 +198,9 @@ fn terms<S: Float>(emission: &Emission<'_>, step: Dd) -> Option<u32> {
 }
 
 /// Writes double-double numbers in the scene's scalar type.
-struct Writer<'e>(&'e Emission<'e>);
+struct DdWriter<'e>(&'e Emission<'e>);
 
-impl Writer<'_> {
+impl DdWriter<'_> {
     fn number(&self, value: Dd) -> TokenStream {
         self.0.literal(rounded(value, self.0.precision))
     }

@@ -2,8 +2,8 @@
 
 use super::about::numbers_struct;
 use super::declared;
-use super::dynamics::{Constants, count};
-use super::emission::{Checked, Emission, Part, rounded};
+use super::dynamics::{DynamicsConstants, count};
+use super::emission::{Checked, Emission, EmittedCode, rounded};
 use super::fields::fields;
 use super::names::{TypeNames, local};
 use super::step_cost;
@@ -15,7 +15,7 @@ use frictiongen_model::stepping::StepperSettings;
 use frictiongen_model::transient::Transient;
 use proc_macro2::{Ident, Literal, TokenStream};
 
-pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
+pub(super) fn emit(emission: &Emission<'_>, constants: &DynamicsConstants) -> EmittedCode {
     let Emission {
         scene,
         modal,
@@ -154,7 +154,7 @@ pub(super) fn emit(emission: &Emission<'_>, constants: &Constants) -> Part {
             #facade::emitted_stepper!(declared #declared, #scalar, #on_base, [#(#loaded),*]);
         });
     }
-    Part {
+    EmittedCode {
         types,
         associated,
         items,

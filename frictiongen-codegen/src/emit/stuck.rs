@@ -1,7 +1,7 @@
 //! Emits the code that computes the response while the contact is stuck.
 
 use super::arm::{self, Arm};
-use super::emission::{Emission, Part};
+use super::emission::{Emission, EmittedCode};
 use super::frequency::operations_about;
 use super::names::TypeNames;
 use super::trace::Tracer;
@@ -11,7 +11,7 @@ use frictiongen_model::scene::Excitation;
 use proc_macro2::{Literal, TokenStream};
 
 /// Emits the type of the stuck response, with a method for each mass.
-pub(super) fn emit(emission: &Emission<'_>) -> Part {
+pub(super) fn emit(emission: &Emission<'_>) -> EmittedCode {
     let Emission {
         description,
         scalar,
@@ -99,10 +99,10 @@ pub(super) fn emit(emission: &Emission<'_>) -> Part {
             #(#methods)*
         }
     };
-    Part {
+    EmittedCode {
         types,
         items,
-        ..Part::default()
+        ..EmittedCode::default()
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::checksum;
 use super::domain::{checked, domain};
-use super::emission::{Emission, Part};
+use super::emission::{Emission, EmittedCode};
 use super::fields::fields;
 use super::names::TypeNames;
 use crate::lower::SceneTables;
@@ -17,15 +17,19 @@ use proc_macro2::{Literal, TokenStream};
 
 /// Emits the tables as constants and the functions that evaluate them. Emits nothing for a scene without a declared
 /// accuracy.
-pub(super) fn emit(emission: &Emission<'_>, motion: bool) -> Part {
+pub(super) fn emit(emission: &Emission<'_>, motion: bool) -> EmittedCode {
     match &emission.description.tables {
-        None => Part::default(),
+        None => EmittedCode::default(),
         Some(SceneTables::Double(tables)) => tabled(emission, tables, motion),
         Some(SceneTables::Single(tables)) => tabled(emission, tables, motion),
     }
 }
 
-fn tabled<S: Float + Listed<S>>(emission: &Emission<'_>, tables: &Tables<S>, motion: bool) -> Part {
+fn tabled<S: Float + Listed<S>>(
+    emission: &Emission<'_>,
+    tables: &Tables<S>,
+    motion: bool,
+) -> EmittedCode {
     let Emission {
         scalar,
         names: TypeNames { name, .. },
@@ -142,11 +146,11 @@ fn tabled<S: Float + Listed<S>>(emission: &Emission<'_>, tables: &Tables<S>, mot
 
         #contact
     };
-    Part {
+    EmittedCode {
         items,
         tables,
         constants,
-        ..Part::default()
+        ..EmittedCode::default()
     }
 }
 

@@ -1,7 +1,7 @@
 //! Records the formulas as graphs. Each emitted function becomes a graph with named outputs.
 
 use super::emission::rounded;
-use crate::graph::count::Count;
+use crate::graph::count::OperationCount;
 use crate::graph::print::{Printed, print};
 use crate::graph::{Expr, Graph, Operand};
 use frictiongen_kernel::Scalar;
@@ -219,10 +219,10 @@ impl<'g> Tracer<'g> {
         outputs: &[Operand],
         precision: Precision,
         taken: &[&str],
-    ) -> (Printed, Count) {
+    ) -> (Printed, OperationCount) {
         (
             print(self.graph, outputs, precision, taken),
-            Count::of(self.graph, outputs),
+            OperationCount::of(self.graph, outputs),
         )
     }
 }

@@ -1,6 +1,6 @@
 //! Emits the constants that convert between ratios and units, and the hash of the scene.
 
-use super::emission::{Checked, Emission, Part};
+use super::emission::{Checked, Emission, EmittedCode};
 use super::fingerprint::fingerprint;
 use crate::standalone::UnitConstants;
 use frictiongen_model::scene::{Excitation, Precision};
@@ -26,7 +26,10 @@ pub(super) fn reference_by_name(emission: &Emission<'_>, reference: f64) -> Toke
 
 /// Emits the constants as associated items, and the conversions as items at the end of the same block. The checksum
 /// also covers natural frequencies and resonances.
-pub(super) fn emit(emission: &Emission<'_>, (frequencies, resonances): (&[f64], &[f64])) -> Part {
+pub(super) fn emit(
+    emission: &Emission<'_>,
+    (frequencies, resonances): (&[f64], &[f64]),
+) -> EmittedCode {
     let scalar = &emission.scalar;
     let UnitConstants {
         k1,
@@ -82,11 +85,11 @@ pub(super) fn emit(emission: &Emission<'_>, (frequencies, resonances): (&[f64], 
         /// Natural frequencies in Hz, ascending, if masses are in kg and springs in N/m.
         pub const NATURAL_FREQUENCIES_HZ: [#scalar; #masses] = #hertz;
     };
-    Part {
+    EmittedCode {
         associated,
         items: conversions(emission, named),
         constants,
-        ..Part::default()
+        ..EmittedCode::default()
     }
 }
 

@@ -1,7 +1,7 @@
 //! Prints several alternatives, of which the emitted code evaluates one. The emitted code computes the operations
 //! that all alternatives share before it chooses the alternative.
 
-use super::count::Count;
+use super::count::OperationCount;
 use super::print::{Printed, Printer};
 use super::{Graph, Id, Operand, Recorded, operands};
 use frictiongen_model::scene::Precision;
@@ -33,11 +33,11 @@ impl Alternative {
 
 /// Returns the number of operations of the longest alternative.
 #[must_use]
-pub fn most_operations(graph: &Graph, alternatives: &[Alternative]) -> Count {
+pub fn most_operations(graph: &Graph, alternatives: &[Alternative]) -> OperationCount {
     let counts = alternatives
         .iter()
-        .map(|alternative| Count::of(graph, &alternative.outputs));
-    counts.max_by_key(Count::total).unwrap_or_default()
+        .map(|alternative| OperationCount::of(graph, &alternative.outputs));
+    counts.max_by_key(OperationCount::total).unwrap_or_default()
 }
 
 /// Groups equal alternatives. Returns the keys of each group, and the alternative of each group.

@@ -1,13 +1,13 @@
 //! Counts the operations of an emitted function on its longest path.
 
-use super::{Binary, Graph, Id, Node, Operand, Unary};
+use super::{Binary, Graph, Id, Operand, Operation, Unary};
 use std::collections::BTreeMap;
 
 /// Number of operations of each kind.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Count(BTreeMap<&'static str, usize>);
+pub struct OperationCount(BTreeMap<&'static str, usize>);
 
-impl Count {
+impl OperationCount {
     /// Counts the operations on which `outputs` depend.
     #[must_use]
     pub fn of(graph: &Graph, outputs: &[Operand]) -> Self {
@@ -16,7 +16,7 @@ impl Count {
         let is_input = |condition: &Id| {
             let place = nodes.binary_search_by_key(condition, |(id, ..)| *id);
             let node = place.ok().and_then(|place| nodes.get(place));
-            matches!(node, Some((_, Node::Input(_), _)))
+            matches!(node, Some((_, Operation::Input(_), _)))
         };
         for (id, node, _) in &nodes {
             // The compiler computes every operation that depends only on constants of the scene.
@@ -25,12 +25,12 @@ impl Count {
             }
             // If the condition is a constant parameter, the compiler makes the choice. The choice then costs nothing at
             // run time.
-            if matches!(node, Node::Select(condition, ..) if is_input(condition)) {
+            if matches!(node, Operation::Select(condition, ..) if is_input(condition)) {
                 continue;
             }
             if let Some(kind) = kind(node) {
                 // The emitted code repeats a comparison in each choice that depends on it, so a choice counts twice.
-                let times = if matches!(node, Node::Select(..)) {
+                let times = if matches!(node, Operation::Select(..)) {
                     2
                 } else {
                     1
@@ -67,7 +67,7 @@ impl Count {
 }
 
 /// Writes, for example, `12: 5 ×, 3 +, 2 ÷, 1 √, 1 sin_cos_pi`.
-impl std::fmt::Display for Count {
+impl std::fmt::Display for OperationCount {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         if self.total() == 0 {
             return f.write_str("none");
@@ -82,25 +82,31 @@ impl std::fmt::Display for Count {
     }
 }
 
-fn kind(node: &Node) -> Option<&'static str> {
+fn kind(node: &Operation) -> Option<&'static str> {
     Some(match node {
-        Node::Input(_) | Node::Constant(..) | Node::Part(..) | Node::Less(..) | Node::IsZero(_) => {
+        Operation::Input(_)
+        | Operation::Constant(..)
+        | Operation::Part(..)
+        | Operation::Less(..)
+        | Operation::IsZero(_) => {
             return None;
         }
-        Node::Unary(Unary::Neg | Unary::Abs, _) | Node::Binary(Binary::Copysign, ..) => "sign",
-        Node::Unary(Unary::Sqrt, _) => "√",
-        Node::Unary(Unary::Exp, _) => "exp",
-        Node::Unary(Unary::ExpM1, _) => "exp_m1",
-        Node::Unary(Unary::OneMinusSincPi, _) => "one_minus_sinc_pi",
-        Node::Unary(Unary::ScaledSinhDefect, _) => "scaled_sinh_defect",
-        Node::Binary(Binary::Add | Binary::Sub, ..) => "+",
-        Node::Binary(Binary::Mul, ..) => "×",
-        Node::Binary(Binary::Div, ..) => "÷",
-        Node::Unary(Unary::DetuningOffPole | Unary::CosineOffPole, _)
-        | Node::Binary(Binary::Max | Binary::Min, ..)
-        | Node::Select(..) => "compare",
-        Node::Binary(Binary::Atan2, ..) => "atan2",
-        Node::Binary(Binary::Hypot, ..) => "hypot",
-        Node::SinCosPi(_) | Node::SinCosPiMinus(..) => "sin_cos_pi",
+        Operation::Unary(Unary::Neg | Unary::Abs, _) | Operation::Binary(Binary::Copysign, ..) => {
+            "sign"
+        }
+        Operation::Unary(Unary::Sqrt, _) => "√",
+        Operation::Unary(Unary::Exp, _) => "exp",
+        Operation::Unary(Unary::ExpM1, _) => "exp_m1",
+        Operation::Unary(Unary::OneMinusSincPi, _) => "one_minus_sinc_pi",
+        Operation::Unary(Unary::ScaledSinhDefect, _) => "scaled_sinh_defect",
+        Operation::Binary(Binary::Add | Binary::Sub, ..) => "+",
+        Operation::Binary(Binary::Mul, ..) => "×",
+        Operation::Binary(Binary::Div, ..) => "÷",
+        Operation::Unary(Unary::DetuningOffPole | Unary::CosineOffPole, _)
+        | Operation::Binary(Binary::Max | Binary::Min, ..)
+        | Operation::Select(..) => "compare",
+        Operation::Binary(Binary::Atan2, ..) => "atan2",
+        Operation::Binary(Binary::Hypot, ..) => "hypot",
+        Operation::SinCosPi(_) | Operation::SinCosPiMinus(..) => "sin_cos_pi",
     })
 }

@@ -1,6 +1,6 @@
 //! Scalar type that records the operations performed on it.
 
-use super::{Binary, Graph, Id, Node, Operand, Unary};
+use super::{Binary, Graph, Id, Operand, Operation, Unary};
 use frictiongen_kernel::Scalar;
 use frictiongen_model::scene::Precision;
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -16,7 +16,7 @@ pub enum Expr<'g> {
 
 /// Result of a comparison: a truth value that is known when the code is emitted, or a comparison in the emitted code.
 #[derive(Clone, Copy)]
-pub enum Condition<'g> {
+pub enum EmittedCondition<'g> {
     /// A result that is known when the code is emitted.
     Known(bool),
     /// A recorded comparison.
@@ -26,7 +26,7 @@ pub enum Condition<'g> {
 impl Graph {
     /// Records an external value. `text` is the Rust expression that names it.
     pub fn input(&self, text: impl Into<String>) -> Expr<'_> {
-        Expr::Node(self, self.record(Node::Input(text.into())))
+        Expr::Node(self, self.record(Operation::Input(text.into())))
     }
 
     /// Records a constant of the scene. `text` is the Rust expression that names it. A constant with the value 0, 1
@@ -35,7 +35,7 @@ impl Graph {
         if value == 0.0 || value.abs() == 1.0 {
             return Expr::Number(value);
         }
-        let node = Node::Constant(text.into(), value.to_bits());
+        let node = Operation::Constant(text.into(), value.to_bits());
         Expr::Node(self, self.record_known(node, value))
     }
 
@@ -46,8 +46,12 @@ impl Graph {
         let Expr::Node(_, id) = value else {
             return value;
         };
-        let flag = self.record(Node::Input(flag.to_owned()));
-        let chosen = self.record(Node::Select(flag, Operand::Node(id), Operand::number(0.0)));
+        let flag = self.record(Operation::Input(flag.to_owned()));
+        let chosen = self.record(Operation::Select(
+            flag,
+            Operand::Node(id),
+            Operand::number(0.0),
+        ));
         let mut inner = self.inner.borrow_mut();
         let name = inner.names.get_mut(id.0).and_then(Option::take);
         if let Some(slot) = inner.names.get_mut(chosen.0) {
@@ -90,12 +94,12 @@ impl<'g> Expr<'g> {
     fn unary(self, op: Unary, number: impl Fn(f64) -> f64) -> Self {
         match (self, self.value()) {
             (Self::Node(graph, id), Some(value)) if op == Unary::Neg => {
-                let node = Node::Unary(op, Operand::Node(id));
+                let node = Operation::Unary(op, Operand::Node(id));
                 Self::Node(graph, graph.record_known(node, number(value)))
             }
             (_, Some(value)) => Self::Number(number(value)),
             (Self::Node(graph, id), None) => {
-                Self::Node(graph, graph.record(Node::Unary(op, Operand::Node(id))))
+                Self::Node(graph, graph.record(Operation::Unary(op, Operand::Node(id))))
             }
             (known, None) => known,
         }
@@ -109,7 +113,7 @@ impl<'g> Expr<'g> {
                 _ => a,
             };
         };
-        let node = Node::Binary(op, a.operand(), b.operand());
+        let node = Operation::Binary(op, a.operand(), b.operand());
         match (a.value(), b.value()) {
             (Some(a), Some(b)) => {
                 let value = number(a, b);
@@ -130,14 +134,14 @@ impl<'g> Expr<'g> {
         };
         let inner = graph.inner.borrow();
         match inner.nodes.get(id.0) {
-            Some(Node::Unary(Unary::Neg, Operand::Node(of))) => Some(Self::Node(graph, *of)),
+            Some(Operation::Unary(Unary::Neg, Operand::Node(of))) => Some(Self::Node(graph, *of)),
             _ => None,
         }
     }
 
-    fn pair(graph: &'g Graph, node: Node) -> (Self, Self) {
+    fn pair(graph: &'g Graph, node: Operation) -> (Self, Self) {
         let pair = graph.record(node);
-        let part = |second| Self::Node(graph, graph.record(Node::Part(pair, second)));
+        let part = |second| Self::Node(graph, graph.record(Operation::Part(pair, second)));
         (part(false), part(true))
     }
 }
@@ -227,7 +231,7 @@ impl Div for Expr<'_> {
 
 impl<'g> Scalar for Expr<'g> {
     const MASS_CONTROLLED: bool = true;
-    type Condition = Condition<'g>;
+    type Condition = EmittedCondition<'g>;
 
     fn constant(value: f64) -> Self {
         Self::Number(value)
@@ -241,35 +245,35 @@ impl<'g> Scalar for Expr<'g> {
         Self::Number(std::f64::consts::FRAC_1_PI)
     }
 
-    fn lt(self, other: Self) -> Condition<'g> {
+    fn lt(self, other: Self) -> EmittedCondition<'g> {
         match (self.value(), other.value(), self.graph().or(other.graph())) {
-            (Some(a), Some(b), _) => Condition::Known(a < b),
+            (Some(a), Some(b), _) => EmittedCondition::Known(a < b),
             (_, _, Some(graph)) => {
-                let node = Node::Less(self.operand(), other.operand());
-                Condition::Node(graph, graph.record(node))
+                let node = Operation::Less(self.operand(), other.operand());
+                EmittedCondition::Node(graph, graph.record(node))
             }
-            (_, _, None) => Condition::Known(false),
+            (_, _, None) => EmittedCondition::Known(false),
         }
     }
 
-    fn is_zero(self) -> Condition<'g> {
+    fn is_zero(self) -> EmittedCondition<'g> {
         match (self, self.value()) {
-            (_, Some(value)) => Condition::Known(value == 0.0),
+            (_, Some(value)) => EmittedCondition::Known(value == 0.0),
             (Self::Node(graph, id), None) => {
-                Condition::Node(graph, graph.record(Node::IsZero(Operand::Node(id))))
+                EmittedCondition::Node(graph, graph.record(Operation::IsZero(Operand::Node(id))))
             }
-            (Self::Number(_), None) => Condition::Known(false),
+            (Self::Number(_), None) => EmittedCondition::Known(false),
         }
     }
 
-    fn select(condition: Condition<'g>, yes: Self, no: Self) -> Self {
+    fn select(condition: EmittedCondition<'g>, yes: Self, no: Self) -> Self {
         match condition {
-            Condition::Known(true) => yes,
-            Condition::Known(false) => no,
-            Condition::Node(_, _) if yes.operand() == no.operand() => yes,
-            Condition::Node(graph, id) => Self::Node(
+            EmittedCondition::Known(true) => yes,
+            EmittedCondition::Known(false) => no,
+            EmittedCondition::Node(_, _) if yes.operand() == no.operand() => yes,
+            EmittedCondition::Node(graph, id) => Self::Node(
                 graph,
-                graph.record(Node::Select(id, yes.operand(), no.operand())),
+                graph.record(Operation::Select(id, yes.operand(), no.operand())),
             ),
         }
     }
@@ -307,7 +311,7 @@ impl<'g> Scalar for Expr<'g> {
                 let (s, c) = value.sin_cos_pi();
                 (Self::Number(s), Self::Number(c))
             }
-            Self::Node(graph, id) => Self::pair(graph, Node::SinCosPi(Operand::Node(id))),
+            Self::Node(graph, id) => Self::pair(graph, Operation::SinCosPi(Operand::Node(id))),
         }
     }
     fn sin_cos_pi_minus(self, d: Self) -> (Self, Self) {
@@ -317,7 +321,9 @@ impl<'g> Scalar for Expr<'g> {
                 (Self::Number(s), Self::Number(c))
             }
             (h, d, _) if d.is(0.0) => h.sin_cos_pi(),
-            (h, d, Some(graph)) => Self::pair(graph, Node::SinCosPiMinus(h.operand(), d.operand())),
+            (h, d, Some(graph)) => {
+                Self::pair(graph, Operation::SinCosPiMinus(h.operand(), d.operand()))
+            }
             (h, d, None) => (h, d),
         }
     }

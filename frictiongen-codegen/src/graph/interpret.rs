@@ -1,11 +1,11 @@
 //! Evaluates a graph in numbers. It performs the operations of the emitted code in the order of the emitted code.
 
-use super::{Binary, Graph, Id, Node, Operand, Unary};
+use super::{Binary, Graph, Id, Operand, Operation, Unary};
 use frictiongen_kernel::Float;
 use std::collections::HashMap;
 
 #[derive(Clone, Copy)]
-enum Value<S> {
+enum InterpretedValue<S> {
     Number(S),
     Pair(S, S),
     Truth(bool),
@@ -18,7 +18,7 @@ pub fn interpret<S: Float>(
     outputs: &[Operand],
     input: impl Fn(&str) -> Option<S>,
 ) -> Option<Vec<S>> {
-    let mut values: HashMap<Id, Value<S>> = HashMap::new();
+    let mut values: HashMap<Id, InterpretedValue<S>> = HashMap::new();
     for (id, node, _) in graph.reachable(outputs) {
         let value = evaluate(&values, &node, &input)?;
         values.insert(id, value);
@@ -29,28 +29,30 @@ pub fn interpret<S: Float>(
         .collect()
 }
 
-fn number<S: Float>(values: &HashMap<Id, Value<S>>, operand: &Operand) -> Option<S> {
+fn number<S: Float>(values: &HashMap<Id, InterpretedValue<S>>, operand: &Operand) -> Option<S> {
     match operand {
         Operand::Number(bits) => Some(S::constant(f64::from_bits(*bits))),
         Operand::Node(id) => match values.get(id)? {
-            Value::Number(value) => Some(*value),
-            Value::Pair(..) | Value::Truth(_) => None,
+            InterpretedValue::Number(value) => Some(*value),
+            InterpretedValue::Pair(..) | InterpretedValue::Truth(_) => None,
         },
     }
 }
 
 fn evaluate<S: Float>(
-    values: &HashMap<Id, Value<S>>,
-    node: &Node,
+    values: &HashMap<Id, InterpretedValue<S>>,
+    node: &Operation,
     input: &impl Fn(&str) -> Option<S>,
-) -> Option<Value<S>> {
+) -> Option<InterpretedValue<S>> {
     let of = |operand: &Operand| number(values, operand);
     Some(match node {
-        Node::Input(text) => Value::Number(input(text)?),
-        Node::Constant(_, bits) => Value::Number(S::constant(f64::from_bits(*bits))),
-        Node::Unary(op, a) => {
+        Operation::Input(text) => InterpretedValue::Number(input(text)?),
+        Operation::Constant(_, bits) => {
+            InterpretedValue::Number(S::constant(f64::from_bits(*bits)))
+        }
+        Operation::Unary(op, a) => {
             let a = of(a)?;
-            Value::Number(match op {
+            InterpretedValue::Number(match op {
                 Unary::Neg => -a,
                 Unary::Abs => a.abs(),
                 Unary::Sqrt => a.sqrt(),
@@ -62,9 +64,9 @@ fn evaluate<S: Float>(
                 Unary::ScaledSinhDefect => a.scaled_sinh_defect(),
             })
         }
-        Node::Binary(op, a, b) => {
+        Operation::Binary(op, a, b) => {
             let (a, b) = (of(a)?, of(b)?);
-            Value::Number(match op {
+            InterpretedValue::Number(match op {
                 Binary::Add => a + b,
                 Binary::Sub => a - b,
                 Binary::Mul => a * b,
@@ -76,24 +78,24 @@ fn evaluate<S: Float>(
                 Binary::Hypot => a.hypot(b),
             })
         }
-        Node::SinCosPi(a) => {
+        Operation::SinCosPi(a) => {
             let (s, c) = of(a)?.sin_cos_pi();
-            Value::Pair(s, c)
+            InterpretedValue::Pair(s, c)
         }
-        Node::SinCosPiMinus(a, b) => {
+        Operation::SinCosPiMinus(a, b) => {
             let (s, c) = of(a)?.sin_cos_pi_minus(of(b)?);
-            Value::Pair(s, c)
+            InterpretedValue::Pair(s, c)
         }
-        Node::Part(pair, second) => match values.get(pair)? {
-            Value::Pair(a, b) => Value::Number(if *second { *b } else { *a }),
-            Value::Number(_) | Value::Truth(_) => return None,
+        Operation::Part(pair, second) => match values.get(pair)? {
+            InterpretedValue::Pair(a, b) => InterpretedValue::Number(if *second { *b } else { *a }),
+            InterpretedValue::Number(_) | InterpretedValue::Truth(_) => return None,
         },
-        Node::Less(a, b) => Value::Truth(of(a)?.lt(of(b)?)),
-        Node::IsZero(a) => Value::Truth(of(a)?.is_zero()),
-        Node::Select(condition, yes, no) => match values.get(condition)? {
-            Value::Truth(true) => Value::Number(of(yes)?),
-            Value::Truth(false) => Value::Number(of(no)?),
-            Value::Number(_) | Value::Pair(..) => return None,
+        Operation::Less(a, b) => InterpretedValue::Truth(of(a)?.lt(of(b)?)),
+        Operation::IsZero(a) => InterpretedValue::Truth(of(a)?.is_zero()),
+        Operation::Select(condition, yes, no) => match values.get(condition)? {
+            InterpretedValue::Truth(true) => InterpretedValue::Number(of(yes)?),
+            InterpretedValue::Truth(false) => InterpretedValue::Number(of(no)?),
+            InterpretedValue::Number(_) | InterpretedValue::Pair(..) => return None,
         },
     })
 }

@@ -15,7 +15,7 @@ use frictiongen_model::scene::Precision;
 use std::cell::RefCell;
 use std::collections::HashMap;
 
-pub use expr::{Condition, Expr};
+pub use expr::{EmittedCondition, Expr};
 
 /// Index of an operation in its graph. The operands of an operation have lower indices.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -68,7 +68,7 @@ pub enum Binary {
 
 /// A recorded operation.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub enum Node {
+pub enum Operation {
     /// An external value, with the Rust expression that names it.
     Input(String),
     /// A constant of the scene, with the Rust expression that names it and the bits of its value.
@@ -92,21 +92,21 @@ pub enum Node {
 }
 
 /// Index, operation and name of a recorded operation.
-pub(crate) type Recorded = (Id, Node, Option<Name>);
+pub(crate) type Recorded = (Id, Operation, Option<ValueName>);
 
 /// Name of the value that an operation computes. `about` is the formula's explanation of the value. The emitted code
 /// shows it as a comment.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Name {
+pub(crate) struct ValueName {
     pub text: String,
     pub about: &'static str,
 }
 
 #[derive(Default)]
 struct Inner {
-    nodes: Vec<Node>,
-    known: HashMap<Node, Id>,
-    names: Vec<Option<Name>>,
+    nodes: Vec<Operation>,
+    known: HashMap<Operation, Id>,
+    names: Vec<Option<ValueName>>,
     /// Values of the operations that depend only on constants of the scene.
     values: HashMap<Id, f64>,
 }
@@ -139,7 +139,7 @@ impl Graph {
         self
     }
 
-    pub(crate) fn record(&self, node: Node) -> Id {
+    pub(crate) fn record(&self, node: Operation) -> Id {
         let mut inner = self.inner.borrow_mut();
         if let Some(id) = inner.known.get(&node) {
             return *id;
@@ -159,10 +159,10 @@ impl Graph {
         let mut inner = self.inner.borrow_mut();
         let is_input = matches!(
             inner.nodes.get(id.0),
-            Some(Node::Input(_) | Node::Constant(..))
+            Some(Operation::Input(_) | Operation::Constant(..))
         );
         if let (false, Some(slot @ None)) = (is_input, inner.names.get_mut(id.0)) {
-            *slot = Some(Name { text, about });
+            *slot = Some(ValueName { text, about });
         }
     }
 
@@ -172,7 +172,7 @@ impl Graph {
     }
 
     /// Records an operation whose operands are constants of the scene. `value` is its result.
-    pub(crate) fn record_known(&self, node: Node, value: f64) -> Id {
+    pub(crate) fn record_known(&self, node: Operation, value: f64) -> Id {
         let id = self.record(node);
         self.inner.borrow_mut().values.insert(id, value);
         id
@@ -212,18 +212,20 @@ fn operand_id(operand: &Operand) -> Option<Id> {
 }
 
 /// Returns the recorded operands of an operation.
-pub(crate) fn operands(node: &Node) -> Vec<Id> {
+pub(crate) fn operands(node: &Operation) -> Vec<Id> {
     let of = |list: &[&Operand]| {
         list.iter()
             .filter_map(|o| operand_id(o))
             .collect::<Vec<_>>()
     };
     match node {
-        Node::Input(_) | Node::Constant(..) => Vec::new(),
-        Node::Unary(_, a) | Node::SinCosPi(a) | Node::IsZero(a) => of(&[a]),
-        Node::Binary(_, a, b) | Node::SinCosPiMinus(a, b) | Node::Less(a, b) => of(&[a, b]),
-        Node::Part(pair, _) => vec![*pair],
-        Node::Select(condition, a, b) => {
+        Operation::Input(_) | Operation::Constant(..) => Vec::new(),
+        Operation::Unary(_, a) | Operation::SinCosPi(a) | Operation::IsZero(a) => of(&[a]),
+        Operation::Binary(_, a, b) | Operation::SinCosPiMinus(a, b) | Operation::Less(a, b) => {
+            of(&[a, b])
+        }
+        Operation::Part(pair, _) => vec![*pair],
+        Operation::Select(condition, a, b) => {
             let mut all = vec![*condition];
             all.extend(of(&[a, b]));
             all

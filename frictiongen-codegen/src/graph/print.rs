@@ -2,7 +2,7 @@
 //! part of the expression that uses it.
 
 use super::literal::literal;
-use super::{Binary, Graph, Id, Name, Node, Operand, Recorded, Unary, operands};
+use super::{Binary, Graph, Id, Operand, Operation, Recorded, Unary, ValueName, operands};
 use frictiongen_model::scene::Precision;
 use proc_macro2::{Ident, Span, TokenStream};
 use std::collections::{BTreeMap, BTreeSet};
@@ -77,7 +77,7 @@ impl Printer {
             }
         }
         for (id, node, _) in nodes {
-            if let Node::Part(pair, second) = node {
+            if let Operation::Part(pair, second) = node {
                 let parts = self.pairs.entry(*pair).or_default();
                 if *second {
                     parts.1 = Some(*id)
@@ -86,7 +86,7 @@ impl Printer {
                 }
             }
         }
-        let names: BTreeMap<Id, Name> = nodes
+        let names: BTreeMap<Id, ValueName> = nodes
             .iter()
             .filter_map(|(id, _, name)| Some((*id, name.clone()?)))
             .collect();
@@ -114,14 +114,14 @@ impl Printer {
     fn visit(
         &mut self,
         id: Id,
-        node: &Node,
-        name: Option<&Name>,
+        node: &Operation,
+        name: Option<&ValueName>,
         uses: usize,
-        names: &BTreeMap<Id, Name>,
+        names: &BTreeMap<Id, ValueName>,
     ) {
         match node {
-            Node::Part(..) => return,
-            Node::SinCosPi(_) | Node::SinCosPiMinus(..) => {
+            Operation::Part(..) => return,
+            Operation::SinCosPi(_) | Operation::SinCosPiMinus(..) => {
                 let value = self.expression(node).tokens;
                 let (first, second) = self.pairs.get(&id).copied().unwrap_or_default();
                 let about = [first, second].into_iter().flatten();
@@ -147,7 +147,10 @@ impl Printer {
         let text = self.expression(node);
         let trivial = matches!(
             node,
-            Node::Input(_) | Node::Constant(..) | Node::Less(..) | Node::IsZero(_)
+            Operation::Input(_)
+                | Operation::Constant(..)
+                | Operation::Less(..)
+                | Operation::IsZero(_)
         );
         let text = if !trivial && (name.is_some() || uses > 1) {
             let ident = self.fresh(name.map_or_else(|| fallback(node), |name| &name.text));
@@ -204,49 +207,49 @@ impl Printer {
         }
     }
 
-    fn expression(&self, node: &Node) -> Text {
+    fn expression(&self, node: &Operation) -> Text {
         let plain = |operand: &Operand| self.text(operand).tokens;
         match node {
-            Node::Input(text) | Node::Constant(text, _) => {
+            Operation::Input(text) | Operation::Constant(text, _) => {
                 atom(mixed(text.parse().unwrap_or_default()))
             }
-            Node::Unary(Unary::Neg, a) => {
+            Operation::Unary(Unary::Neg, a) => {
                 let a = self.within(a, Binds::Unary);
                 Text {
                     tokens: code!(-#a),
                     binds: Binds::Unary,
                 }
             }
-            Node::Unary(op, a) => {
+            Operation::Unary(op, a) => {
                 let function = Ident::new(unary_name(*op), Span::mixed_site());
                 let a = plain(a);
                 atom(code!(Scalar::#function(#a)))
             }
-            Node::Binary(op, a, b) => self.binary(*op, a, b),
-            Node::SinCosPi(a) => {
+            Operation::Binary(op, a, b) => self.binary(*op, a, b),
+            Operation::SinCosPi(a) => {
                 let a = plain(a);
                 atom(code!(Scalar::sin_cos_pi(#a)))
             }
-            Node::SinCosPiMinus(a, b) => {
+            Operation::SinCosPiMinus(a, b) => {
                 let (a, b) = (plain(a), plain(b));
                 atom(code!(Scalar::sin_cos_pi_minus(#a, #b)))
             }
-            Node::Part(..) => atom(TokenStream::new()),
-            Node::Less(a, b) => {
+            Operation::Part(..) => atom(TokenStream::new()),
+            Operation::Less(a, b) => {
                 let (a, b) = (self.within(a, Binds::Sum), self.within(b, Binds::Sum));
                 Text {
                     tokens: code!(#a < #b),
                     binds: Binds::Compare,
                 }
             }
-            Node::IsZero(a) => {
+            Operation::IsZero(a) => {
                 let a = self.within(a, Binds::Sum);
                 Text {
                     tokens: code!(#a == 0.0),
                     binds: Binds::Compare,
                 }
             }
-            Node::Select(condition, yes, no) => {
+            Operation::Select(condition, yes, no) => {
                 let condition = self.text(&Operand::Node(*condition)).tokens;
                 let (yes, no) = (plain(yes), plain(no));
                 Text {
@@ -355,15 +358,15 @@ fn mixed(tokens: TokenStream) -> TokenStream {
 }
 
 /// Returns the name of a bound value whose formula gives it no name.
-fn fallback(node: &Node) -> &'static str {
+fn fallback(node: &Operation) -> &'static str {
     match node {
-        Node::Binary(Binary::Add, ..) => "sum",
-        Node::Binary(Binary::Sub, ..) => "difference",
-        Node::Binary(Binary::Mul, ..) => "product",
-        Node::Binary(Binary::Div, ..) => "ratio",
-        Node::Unary(Unary::Abs, _) => "magnitude",
-        Node::Unary(Unary::Sqrt, _) => "root",
-        Node::Select(..) => "choice",
+        Operation::Binary(Binary::Add, ..) => "sum",
+        Operation::Binary(Binary::Sub, ..) => "difference",
+        Operation::Binary(Binary::Mul, ..) => "product",
+        Operation::Binary(Binary::Div, ..) => "ratio",
+        Operation::Unary(Unary::Abs, _) => "magnitude",
+        Operation::Unary(Unary::Sqrt, _) => "root",
+        Operation::Select(..) => "choice",
         _ => "value",
     }
 }

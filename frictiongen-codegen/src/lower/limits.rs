@@ -4,7 +4,7 @@ use frictiongen_model::validate::MOST_MASSES;
 
 /// Limits on the size of a scene and on the work for its tables.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Limits {
+pub struct SizeLimits {
     /// The largest number of masses of a scene.
     pub masses: usize,
     /// True if the tables of a declared accuracy are built.
@@ -38,7 +38,7 @@ impl ProofAt {
     };
 }
 
-impl Limits {
+impl SizeLimits {
     /// Limits for a macro expansion. The number of masses is limited, because each mass adds a method and much code.
     pub const MACRO: Self = Self {
         masses: 64,

@@ -17,11 +17,11 @@ use frictiongen_model::validate::Path;
 use frictiongen_syntax::{Diagnostics, Located, Problems, Readable, Syntax};
 use proc_macro2::{Ident, TokenStream};
 
-use crate::diagnostics::{Failure, Partial};
+use crate::diagnostics::{MacroErrors, Partial};
 use crate::header::Header;
 use crate::tokens::{self, Sources};
 
-pub use limits::{Limits, ProofAt};
+pub use limits::{ProofAt, SizeLimits};
 
 /// The error of `proof: whole` in a build without the feature `proof`.
 const WITHOUT_PROOF: &str = "`proof: whole` needs the feature `proof` of frictiongen, which is off; write `frictiongen = { version = \"0.1\", features = [\"proof\"] }` in Cargo.toml, or leave `proof` out, so that the table is checked but not proven";
@@ -124,7 +124,7 @@ impl fmt::Debug for Description {
     clippy::result_large_err,
     reason = "once a macro call; the parts are for the caller to take"
 )]
-pub fn parse_tokens(tokens: TokenStream, limits: &Limits) -> Result<Description, Failure> {
+pub fn parse_tokens(tokens: TokenStream, limits: &SizeLimits) -> Result<Description, MacroErrors> {
     let mut problems = Problems::default();
     let written = written::of_tokens(&tokens);
     let (syntax, sources) = tokens::parse(tokens, &mut problems);
@@ -133,7 +133,7 @@ pub fn parse_tokens(tokens: TokenStream, limits: &Limits) -> Result<Description,
             written,
             ..description
         }),
-        Err(partial) => Err(Failure {
+        Err(partial) => Err(MacroErrors {
             errors: sources.errors(problems),
             partial: *partial,
         }),
@@ -144,7 +144,7 @@ pub fn parse_tokens(tokens: TokenStream, limits: &Limits) -> Result<Description,
 ///
 /// # Errors
 /// Returns all errors of the text, with line and column.
-pub fn parse_text(text: &str, limits: &Limits) -> Result<Description, Diagnostics> {
+pub fn parse_text(text: &str, limits: &SizeLimits) -> Result<Description, Diagnostics> {
     let mut problems = Problems::default();
     frictiongen_syntax::parse_text(text, &mut problems)
         .and_then(|syntax| lower(&syntax, &Sources::default(), limits, &mut problems).ok())
@@ -160,7 +160,7 @@ pub fn parse_text(text: &str, limits: &Limits) -> Result<Description, Diagnostic
 fn lower(
     syntax: &Syntax,
     sources: &Sources,
-    limits: &Limits,
+    limits: &SizeLimits,
     problems: &mut Problems,
 ) -> Result<Description, Box<Partial>> {
     let header = Header::of(syntax, sources);
@@ -265,7 +265,7 @@ fn partial(syntax: &Syntax, sources: &Sources, header: Header) -> Partial {
 }
 
 /// Returns the tables with the requested proof, if the limits allow a proof.
-fn proven(tables: Option<SceneTables>, scene: &Scene, limits: &Limits) -> Option<SceneTables> {
+fn proven(tables: Option<SceneTables>, scene: &Scene, limits: &SizeLimits) -> Option<SceneTables> {
     #[cfg(feature = "proof")]
     if limits.proof == ProofAt::Requested {
         return tables.map(|mut tables| {

@@ -1,6 +1,6 @@
 //! Checksum of emitted numbers, with the same algorithm as in the emitted code.
 
-use super::Numbers;
+use super::NumberFormat;
 pub(super) use frictiongen_kernel::emitted::check::{MULTIPLIER, TURN};
 use frictiongen_kernel::emitted::check::{mixed, with};
 
@@ -10,7 +10,7 @@ pub(super) const ABOUT: &str = "A step is a bijection of the sum, so one changed
 /// Returns the checksum of numbers in the precision of a file. An `f32` enters as its 32 bits. An `f64` enters as two
 /// halves of 32 bits, the low half first.
 #[allow(clippy::cast_possible_truncation, reason = "the scalar is f32")]
-pub(super) fn of_numbers(numbers: Numbers, values: impl IntoIterator<Item = f64>) -> u32 {
+pub(super) fn of_numbers(numbers: NumberFormat, values: impl IntoIterator<Item = f64>) -> u32 {
     // The files write no negative zero.
     values
         .into_iter()

@@ -1,10 +1,10 @@
 //! Collects the numbers in the formulas of a file. Each number gets a name. The file defines all numbers in one place.
 
-use super::{Language, Numbers};
+use super::{Language, NumberFormat};
 
 /// Form of a constant: a single number, or a structure with named numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Form {
+pub(super) enum ConstantForm {
     /// A single number.
     Number,
     /// A zero on the imaginary axis, as a factor of a product.
@@ -15,7 +15,7 @@ pub(super) enum Form {
     RootPair,
 }
 
-impl Form {
+impl ConstantForm {
     /// Returns the names of the numbers that a constant of this form contains.
     pub fn fields(self) -> &'static [&'static str] {
         match self {
@@ -55,21 +55,21 @@ impl Form {
 }
 
 /// A named constant.
-pub(super) struct Constant {
+pub(super) struct NamedConstant {
     name: String,
-    form: Form,
+    form: ConstantForm,
     values: Vec<f64>,
     about: String,
 }
 
 /// The constants of a file, in the order of their use.
-pub(super) struct Constants {
-    pub numbers: Numbers,
-    list: Vec<Constant>,
+pub(super) struct FileConstants {
+    pub numbers: NumberFormat,
+    list: Vec<NamedConstant>,
 }
 
-impl Constants {
-    pub fn new(numbers: Numbers) -> Self {
+impl FileConstants {
+    pub fn new(numbers: NumberFormat) -> Self {
         Self {
             numbers,
             list: Vec::new(),
@@ -80,7 +80,7 @@ impl Constants {
     pub fn add(
         &mut self,
         name: impl Into<String>,
-        form: Form,
+        form: ConstantForm,
         values: &[f64],
         about: impl Into<String>,
     ) -> String {
@@ -89,7 +89,7 @@ impl Constants {
             Language::C => name.clone(),
             Language::Rust => format!("numbers::{name}"),
         };
-        self.list.push(Constant {
+        self.list.push(NamedConstant {
             name,
             form,
             values: values.to_vec(),
@@ -99,7 +99,7 @@ impl Constants {
     }
 
     /// Returns true if the file has a constant of this form.
-    pub fn uses(&self, form: Form) -> bool {
+    pub fn uses(&self, form: ConstantForm) -> bool {
         self.list.iter().any(|constant| constant.form == form)
     }
 
@@ -132,8 +132,12 @@ impl Constants {
 
     /// Writes the type definitions of the forms of constants that the file contains.
     pub fn types(&self) -> String {
-        let Numbers { real, language, .. } = self.numbers;
-        let forms = [Form::Zero, Form::Pair, Form::RootPair];
+        let NumberFormat { real, language, .. } = self.numbers;
+        let forms = [
+            ConstantForm::Zero,
+            ConstantForm::Pair,
+            ConstantForm::RootPair,
+        ];
         let forms = forms.into_iter().filter(|form| self.uses(*form));
         let forms = forms.map(|form| {
             let (name, about) = (form.type_name(language), form.about());
@@ -156,9 +160,9 @@ impl Constants {
 
     /// Writes the constants, one per line.
     pub fn written(&self) -> String {
-        let Numbers { real, language, .. } = self.numbers;
+        let NumberFormat { real, language, .. } = self.numbers;
         let lines = self.list.iter().map(|constant| {
-            let Constant {
+            let NamedConstant {
                 name,
                 form,
                 values,
@@ -175,14 +179,14 @@ impl Constants {
                 (false, Language::Rust) => format!(" // {about}"),
             };
             match (language, form) {
-                (Language::C, Form::Number) => {
+                (Language::C, ConstantForm::Number) => {
                     format!("static const {real} {name} = {};{about}\n", values.join(""))
                 }
                 (Language::C, _) => format!(
                     "static const struct {kind} {name} = {{{}}};{about}\n",
                     values.join(", ")
                 ),
-                (Language::Rust, Form::Number) => {
+                (Language::Rust, ConstantForm::Number) => {
                     format!(
                         "    pub(super) const {name}: {real} = {};{about}\n",
                         values.join("")

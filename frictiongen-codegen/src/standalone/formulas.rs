@@ -1,22 +1,22 @@
 //! Collects all formulas of a file, with the constants in them.
 
-use super::constants::{Constants, Form};
+use super::constants::{ConstantForm, FileConstants};
 use super::products::quotient;
-use super::stuck::Stuck;
-use super::{Language, Numbers, Source};
+use super::stuck::StuckExpressions;
+use super::{Language, NumberFormat, Source};
 use frictiongen_kernel::Float;
 
 /// The formulas of a file in one language.
 pub(super) struct Formulas {
-    pub numbers: Numbers,
+    pub numbers: NumberFormat,
     /// The constants that the formulas name.
-    pub constants: Constants,
+    pub constants: FileConstants,
     /// The expression for β*_lim.
     pub sliding: String,
     /// Expression for |V|, or for V of an undamped chain. `None` if V is not a product.
     pub excitation: Option<String>,
     /// The responses while the contact is stuck.
-    pub stuck: Option<Stuck>,
+    pub stuck: Option<StuckExpressions>,
     /// Expressions for the start of the first bucket, and for the number of buckets per unit of r.
     pub index: [String; 2],
     /// Expressions for the undamped resonances that the load drives.
@@ -27,7 +27,7 @@ impl Formulas {
     /// Returns the formulas. Returns `None` if β*_lim is not stored as a product.
     pub fn of<S: Float>(source: &Source<'_, S>, language: Language) -> Option<Self> {
         let Source { scene, tables, .. } = source;
-        let numbers = Numbers::of::<S>(language);
+        let numbers = NumberFormat::of::<S>(language);
         let root = match language {
             Language::C => format!("sqrt{}", numbers.letter()),
             Language::Rust => format!("{}::sqrt", numbers.real),
@@ -36,12 +36,12 @@ impl Formulas {
             Language::C => format!("fabs{}", numbers.letter()),
             Language::Rust => format!("{}::abs", numbers.real),
         };
-        let mut constants = Constants::new(numbers);
+        let mut constants = FileConstants::new(numbers);
         let of = tables.sliding.as_ref()?;
         let sliding = if of.numerator.is_empty() && of.denominator.is_empty() {
             // If β*_lim is constant, it is the modulus of the gain.
             let limit = [of.gain.to_f64().abs()];
-            constants.add("SLIDING_LIMIT", Form::Number, &limit, "beta*_lim")
+            constants.add("SLIDING_LIMIT", ConstantForm::Number, &limit, "beta*_lim")
         } else {
             let sliding = quotient(&mut constants, "SLIDING", of, &root);
             format!("{absolute}({sliding})")
@@ -49,7 +49,7 @@ impl Formulas {
         let excitation = tables.excitation.as_ref();
         let excitation = excitation.map(|of| quotient(&mut constants, "EXCITATION", of, &root));
         let held = tables.held.as_ref();
-        let stuck = held.map(|held| Stuck::of(&mut constants, scene, held));
+        let stuck = held.map(|held| StuckExpressions::of(&mut constants, scene, held));
         let index = [
             (
                 "INDEX_LOW",
@@ -63,7 +63,7 @@ impl Formulas {
             ),
         ];
         let index = index.map(|(name, value, about)| {
-            constants.add(name, Form::Number, &[value.to_f64()], about)
+            constants.add(name, ConstantForm::Number, &[value.to_f64()], about)
         });
         let unbounded = if tables.moves() {
             tables.unbounded.as_slice()
@@ -73,7 +73,7 @@ impl Formulas {
         let unbounded = unbounded.iter().enumerate().map(|(place, own)| {
             let name = format!("RESONANCE_{}", place + 1);
             let about = "r of an undamped resonance that the load drives";
-            constants.add(name, Form::Number, &[own.to_f64()], about)
+            constants.add(name, ConstantForm::Number, &[own.to_f64()], about)
         });
         let unbounded = unbounded.collect();
         Some(Self {
@@ -90,7 +90,7 @@ impl Formulas {
     /// Returns true if a formula calls this operation.
     pub fn calls(&self, operation: &str) -> bool {
         let call = format!("{operation}(");
-        let stuck = self.stuck.iter().flat_map(Stuck::texts);
+        let stuck = self.stuck.iter().flat_map(StuckExpressions::texts);
         let excitation = self.excitation.as_deref().into_iter();
         let mut texts = stuck.chain(excitation).chain([self.sliding.as_str()]);
         texts.any(|text| text.contains(&call))

@@ -1,7 +1,7 @@
 //! Known answers. The self-check of an emitted file compares its own answers with them.
 
-use super::{Numbers, Source, domain};
-use crate::known::{Known, Outcome, Question, known};
+use super::{NumberFormat, Source, domain};
+use crate::known::{AnswersRequest, KnownAnswers, MotionKind, known};
 use frictiongen_kernel::Float;
 use frictiongen_model::modal::Modal;
 use frictiongen_model::scene::Precision;
@@ -13,11 +13,11 @@ const ROUNDINGS: f64 = 64.0;
 ///
 /// The allowed error is the accuracy of the tables, plus 64 rounding units for the emitted arithmetic and for r and β.
 #[must_use]
-pub fn known_answers<S: Float>(source: &Source<'_, S>) -> (f64, Vec<Known>) {
+pub fn known_answers<S: Float>(source: &Source<'_, S>) -> (f64, Vec<KnownAnswers>) {
     let Source { scene, tables, .. } = source;
     let tolerance = tables.request.accuracy + ROUNDINGS * S::EPSILON;
     let [r, beta] = domain(scene, tables);
-    let question = Question {
+    let question = AnswersRequest {
         precision: if S::EPSILON > f64::EPSILON {
             Precision::F32
         } else {
@@ -33,7 +33,7 @@ pub fn known_answers<S: Float>(source: &Source<'_, S>) -> (f64, Vec<Known>) {
 }
 
 /// Returns the numbers of a known answer, in the order of the emitted structures.
-pub(super) fn numbers(known: &Known) -> Vec<f64> {
+pub(super) fn numbers(known: &KnownAnswers) -> Vec<f64> {
     let mut numbers = vec![known.r, known.continuous, known.sliding];
     if let Some(motion) = &known.motion {
         numbers.push(motion.beta);
@@ -44,17 +44,17 @@ pub(super) fn numbers(known: &Known) -> Vec<f64> {
 }
 
 /// Returns the name of the status of a known answer, as in [`STATUSES`](super::STATUSES).
-pub(super) fn status(known: &Known) -> &'static str {
+pub(super) fn status(known: &KnownAnswers) -> &'static str {
     match known.motion.as_ref().map(|motion| motion.outcome) {
-        None | Some(Outcome::Continuous) => "Ok",
-        Some(Outcome::StickSlip) => "StickSlip",
-        Some(Outcome::Stuck) => "Stuck",
+        None | Some(MotionKind::Continuous) => "Ok",
+        Some(MotionKind::StickSlip) => "StickSlip",
+        Some(MotionKind::Stuck) => "Stuck",
     }
 }
 
 /// Returns three texts for each known answer: the numbers of its row, without the status.
-pub(super) fn rows(numbers: Numbers, all: &[Known]) -> Vec<[String; 3]> {
-    let row = |known: &Known| {
+pub(super) fn rows(numbers: NumberFormat, all: &[KnownAnswers]) -> Vec<[String; 3]> {
+    let row = |known: &KnownAnswers| {
         let head = numbers.list([known.r, known.continuous, known.sliding]);
         let motion = known.motion.as_ref().map(|motion| {
             let [amplitude, phase] = motion.contact;

@@ -25,7 +25,7 @@ pub use stepping::StepperShape;
 pub use units::UnitConstants;
 
 use crate::emit::about_table;
-use constants::{Constants, Form};
+use constants::{ConstantForm, FileConstants};
 use frictiongen_kernel::Float;
 use frictiongen_model::scene::{Excitation, Provide, Scene};
 use frictiongen_model::table::{Evidence, FINEST_PROVEN, MOST_SHARE, Proof, ProofWork, Tables};
@@ -50,7 +50,7 @@ enum Language {
 
 /// Format of numbers in the target language.
 #[derive(Clone, Copy)]
-struct Numbers {
+struct NumberFormat {
     language: Language,
     /// True if numbers are `f32`.
     single: bool,
@@ -58,7 +58,7 @@ struct Numbers {
     real: &'static str,
 }
 
-impl Numbers {
+impl NumberFormat {
     /// Returns the number format of a scalar type.
     fn of<S: Float>(language: Language) -> Self {
         let single = S::EPSILON > f64::EPSILON;
@@ -254,7 +254,7 @@ const STATUSES: [(&str, i32, &str); 5] = [
 ];
 
 /// Words of the documentation that depend on the kind of load.
-struct Words {
+struct LoadWords {
     /// Meaning of β: F/P, or F/(k₁Y) if the base moves.
     beta: &'static str,
     /// Explanation of an amplitude, for the comments of the file.
@@ -263,7 +263,7 @@ struct Words {
     load: &'static str,
 }
 
-impl Words {
+impl LoadWords {
     fn of(scene: &Scene) -> Self {
         let moving = scene.excitation == Excitation::Base;
         Self {

@@ -1,13 +1,13 @@
 //! Writes products over zeros and poles as expressions in r. The same expressions are valid in C and Rust.
 
-use super::{Constants, Form};
+use super::{ConstantForm, FileConstants};
 use frictiongen_kernel::Float;
 use frictiongen_kernel::table::{Factor, Root};
 use frictiongen_model::table::Product;
 
 /// Writes a product of factors. The names of its constants begin with `name`. Returns `None` if there are no factors.
 pub(super) fn factors<S: Float>(
-    constants: &mut Constants,
+    constants: &mut FileConstants,
     name: &str,
     factors: &[Factor<S>],
 ) -> Option<String> {
@@ -17,7 +17,10 @@ pub(super) fn factors<S: Float>(
         all.push(match *factor {
             Factor::Zero { at, rest } => {
                 let values = [at, rest].map(Float::to_f64);
-                format!("zero(r, {})", constants.add(name, Form::Zero, &values, ""))
+                format!(
+                    "zero(r, {})",
+                    constants.add(name, ConstantForm::Zero, &values, "")
+                )
             }
             Factor::Pair {
                 at,
@@ -26,12 +29,15 @@ pub(super) fn factors<S: Float>(
                 least,
             } => {
                 let values = [at, rest, off, least].map(Float::to_f64);
-                format!("pair(r, {})", constants.add(name, Form::Pair, &values, ""))
+                format!(
+                    "pair(r, {})",
+                    constants.add(name, ConstantForm::Pair, &values, "")
+                )
             }
             Factor::Real { off } => {
                 let values = [off.to_f64()];
                 let about = "x^2 in the factor r^2 + x^2 of the zeros s = x and s = -x at s = ir";
-                let name = constants.add(name, Form::Number, &values, about);
+                let name = constants.add(name, ConstantForm::Number, &values, about);
                 format!("((r * r) + {name})")
             }
         });
@@ -41,7 +47,7 @@ pub(super) fn factors<S: Float>(
 
 /// Writes a product, divided by its poles.
 pub(super) fn quotient<S: Float>(
-    constants: &mut Constants,
+    constants: &mut FileConstants,
     name: &str,
     product: &Product<S>,
     root: &str,
@@ -62,13 +68,13 @@ fn grouped(factors: String) -> String {
 
 /// Writes a product divided by the expression `poles`.
 pub(super) fn quotient_over<S: Float>(
-    constants: &mut Constants,
+    constants: &mut FileConstants,
     name: &str,
     product: &Product<S>,
     (poles, root): (Option<String>, &str),
 ) -> String {
     let gain = product.gain.to_f64();
-    let gain = constants.add(format!("{name}_GAIN"), Form::Number, &[gain], "");
+    let gain = constants.add(format!("{name}_GAIN"), ConstantForm::Number, &[gain], "");
     let above = factors(constants, &format!("{name}_ZERO"), &product.numerator);
     let one = constants.numbers.write(1.0);
     let value = match (above, poles) {
@@ -85,7 +91,7 @@ pub(super) fn quotient_over<S: Float>(
 
 /// Writes the product of complex roots. Returns `None` if there are no roots.
 pub(super) fn roots<S: Float>(
-    constants: &mut Constants,
+    constants: &mut FileConstants,
     name: &str,
     roots: &[Root<S>],
 ) -> Option<String> {
@@ -100,12 +106,12 @@ pub(super) fn roots<S: Float>(
                 rate,
             } => {
                 let values = [at, rest, off, rate].map(Float::to_f64);
-                let name = constants.add(name, Form::RootPair, &values, "");
+                let name = constants.add(name, ConstantForm::RootPair, &values, "");
                 format!("pair_root(r, {name})")
             }
             Root::Real { rate } => {
                 let about = "-x of the root x";
-                let name = constants.add(name, Form::Number, &[rate.to_f64()], about);
+                let name = constants.add(name, ConstantForm::Number, &[rate.to_f64()], about);
                 format!("real_root(r, {name})")
             }
         });

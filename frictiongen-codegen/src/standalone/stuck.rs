@@ -1,6 +1,6 @@
 //! Expressions for the responses while the contact is stuck. The same expressions are valid in C and Rust.
 
-use super::constants::{Constants, Form};
+use super::constants::{ConstantForm, FileConstants};
 use super::products::{factors, quotient_over, roots};
 use frictiongen_kernel::Float;
 use frictiongen_model::scene::Scene;
@@ -15,25 +15,25 @@ pub(super) enum Expression {
 }
 
 /// A named function of r.
-pub(super) struct Function {
+pub(super) struct FunctionOfR {
     pub name: String,
     pub value: Expression,
 }
 
 /// The stuck responses of a scene as expressions.
-pub(super) struct Stuck {
+pub(super) struct StuckExpressions {
     /// Products over the poles that several responses share.
-    pub poles: Vec<Function>,
+    pub poles: Vec<FunctionOfR>,
     /// The response of each mass, under the name of the mass, and the force that keeps the contact stuck.
-    pub masses: Vec<Function>,
+    pub masses: Vec<FunctionOfR>,
     pub force: Expression,
     /// Expressions for the frequency ratios of the undamped resonances of the stuck chain.
     pub resonances: Vec<String>,
 }
 
-impl Stuck {
+impl StuckExpressions {
     /// Creates the expressions of a scene, and adds their constants to `constants`.
-    pub fn of<S: Float>(constants: &mut Constants, scene: &Scene, held: &Held<S>) -> Self {
+    pub fn of<S: Float>(constants: &mut FileConstants, scene: &Scene, held: &Held<S>) -> Self {
         let sets = held.pole_sets();
         let mut poles = Vec::new();
         for (place, form) in sets.iter().enumerate() {
@@ -48,14 +48,14 @@ impl Stuck {
                 HeldForm::Fixed(_) => None,
             };
             let name = poles_name(place);
-            poles.extend(value.map(|value| Function { name, value }));
+            poles.extend(value.map(|value| FunctionOfR { name, value }));
         }
         let mut masses = Vec::new();
         for (place, (mass, form)) in scene.masses.iter().zip(&held.masses).enumerate() {
             // Keys with the mass's name could collide, because two masses may have names that differ only in their
             // case.
             let key = format!("STUCK_{}", place + 1);
-            masses.push(Function {
+            masses.push(FunctionOfR {
                 name: mass.name.clone(),
                 value: response(constants, &key, &sets, form),
             });
@@ -64,7 +64,7 @@ impl Stuck {
         let resonances = held.resonances.iter().enumerate().map(|(place, own)| {
             let name = format!("HELD_RESONANCE_{}", place + 1);
             let about = "r of an undamped resonance while the contact is stuck";
-            constants.add(name, Form::Number, &[own.to_f64()], about)
+            constants.add(name, ConstantForm::Number, &[own.to_f64()], about)
         });
         Self {
             resonances: resonances.collect(),
@@ -110,7 +110,7 @@ fn poles_name(place: usize) -> String {
 }
 
 fn response<S: Float>(
-    constants: &mut Constants,
+    constants: &mut FileConstants,
     key: &str,
     sets: &[&HeldForm<S>],
     form: &HeldForm<S>,
@@ -119,7 +119,7 @@ fn response<S: Float>(
     let poles = format!("{}(r)", poles_name(place.unwrap_or_default()));
     match form {
         HeldForm::Fixed(amplitude) => {
-            Expression::Real(constants.add(key, Form::Number, &[amplitude.to_f64()], ""))
+            Expression::Real(constants.add(key, ConstantForm::Number, &[amplitude.to_f64()], ""))
         }
         HeldForm::Undamped(product) => {
             let poles = (!product.denominator.is_empty()).then_some(poles);
@@ -131,7 +131,7 @@ fn response<S: Float>(
             denominator,
         } => {
             let gain = [gain.to_f64()];
-            let gain = constants.add(format!("{key}_GAIN"), Form::Number, &gain, "");
+            let gain = constants.add(format!("{key}_GAIN"), ConstantForm::Number, &gain, "");
             let above = match roots(constants, &format!("{key}_ZERO"), numerator) {
                 Some(product) => format!("scaled({product}, {gain})"),
                 None => format!("real_number({gain})"),

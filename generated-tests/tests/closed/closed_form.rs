@@ -4,7 +4,7 @@
 
 use frictiongen::System;
 use frictiongen::study::scene::Scene;
-use frictiongen_codegen::{Limits, parse_text};
+use frictiongen_codegen::{SizeLimits, parse_text};
 use frictiongen_kernel::number::dd::Dd;
 use generated_tests::larger;
 use generated_tests::reference::{
@@ -225,7 +225,7 @@ fn texts_are_the_references() {
 
 /// Reads a scene and removes its name, which may differ between two texts of the same scene.
 fn read(text: &str) -> Scene {
-    let scene = parse_text(text, &Limits::MACRO).expect("a valid scene");
+    let scene = parse_text(text, &SizeLimits::MACRO).expect("a valid scene");
     Scene {
         name: String::new(),
         ..scene.scene

@@ -1,7 +1,7 @@
 //! Run-time scenes beyond 64 masses, whose modal analysis is in double precision.
 
 use frictiongen::System;
-use frictiongen_codegen::{Limits, parse_text};
+use frictiongen_codegen::{SizeLimits, parse_text};
 use frictiongen_model::modal::Modal;
 use std::fmt::Write;
 
@@ -30,7 +30,7 @@ fn frequencies_and_limits_of_80_masses() {
     for spread in [10.0, 1e8] {
         let text = chain(80, spread);
         let system: System = text.parse().expect("a valid scene");
-        let scene = parse_text(&text, &Limits::RUN_TIME)
+        let scene = parse_text(&text, &SizeLimits::RUN_TIME)
             .expect("a valid scene")
             .scene;
         let exact = Modal::of(&scene);

@@ -5,7 +5,7 @@ use frictiongen::{
     ContinuousMotion, FrictionSystem, Given, LimitsAt, MotionAt, Of, OutOfDomain, Slice, Steady,
     StuckAt, System,
 };
-use frictiongen_codegen::{Limits, parse_text, traces};
+use frictiongen_codegen::{SizeLimits, parse_text, traces};
 use frictiongen_kernel::{Float, Scalar};
 use generated_tests::shown;
 
@@ -23,7 +23,7 @@ where
         .iter()
         .find(|(known, _)| *known == name)
         .expect("a scene");
-    let scene = parse_text(text, &Limits::MACRO)
+    let scene = parse_text(text, &SizeLimits::MACRO)
         .expect("a valid scene")
         .scene;
     let system: System<S> = text.parse().expect("a valid scene");
@@ -91,7 +91,7 @@ where
         .iter()
         .find(|(known, _)| *known == name)
         .expect("a scene");
-    let scene = parse_text(text, &Limits::MACRO)
+    let scene = parse_text(text, &SizeLimits::MACRO)
         .expect("a valid scene")
         .scene;
     let system: System<S> = text.parse().expect("a valid scene");
@@ -207,7 +207,7 @@ fn stuck_responses_agree() {
             .iter()
             .find(|(known, _)| *known == name)
             .expect("a scene");
-        let scene = parse_text(text, &Limits::MACRO)
+        let scene = parse_text(text, &SizeLimits::MACRO)
             .expect("a valid scene")
             .scene;
         let (mut compared, mut tied) = (0, 0);

@@ -109,10 +109,10 @@ fn visibility_holds_for_every_type() {
 /// Checks that doc comments and attributes before `struct` become those of the emitted type.
 #[test]
 fn documentation_and_lint_levels_are_carried_through() {
-    use frictiongen_codegen::{Limits, parse_text, pretty};
+    use frictiongen_codegen::{SizeLimits, parse_text, pretty};
     let text = "/// Two storeys.\n#[allow(dead_code)]\npub(super) struct Frame {
         masses: { lower: 1 }, springs: { base - lower: 1 }, contact: lower - wall, excitation: base }";
-    let description = parse_text(text, &Limits::MACRO).expect("a valid scene");
+    let description = parse_text(text, &SizeLimits::MACRO).expect("a valid scene");
     let source = pretty(&description).expect("Rust");
     let head = source.split("struct Frame;").next().expect("a head");
     assert!(

@@ -4,7 +4,7 @@
 //! checksum. Its known answers find a wrong third digit where an answer at a frequency depends on the constant; the
 //! known answers would also find a generator that writes a wrong number together with its checksum.
 
-use frictiongen_codegen::{Limits, parse_text, pretty};
+use frictiongen_codegen::{SizeLimits, parse_text, pretty};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -183,7 +183,7 @@ fn which_check_finds_which_digit() {
     };
     let mut expected = Vec::new();
     for (text, list) in [(EXACT, &OF_EXACT[..]), (TABLED, &OF_TABLED[..])] {
-        let description = parse_text(text, &Limits::MACRO).expect("a valid scene");
+        let description = parse_text(text, &SizeLimits::MACRO).expect("a valid scene");
         let source = pretty(&description).expect("emitted Rust");
         let alone = answers_alone(&source);
         for right in [&source, &alone] {

@@ -1,14 +1,14 @@
 //! Emits a scene with several contacts at one frequency: the state in which no contact slides, and the steady states.
 
-use super::{Emission, wrapper};
+use super::{JointsEmission, wrapper};
 use crate::emit::names::TypeNames;
 use frictiongen_model::scene::Provide;
 use proc_macro2::{Ident, Literal, TokenStream};
 
 /// Emits the type of the scene at one frequency. Returns the definitions of the types, and the items that implement
 /// them.
-pub(super) fn emit(emission: &Emission<'_>) -> (TokenStream, TokenStream) {
-    let Emission {
+pub(super) fn emit(emission: &JointsEmission<'_>) -> (TokenStream, TokenStream) {
+    let JointsEmission {
         description,
         scalar,
         engine,
@@ -46,8 +46,8 @@ pub(super) fn emit(emission: &Emission<'_>) -> (TokenStream, TokenStream) {
 }
 
 /// Emits `Deref`, which gives access to the methods of the kernel's type that the emitted type wraps.
-fn deref(emission: &Emission<'_>, own: &Ident, target: &TokenStream) -> TokenStream {
-    let Emission {
+fn deref(emission: &JointsEmission<'_>, own: &Ident, target: &TokenStream) -> TokenStream {
+    let JointsEmission {
         scalar,
         size,
         engine,
@@ -65,8 +65,8 @@ fn deref(emission: &Emission<'_>, own: &Ident, target: &TokenStream) -> TokenStr
 }
 
 /// Emits the type of the state in which no contact slides, and the method that returns it.
-fn stuck(emission: &Emission<'_>) -> (TokenStream, TokenStream) {
-    let Emission {
+fn stuck(emission: &JointsEmission<'_>) -> (TokenStream, TokenStream) {
+    let JointsEmission {
         description,
         scalar,
         ..
@@ -109,8 +109,8 @@ fn stuck(emission: &Emission<'_>) -> (TokenStream, TokenStream) {
 }
 
 /// Emits the type of a steady state, and the methods that return it.
-fn orbit(emission: &Emission<'_>) -> (TokenStream, TokenStream) {
-    let Emission {
+fn orbit(emission: &JointsEmission<'_>) -> (TokenStream, TokenStream) {
+    let JointsEmission {
         description,
         scalar,
         engine,

@@ -18,7 +18,7 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::format_ident;
 
 /// Data of a scene from which its items are emitted.
-struct Emission<'a> {
+struct JointsEmission<'a> {
     description: &'a Description,
     names: TypeNames,
     /// Name of the type of the friction forces.
@@ -34,7 +34,7 @@ struct Emission<'a> {
     engine: TokenStream,
 }
 
-impl<'a> Emission<'a> {
+impl<'a> JointsEmission<'a> {
     fn of(description: &'a Description) -> Self {
         let scene = &description.scene;
         let facade = &description.facade;
@@ -255,7 +255,7 @@ impl<'a> Emission<'a> {
 
 /// Returns the emitted types in the user's module, and the hidden items.
 pub(super) fn emit(description: &Description) -> (TokenStream, TokenStream) {
-    let emission = Emission::of(description);
+    let emission = JointsEmission::of(description);
     let scene = &description.scene;
     let modal = at_rest(scene, Modal::of(scene));
     let name = &emission.names.name;
@@ -285,7 +285,7 @@ pub(super) fn emit(description: &Description) -> (TokenStream, TokenStream) {
 }
 
 /// Emits the scene's type with its documentation.
-fn scene_type(emission: &Emission<'_>) -> TokenStream {
+fn scene_type(emission: &JointsEmission<'_>) -> TokenStream {
     let description = emission.description;
     let TypeNames {
         at,
@@ -326,8 +326,8 @@ fn scene_type(emission: &Emission<'_>) -> TokenStream {
 }
 
 /// Emits a type that wraps a type of the kernel.
-fn wrapper(emission: &Emission<'_>, name: &Ident, target: &str, about: &str) -> TokenStream {
-    let Emission {
+fn wrapper(emission: &JointsEmission<'_>, name: &Ident, target: &str, about: &str) -> TokenStream {
+    let JointsEmission {
         scalar,
         size,
         engine,

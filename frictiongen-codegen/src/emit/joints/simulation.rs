@@ -1,12 +1,12 @@
 //! Emits the simulation of a scene with several contacts.
 
-use super::{Emission, wrapper};
+use super::{JointsEmission, wrapper};
 use crate::emit::names::TypeNames;
 use proc_macro2::{Literal, TokenStream};
 
 /// Emits the simulation: its type, and its items.
-pub(super) fn emit(emission: &Emission<'_>) -> (TokenStream, TokenStream) {
-    let Emission {
+pub(super) fn emit(emission: &JointsEmission<'_>) -> (TokenStream, TokenStream) {
+    let JointsEmission {
         description,
         scalar,
         engine,
@@ -68,8 +68,8 @@ pub(super) fn emit(emission: &Emission<'_>) -> (TokenStream, TokenStream) {
 }
 
 /// Emits the methods of the simulation.
-fn methods(emission: &Emission<'_>) -> TokenStream {
-    let Emission {
+fn methods(emission: &JointsEmission<'_>) -> TokenStream {
+    let JointsEmission {
         description,
         scalar,
         engine,

@@ -1,6 +1,6 @@
 //! Emits the stepper of a scene with several contacts.
 
-use super::{Emission, wrapper};
+use super::{JointsEmission, wrapper};
 use crate::emit::about::numbers_struct;
 use crate::emit::names::TypeNames;
 use frictiongen_kernel::joints::MAX_STEP_EVENTS;
@@ -8,8 +8,8 @@ use frictiongen_model::scene::{Excitation, StepInput};
 use proc_macro2::TokenStream;
 
 /// Emits the types of the stepper and of its input.
-fn types(emission: &Emission<'_>) -> TokenStream {
-    let Emission {
+fn types(emission: &JointsEmission<'_>) -> TokenStream {
+    let JointsEmission {
         description,
         friction,
         scalar,
@@ -63,8 +63,8 @@ fn types(emission: &Emission<'_>) -> TokenStream {
 }
 
 /// Emits the stepper: its types, and its items.
-pub(super) fn emit(emission: &Emission<'_>) -> (TokenStream, TokenStream) {
-    let Emission {
+pub(super) fn emit(emission: &JointsEmission<'_>) -> (TokenStream, TokenStream) {
+    let JointsEmission {
         description,
         scalar,
         size,

@@ -2,7 +2,7 @@
 
 use super::super::formulas::Formulas;
 use super::super::known::known_answers;
-use super::super::{Numbers, Source, checksum, columns};
+use super::super::{NumberFormat, Source, checksum, columns};
 use super::{constant, header, status};
 use crate::standalone::origin::c_text;
 use frictiongen_kernel::Float;
@@ -75,7 +75,7 @@ pub(super) fn source<S: Float>(source: &Source<'_, S>, formulas: &Formulas, name
             fault(name, of)
         )
     };
-    let Numbers { real, .. } = formulas.numbers;
+    let NumberFormat { real, .. } = formulas.numbers;
     text.push_str(&format!(
         "/* The compiler may write constants and units into the instructions, so that their checksums guard this text.  The\n \
          * known answers guard what the compiler made of it. */\n\
@@ -106,8 +106,8 @@ pub(super) fn source<S: Float>(source: &Source<'_, S>, formulas: &Formulas, name
 }
 
 /// Writes the comparison of `frequency_ratio` with the resonances.
-fn ratios<S: Float>(source: &Source<'_, S>, numbers: Numbers, name: &str) -> String {
-    let Numbers { real, .. } = numbers;
+fn ratios<S: Float>(source: &Source<'_, S>, numbers: NumberFormat, name: &str) -> String {
+    let NumberFormat { real, .. } = numbers;
     let turn = numbers.write(2.0 * std::f64::consts::PI);
     let roundings = numbers.write(16.0 * S::EPSILON);
     let modes = 1..=source.scene.masses.len();
@@ -127,8 +127,8 @@ fn ratios<S: Float>(source: &Source<'_, S>, numbers: Numbers, name: &str) -> Str
 }
 
 /// Writes the comparison of the answers at one frequency.
-fn answers<S: Float>(source: &Source<'_, S>, numbers: Numbers, name: &str) -> String {
-    let Numbers { real, .. } = numbers;
+fn answers<S: Float>(source: &Source<'_, S>, numbers: NumberFormat, name: &str) -> String {
+    let NumberFormat { real, .. } = numbers;
     let letter = numbers.letter();
     let (zero, ok) = (numbers.write(0.0), status(name, "Ok"));
     let wrong = |condition: &str, of: &str| {
@@ -190,7 +190,7 @@ fn answers<S: Float>(source: &Source<'_, S>, numbers: Numbers, name: &str) -> St
 
 /// Writes the checksums of all numbers.
 fn sums<S: Float>(source: &Source<'_, S>, formulas: &Formulas) -> String {
-    let Numbers { real, single, .. } = formulas.numbers;
+    let NumberFormat { real, single, .. } = formulas.numbers;
     let (left, right) = (checksum::TURN, u32::BITS - checksum::TURN);
     let multiplier = checksum::MULTIPLIER;
     let words = if single {
@@ -257,8 +257,8 @@ fn sums<S: Float>(source: &Source<'_, S>, formulas: &Formulas) -> String {
 }
 
 /// Writes the comparison of two numbers.
-fn near(numbers: Numbers) -> String {
-    let (Numbers { real, .. }, letter) = (numbers, numbers.letter());
+fn near(numbers: NumberFormat) -> String {
+    let (NumberFormat { real, .. }, letter) = (numbers, numbers.letter());
     format!(
         "/* False for a value that is not a number. */\n\
          static bool is_near({real} value, {real} expected, {real} error)\n{{\n    \

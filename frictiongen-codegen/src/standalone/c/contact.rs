@@ -1,14 +1,14 @@
 //! Writes the motion of the contact in C.
 
 use super::super::formulas::Formulas;
-use super::super::{Numbers, Source};
+use super::super::{NumberFormat, Source};
 use super::{outside, refusal, status};
 use frictiongen_kernel::Float;
 
 /// Writes the function for the amplitude and the phase of the contact's relative motion.
 pub(super) fn source<S: Float>(source: &Source<'_, S>, formulas: &Formulas, name: &str) -> String {
     let numbers = formulas.numbers;
-    let Numbers { real, .. } = numbers;
+    let NumberFormat { real, .. } = numbers;
     let letter = numbers.letter();
     let excitation = match &formulas.excitation {
         Some(product) => product.clone(),

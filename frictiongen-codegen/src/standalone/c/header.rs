@@ -2,7 +2,7 @@
 
 use super::super::units::UnitConstants;
 use super::super::{
-    Language, Numbers, STATUSES, Source, Words, about, checksum, domain, piece_numbers,
+    Language, LoadWords, NumberFormat, STATUSES, Source, about, checksum, domain, piece_numbers,
 };
 use super::{check, constant, status};
 use crate::standalone::origin::c_text;
@@ -12,9 +12,9 @@ use frictiongen_kernel::Float;
 #[must_use]
 pub fn c_header<S: Float>(source: &Source<'_, S>, name: &str) -> String {
     let Source { scene, origin, .. } = source;
-    let numbers = Numbers::of::<S>(Language::C);
-    let Numbers { real, .. } = numbers;
-    let words = Words::of(scene);
+    let numbers = NumberFormat::of::<S>(Language::C);
+    let NumberFormat { real, .. } = numbers;
+    let words = LoadWords::of(scene);
     let guard = format!("{}_TABLES_H", name.to_uppercase());
     let mark = mark(source);
     let lines = about(source);
@@ -68,8 +68,8 @@ fn mark<S: Float>(source: &Source<'_, S>) -> String {
 }
 
 /// Writes the constants that convert between ratios and units, the declared ranges, and the conversions.
-fn units<S: Float>(source: &Source<'_, S>, name: &str, words: &Words) -> String {
-    let numbers = Numbers::of::<S>(Language::C);
+fn units<S: Float>(source: &Source<'_, S>, name: &str, words: &LoadWords) -> String {
+    let numbers = NumberFormat::of::<S>(Language::C);
     let units = UnitConstants::of::<S>(source.scene);
     let [r, beta] = domain(source.scene, source.tables);
     let mut text = String::new();
@@ -117,7 +117,7 @@ fn units<S: Float>(source: &Source<'_, S>, name: &str, words: &Words) -> String 
         );
         define(None, "BETA_MAX", write(beta.1));
     }
-    let Numbers { real, .. } = numbers;
+    let NumberFormat { real, .. } = numbers;
     text.push_str(&format!(
         "\n/* An angular frequency, rad/s, as the frequency ratio r = omega sqrt(m1/k1). */\n\
          {real} {name}_frequency_ratio({real} omega);\n\n\
@@ -134,12 +134,12 @@ fn units<S: Float>(source: &Source<'_, S>, name: &str, words: &Words) -> String 
     text
 }
 
-fn contact<S: Float>(source: &Source<'_, S>, name: &str, words: &Words) -> String {
+fn contact<S: Float>(source: &Source<'_, S>, name: &str, words: &LoadWords) -> String {
     if !source.tables.moves() {
         return String::new();
     }
-    let Numbers { real, .. } = Numbers::of::<S>(Language::C);
-    let Words {
+    let NumberFormat { real, .. } = NumberFormat::of::<S>(Language::C);
+    let LoadWords {
         amplitude, beta, ..
     } = words;
     format!(
@@ -150,11 +150,11 @@ fn contact<S: Float>(source: &Source<'_, S>, name: &str, words: &Words) -> Strin
     )
 }
 
-fn stuck<S: Float>(source: &Source<'_, S>, name: &str, words: &Words) -> String {
+fn stuck<S: Float>(source: &Source<'_, S>, name: &str, words: &LoadWords) -> String {
     if source.tables.held.is_none() {
         return String::new();
     }
-    let Numbers { real, .. } = Numbers::of::<S>(Language::C);
+    let NumberFormat { real, .. } = NumberFormat::of::<S>(Language::C);
     let masses = source.scene.masses.iter();
     let masses = masses.map(|mass| {
         format!(
@@ -163,7 +163,7 @@ fn stuck<S: Float>(source: &Source<'_, S>, name: &str, words: &Words) -> String 
         )
     });
     let masses: String = masses.collect();
-    let Words {
+    let LoadWords {
         amplitude, load, ..
     } = words;
     format!(
@@ -177,7 +177,7 @@ fn stuck<S: Float>(source: &Source<'_, S>, name: &str, words: &Words) -> String 
 
 /// Returns the checksum of the constants in the header, including the reference frequency.
 pub(super) fn checksum_of_units<S: Float>(source: &Source<'_, S>) -> u32 {
-    let numbers = Numbers::of::<S>(Language::C);
+    let numbers = NumberFormat::of::<S>(Language::C);
     checksum::of_numbers(numbers, unit_numbers(source))
 }
 

@@ -10,7 +10,7 @@ pub use header::c_header;
 pub use numbers::c_tables;
 
 use super::formulas::Formulas;
-use super::{Language, Numbers, Source, columns, first_step, snake};
+use super::{Language, NumberFormat, Source, columns, first_step, snake};
 use frictiongen_kernel::Float;
 use frictiongen_model::scene::Scene;
 
@@ -101,7 +101,7 @@ pub fn c_source<S: Float>(
 
 /// Writes the function that finds a piece of the tables, and the function that evaluates a piece.
 fn lookup<S: Float>(source: &Source<'_, S>, formulas: &Formulas) -> String {
-    let Numbers { real, .. } = formulas.numbers;
+    let NumberFormat { real, .. } = formulas.numbers;
     let [low, density] = &formulas.index;
     let step = first_step(source.tables);
     let search = if step == 0 {
@@ -146,7 +146,7 @@ fn polynomial(real: &str, terms: usize) -> String {
 
 /// Writes the functions for the factors of products, if the formulas call them.
 fn factors(formulas: &Formulas) -> String {
-    let Numbers { real, .. } = formulas.numbers;
+    let NumberFormat { real, .. } = formulas.numbers;
     let all = [
         (
             "zero",
@@ -182,7 +182,7 @@ fn factors(formulas: &Formulas) -> String {
 
 /// Writes the functions for β_lim and β*_lim.
 fn limits<S: Float>(source: &Source<'_, S>, formulas: &Formulas, name: &str) -> String {
-    let Numbers { real, .. } = formulas.numbers;
+    let NumberFormat { real, .. } = formulas.numbers;
     let Formulas { sliding, .. } = formulas;
     let [r_outside, _] = outside(name);
     let column = columns(source.tables);
@@ -206,7 +206,7 @@ fn limits<S: Float>(source: &Source<'_, S>, formulas: &Formulas, name: &str) -> 
 
 /// Writes the functions that convert between ratios and units.
 fn units(formulas: &Formulas, name: &str) -> String {
-    let Numbers { real, .. } = formulas.numbers;
+    let NumberFormat { real, .. } = formulas.numbers;
     format!(
         "\n{real} {name}_frequency_ratio({real} omega)\n{{\n    return omega / REFERENCE;\n}}\n\n\
          {real} {name}_friction_ratio({real} friction, {real} load)\n{{\n    return friction / load;\n}}\n"

@@ -4,7 +4,7 @@ use super::super::formulas::Formulas;
 use super::super::known::{known_answers, numbers as known_numbers, rows, status as known_status};
 use super::super::units::UnitConstants;
 use super::super::{
-    Language, Numbers, RESPONSES, Source, about, checksum, columns, piece_numbers, wrapped,
+    Language, NumberFormat, RESPONSES, Source, about, checksum, columns, piece_numbers, wrapped,
 };
 use super::{header, status};
 use crate::standalone::origin::c_text;
@@ -45,9 +45,9 @@ pub(super) fn without_head<S: Float>(source: &Source<'_, S>, name: &str) -> Opti
 }
 
 /// Writes the buckets and the pieces.
-fn pieces<S: Float>(source: &Source<'_, S>, numbers: Numbers) -> String {
+fn pieces<S: Float>(source: &Source<'_, S>, numbers: NumberFormat) -> String {
     let tables = source.tables;
-    let Numbers { real, .. } = numbers;
+    let NumberFormat { real, .. } = numbers;
     let write = |value: S| numbers.write(value.to_f64());
     let fields = columns(tables).iter();
     let fields =
@@ -91,12 +91,12 @@ fn pieces<S: Float>(source: &Source<'_, S>, numbers: Numbers) -> String {
 }
 
 /// Writes the known answers.
-fn known<S: Float>(source: &Source<'_, S>, numbers: Numbers, name: &str) -> String {
+fn known<S: Float>(source: &Source<'_, S>, numbers: NumberFormat, name: &str) -> String {
     let (tolerance, all) = known_answers(source);
     if all.is_empty() {
         return String::new();
     }
-    let Numbers { real, .. } = numbers;
+    let NumberFormat { real, .. } = numbers;
     let mut fields =
         format!("    {real} r;\n    {real} beta_lim;\n    {real} sliding; /* beta*_lim */\n");
     if source.tables.moves() {

@@ -1,19 +1,19 @@
 //! Writes the stuck responses in C.
 
-use super::super::Numbers;
+use super::super::NumberFormat;
 use super::super::formulas::Formulas;
-use super::super::stuck::{Expression, Function, Stuck};
+use super::super::stuck::{Expression, FunctionOfR, StuckExpressions};
 use super::{outside, refusal, status};
 
 /// Writes the functions for the responses while the contact is stuck, and the complex operations that they call.
-pub(super) fn source(formulas: &Formulas, stuck: &Stuck, name: &str) -> String {
+pub(super) fn source(formulas: &Formulas, stuck: &StuckExpressions, name: &str) -> String {
     let numbers = formulas.numbers;
-    let Numbers { real, .. } = numbers;
+    let NumberFormat { real, .. } = numbers;
     let [outside, _] = outside(name);
     let status = |of: &str| status(name, of);
     let zero = numbers.write(0.0);
     let mut functions = String::new();
-    for Function { name, value } in &stuck.poles {
+    for FunctionOfR { name, value } in &stuck.poles {
         let (of, value) = match value {
             Expression::Real(value) => (real, value),
             Expression::Complex(value) => ("struct number", value),
@@ -46,9 +46,9 @@ pub(super) fn source(formulas: &Formulas, stuck: &Stuck, name: &str) -> String {
 }
 
 /// Writes only those complex operations that the file calls, because an unused one would cause a compiler warning.
-fn operations(formulas: &Formulas, stuck: &Stuck) -> String {
+fn operations(formulas: &Formulas, stuck: &StuckExpressions) -> String {
     let numbers = formulas.numbers;
-    let (Numbers { real, .. }, letter) = (numbers, numbers.letter());
+    let (NumberFormat { real, .. }, letter) = (numbers, numbers.letter());
     let (one, zero) = (numbers.write(1.0), numbers.write(0.0));
     let value = |re: &str, im: &str| {
         format!("    const struct number value = {{{re}, {im}}};\n    return value;\n")

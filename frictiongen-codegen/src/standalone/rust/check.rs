@@ -3,7 +3,7 @@
 use super::super::formulas::Formulas;
 use super::super::known::{known_answers, numbers as known_numbers, rows, status};
 use super::super::units::UnitConstants;
-use super::super::{Language, Numbers, Source, checksum, columns, domain, piece_numbers};
+use super::super::{Language, NumberFormat, Source, checksum, columns, domain, piece_numbers};
 use frictiongen_kernel::Float;
 
 /// Returns the beginning of a list of imported types.
@@ -21,7 +21,7 @@ pub(super) fn imported<S: Float>(source: &Source<'_, S>) -> &'static str {
 /// Writes the checksums and the known answers.
 pub(super) fn numbers<S: Float>(source: &Source<'_, S>, formulas: &Formulas) -> String {
     let numbers = formulas.numbers;
-    let Numbers { real, .. } = numbers;
+    let NumberFormat { real, .. } = numbers;
     let (tolerance, known) = known_answers(source);
     let tables = source.tables;
     let mut units = UnitConstants::of::<S>(source.scene).numbers();
@@ -123,7 +123,7 @@ pub(super) fn source<S: Float>(source: &Source<'_, S>, formulas: &Formulas) -> S
 
 /// Writes the types of the self-check.
 fn faults<S: Float>(source: &Source<'_, S>, knows: bool) -> String {
-    let Numbers { real, .. } = Numbers::of::<S>(Language::Rust);
+    let NumberFormat { real, .. } = NumberFormat::of::<S>(Language::Rust);
     let moves = source.tables.moves();
     let stuck = source.tables.held.is_some();
     let mut text = "/// What the self-check finds wrong.\n\
@@ -154,8 +154,8 @@ fn faults<S: Float>(source: &Source<'_, S>, knows: bool) -> String {
 }
 
 /// Writes the checksum.
-fn sums(numbers: Numbers) -> String {
-    let Numbers { real, single, .. } = numbers;
+fn sums(numbers: NumberFormat) -> String {
+    let NumberFormat { real, single, .. } = numbers;
     let (turn, multiplier) = (checksum::TURN, checksum::MULTIPLIER);
     let multiplier = format!("{:#06x}_{:04x}", multiplier >> 16, multiplier & 0xffff);
     let words = if single {
@@ -182,7 +182,7 @@ fn sums(numbers: Numbers) -> String {
 
 /// Writes the comparison of all checksums.
 fn checked_numbers<S: Float>(source: &Source<'_, S>, formulas: &Formulas, knows: bool) -> String {
-    let Numbers { real, .. } = formulas.numbers;
+    let NumberFormat { real, .. } = formulas.numbers;
     let tables = source.tables;
     let columns = columns(tables).iter();
     let columns = columns.map(|(name, _)| format!(".chain(&piece.{name})"));
@@ -230,8 +230,8 @@ fn checked_numbers<S: Float>(source: &Source<'_, S>, formulas: &Formulas, knows:
 }
 
 /// Writes the comparison of `frequency_ratio` with the resonances.
-fn ratios(numbers: Numbers) -> String {
-    let Numbers { real, .. } = numbers;
+fn ratios(numbers: NumberFormat) -> String {
+    let NumberFormat { real, .. } = numbers;
     format!(
         "fn checked_ratios() -> Result<(), Fault> {{\n    \
          // Roundings of the frequency, of 2π, of their product and of the ratio.\n    \

@@ -1,16 +1,16 @@
 //! Writes the motion of the contact in Rust.
 
 use super::super::formulas::Formulas;
-use super::super::{Numbers, Source, Words};
+use super::super::{LoadWords, NumberFormat, Source};
 use frictiongen_kernel::Float;
 
 /// Writes the function for the amplitude and the phase of the contact's relative motion.
 pub(super) fn source<S: Float>(
     source: &Source<'_, S>,
     formulas: &Formulas,
-    words: &Words,
+    words: &LoadWords,
 ) -> String {
-    let Numbers { real, .. } = formulas.numbers;
+    let NumberFormat { real, .. } = formulas.numbers;
     let excitation = match &formulas.excitation {
         Some(product) => product.clone(),
         None => "polynomial(&piece.abs_v, t)".to_owned(),
@@ -34,7 +34,7 @@ pub(super) fn source<S: Float>(
     let unbounded = Formulas::on(&formulas.unbounded).map_or_else(String::new, |on| {
         format!("    if {on} {{\n        return Err(Error::Unbounded);\n    }}\n")
     });
-    let Words {
+    let LoadWords {
         amplitude, beta, ..
     } = words;
     format!(

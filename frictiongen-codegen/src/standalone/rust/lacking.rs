@@ -1,6 +1,6 @@
 //! Writes the square root and the arc tangent, which `core` lacks.
 
-use super::super::Numbers;
+use super::super::NumberFormat;
 
 /// Number of equal steps from 0 to 1 at which the arc tangent is tabulated. The power series then needs arguments of at
 /// most 1/16.
@@ -8,7 +8,7 @@ const PARTS: u32 = 8;
 
 /// Writes a trait with the square root and the arc tangent, for a file that may be built without std. Methods of the
 /// type take precedence over methods of a trait, so a build with std uses the methods of std.
-pub(super) fn source(numbers: Numbers) -> String {
+pub(super) fn source(numbers: NumberFormat) -> String {
     // Format constants: bits of the fraction, exponent bias, integer types, shift before the integer root, and the
     // power of two that scales a subnormal number.
     let (real, fraction, bias, bits, wide, shift, scale) = if numbers.single {

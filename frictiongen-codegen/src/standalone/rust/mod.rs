@@ -8,8 +8,8 @@ mod stuck;
 use super::formulas::Formulas;
 use super::units::UnitConstants;
 use super::{
-    COLUMNS, Language, Numbers, RESPONSES, STATUSES, Source, Words, about, columns, domain,
-    first_step, wrapped,
+    COLUMNS, Language, LoadWords, NumberFormat, RESPONSES, STATUSES, Source, about, columns,
+    domain, first_step, wrapped,
 };
 use frictiongen_kernel::Float;
 use frictiongen_model::table::Tables;
@@ -20,7 +20,7 @@ use frictiongen_model::table::Tables;
 pub fn rust_source<S: Float>(source: &Source<'_, S>) -> Option<String> {
     let formulas = Formulas::of(source, Language::Rust)?;
     let tables = source.tables;
-    let words = Words::of(source.scene);
+    let words = LoadWords::of(source.scene);
     let mut text = source.origin.rust_comment(source.scene);
     text.push_str(&format!(
         "\n//! Limits of the scene `{name}`.\n//!\n//! {about}\n//!\n\
@@ -68,9 +68,9 @@ fn errors() -> String {
 }
 
 /// Writes the constants that convert between ratios and units, the declared ranges, and the conversions.
-fn units<S: Float>(source: &Source<'_, S>, words: &Words) -> String {
-    let numbers = Numbers::of::<S>(Language::Rust);
-    let Numbers { real, .. } = numbers;
+fn units<S: Float>(source: &Source<'_, S>, words: &LoadWords) -> String {
+    let numbers = NumberFormat::of::<S>(Language::Rust);
+    let NumberFormat { real, .. } = numbers;
     let units = UnitConstants::of::<S>(source.scene);
     let [r, beta] = domain(source.scene, source.tables);
     let write = |value: f64| numbers.write(value);
@@ -117,8 +117,8 @@ fn units<S: Float>(source: &Source<'_, S>, words: &Words) -> String {
 const DIGITS: &str = "#[allow(clippy::approx_constant, clippy::unreadable_literal, clippy::excessive_precision, reason = \"all digits, as they are printed\")]\n";
 
 /// Writes the functions for β_lim and β*_lim.
-fn limits(formulas: &Formulas, words: &Words) -> String {
-    let Numbers { real, .. } = formulas.numbers;
+fn limits(formulas: &Formulas, words: &LoadWords) -> String {
+    let NumberFormat { real, .. } = formulas.numbers;
     let Formulas { sliding, .. } = formulas;
     // If β*_lim is constant, its expression does not contain r.
     let r = if sliding.contains("(r") { "r" } else { "_" };
@@ -139,7 +139,7 @@ fn limits(formulas: &Formulas, words: &Words) -> String {
 
 /// Writes the functions that evaluate one factor of a product, if the formulas call them.
 fn factors(formulas: &Formulas) -> String {
-    let Numbers { real, .. } = formulas.numbers;
+    let NumberFormat { real, .. } = formulas.numbers;
     let all = [
         (
             "zero",
@@ -172,7 +172,7 @@ fn factors(formulas: &Formulas) -> String {
 
 /// Writes the function that finds a piece of the tables, and the function that evaluates a piece.
 fn lookup<S: Float>(formulas: &Formulas, tables: &Tables<S>) -> String {
-    let Numbers { real, .. } = formulas.numbers;
+    let NumberFormat { real, .. } = formulas.numbers;
     let terms = tables.terms;
     let [low, density] = &formulas.index;
     let fields = columns(tables).iter();
@@ -239,7 +239,7 @@ fn polynomial(terms: usize) -> String {
 fn numbers<S: Float>(source: &Source<'_, S>, formulas: &Formulas) -> String {
     let tables = source.tables;
     let numbers = formulas.numbers;
-    let Numbers { real, .. } = numbers;
+    let NumberFormat { real, .. } = numbers;
     let write = |value: S| numbers.write(value.to_f64());
     let mut pieces = String::new();
     for piece in &tables.pieces {

@@ -1,12 +1,12 @@
 //! Writes the stuck responses in Rust.
 
 use super::super::formulas::Formulas;
-use super::super::stuck::{Expression, Function, Stuck};
-use super::super::{Numbers, Words};
+use super::super::stuck::{Expression, FunctionOfR, StuckExpressions};
+use super::super::{LoadWords, NumberFormat};
 
 /// Writes the functions for the responses while the contact is stuck, and the complex operations that they call.
-pub(super) fn source(formulas: &Formulas, stuck: &Stuck, words: &Words) -> String {
-    let Numbers { real, .. } = formulas.numbers;
+pub(super) fn source(formulas: &Formulas, stuck: &StuckExpressions, words: &LoadWords) -> String {
+    let NumberFormat { real, .. } = formulas.numbers;
     let mut source = String::new();
     let (amplitude, load) = (words.amplitude, words.load);
     let resonant = Formulas::on(&stuck.resonances).map_or_else(String::new, |on| {
@@ -39,7 +39,7 @@ pub(super) fn source(formulas: &Formulas, stuck: &Stuck, words: &Words) -> Strin
              if !(R_MIN..=R_MAX).contains(&r) {{\n        return Err(Error::OutOfDomain);\n    }}\n{resonant}    Ok({value})\n}}\n"
         ));
     }
-    for Function { name, value } in &stuck.poles {
+    for FunctionOfR { name, value } in &stuck.poles {
         let (of, value) = match value {
             Expression::Real(value) => (real.to_owned(), value),
             Expression::Complex(value) => (format!("({real}, {real})"), value),
@@ -53,7 +53,7 @@ pub(super) fn source(formulas: &Formulas, stuck: &Stuck, words: &Words) -> Strin
 
 /// Writes the complex operations that the file calls.
 fn operations(formulas: &Formulas) -> String {
-    let Numbers { real, .. } = formulas.numbers;
+    let NumberFormat { real, .. } = formulas.numbers;
     let number = format!("({real}, {real})");
     let all = [
         (

@@ -1,11 +1,11 @@
 //! Tests that a request that cannot be met is reported at its token. `docs/messages.md` has the other messages.
 
 use super::scenes::scene;
-use frictiongen_codegen::{Limits, parse_text};
+use frictiongen_codegen::{SizeLimits, parse_text};
 
 fn told(field: &str, text: &str) -> String {
     let text = text.replace("stiction", &format!("{field}, stiction"));
-    parse_text(&text, &Limits::MACRO)
+    parse_text(&text, &SizeLimits::MACRO)
         .expect_err("no table")
         .to_string()
 }

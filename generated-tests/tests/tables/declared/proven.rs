@@ -5,7 +5,7 @@ use super::scenes::{scene, scenes};
 use frictiongen::System;
 use frictiongen::study::scene::Side;
 use frictiongen::study::table::{Evidence, Proof, ProofWork, Request, TableError, Tables};
-use frictiongen_codegen::{Description, Limits, ProofAt, SceneTables, parse_text, pretty};
+use frictiongen_codegen::{Description, ProofAt, SceneTables, SizeLimits, parse_text, pretty};
 use frictiongen_kernel::Float;
 use fuzzing::Random;
 use std::time::Instant;
@@ -179,7 +179,7 @@ fn how_much() {
 /// Checks that the macro proves as much as a command does, for the same numbers, if the scene requests a proof.
 #[test]
 fn where_the_scene_asks() {
-    let read = |text: &str| parse_text(text, &Limits::MACRO).expect("a scene");
+    let read = |text: &str| parse_text(text, &SizeLimits::MACRO).expect("a scene");
     for (kind, damping, scalar, accuracy) in [
         ("Wall", "none", "f64", "1e-4"),
         ("Pair", "none", "f32", "1e-4"),
@@ -247,7 +247,7 @@ fn unasked_where(chosen: impl Fn(&str) -> bool) -> usize {
             "{}, accuracy: 1e-4, range: {{ r: 0.2..2.5 }} }}",
             &text[..end]
         );
-        let read = parse_text(&text, &Limits::MACRO).expect("a scene");
+        let read = parse_text(&text, &SizeLimits::MACRO).expect("a scene");
         let (tables, scene) = (read.tables.expect("tables"), read.scene);
         let mut whole = tables.clone();
         whole.prove(&scene, ProofWork::WHOLE);
@@ -265,9 +265,9 @@ fn unasked_where(chosen: impl Fn(&str) -> bool) -> usize {
 /// Checks that without the feature `proof` a macro checks the same numbers, and refuses `proof: whole` at its value.
 #[test]
 fn without_the_feature() {
-    let limits = Limits {
+    let limits = SizeLimits {
         proof: ProofAt::Missing,
-        ..Limits::MACRO
+        ..SizeLimits::MACRO
     };
     let text = scene("Wall", 2, "modal(0.02)", "1.2", "f64");
     let end = text.rfind('}').expect("a scene");
@@ -278,7 +278,7 @@ fn without_the_feature() {
     for proof in ["", "proof: quick"] {
         let read = parse_text(&with(proof), &limits).expect("a scene");
         let own = known(&read.tables.expect("tables"));
-        let proven = parse_text(&with(proof), &Limits::MACRO).expect("a scene");
+        let proven = parse_text(&with(proof), &SizeLimits::MACRO).expect("a scene");
         let proven = known(&proven.tables.expect("tables"));
         assert_eq!(own.1, proven.1);
         for (own, proven) in own.0.iter().zip(&proven.0) {
@@ -301,7 +301,10 @@ fn within_a_budget() {
     let end = text.rfind('}').expect("a scene");
     let with = |proof: &str| {
         let fields = format!("provide: [limits], budget: 8192, range: {{ r: 0.2..2.5 }}, {proof}");
-        let read = parse_text(&format!("{}, {fields} }}", &text[..end]), &Limits::MACRO);
+        let read = parse_text(
+            &format!("{}, {fields} }}", &text[..end]),
+            &SizeLimits::MACRO,
+        );
         match read.expect("a scene").tables.expect("tables") {
             SceneTables::Double(tables) => (tables.request.accuracy, tables.proof.evidence),
             SceneTables::Single(_) => unreachable!("double precision"),

@@ -3,7 +3,7 @@
 
 use super::{cc, folder, run, rustc, source, write_c};
 use frictiongen::System;
-use frictiongen_codegen::known::Outcome;
+use frictiongen_codegen::known::MotionKind;
 use frictiongen_codegen::standalone::{known_answers, rust_source};
 use std::process::Command;
 
@@ -60,7 +60,7 @@ fn known_answers_are_right() {
         close(known.sliding, limits.sliding, limits.sliding);
         let motion = known.motion.as_ref().expect("a motion");
         seen[motion.outcome as usize] += 1;
-        if motion.outcome == Outcome::Continuous {
+        if motion.outcome == MotionKind::Continuous {
             let own = at.motion(motion.beta).expect("continuous");
             let [amplitude, phase] = motion.contact;
             close(amplitude, own.contact().amplitude(), amplitude);

@@ -5,7 +5,7 @@ use frictiongen::study::table::Tables;
 use frictiongen::{NotContinuous, System, friction_system};
 use frictiongen_codegen::SceneTables;
 use frictiongen_codegen::standalone::{c_header, rust_source};
-use frictiongen_codegen::{Limits, parse_text};
+use frictiongen_codegen::{SizeLimits, parse_text};
 use std::process::Command;
 
 /// Passes a scene to the macro, and keeps its text.
@@ -37,7 +37,7 @@ scene! { FEW: struct Few {
 
 /// Returns the tables that the macro makes of a text, with its scene.
 fn tables(text: &str) -> (frictiongen::study::scene::Scene, Tables<f64>) {
-    let scene = parse_text(text, &Limits::MACRO).expect("a scene").scene;
+    let scene = parse_text(text, &SizeLimits::MACRO).expect("a scene").scene;
     match SceneTables::of(&scene).expect("tables") {
         Some(SceneTables::Double(tables)) => (scene, tables),
         _ => unreachable!("tables in double precision"),
